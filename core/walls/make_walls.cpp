@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <sstream>
 
-#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "core/base/tolerances.h"
-#include "core/base/union_find.h"
 #include "core/walls/chart_region.h"
+#include "core/walls/patch_check.h"
+#include "core/walls/side_chart.h"
+#include "core/walls/untangle.h"
+#include "core/walls/wall_cap.h"
 #include "core/walls/wall_chart.h"
 #include "core/walls/wall_mesh.h"
 
@@ -20,14 +20,12 @@ namespace kerf {
 
 namespace {
 
-// The width of a chart and the largest y.
-constexpr int64_t kChartSize = int64_t{1} << 30;
 // How far a vertex of the rim may lie from the outline, relative to the radius: by the errors that the rim
 // may have, and for beams through an apex also by what the inclined beam's ellipse differs from a circle.
 constexpr double kReachParallel = 0.03, kReachFan = 0.3;
 // Two corners of the end of a wall, as seen from the middle of an arc: their chord lies kRimChord from it.
 constexpr double kTurnOfEnd = 0.0979;
-// // A triangle that is cut off the rim is no higher, relative to the radius.
+// A triangle that is cut off the rim is no higher, relative to the radius.
 constexpr double kHighestCut = 0.03;
 // How often a wall may have more vertices than its rim.
 constexpr size_t kMostAdded = 2;
@@ -40,9 +38,6 @@ std::string at_place(const Vec3& p) {
 }
 
 Error left_open(const char* why, const Vec3& p) { return failed(why + at_place(p)); }
-
-// A side of the walls, as indices of vertices of the patch.
-using PatchSide = std::pair<uint32_t, uint32_t>;
 
 class WallMaker {
  public:
@@ -63,8 +58,8 @@ class WallMaker {
     for (const std::vector<PatchSide>* end : {&low_end_, &high_end_}) {
       if (const Status made = make_cap(*end, end == &high_end_); !made) return made.error();
     }
-    if (const Status whole = check(); !whole) return whole.error();
-    tell_walls_apart();
+    if (const auto fault = fault_of(patch_, rim_)) return left_open(fault->why, at(fault->vertex));
+    tell_walls_apart(patch_, rim_, sides_);
     return std::move(patch_);
   }
 
@@ -126,68 +121,40 @@ class WallMaker {
     return depth;
   }
 
-  // Beams through an apex see straight lines as such where depth is measured by its reciprocal.
-  double height(double depth) const { return pencil_->parallel() ? -depth : 1 / depth; }
-  double depth_at(double height) const { return pencil_->parallel() ? -height : 1 / height; }
-
-  // The chart of one curve in whole numbers. The beam is on the left of the outline, so that with y against
-  // the depth, walls whose outside faces the beam are counter-clockwise.
+  // What the rim does on one side of the beam, i.e. around one curve of its outline.
   struct Side {
-    uint32_t curve = 0;
-    double lowest = 0, scale = 1;     // of heights
+    uint32_t curve;
+    SideChart chart;
     std::vector<uint32_t> of_patch;   // vertices by local number; those of the rim come first
     std::vector<ChartVertex> placed;  // by local number
     std::vector<ChartEdge> edges;
   };
 
-  int64_t y_of(const Side& side, double depth) const {
-    return static_cast<int64_t>((height(depth) - side.lowest) * side.scale + 0.5);
-  }
-  int64_t x_of(const Side& side, double around) const {
-    const double share = around / chart_->period(side.curve);
-    return std::min(static_cast<int64_t>(share * static_cast<double>(kChartSize)), kChartSize - 1);
-  }
-  WallChart::Place place_of(const Side& side, const ChartVertex& v) const {
-    const double around =
-        static_cast<double>(v.x) / static_cast<double>(kChartSize) * chart_->period(side.curve);
-    return {side.curve, around, depth_at(side.lowest + static_cast<double>(v.y) / side.scale)};
-  }
-
-  void scale(Side& side, Interval depths) const {
-    const double low = std::min(height(depths.low), height(depths.high));
-    const double high = std::max(height(depths.low), height(depths.high));
-    side.lowest = low;
-    side.scale = high > low ? static_cast<double>(kChartSize - 2) / (high - low) : 1;
-  }
-
-  // By how much x grows along an edge of the rim, which goes the shorter way around the beam.
-  static int64_t x_between(const ChartVertex& from, const ChartVertex& to) {
-    const int64_t way = to.x - from.x;
-    if (way > kChartSize / 2) return way - kChartSize;
-    return way < -kChartSize / 2 ? way + kChartSize : way;
-  }
-
-  // The edges of a curve along the rim.
-  Status place_edges(Side& side, Interval depths) const {
-    scale(side, depths);
-    side.of_patch.clear();
+  void place_vertices(Side& side, Interval depths) const {
+    side.chart = SideChart(*chart_, side.curve, depths);
     side.placed.clear();
-    side.edges.clear();
+    for (const uint32_t i : side.of_patch)
+      side.placed.push_back(side.chart.place(places_[i].around, places_[i].depth));
+  }
+
+  // The vertices and the edges of the rim around a curve.
+  Result<Side> side_of(uint32_t curve) const {
+    Side side{curve, SideChart(*chart_, curve, depths_), {}, {}, {}};
     std::vector<uint32_t> local(patch_.rim.size());
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
-      if (places_[i].curve != side.curve) continue;
-      local[i] = static_cast<uint32_t>(side.placed.size());
+      if (places_[i].curve != curve) continue;
+      local[i] = static_cast<uint32_t>(side.of_patch.size());
       side.of_patch.push_back(i);
-      side.placed.push_back({x_of(side, places_[i].around), y_of(side, places_[i].depth)});
     }
+    place_vertices(side, depths_);
     for (const auto& [from, to] : rim_) {
       if (places_[from].curve != places_[to].curve)
         return left_open("the rim crosses from one side of the beam to another", rim_at(from));
-      if (places_[from].curve != side.curve) continue;
-      side.edges.push_back(
-          {local[from], local[to], x_between(side.placed[local[from]], side.placed[local[to]])});
+      if (places_[from].curve != curve) continue;
+      const ChartVertex &a = side.placed[local[from]], &b = side.placed[local[to]];
+      side.edges.push_back({local[from], local[to], SideChart::x_between(a, b)});
     }
-    return Done{};
+    return side;
   }
 
   // Closes a side where the range of the beam ends in the solid.
@@ -195,14 +162,14 @@ class WallMaker {
     const auto first = static_cast<uint32_t>(side.placed.size());
     for (const double around : chart_->corners(side.curve, kTurnOfEnd)) {
       side.of_patch.push_back(add(chart_->point_at({side.curve, around, depth})));
-      side.placed.push_back({x_of(side, around), y_of(side, depth)});
+      side.placed.push_back(side.chart.place(around, depth));
     }
     const auto end = static_cast<uint32_t>(side.placed.size());
     std::vector<PatchSide>& sides = is_high ? high_end_ : low_end_;
     for (uint32_t i = first; i < end; ++i) {
       const uint32_t next = i + 1 < end ? i + 1 : first;
       int64_t dx = side.placed[next].x - side.placed[i].x;
-      if (dx < 0) dx += kChartSize;
+      if (dx < 0) dx += SideChart::kSize;
       if (is_high) {
         side.edges.push_back({i, next, dx});
         sides.emplace_back(side.of_patch[next], side.of_patch[i]);
@@ -219,95 +186,26 @@ class WallMaker {
     return stroke_.winding(chart_->point_at({side.curve, place.around, depth}), sign * pencil_->axis());
   }
 
-  // The windings of the edges around the points of the chart. The rim may be off the boundary by a little,
-  // and
-  // its edges are chords: where some cross or touch, small triangles are cut off at vertices there, which
-  // become faces of the wall. Nothing where that does not help.
-  std::optional<ChartRegion::Winding> untangle(Side& side) {
-    constexpr int kMostCuts = 256;
-    std::vector<uint32_t> conflict;
-    for (int i = 0; i < kMostCuts; ++i) {
-      const auto winding = ChartRegion(side.placed, side.edges, kChartSize).winding(&conflict);
-      if (winding || !cut_off_smallest(side, conflict)) return winding;
-    }
-    return std::nullopt;
-  }
-
-  // The edges before and after a vertex through which the rim goes once.
-  struct Passage {
-    size_t in, out;
-  };
-  static std::optional<Passage> passage(const Side& side, uint32_t v) {
-    std::optional<size_t> in, out;
-    for (size_t i = 0; i < side.edges.size(); ++i) {
-      for (const auto& [end, edge] :
-           {std::pair(side.edges[i].to, &in), std::pair(side.edges[i].from, &out)}) {
-        if (end != v) continue;
-        if (*edge) return std::nullopt;
-        *edge = i;
-      }
-    }
-    if (!in || !out) return std::nullopt;
-    return Passage{*in, *out};
-  }
-
-  bool cut_off_smallest(Side& side, const std::vector<uint32_t>& vertices) {
-    const double most = kHighestCut * stroke_.radius;
-    std::optional<Passage> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const uint32_t v : vertices) {
-      const auto p = passage(side, v);
-      if (!p) continue;
-      const uint32_t a = side.of_patch[side.edges[p->in].from], c = side.of_patch[side.edges[p->out].to];
-      if (a == c) continue;
-      const Triangle t{rim_at(a), rim_at(side.of_patch[v]), rim_at(c)};
-      const double area = triangle_area(t), height = 2 * area / std::sqrt(longest_edge2(t));
-      if (!(height <= most) || !(area < least)) continue;
-      if (are_joined(patch_.rim[a], patch_.rim[c]) && !closes(side, *p)) continue;
-      best = p;
-      least = area;
-    }
-    if (best) cut_off(side, *best);
-    return best.has_value();
-  }
-
-  // The edge from the end of a passage to its start, which makes a triangle of the three.
-  static std::optional<size_t> closes(const Side& side, const Passage& p) {
-    for (size_t i = 0; i < side.edges.size(); ++i) {
-      if (side.edges[i].from == side.edges[p.out].to && side.edges[i].to == side.edges[p.in].from) return i;
-    }
-    return std::nullopt;
-  }
-
-  void cut_off(Side& side, const Passage& p) {
-    ChartEdge &in = side.edges[p.in], &out = side.edges[p.out];
-    patch_.faces.push_back({side.of_patch[in.from], side.of_patch[in.to], side.of_patch[out.to]});
-    std::vector<size_t> gone{p.out};
-    if (const auto third = closes(side, p)) {
-      gone.insert(gone.end(), {p.in, *third});
-    } else {
-      in.dx += out.dx;
-      in.to = out.to;
-    }
-    std::sort(gone.begin(), gone.end());
-    for (size_t i = gone.size(); i-- > 0;)
-      side.edges.erase(side.edges.begin() + static_cast<std::ptrdiff_t>(gone[i]));
-  }
-
-  // Places the vertices in a chart of other depths.
-  void place_again(Side& side, Interval depths) const {
-    scale(side, depths);
-    for (size_t i = 0; i < side.placed.size(); ++i)
-      side.placed[i].y = y_of(side, places_[side.of_patch[i]].depth);
+  std::optional<ChartRegion::Winding> untangle_side(Side& side) {
+    std::vector<Vec3> positions;
+    for (const uint32_t i : side.of_patch) positions.push_back(rim_at(i));
+    RimInChart rim{side.placed, positions, std::move(side.edges), SideChart::kSize};
+    std::vector<std::array<uint32_t, 3>> cut_off;
+    const auto winding = untangle(
+        rim, kHighestCut * stroke_.radius,
+        [&](uint32_t a, uint32_t b) { return are_joined(side.of_patch[a], side.of_patch[b]); }, cut_off);
+    side.edges = std::move(rim.edges);
+    append_faces(side.of_patch, cut_off);
+    return winding;
   }
 
   Status make_side(uint32_t curve) {
-    Side side;
-    side.curve = curve;
-    if (const Status placed = place_edges(side, depths_); !placed) return placed.error();
+    Result<Side> found = side_of(curve);
+    if (!found) return found.error();
+    Side& side = *found;
     if (side.edges.empty()) return Done{};
     const Vec3 here = rim_at(side.of_patch.front());
-    const auto winding = untangle(side);
+    const auto winding = untangle_side(side);
     if (!winding) return left_open("the rim crosses itself", here);
     if (side.edges.empty()) return Done{};
     const int below = -winding->least, above = winding->above + below;
@@ -322,7 +220,7 @@ class WallMaker {
     if (below > 0) depths.high = *high;
     if (above > 0) depths.low = *low;
     if (below + above > 0) {
-      place_again(side, depths);
+      place_vertices(side, depths);
       if (below > 0) add_end(side, *high, true);
       if (above > 0) add_end(side, *low, false);
     }
@@ -343,33 +241,28 @@ class WallMaker {
   }
 
   Status triangulate(const Side& side, const Vec3& here) {
-    const auto triangles = ChartRegion(side.placed, side.edges, kChartSize).triangles();
+    const auto triangles = ChartRegion(side.placed, side.edges, SideChart::kSize).triangles();
     if (!triangles) return left_open("the rim crosses itself", here);
     if (meet_twice(*triangles)) return left_open("the wall is so narrow that its edges meet", here);
     std::vector<WallMesh::Vertex> vertices;
     for (size_t i = 0; i < side.placed.size(); ++i)
       vertices.push_back({at(side.of_patch[i]), side.placed[i]});
     WallMesh wall(
-        std::move(vertices), *triangles, kChartSize,
+        std::move(vertices), *triangles, SideChart::kSize,
         [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); });
     wall.improve();
     const size_t most = kMostAdded * (side.placed.size() + 1024);
     size_t added = 0;
-    const auto at_middle = [&](const ChartVertex& v) {
-      return on_boundary(chart_->point_at(place_of(side, v)));
-    };
+    const auto at_middle = [&](const ChartVertex& v) { return on_boundary(side.chart.point(v)); };
     wall.refine([&](const ChartVertex& v) -> std::optional<Vec3> {
       if (added++ >= most) return std::nullopt;
       return at_middle(v);
     });
     if (added > most) return left_open("the sides of the beam at different depths do not correspond", here);
-    const auto rim = static_cast<uint32_t>(patch_.rim.size());
-    const auto are_joined_already = [&](uint32_t a, uint32_t b) {
-      const uint32_t i = side.of_patch[a], k = side.of_patch[b];
-      return i < rim && k < rim && are_joined(patch_.rim[i], patch_.rim[k]);
-    };
-    wall.split_between(static_cast<uint32_t>(side.of_patch.size()), are_joined_already,
-                       [&](const ChartVertex& v) { return std::optional(at_middle(v)); });
+    wall.split_between(
+        static_cast<uint32_t>(side.of_patch.size()),
+        [&](uint32_t a, uint32_t b) { return are_joined(side.of_patch[a], side.of_patch[b]); },
+        [&](const ChartVertex& v) { return std::optional(at_middle(v)); });
     append(side, wall);
     return Done{};
   }
@@ -380,11 +273,9 @@ class WallMaker {
     if (glm::length(b.at - a.at) <= kRimLeastEdge * stroke_.radius) return 0;
     const Vec3 chord = 0.5 * (a.at + b.at);
     // The point of the chart between the ends is not the nearest one, nor exact for beams through an apex.
-    if (pencil_->parallel()) {
-      const int64_t x = (a.chart.x + b.chart.x) / 2, y = (a.chart.y + b.chart.y) / 2;
-      const ChartVertex middle{(x % kChartSize + kChartSize) % kChartSize, y};
-      if (glm::length(chart_->point_at(place_of(side, middle)) - chord) <= most) return 0;
-    }
+    if (pencil_->parallel() &&
+        glm::length(side.chart.point(SideChart::middle(a.chart, b.chart)) - chord) <= most)
+      return 0;
     return std::max(std::abs(stroke_.distance(chord)) - most, 0.0);
   }
 
@@ -407,12 +298,14 @@ class WallMaker {
     return p;
   }
 
-  bool are_joined(VertexId a, VertexId b) const {
+  // Whether two vertices of the patch are those of an edge of the mesh.
+  bool are_joined(uint32_t i, uint32_t k) const {
+    if (std::max(i, k) >= patch_.rim.size()) return false;
     Mesh::Star star;
-    mesh_.star(a, star);
+    mesh_.star(patch_.rim[i], star);
     return std::any_of(star.faces.begin(), star.faces.end(), [&](FaceId f) {
       const auto c = mesh_.corners(f);
-      return std::find(c.begin(), c.end(), b) != c.end();
+      return std::find(c.begin(), c.end(), patch_.rim[k]) != c.end();
     });
   }
 
@@ -420,8 +313,12 @@ class WallMaker {
     std::vector<uint32_t> of_patch = side.of_patch;
     for (size_t i = of_patch.size(); i < wall.vertices().size(); ++i)
       of_patch.push_back(add(wall.vertices()[i].at));
-    for (const WallMesh::Corners& t : wall.triangles())
-      patch_.faces.push_back({of_patch[t[0]], of_patch[t[1]], of_patch[t[2]]});
+    append_faces(of_patch, wall.triangles());
+  }
+
+  void append_faces(const std::vector<uint32_t>& of_patch,
+                    std::span<const std::array<uint32_t, 3>> triangles) {
+    for (const auto& t : triangles) patch_.faces.push_back({of_patch[t[0]], of_patch[t[1]], of_patch[t[2]]});
   }
 
   // The part of the plane at an end of the range that the ends of the sides bound. Seen from the beam, i.e.
@@ -430,77 +327,21 @@ class WallMaker {
     if (sides.empty()) return Done{};
     std::map<uint32_t, uint32_t> local;
     std::vector<uint32_t> of_patch;
-    for (const auto& [from, to] : sides) {
-      if (local.try_emplace(from, static_cast<uint32_t>(of_patch.size())).second) of_patch.push_back(from);
-    }
     std::vector<Vec2> places;
-    for (const uint32_t v : of_patch) {
+    std::vector<Vec3> positions;
+    for (const auto& [v, to] : sides) {
+      if (!local.try_emplace(v, static_cast<uint32_t>(of_patch.size())).second) continue;
       const Vec2 place = pencil_->see(at(v)).place;
+      of_patch.push_back(v);
+      positions.push_back(at(v));
       places.emplace_back(place.x, is_high ? -place.y : place.y);
     }
-    Vec2 low = places[0], high = places[0];
-    for (const Vec2 p : places) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-    const double scale = static_cast<double>(kChartSize - 2) / std::max(high.x - low.x, high.y - low.y);
-    std::vector<ChartVertex> placed;
-    for (const Vec2 p : places) {
-      placed.push_back({static_cast<int64_t>((p.x - low.x) * scale + 0.5),
-                        static_cast<int64_t>((p.y - low.y) * scale + 0.5)});
-    }
-    std::vector<ChartEdge> edges;
-    for (const auto& [from, to] : sides)
-      edges.push_back({local.at(from), local.at(to), placed[local.at(to)].x - placed[local.at(from)].x});
-    constexpr int64_t kWidth = 4 * kChartSize;
-    const auto triangles = ChartRegion(placed, edges, kWidth).triangles();
-    if (!triangles)
-      return left_open("the range of the beam ends in a part of the kerf only", at(of_patch[0]));
-    std::vector<WallMesh::Vertex> vertices;
-    for (size_t i = 0; i < placed.size(); ++i) vertices.push_back({at(of_patch[i]), placed[i]});
-    WallMesh cap(std::move(vertices), *triangles, kWidth,
-                 [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; });
-    cap.improve();
-    for (const WallMesh::Corners& t : cap.triangles())
-      patch_.faces.push_back({of_patch[t[0]], of_patch[t[1]], of_patch[t[2]]});
+    std::vector<PatchSide> bounds;
+    for (const auto& [from, to] : sides) bounds.emplace_back(local.at(from), local.at(to));
+    const auto triangles = triangulate_cap(places, positions, bounds);
+    if (!triangles) return left_open("the range of the beam ends in a part of the kerf only", positions[0]);
+    append_faces(of_patch, *triangles);
     return Done{};
-  }
-
-  // Whether every side of the patch has another face, and none is there already.
-  Status check() const {
-    std::set<PatchSide> sides;
-    for (const auto& f : patch_.faces) {
-      for (size_t i = 0; i < 3; ++i) {
-        if (!sides.insert({f[i], f[(i + 1) % 3]}).second)
-          return left_open("two walls meet in one edge", at(f[i]));
-      }
-    }
-    std::set<PatchSide> rim(rim_.begin(), rim_.end());
-    if (rim.size() != rim_.size()) return left_open("the rim runs along one edge twice", rim_at(0));
-    for (const PatchSide& s : rim) {
-      if (!sides.contains(s)) return left_open("a part of the rim belongs to no wall", rim_at(s.first));
-    }
-    for (const auto& [from, to] : sides) {
-      if (rim.contains({from, to}) == sides.contains({to, from}))
-        return left_open("a wall ends in the part", at(from));
-    }
-    return Done{};
-  }
-
-  void tell_walls_apart() {
-    UnionFind together(patch_.rim.size() + patch_.added.size());
-    for (const auto& f : patch_.faces) {
-      together.unite(f[0], f[1]);
-      together.unite(f[1], f[2]);
-    }
-    std::map<uint32_t, uint32_t> number;
-    for (size_t i = 0; i < sides_.size(); ++i) {
-      const auto [at, is_new] =
-          number.try_emplace(together.find(rim_[i].first), static_cast<uint32_t>(patch_.beside_wall.size()));
-      if (is_new) patch_.beside_wall.push_back(sides_[i].face);
-      patch_.wall_of_side.push_back(at->second);
-    }
-    for (const auto& f : patch_.faces) patch_.wall_of_face.push_back(number.at(together.find(f[0])));
   }
 
   const Mesh& mesh_;

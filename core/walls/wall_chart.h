@@ -29,6 +29,7 @@ class WallChart {
     double around = 0;  // 0 .. period(curve)
     double depth = 0;   // m
   };
+  bool parallel() const { return pencil_.parallel(); }
   size_t curves() const { return slices_.front().curves.size(); }
   double period(uint32_t curve) const { return slices_.front().curves[curve].period; }
 

@@ -113,23 +113,35 @@ void CornerHeat::update(const Body& body, double scale, std::vector<VertexId> ch
   find_hot(body, changed);
   find_tinted(body, changed);
   make_unique(changed);
+  walls_ = body.walls;
   Mesh::Star star;
   for (const VertexId v : changed) {
     if (v.index >= body.mesh.vertex_slots()) continue;
     body.mesh.star(v, star);
-    const HeatMark mark = mark_at(body, v, star.faces, scale);
-    if (marks_.size() <= v.index && mark == HeatMark{}) continue;
-    if (marks_.size() <= v.index) marks_.resize(v.index + 1);
-    if (std::exchange(marks_[v.index], mark) == mark) continue;
-    affected.insert(affected.end(), star.faces.begin(), star.faces.end());
+    const auto walls = std::stable_partition(star.faces.begin(), star.faces.end(),
+                                             [&](FaceId f) { return !walls_.contain(body.mesh, f); });
+    const std::vector<FaceId> surface(star.faces.begin(), walls), beside(walls, star.faces.end());
+    set_mark(marks_, v, mark_at(body, v, surface, scale), surface, affected);
+    HeatMark of_wall = mark_at(body, v, beside, scale);
+    of_wall.now.gradient = of_wall.hottest.gradient = {};
+    set_mark(wall_marks_, v, of_wall, beside, affected);
   }
 }
 
+void CornerHeat::set_mark(std::vector<HeatMark>& marks, VertexId v, const HeatMark& mark,
+                          const std::vector<FaceId>& faces, std::vector<FaceId>& affected) const {
+  if (marks.size() <= v.index && mark == HeatMark{}) return;
+  if (marks.size() <= v.index) marks.resize(v.index + 1);
+  if (std::exchange(marks[v.index], mark) == mark) return;
+  affected.insert(affected.end(), faces.begin(), faces.end());
+}
+
 std::array<HeatMark, 3> CornerHeat::of(const Mesh& mesh, FaceId f) const {
+  const std::vector<HeatMark>& known = walls_.contain(mesh, f) ? wall_marks_ : marks_;
   std::array<HeatMark, 3> marks;
   const std::array<VertexId, 3> corners = mesh.corners(f);
   for (size_t i = 0; i < 3; ++i) {
-    if (corners[i].index < marks_.size()) marks[i] = marks_[corners[i].index];
+    if (corners[i].index < known.size()) marks[i] = known[corners[i].index];
   }
   return marks;
 }

@@ -36,7 +36,7 @@ inline constexpr double kHeatGradientUnit = 256;  // K
 class CornerHeat {
  public:
   // Whether any corner is or was hot.
-  bool any() const { return !marks_.empty(); }
+  bool any() const { return !marks_.empty() || !wall_marks_.empty(); }
   // The temperature of the hottest face at the last update (K).
   double warmest() const { return warmest_; }
 
@@ -53,10 +53,15 @@ class CornerHeat {
   void add_corners(const Mesh& mesh, FaceId f, std::vector<VertexId>& corners) const;
   void find_hot(const Body& body, std::vector<VertexId>& corners);
   void find_tinted(const Body& body, std::vector<VertexId>& corners);
-  std::vector<HeatMark> marks_;  // by vertex
-  std::vector<float> seen_;      // by face: the highest temperature as of the last update
-  std::vector<FaceId> tinted_;   // the faces for which it is not 0
-  std::vector<VertexId> hot_;    // the corners of the faces that had energy then
+  void set_mark(std::vector<HeatMark>& marks, VertexId v, const HeatMark& mark,
+                const std::vector<FaceId>& faces, std::vector<FaceId>& affected) const;
+  // By vertex: of the surface, and of walls, which meet it at an angle and are larger: what is fitted to one
+  // does not tell of the other.
+  std::vector<HeatMark> marks_, wall_marks_;
+  WallFaces walls_;
+  std::vector<float> seen_;     // by face: the highest temperature as of the last update
+  std::vector<FaceId> tinted_;  // the faces for which it is not 0
+  std::vector<VertexId> hot_;   // the corners of the faces that had energy then
   double warmest_ = kAmbient;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -39,6 +40,9 @@ std::string at_place(const Vec3& p) {
 
 Error left_open(const char* why, const Vec3& p) { return failed(why + at_place(p)); }
 
+// The curve of vertices that are on no side.
+constexpr uint32_t kNoCurve = 0xffffffffu;
+
 class WallMaker {
  public:
   WallMaker(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke)
@@ -49,6 +53,8 @@ class WallMaker {
     pencil_ = BeamPencil::of(stroke_.moves, stroke_.radius);
     if (!pencil_) return left_open("the beam turned about no single point", rim_at(0));
     measure_depths();
+    low_ = end_of_range(stroke_.range.low);
+    high_ = end_of_range(stroke_.range.high);
     chart_ = WallChart::make(*pencil_, stroke_.moves, stroke_.radius, depths_);
     if (!chart_) return left_open("the sides of the beam at different depths do not correspond", rim_at(0));
     if (const Status placed = place_rim(); !placed) return placed.error();
@@ -69,8 +75,9 @@ class WallMaker {
     const auto rim = static_cast<uint32_t>(patch_.rim.size());
     return i < rim ? rim_at(i) : patch_.added[i - rim];
   }
-  uint32_t add(const Vec3& p) {
+  uint32_t add(const Vec3& p, const WallChart::Place& place = {}) {
     patch_.added.push_back(p);
+    places_.push_back(place);
     return static_cast<uint32_t>(patch_.rim.size() + patch_.added.size() - 1);
   }
 
@@ -97,14 +104,82 @@ class WallMaker {
     }
   }
 
-  Status place_rim() {
+  // Which part of the boundary an edge of the rim runs along.
+  enum class Part { kSide, kLowEnd, kHighEnd };
+
+  // How far a vertex of the rim is from the sides and from the nearer end, and that end.
+  struct Nearness {
+    std::optional<WallChart::Place> place;
+    double from_side = std::numeric_limits<double>::infinity();
+    double from_end = std::numeric_limits<double>::infinity();
+    Part end = Part::kSide;
+    double from_corner() const { return std::max(from_side, from_end); }
+  };
+
+  Nearness nearness_of(uint32_t i) const {
     const double reach = stroke_.radius * (pencil_->parallel() ? kReachParallel : kReachFan);
-    for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
-      const auto place = chart_->place_of(rim_at(i), reach);
-      if (!place) return left_open("the rim leaves the sides of the beam", rim_at(i));
-      places_.push_back(*place);
+    Nearness near;
+    near.place = chart_->place_of(rim_at(i), reach);
+    if (near.place) near.from_side = glm::length(chart_->point_at(*near.place) - rim_at(i));
+    const double depth = pencil_->see(rim_at(i)).depth;
+    for (const auto& [end, part] : {std::pair(low_, Part::kLowEnd), std::pair(high_, Part::kHighEnd)}) {
+      const double from = end ? std::abs(depth - *end) : std::numeric_limits<double>::infinity();
+      if (from < near.from_end) near = {near.place, near.from_side, from, part};
     }
+    if (near.from_end > reach) near.end = Part::kSide;
+    return near;
+  }
+
+  // Which part an edge runs along. One that leads from a side to an end has a vertex at the corner between
+  // them.
+  static std::optional<Part> part_of(const Nearness& a, const Nearness& b) {
+    const auto only_end = [](const Nearness& n) { return n.end != Part::kSide && n.from_end < n.from_side; };
+    if (!only_end(a) && !only_end(b)) {
+      if (!a.place || !b.place) return std::nullopt;
+      return Part::kSide;
+    }
+    const Nearness &at_end = only_end(a) ? a : b, &other = only_end(a) ? b : a;
+    if (other.end == at_end.end && (only_end(other) || other.from_corner() <= at_end.from_corner()))
+      return at_end.end;
+    return at_end.place ? std::optional(Part::kSide) : std::nullopt;
+  }
+
+  Status place_rim() {
+    std::vector<Nearness> near;
+    for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
+      near.push_back(nearness_of(i));
+      if (!near[i].place && near[i].end == Part::kSide)
+        return left_open("the rim leaves the sides of the beam", rim_at(i));
+      places_.push_back(near[i].place.value_or(WallChart::Place{kNoCurve, 0, 0}));
+    }
+    std::vector<bool> on_side(patch_.rim.size());
+    std::vector<Part> on_end(patch_.rim.size(), Part::kSide);
+    for (const PatchSide& s : rim_) {
+      const auto part = part_of(near[s.first], near[s.second]);
+      if (!part) return left_open("the rim leaves the sides of the beam", rim_at(s.first));
+      if (*part == Part::kSide) rim_on_sides_.push_back(s);
+      if (*part == Part::kLowEnd) low_end_.push_back(s);
+      if (*part == Part::kHighEnd) high_end_.push_back(s);
+      for (const uint32_t v : {s.first, s.second}) {
+        if (*part == Part::kSide) on_side[v] = true;
+        if (*part != Part::kSide) on_end[v] = *part;
+      }
+    }
+    for (uint32_t i = 0; i < patch_.rim.size(); ++i) place_at_end(i, on_side[i], on_end[i]);
     return Done{};
+  }
+
+  // A vertex at a corner lies on the end in the chart, and none beyond it.
+  void place_at_end(uint32_t i, bool on_side, Part on_end) {
+    if (!on_side) {
+      places_[i].curve = kNoCurve;
+      return;
+    }
+    const double within = kRimOn * kRimOn * stroke_.radius;
+    if (low_) places_[i].depth = std::max(places_[i].depth, *low_ + within);
+    if (high_) places_[i].depth = std::min(places_[i].depth, *high_ - within);
+    if (on_end == Part::kLowEnd) places_[i].depth = *low_;
+    if (on_end == Part::kHighEnd) places_[i].depth = *high_;
   }
 
   // The depth at which the range of the beam begins or ends, the same for all moves; nothing if there is
@@ -147,7 +222,7 @@ class WallMaker {
       side.of_patch.push_back(i);
     }
     place_vertices(side, depths_);
-    for (const auto& [from, to] : rim_) {
+    for (const auto& [from, to] : rim_on_sides_) {
       if (places_[from].curve != places_[to].curve)
         return left_open("the rim crosses from one side of the beam to another", rim_at(from));
       if (places_[from].curve != curve) continue;
@@ -157,27 +232,79 @@ class WallMaker {
     return side;
   }
 
-  // Closes a side where the range of the beam ends in the solid.
-  void add_end(Side& side, double depth, bool is_high) {
-    const auto first = static_cast<uint32_t>(side.placed.size());
-    for (const double around : chart_->corners(side.curve, kTurnOfEnd)) {
-      side.of_patch.push_back(add(chart_->point_at({side.curve, around, depth})));
-      side.placed.push_back(side.chart.place(around, depth));
+  uint32_t add_end_vertex(Side& side, double around, double depth) {
+    const WallChart::Place place{side.curve, around, depth};
+    side.of_patch.push_back(add(chart_->point_at(place), place));
+    side.placed.push_back(side.chart.place(around, depth));
+    return static_cast<uint32_t>(side.placed.size() - 1);
+  }
+
+  // Adds an edge along an end, and the side of the cap beyond it. The wall lies on the left.
+  void add_end_edge(Side& side, uint32_t from, uint32_t to, bool is_high) {
+    int64_t dx = side.placed[to].x - side.placed[from].x;
+    if (is_high && dx <= 0) dx += SideChart::kSize;
+    if (!is_high && dx >= 0) dx -= SideChart::kSize;
+    side.edges.push_back({from, to, dx});
+    (is_high ? high_end_ : low_end_).emplace_back(side.of_patch[to], side.of_patch[from]);
+  }
+
+  // Closes a side where the range of the beam ends in the solid all around.
+  void add_whole_end(Side& side, double depth, bool is_high) {
+    std::vector<uint32_t> ring;
+    for (const double around : chart_->corners(side.curve, kTurnOfEnd))
+      ring.push_back(add_end_vertex(side, around, depth));
+    if (!is_high) std::reverse(ring.begin(), ring.end());
+    for (size_t i = 0; i < ring.size(); ++i)
+      add_end_edge(side, ring[i], ring[(i + 1) % ring.size()], is_high);
+  }
+
+  // Closes a side where the range ends in the solid between vertices at which the rim leaves the side and
+  // comes back to it. Returns whether there are any; nothing where they do not match.
+  std::optional<bool> add_partial_end(Side& side, double depth, bool is_high) {
+    std::vector<int> balance(side.placed.size());
+    for (const ChartEdge& e : side.edges) {
+      ++balance[e.to];
+      --balance[e.from];
     }
-    const auto end = static_cast<uint32_t>(side.placed.size());
-    std::vector<PatchSide>& sides = is_high ? high_end_ : low_end_;
-    for (uint32_t i = first; i < end; ++i) {
-      const uint32_t next = i + 1 < end ? i + 1 : first;
-      int64_t dx = side.placed[next].x - side.placed[i].x;
-      if (dx < 0) dx += SideChart::kSize;
-      if (is_high) {
-        side.edges.push_back({i, next, dx});
-        sides.emplace_back(side.of_patch[next], side.of_patch[i]);
-      } else {
-        side.edges.push_back({next, i, -dx});
-        sides.emplace_back(side.of_patch[i], side.of_patch[next]);
+    // Corners, at which the rim leaves the side (+1) or comes back to it (-1), and places between them (0).
+    struct Stop {
+      int64_t x;
+      int balance;
+      uint32_t vertex;
+      double around;
+    };
+    std::vector<Stop> ring;
+    for (uint32_t v = 0; v < balance.size(); ++v) {
+      if (balance[v] == 0 || places_[side.of_patch[v]].depth != depth) continue;
+      if (std::abs(balance[v]) != 1) return std::nullopt;
+      ring.push_back({side.placed[v].x, balance[v], v, 0});
+    }
+    if (ring.empty()) return false;
+    const auto corners = static_cast<std::ptrdiff_t>(ring.size());
+    for (const double around : chart_->corners(side.curve, kTurnOfEnd)) {
+      const int64_t x = side.chart.place(around, depth).x;
+      const bool is_taken =
+          std::any_of(ring.begin(), ring.begin() + corners, [&](const Stop& stop) { return stop.x == x; });
+      if (!is_taken) ring.push_back({x, 0, 0, around});
+    }
+    std::sort(ring.begin(), ring.end(), [](const Stop& a, const Stop& b) { return a.x < b.x; });
+    if (!is_high) std::reverse(ring.begin(), ring.end());
+    int open = 0;
+    for (size_t i = 0; i < ring.size(); ++i) {
+      open += ring[i].balance;
+      if (ring[i].balance != 1) continue;
+      uint32_t from = ring[i].vertex;
+      for (size_t k = (i + 1) % ring.size();; k = (k + 1) % ring.size()) {
+        const Stop& stop = ring[k];
+        if (stop.balance > 0) return std::nullopt;
+        const uint32_t to = stop.balance < 0 ? stop.vertex : add_end_vertex(side, stop.around, depth);
+        add_end_edge(side, from, to, is_high);
+        if (stop.balance < 0) break;
+        from = to;
       }
     }
+    if (open != 0) return std::nullopt;
+    return true;
   }
 
   // How often the part winds around the end of a side, as seen away from the beam.
@@ -188,7 +315,7 @@ class WallMaker {
 
   std::optional<ChartRegion::Winding> untangle_side(Side& side) {
     std::vector<Vec3> positions;
-    for (const uint32_t i : side.of_patch) positions.push_back(rim_at(i));
+    for (const uint32_t i : side.of_patch) positions.push_back(at(i));
     RimInChart rim{side.placed, positions, std::move(side.edges), SideChart::kSize};
     std::vector<std::array<uint32_t, 3>> cut_off;
     const auto winding = untangle(
@@ -205,25 +332,28 @@ class WallMaker {
     Side& side = *found;
     if (side.edges.empty()) return Done{};
     const Vec3 here = rim_at(side.of_patch.front());
+    Interval depths = depths_;
+    if (low_ && !low_end_.empty()) depths.low = *low_;
+    if (high_ && !high_end_.empty()) depths.high = *high_;
+    place_vertices(side, depths);
+    const auto low = low_ ? add_partial_end(side, *low_, false) : false;
+    const auto high = high_ ? add_partial_end(side, *high_, true) : false;
+    if (!low || !high) return left_open("the rim does not match at an end of the beam's range", here);
     const auto winding = untangle_side(side);
     if (!winding) return left_open("the rim crosses itself", here);
     if (side.edges.empty()) return Done{};
     const int below = -winding->least, above = winding->above + below;
-    if (below > 1 || above < 0 || above > 1 || winding->largest + below > 1)
+    if (below > (*high ? 0 : 1) || above < 0 || above > (*low ? 0 : 1) || winding->largest + below > 1)
       return left_open("the part passes through itself", here);
-    Interval depths = depths_;
-    const auto low = end_of_range(stroke_.range.low), high = end_of_range(stroke_.range.high);
-    if ((below > 0 && (!high || *high < depths.high)) || (above > 0 && (!low || *low > depths.low)))
+    if ((below > 0 && (!high_ || *high_ < depths.high)) || (above > 0 && (!low_ || *low_ > depths.low)))
       return left_open("the range of the beam ends in the part at no single depth", here);
-    if ((below > 0 && winds_at(side, *high, 1) != 1) || (above > 0 && winds_at(side, *low, -1) != 1))
+    if ((below > 0 && winds_at(side, *high_, 1) != 1) || (above > 0 && winds_at(side, *low_, -1) != 1))
       return left_open("the part is turned inside out, or not closed", here);
-    if (below > 0) depths.high = *high;
-    if (above > 0) depths.low = *low;
-    if (below + above > 0) {
-      place_vertices(side, depths);
-      if (below > 0) add_end(side, *high, true);
-      if (above > 0) add_end(side, *low, false);
-    }
+    if (below > 0) depths.high = *high_;
+    if (above > 0) depths.low = *low_;
+    if (below + above > 0) place_vertices(side, depths);
+    if (below > 0) add_whole_end(side, *high_, true);
+    if (above > 0) add_whole_end(side, *low_, false);
     return triangulate(side, here);
   }
 
@@ -351,9 +481,11 @@ class WallMaker {
   std::optional<WallChart> chart_;
   WallPatch patch_;
   std::vector<PatchSide> rim_;                 // sides of walls along the rim, in the order of sides_
-  std::vector<WallChart::Place> places_;       // by vertex of the rim
+  std::vector<PatchSide> rim_on_sides_;        // of these, along the sides of the beam
+  std::vector<WallChart::Place> places_;       // by vertex of the patch
+  std::optional<double> low_, high_;           // depths of the ends of the range
   Interval depths_;                            // of the rim
-  std::vector<PatchSide> low_end_, high_end_;  // sides of caps along the ends of walls
+  std::vector<PatchSide> low_end_, high_end_;  // sides of caps, along the rim and along the ends of walls
 };
 
 }  // namespace

@@ -113,6 +113,7 @@ void search_from(Body& body, std::span<const FaceId> faces) {
   KERF_ASSERT(is_settled(body));
   SeparationState fresh;
   fresh.joints_asked = body.separation.joints_asked;
+  fresh.ties = std::move(body.separation.ties);
   fresh.cavities_asked = true;
   for (const FaceId f : faces) fresh.ties.emplace_back(f, f);
   fresh.search.asked_again = true;

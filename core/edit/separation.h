@@ -60,8 +60,9 @@ SettleResult settle(Body& body, size_t most = kNoLimit, Meanwhile meanwhile = Me
 // same label, and no search is open. O(1).
 void join_parts(Body& body, FaceId a, FaceId b);
 
-// Discards what was reported, and makes settle() search for the parts that faces belong to, starting from
-// `faces`: every part that was separated holds one of them. Precondition: no search is open.
+// Makes settle() search for parts, starting from `faces` and from the former neighbours of faces whose
+// removal was reported, whatever loops were closed: every part that was separated holds one of them.
+// Precondition: no search is open.
 void search_from(Body& body, std::span<const FaceId> faces);
 
 // Whether no search is open.

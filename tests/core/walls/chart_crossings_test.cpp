@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
+#include <set>
 
 #include "tests/core/walls/chart_lattice.h"
 #include "tests/support/runs.h"
@@ -42,12 +44,16 @@ bool do_meet(const PlacedEdge& a, const PlacedEdge& b) {
   return is_end(a, b.ax, b.ay) && is_end(a, b.bx, b.by);  // the same line twice
 }
 
-bool any_meet(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges, int64_t width) {
+// The vertices of edges that meet elsewhere than in a common vertex, by a comparison of all pairs.
+std::set<uint32_t> meeting_vertices(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges,
+                                    int64_t width) {
+  std::set<uint32_t> meeting;
   std::map<std::pair<int64_t, int64_t>, uint32_t> at;
   std::vector<PlacedEdge> placed;
   for (const ChartEdge& e : edges) {
     for (const uint32_t v : {e.from, e.to}) {
-      if (at.try_emplace({vertices[v].x, vertices[v].y}, v).first->second != v) return true;
+      const uint32_t first = at.try_emplace({vertices[v].x, vertices[v].y}, v).first->second;
+      if (first != v) meeting.insert({first, v});
     }
     const ChartVertex &a = vertices[e.from], &b = vertices[e.to];
     placed.push_back({a.x, a.y, a.x + e.dx, b.y, e.from, e.to});
@@ -59,11 +65,33 @@ bool any_meet(std::span<const ChartVertex> vertices, std::span<const ChartEdge> 
         PlacedEdge other = placed[k];
         other.ax += turn * width;
         other.bx += turn * width;
-        if (do_meet(placed[i], other)) return true;
+        if (!do_meet(placed[i], other)) continue;
+        for (const PlacedEdge& e : {placed[i], other}) meeting.insert({e.from, e.to});
       }
     }
   }
-  return false;
+  return meeting;
+}
+
+struct Meetings {
+  size_t apart = 0, meeting = 0;
+  size_t named = 0;  // of which the sweep names a vertex
+
+  // Compares what the sweep finds with the comparison.
+  void count(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges, int64_t width) {
+    const std::set<uint32_t> found = meeting_vertices(vertices, edges, width);
+    std::vector<uint32_t> conflict;
+    ASSERT_EQ(ChartRegion(vertices, edges, width).winding(&conflict).has_value(), found.empty());
+    if (found.empty()) ASSERT_TRUE(conflict.empty());
+    ++(found.empty() ? apart : meeting);
+    named += std::any_of(conflict.begin(), conflict.end(), [&](uint32_t v) { return found.contains(v); });
+  }
+};
+
+// Edges in a wrong order may be noticed only further on, or at the end, where none is named.
+void expect_most_named(const Meetings& all) {
+  std::printf("of %zu conflicts the sweep names a vertex in %zu\n", all.meeting, all.named);
+  EXPECT_GE(all.named, all.meeting * 9 / 10);
 }
 
 // A closed loop through random places, which may go around the ring.
@@ -86,7 +114,7 @@ void append_loop(std::vector<ChartVertex>& vertices, std::vector<ChartEdge>& edg
 }
 
 TEST(ChartCrossings, are_found_exactly_where_edges_cross_or_touch) {
-  size_t meeting = 0, apart = 0;
+  Meetings all;
   for (uint64_t seed = 1; seed <= runs(60000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -97,17 +125,16 @@ TEST(ChartCrossings, are_found_exactly_where_edges_cross_or_touch) {
     for (uint64_t i = 0; i < loops; ++i) append_loop(vertices, edges, width, height, random);
     if (std::any_of(edges.begin(), edges.end(), [&](const ChartEdge& e) { return std::abs(e.dx) >= width; }))
       continue;
-    const bool meet = any_meet(vertices, edges, width);
-    ASSERT_EQ(ChartRegion(vertices, edges, width).winding().has_value(), !meet);
-    ++(meet ? meeting : apart);
+    ASSERT_NO_FATAL_FAILURE(all.count(vertices, edges, width));
   }
-  EXPECT_GT(meeting, runs(60000) / 5);
-  EXPECT_GT(apart, runs(60000) / 20);
+  EXPECT_GT(all.meeting, runs(60000) / 5);
+  EXPECT_GT(all.apart, runs(60000) / 20);
+  expect_most_named(all);
 }
 
 // One vertex of loops that are in order is moved anywhere.
 TEST(ChartCrossings, are_found_exactly_where_a_moved_vertex_makes_edges_meet) {
-  size_t meeting = 0, apart = 0;
+  Meetings all;
   for (uint64_t seed = 1; seed <= runs(1200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -129,12 +156,11 @@ TEST(ChartCrossings, are_found_exactly_where_a_moved_vertex_makes_edges_meet) {
     if (std::any_of(edges.begin(), edges.end(),
                     [&](const ChartEdge& e) { return std::abs(e.dx) >= lattice.width(); }))
       continue;
-    const bool meet = any_meet(lattice.corners, edges, lattice.width());
-    ASSERT_EQ(lattice.region(edges).winding().has_value(), !meet);
-    ++(meet ? meeting : apart);
+    ASSERT_NO_FATAL_FAILURE(all.count(lattice.corners, edges, lattice.width()));
   }
-  EXPECT_GT(meeting, runs(1200) / 5);
-  EXPECT_GT(apart, runs(1200) / 20);
+  EXPECT_GT(all.meeting, runs(1200) / 5);
+  EXPECT_GT(all.apart, runs(1200) / 20);
+  expect_most_named(all);
 }
 
 }  // namespace

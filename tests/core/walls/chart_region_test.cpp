@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "tests/core/walls/chart_lattice.h"
 #include "tests/support/runs.h"
@@ -27,7 +28,7 @@ void join_straight_edges(std::vector<ChartEdge>& edges, std::span<const ChartVer
       ChartEdge &in = edges[own[first ? 0 : 1]], &out = edges[own[first ? 1 : 0]];
       if (in.to != v || out.from != v) continue;
       const int64_t in_dy = vertices[v].y - vertices[in.from].y, out_dy = vertices[out.to].y - vertices[v].y;
-      if (turn_of(in.dx, in_dy, out.dx, out_dy) != 0 || 2 * std::abs(in.dx + out.dx) >= width) continue;
+      if (turn_of(in.dx, in_dy, out.dx, out_dy) != 0 || std::abs(in.dx + out.dx) >= width) continue;
       in.to = out.to;
       in.dx += out.dx;
       edges.erase(edges.begin() + (&out - edges.data()));
@@ -47,17 +48,20 @@ Wide enclosed_area(std::span<const ChartVertex> vertices, std::span<const ChartE
 void expect_covers(const std::vector<ChartTriangle>& triangles, std::span<const ChartVertex> vertices,
                    std::span<const ChartEdge> edges, int64_t width) {
   Wide area = 0;
-  std::map<std::pair<uint32_t, uint32_t>, int> sides, boundary;
-  for (const ChartEdge& e : edges) ++boundary[{e.from, e.to}];
+  using Side = std::tuple<uint32_t, uint32_t, int64_t>;  // the third is by how much x grows along it
+  std::map<Side, int> sides, boundary;
+  for (const ChartEdge& e : edges) ++boundary[{e.from, e.to, e.dx}];
   for (const ChartTriangle& t : triangles) {
-    const ChartVertex &a = vertices[t.corners[0]], &b = vertices[t.corners[1]], &c = vertices[t.corners[2]];
-    const int64_t ab = t.x[1] - t.x[0], bc = t.x[2] - t.x[1], ca = t.x[0] - t.x[2];
-    for (size_t k = 0; k < 3; ++k) ASSERT_EQ((t.x[k] - vertices[t.corners[k]].x) % width, 0);
-    ASSERT_EQ(ab + bc + ca, 0);
-    const Wide own = turn_of(ab, b.y - a.y, -ca, c.y - a.y);
+    std::array<int64_t, 3> y{};
+    for (size_t k = 0; k < 3; ++k) {
+      ASSERT_EQ((t.x[k] - vertices[t.corners[k]].x) % width, 0);
+      y[k] = vertices[t.corners[k]].y;
+      const size_t next = (k + 1) % 3;
+      ++sides[{t.corners[k], t.corners[next], t.x[next] - t.x[k]}];
+    }
+    const Wide own = turn_of(t.x[1] - t.x[0], y[1] - y[0], t.x[2] - t.x[0], y[2] - y[0]);
     ASSERT_TRUE(own > 0) << "a triangle without area, or turned over";
     area += own;
-    for (size_t k = 0; k < 3; ++k) ++sides[{t.corners[k], t.corners[(k + 1) % 3]}];
   }
   EXPECT_TRUE(area == enclosed_area(vertices, edges));
   for (const auto& [side, times] : boundary) {
@@ -65,8 +69,9 @@ void expect_covers(const std::vector<ChartTriangle>& triangles, std::span<const 
     ASSERT_EQ(sides[side], 1) << "an edge of the boundary has not one triangle";
   }
   for (const auto& [side, times] : sides) {
+    const auto& [from, to, dx] = side;
     ASSERT_EQ(times, 1) << "a side is used twice";
-    if (!boundary.contains(side)) ASSERT_TRUE(sides.contains({side.second, side.first}));
+    if (!boundary.contains(side)) ASSERT_TRUE(sides.contains({to, from, -dx}));
   }
 }
 

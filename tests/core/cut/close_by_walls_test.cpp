@@ -96,6 +96,11 @@ std::vector<Case> cases() {
           {"box with two plugs", box({1, 0.4, 1}), {circle_of(0.3), circle_of(0.15)}, 3, 3},
           {"ball in two", ball(0.5), {slot_at(0.1)}, 2, 2},
           {"hollow ball in two", hollow, {slot_at(0.1)}, 2, 2},
+          {"a cavity that went along is cut",
+           both(ball(0.5), inside_out(ball(0.1, {0, 0, 0.3}))),
+           {slot_at(0.1), slot_at(0.3)},
+           3,
+           3},
           {"cap off a hollow ball", hollow, {slot_at(0.42)}, 2, 2},
           {"hollow ball with a hole", hollow, {slot_at(0.05, 0, 0)}, 1, 1},
           // Two of the four parts keep the label of the body.

@@ -5,7 +5,9 @@
 #include <fstream>
 
 #include "core/document/journal/journal.h"
+#include "core/mesh/enclosed_volume.h"
 #include "core/world/state_hash.h"
+#include "core/world/weigh.h"
 #include "tests/fuzz/strokes/scenario.h"
 #include "tests/fuzz/strokes/world_check.h"
 #include "tests/support/mesh_numbers.h"
@@ -55,23 +57,29 @@ void tell(const Document& document) {
 
 void check(const uint8_t* data, size_t size) {
   ByteSource bytes(data, size);
-  const auto built = build_mesh(mesh_from(bytes));
+  const FuzzedMesh mesh = mesh_from(bytes);
+  const auto built = build_mesh(mesh.soup);
   if (!built) return;
   auto body = make_body("mesh", BuiltMesh(*built));
+  const EnclosedVolume enclosed = enclosed_volume(built->mesh, body.middle());
+  body.solid = mesh.solid;
+  if (body.solid) weigh(body);
   World start;
   start.add(std::move(body));
   if (!(start.bounds().diagonal() > 0)) return;
   Document document{World(start)};
-  Scenario scenario(document, bytes);
+  Scenario scenario(document, bytes, mesh.solid);
   const double loaded = test::live_area(built->mesh);
   while (!bytes.empty()) {
     scenario.act();
     tell(document);
   }
-  document.apply(EndStroke{});
-  run_queue_of(document);
+  scenario.finish();
   check_world(document.world());
-  if (!scenario.remade()) {
+  if (mesh.solid && enclosed.closed && enclosed.volume > 0 && !scenario.may_be_open())
+    check_closed(document.world());
+  // The walls of a solid add to the area.
+  if (!scenario.remade() && !mesh.solid) {
     double left = document.history().removed_area();
     for (const BodyId id : document.world().ids()) left += test::live_area(document.world().body(id).mesh);
     require(

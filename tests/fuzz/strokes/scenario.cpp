@@ -44,14 +44,16 @@ Soup shape_from(ByteSource& bytes) {
 
 }  // namespace
 
-Soup mesh_from(ByteSource& bytes) {
+FuzzedMesh mesh_from(ByteSource& bytes) {
   constexpr double kScales[] = {1, 1, 1e-6, 1e-3, 1e3, 1e6};
   const Soup shape = shape_from(bytes);
   const double scale = kScales[bytes.below(std::size(kScales))];
-  return test::moved(shape, scale * bytes.factor_below(4) * Vec3(0, 1e3, -1e5), scale);
+  const uint8_t place = bytes.byte();  // by its upper two bits; the lower three are left for another use
+  return {test::moved(shape, scale * (place >> 6) * Vec3(0, 1e3, -1e5), scale), (place & 7) == 5};
 }
 
-Scenario::Scenario(Document& document, ByteSource& bytes) : document_(document), bytes_(bytes) {
+Scenario::Scenario(Document& document, ByteSource& bytes, bool solid)
+    : document_(document), bytes_(bytes), solid_(solid) {
   const World::Bounds bounds = document.world().bounds();
   middle_ = 0.5 * bounds.min + 0.5 * bounds.max;
   size_ = 0.5 * bounds.diagonal();
@@ -109,6 +111,11 @@ CutSettings Scenario::settings() {
   }
   if (kind < 16) s.laser.pattern = Pattern::kRays4;
   if (kind == 16) s.heat_width = default_heat_width(s.laser.radius);
+  if (solid_) {
+    s.resolution.rim = Rim::kSmooth;
+    s.model = Model::kGeometric;
+    s.laser.pattern = Pattern::kVolume;
+  }
   s.bite = 1 + bytes_.below(50);
   s.search_a_move = 1 + 8 * bytes_.below(50);
   s.most_faces = kMostFaces;
@@ -197,8 +204,19 @@ void Scenario::prepare(const PieceId& of) {
 }
 
 void Scenario::apply(const Command& command) {
-  (void)document_.apply(command).ok();
+  const Outcome outcome = document_.apply(command);
+  may_be_open_ = may_be_open_ || !outcome.ok() || remade_ || !outcome.delta.left_open.empty();
   execute();
+}
+
+void Scenario::step(size_t moves) {
+  const Result<StepResult> stepped = document_.step(moves);
+  may_be_open_ = may_be_open_ || !stepped.ok() || !stepped->delta.left_open.empty();
+}
+
+void Scenario::finish() {
+  document_.apply(EndStroke{});
+  while (document_.waiting() > 0) step(8);
 }
 
 void Scenario::execute() {
@@ -206,10 +224,9 @@ void Scenario::execute() {
     case 0:
       return;
     case 1:
-      (void)document_.step(1 + bytes_.below(16)).ok();
-      return;
+      return step(1 + bytes_.below(16));
     default:
-      while (document_.waiting() > 0) (void)document_.step(1 + bytes_.below(64)).ok();
+      while (document_.waiting() > 0) step(1 + bytes_.below(64));
       check_world(document_.world());
   }
 }

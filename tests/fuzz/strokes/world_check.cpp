@@ -124,4 +124,13 @@ void check_world(const World& world) {
   test::expect_closed_ledger(world, 1e-6);
 }
 
+void check_closed(const World& world) {
+  std::vector<Mesh::Side> open;
+  for (const BodyId id : world.ids()) {
+    require(world.body(id).solid, "a body that came off a solid is none");
+    world.body(id).mesh.append_open_sides(open);
+  }
+  require(open.empty(), "an open side of which nothing was said");
+}
+
 }  // namespace kerf::fuzz

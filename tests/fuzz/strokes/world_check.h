@@ -14,4 +14,7 @@ void require(bool holds, const std::string& what);
 // of pieces are those of a complete search, and the ledger of energy is closed.
 void check_world(const World& world);
 
+// What must hold of solid bodies of which nothing was left open: every side of a face has another face.
+void check_closed(const World& world);
+
 }  // namespace kerf::fuzz

@@ -12,6 +12,7 @@ namespace kerf::fuzz {
 namespace {
 
 constexpr size_t kMostFaces = 800;  // of a world, so that a run stays short
+constexpr size_t kMostFacesOfSolids = 2500;
 constexpr size_t kMostBodies = 24;
 
 Soup shape_from(ByteSource& bytes) {
@@ -111,14 +112,19 @@ CutSettings Scenario::settings() {
   }
   if (kind < 16) s.laser.pattern = Pattern::kRays4;
   if (kind == 16) s.heat_width = default_heat_width(s.laser.radius);
+  s.most_faces = kMostFaces;
   if (solid_) {
     s.resolution.rim = Rim::kSmooth;
     s.model = Model::kGeometric;
     s.laser.pattern = Pattern::kVolume;
+    s.most_faces = kMostFacesOfSolids;
+    // Or hardly any stroke stays below that.
+    s.laser.radius = std::max(s.laser.radius, 0.06 * size_);
+    s.resolution.rule = Resolution::Rule::kTargetEdge;
+    s.resolution.target_edge = 2 * s.laser.radius;
   }
   s.bite = 1 + bytes_.below(50);
   s.search_a_move = 1 + 8 * bytes_.below(50);
-  s.most_faces = kMostFaces;
   return s;
 }
 
@@ -141,7 +147,7 @@ void Scenario::draw() {
   for (size_t i = 0; i < moves; ++i) {
     // A beam that keeps its direction, or one that turns; directions that are nearly opposite are no move.
     const Pose next = pose();
-    const bool turns = bytes_.below(2) == 0 && glm::dot(next.direction, at.direction) > -0.9;
+    const bool turns = bytes_.below(solid_ ? 8 : 2) == 0 && glm::dot(next.direction, at.direction) > -0.9;
     at = {next.origin, turns ? next.direction : at.direction};
     time += 0.01 * bytes_.factor_below(8);
     apply(MoveStroke{at, time});
@@ -189,7 +195,7 @@ void Scenario::edit() {
 }
 
 void Scenario::prepare(const PieceId& of) {
-  remade_ = true;
+  remade_ = may_be_open_ = true;
   const size_t faces = document_.world().live_faces();
   switch (bytes_.below(4)) {
     case 0:
@@ -205,7 +211,7 @@ void Scenario::prepare(const PieceId& of) {
 
 void Scenario::apply(const Command& command) {
   const Outcome outcome = document_.apply(command);
-  may_be_open_ = may_be_open_ || !outcome.ok() || remade_ || !outcome.delta.left_open.empty();
+  may_be_open_ = may_be_open_ || !outcome.delta.left_open.empty();
   execute();
 }
 

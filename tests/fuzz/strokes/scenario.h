@@ -28,7 +28,7 @@ class Scenario {
   void finish();
   // Whether a command changed the area of faces that it did not remove.
   bool remade() const { return remade_; }
-  // Whether a command failed, changed faces otherwise than by cutting, or said that it left a body open.
+  // Whether a step failed, a command made faces anew, or a body was said to be left open.
   bool may_be_open() const { return may_be_open_; }
 
  private:

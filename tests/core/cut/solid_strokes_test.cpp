@@ -40,9 +40,7 @@ TEST(SolidStrokes, leave_solids_closed_or_say_that_they_do_not) {
   std::printf("%zu strokes, of which %zu left a solid open\n", all.closed + all.open, all.open);
   for (const auto& [name, tally] : kinds)
     std::printf("  %-12s %4zu closed %4zu open\n", name.c_str(), tally.closed, tally.open);
-  // Where the beam ends inside, the rim may leave its sides along the end.
-  EXPECT_LE(all.open, most / 12);
-  EXPECT_LE(all.open - kinds["blind"].open, most / 50);
+  EXPECT_LE(all.open, 1 + most / 100);
 }
 
 }  // namespace

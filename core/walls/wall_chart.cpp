@@ -12,7 +12,10 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kSlices = 17;  // for beams through an apex
+// For beams through an apex: the number of depths, and the length of curves that are left out, relative to
+// the radius. Small gaps between strokes come and go with the depth.
+constexpr size_t kSlices = 17;
+constexpr double kLeastCurve = 1;
 
 // The nearest point of a piece, as a share of its length.
 double nearest_share(const OutlinePiece& piece, Vec2 p) {
@@ -106,23 +109,31 @@ bool WallChart::set_landmarks(std::vector<Slice>& slices) {
     }
     if (shared[c].empty()) return false;
   }
-  for (size_t s = 0; s < slices.size(); ++s) {
-    std::vector<Curve> ordered;
-    for (uint32_t c = 0; c < curves; ++c) {
-      const uint32_t own = of_side[s].at(shared[c][0]).first;
-      Curve curve = slices[s].curves[own];
-      double before = -1;
-      for (const uint32_t side : shared[c]) {
-        const auto& [of, length] = of_side[s].at(side);
-        const double from_first = modulo(length - of_side[s].at(shared[c][0]).second, curve.starts.back());
-        if (of != own || from_first <= before) return false;
-        before = from_first;
-        curve.marks.push_back(length);
+  std::vector<std::vector<Curve>> ordered(slices.size());
+  for (uint32_t c = 0; c < curves; ++c) {
+    std::vector<double> reached(slices.size(), -1);  // from the first landmark
+    for (size_t s = 0; s < slices.size(); ++s)
+      ordered[s].push_back(slices[s].curves[of_side[s].at(shared[c][0]).first]);
+    const auto from_first = [&](size_t s, uint32_t side) {
+      return modulo(of_side[s].at(side).second - of_side[s].at(shared[c][0]).second,
+                    ordered[s][c].starts.back());
+    };
+    for (const uint32_t side : shared[c]) {
+      bool in_order = true;
+      for (size_t s = 0; s < slices.size(); ++s) {
+        in_order = in_order && of_side[s].at(side).first == of_side[s].at(shared[c][0]).first &&
+                   from_first(s, side) > reached[s];
       }
-      curve.period = static_cast<double>(curve.marks.size());
-      ordered.push_back(std::move(curve));
+      if (!in_order) continue;
+      for (size_t s = 0; s < slices.size(); ++s) {
+        reached[s] = from_first(s, side);
+        ordered[s][c].marks.push_back(of_side[s].at(side).second);
+      }
     }
-    slices[s].curves = std::move(ordered);
+  }
+  for (size_t s = 0; s < slices.size(); ++s) {
+    for (Curve& curve : ordered[s]) curve.period = static_cast<double>(curve.marks.size());
+    slices[s].curves = std::move(ordered[s]);
   }
   return true;
 }
@@ -141,6 +152,7 @@ std::optional<WallChart> WallChart::make(const BeamPencil& pencil, std::span<con
     if (!pencil.parallel() && !(slice.depth > radius)) return std::nullopt;
     for (size_t i = 0; i < moves.size(); ++i) discs[i] = pencil.at_depth(moves[i], slice.depth);
     for (OutlineCurve& outline : outline_of(discs, radius)) {
+      if (!pencil.parallel() && outline.length < kLeastCurve * radius) continue;
       Curve curve;
       curve.starts.push_back(0);
       for (const OutlinePiece& p : outline.pieces) curve.starts.push_back(curve.starts.back() + p.length);

@@ -20,7 +20,8 @@ namespace kerf {
 class WallChart {
  public:
   // The chart for depths within `depths` (m, of the pencil). Nothing where the outlines at different depths
-  // do not correspond: curves come, go or exchange sides. Precondition: radius > 0.
+  // do not correspond: curves longer than a radius come or go,
+  // or have no side in common. Precondition: radius > 0.
   static std::optional<WallChart> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
                                        double radius, Interval depths);
 

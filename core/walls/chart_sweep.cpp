@@ -162,7 +162,9 @@ bool ChartSweep::end_at_seam() {
   if (active_.size() != at_seam_.size()) return false;
   for (size_t i = 0; i < active_.size(); ++i) {
     const Span &s = active_[i].span, &seam = at_seam_[i];
-    if (s.left != seam.left || s.right != seam.right || s.right_x - width_ != seam.right_x) return false;
+    if (s.left == seam.left && s.right == seam.right && s.right_x - width_ == seam.right_x) continue;
+    conflict_ = {s.left, s.right, seam.left, seam.right};
+    return false;
   }
   for (const Closed& c : closed_) {
     Start start = active_[static_cast<size_t>(c.unknown)].start;

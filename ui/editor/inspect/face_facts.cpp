@@ -42,8 +42,15 @@ FaceFacts face_facts(const Body& body, FaceId face) {
   const FaceData& data = body.mesh.data(face);
   const Triangle t = body.mesh.triangle(face);
   const std::array<VertexId, 3> corners = body.mesh.corners(face);
-  FaceFacts facts{
-      face, body.loaded_face(body.loaded_base(face)), data.halvings, body.label(face), triangle_area(t), {}, {}, {}, {}};
+  FaceFacts facts{face,
+                  body.loaded_face(body.loaded_base(face)),
+                  data.halvings,
+                  body.label(face),
+                  triangle_area(t),
+                  {},
+                  {},
+                  {},
+                  {}};
   facts.temperature = body.heat.temperature(body.mesh, face, body.sheet.substance, body.sheet.thickness);
   facts.hottest = body.heat.hottest_of(body.mesh, face);
   facts.slot = tree_slot(body.tree, face).value_or(TreeSlot());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/base/assert.h"
 
@@ -199,8 +200,14 @@ void WallMesh::refine(const Middle& middle) {
 
 void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                              const Middle& middle) {
-  for (const Edge& e : inner_edges()) {
-    if (e.from < fixed && e.to < fixed && is_current(e) && splits(e.from, e.to)) split(quad_of(e), middle);
+  bool again = true;
+  while (std::exchange(again, false)) {
+    for (const Edge& e : inner_edges()) {
+      if (e.from >= fixed || e.to >= fixed || !splits(e.from, e.to)) continue;
+      // A split moves other edges of its two triangles.
+      again = !is_current(e) || again;
+      if (is_current(e)) split(quad_of(e), middle);
+    }
   }
 }
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "core/base/angle.h"
@@ -73,9 +72,7 @@ void expect_right_labels(const Body& body) {
   }
   ASSERT_NO_FATAL_FAILURE(expect_piece_sums(body));
   EXPECT_EQ(body.tree.leaf_count(), body.mesh.live_faces());
-  // Where a wall and the surface each have an edge between two vertices of the rim, four faces are at one
-  // place.
-  EXPECT_EQ(find_fault(body.mesh, true), "");
+  EXPECT_EQ(find_fault(body.mesh), "");
 }
 
 struct Case {
@@ -126,7 +123,6 @@ TEST(CloseByWalls, leaves_so_many_pieces_each_of_them_closed) {
 
 TEST(CloseByWalls, keeps_labels_and_sums_right_in_random_strokes) {
   const std::vector<NamedSoup> solids = generated_solids();
-  size_t strokes = 0, doubled = 0;
   for (uint64_t seed = 1001; seed <= 1000 + runs(80); ++seed) {
     const auto& [name, soup] = solids[seed % solids.size()];
     SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -135,12 +131,8 @@ TEST(CloseByWalls, keeps_labels_and_sums_right_in_random_strokes) {
     for (int i = 0; i < 3; ++i) {
       if (!cut.draw(random_solid_stroke(cut.document().world(), random), random)) break;
       ASSERT_NO_FATAL_FAILURE(expect_right_labels(cut.body()));
-      ++strokes;
-      doubled += !find_fault(cut.body().mesh).empty();
     }
   }
-  std::printf("four faces at an edge after %zu of %zu strokes\n", doubled, strokes);
-  EXPECT_LE(doubled, strokes / 20);
 }
 
 TEST(CloseByWalls, is_undone_and_redone_to_the_bit) {

@@ -1,8 +1,12 @@
 #include "core/edit/move_components.h"
 
+#include "core/base/assert.h"
+#include "core/edit/separation.h"
+
 namespace kerf {
 
 BodyDelta move_components(BodyId id, Body& body, const std::map<uint32_t, uint32_t>& label_of) {
+  KERF_ASSERT(is_settled(body));
   BodyDelta delta;
   delta.body = id;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {

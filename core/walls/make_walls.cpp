@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
 
 #include "core/base/assert.h"
 #include "core/base/tolerances.h"
+#include "core/walls/boundary_part.h"
 #include "core/walls/chart_region.h"
 #include "core/walls/patch_check.h"
 #include "core/walls/side_chart.h"
@@ -28,6 +28,9 @@ constexpr double kReachParallel = 0.03, kReachFan = 0.3;
 constexpr double kTurnOfEnd = 0.0979;
 // A triangle that is cut off the rim is no higher, relative to the radius.
 constexpr double kHighestCut = 0.03;
+// How far from the ends of the range a vertex that is not at a corner stays in the chart, relative to the
+// radius.
+constexpr double kWithinRange = 1e-6;
 // How often a wall may have more vertices than its rim.
 constexpr size_t kMostAdded = 2;
 
@@ -53,8 +56,7 @@ class WallMaker {
     pencil_ = BeamPencil::of(stroke_.moves, stroke_.radius);
     if (!pencil_) return left_open("the beam turned about no single point", rim_at(0));
     measure_depths();
-    low_ = end_of_range(stroke_.range.low);
-    high_ = end_of_range(stroke_.range.high);
+    ends_ = range_ends(*pencil_, stroke_.moves, stroke_.range, stroke_.radius);
     chart_ = WallChart::make(*pencil_, stroke_.moves, stroke_.radius, depths_);
     if (!chart_) return left_open("the sides of the beam at different depths do not correspond", rim_at(0));
     if (const Status placed = place_rim(); !placed) return placed.error();
@@ -104,65 +106,26 @@ class WallMaker {
     }
   }
 
-  // Which part of the boundary an edge of the rim runs along.
-  enum class Part { kSide, kLowEnd, kHighEnd };
-
-  // How far a vertex of the rim is from the sides and from the nearer end, and that end.
-  struct Nearness {
-    std::optional<WallChart::Place> place;
-    double from_side = std::numeric_limits<double>::infinity();
-    double from_end = std::numeric_limits<double>::infinity();
-    Part end = Part::kSide;
-    double from_corner() const { return std::max(from_side, from_end); }
-  };
-
-  Nearness nearness_of(uint32_t i) const {
-    const double reach = stroke_.radius * (pencil_->parallel() ? kReachParallel : kReachFan);
-    Nearness near;
-    near.place = chart_->place_of(rim_at(i), reach);
-    if (near.place) near.from_side = glm::length(chart_->point_at(*near.place) - rim_at(i));
-    const double depth = pencil_->see(rim_at(i)).depth;
-    for (const auto& [end, part] : {std::pair(low_, Part::kLowEnd), std::pair(high_, Part::kHighEnd)}) {
-      const double from = end ? std::abs(depth - *end) : std::numeric_limits<double>::infinity();
-      if (from < near.from_end) near = {near.place, near.from_side, from, part};
-    }
-    if (near.from_end > reach) near.end = Part::kSide;
-    return near;
-  }
-
-  // Which part an edge runs along. One that leads from a side to an end has a vertex at the corner between
-  // them.
-  static std::optional<Part> part_of(const Nearness& a, const Nearness& b) {
-    const auto only_end = [](const Nearness& n) { return n.end != Part::kSide && n.from_end < n.from_side; };
-    if (!only_end(a) && !only_end(b)) {
-      if (!a.place || !b.place) return std::nullopt;
-      return Part::kSide;
-    }
-    const Nearness &at_end = only_end(a) ? a : b, &other = only_end(a) ? b : a;
-    if (other.end == at_end.end && (only_end(other) || other.from_corner() <= at_end.from_corner()))
-      return at_end.end;
-    return at_end.place ? std::optional(Part::kSide) : std::nullopt;
-  }
-
   Status place_rim() {
-    std::vector<Nearness> near;
+    const double reach = stroke_.radius * (pencil_->parallel() ? kReachParallel : kReachFan);
+    std::vector<NearBoundary> near;
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
-      near.push_back(nearness_of(i));
-      if (!near[i].place && near[i].end == Part::kSide)
+      near.push_back(near_boundary(*chart_, ends_, rim_at(i), pencil_->see(rim_at(i)).depth, reach));
+      if (!near[i].place && near[i].end == BoundaryPart::kSide)
         return left_open("the rim leaves the sides of the beam", rim_at(i));
       places_.push_back(near[i].place.value_or(WallChart::Place{kNoCurve, 0, 0}));
     }
     std::vector<bool> on_side(patch_.rim.size());
-    std::vector<Part> on_end(patch_.rim.size(), Part::kSide);
+    std::vector<BoundaryPart> on_end(patch_.rim.size(), BoundaryPart::kSide);
     for (const PatchSide& s : rim_) {
-      const auto part = part_of(near[s.first], near[s.second]);
+      const auto part = part_along(near[s.first], near[s.second]);
       if (!part) return left_open("the rim leaves the sides of the beam", rim_at(s.first));
-      if (*part == Part::kSide) rim_on_sides_.push_back(s);
-      if (*part == Part::kLowEnd) low_end_.push_back(s);
-      if (*part == Part::kHighEnd) high_end_.push_back(s);
+      if (*part == BoundaryPart::kSide) rim_on_sides_.push_back(s);
+      if (*part == BoundaryPart::kLowEnd) low_end_.push_back(s);
+      if (*part == BoundaryPart::kHighEnd) high_end_.push_back(s);
       for (const uint32_t v : {s.first, s.second}) {
-        if (*part == Part::kSide) on_side[v] = true;
-        if (*part != Part::kSide) on_end[v] = *part;
+        if (*part == BoundaryPart::kSide) on_side[v] = true;
+        if (*part != BoundaryPart::kSide) on_end[v] = *part;
       }
     }
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) place_at_end(i, on_side[i], on_end[i]);
@@ -170,30 +133,16 @@ class WallMaker {
   }
 
   // A vertex at a corner lies on the end in the chart, and none beyond it.
-  void place_at_end(uint32_t i, bool on_side, Part on_end) {
+  void place_at_end(uint32_t i, bool on_side, BoundaryPart on_end) {
     if (!on_side) {
       places_[i].curve = kNoCurve;
       return;
     }
-    const double within = kRimOn * kRimOn * stroke_.radius;
-    if (low_) places_[i].depth = std::max(places_[i].depth, *low_ + within);
-    if (high_) places_[i].depth = std::min(places_[i].depth, *high_ - within);
-    if (on_end == Part::kLowEnd) places_[i].depth = *low_;
-    if (on_end == Part::kHighEnd) places_[i].depth = *high_;
-  }
-
-  // The depth at which the range of the beam begins or ends, the same for all moves; nothing if there is
-  // none.
-  std::optional<double> end_of_range(double along) const {
-    if (!pencil_->parallel()) return std::nullopt;
-    const auto depth_of = [&](const Pose& p) { return pencil_->see(p.origin).depth + along; };
-    const double depth = depth_of(stroke_.moves.front().from);
-    for (const BeamMove& m : stroke_.moves) {
-      for (const Pose* p : {&m.from, &m.to}) {
-        if (std::abs(depth_of(*p) - depth) > kRimOn * stroke_.radius) return std::nullopt;
-      }
-    }
-    return depth;
+    const double within = kWithinRange * stroke_.radius;
+    if (ends_.low) places_[i].depth = std::max(places_[i].depth, *ends_.low + within);
+    if (ends_.high) places_[i].depth = std::min(places_[i].depth, *ends_.high - within);
+    if (on_end == BoundaryPart::kLowEnd) places_[i].depth = *ends_.low;
+    if (on_end == BoundaryPart::kHighEnd) places_[i].depth = *ends_.high;
   }
 
   // What the rim does on one side of the beam, i.e. around one curve of its outline.
@@ -333,11 +282,11 @@ class WallMaker {
     if (side.edges.empty()) return Done{};
     const Vec3 here = rim_at(side.of_patch.front());
     Interval depths = depths_;
-    if (low_ && !low_end_.empty()) depths.low = *low_;
-    if (high_ && !high_end_.empty()) depths.high = *high_;
+    if (ends_.low && !low_end_.empty()) depths.low = *ends_.low;
+    if (ends_.high && !high_end_.empty()) depths.high = *ends_.high;
     place_vertices(side, depths);
-    const auto low = low_ ? add_partial_end(side, *low_, false) : false;
-    const auto high = high_ ? add_partial_end(side, *high_, true) : false;
+    const auto low = ends_.low ? add_partial_end(side, *ends_.low, false) : false;
+    const auto high = ends_.high ? add_partial_end(side, *ends_.high, true) : false;
     if (!low || !high) return left_open("the rim does not match at an end of the beam's range", here);
     const auto winding = untangle_side(side);
     if (!winding) return left_open("the rim crosses itself", here);
@@ -345,15 +294,17 @@ class WallMaker {
     const int below = -winding->least, above = winding->above + below;
     if (below > (*high ? 0 : 1) || above < 0 || above > (*low ? 0 : 1) || winding->largest + below > 1)
       return left_open("the part passes through itself", here);
-    if ((below > 0 && (!high_ || *high_ < depths.high)) || (above > 0 && (!low_ || *low_ > depths.low)))
+    if ((below > 0 && (!ends_.high || *ends_.high < depths.high)) ||
+        (above > 0 && (!ends_.low || *ends_.low > depths.low)))
       return left_open("the range of the beam ends in the part at no single depth", here);
-    if ((below > 0 && winds_at(side, *high_, 1) != 1) || (above > 0 && winds_at(side, *low_, -1) != 1))
+    if ((below > 0 && winds_at(side, *ends_.high, 1) != 1) ||
+        (above > 0 && winds_at(side, *ends_.low, -1) != 1))
       return left_open("the part is turned inside out, or not closed", here);
-    if (below > 0) depths.high = *high_;
-    if (above > 0) depths.low = *low_;
+    if (below > 0) depths.high = *ends_.high;
+    if (above > 0) depths.low = *ends_.low;
     if (below + above > 0) place_vertices(side, depths);
-    if (below > 0) add_whole_end(side, *high_, true);
-    if (above > 0) add_whole_end(side, *low_, false);
+    if (below > 0) add_whole_end(side, *ends_.high, true);
+    if (above > 0) add_whole_end(side, *ends_.low, false);
     return triangulate(side, here);
   }
 
@@ -480,10 +431,10 @@ class WallMaker {
   std::optional<BeamPencil> pencil_;
   std::optional<WallChart> chart_;
   WallPatch patch_;
-  std::vector<PatchSide> rim_;                 // sides of walls along the rim, in the order of sides_
-  std::vector<PatchSide> rim_on_sides_;        // of these, along the sides of the beam
-  std::vector<WallChart::Place> places_;       // by vertex of the patch
-  std::optional<double> low_, high_;           // depths of the ends of the range
+  std::vector<PatchSide> rim_;            // sides of walls along the rim, in the order of sides_
+  std::vector<PatchSide> rim_on_sides_;   // of these, along the sides of the beam
+  std::vector<WallChart::Place> places_;  // by vertex of the patch
+  RangeEnds ends_;
   Interval depths_;                            // of the rim
   std::vector<PatchSide> low_end_, high_end_;  // sides of caps, along the rim and along the ends of walls
 };

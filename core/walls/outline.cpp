@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/angle.h"
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -238,6 +239,7 @@ Vec2 OutlinePiece::at(double share) const {
 }
 
 std::vector<OutlineCurve> outline_of(std::span<const DiscMove> moves, double radius) {
+  KERF_ASSERT(radius > 0);
   return chain(pieces_of_outline(moves, radius), radius);
 }
 

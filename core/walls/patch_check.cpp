@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/assert.h"
 #include "core/base/union_find.h"
 
 namespace kerf {
@@ -27,6 +28,7 @@ std::optional<PatchFault> fault_of(const WallPatch& patch, std::span<const Patch
 }
 
 void tell_walls_apart(WallPatch& patch, std::span<const PatchSide> rim, std::span<const RimSide> sides) {
+  KERF_ASSERT(rim.size() == sides.size());
   UnionFind together(patch.rim.size() + patch.added.size());
   for (const auto& f : patch.faces) {
     together.unite(f[0], f[1]);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 SideChart::SideChart(const WallChart& chart, uint32_t curve, Interval depths)
     : chart_(&chart), curve_(curve) {
+  KERF_ASSERT(curve < chart.curves() && depths.low <= depths.high);
   const auto [low, high] = std::minmax({height(depths.low), height(depths.high)});
   lowest_ = low;
   if (high > low) scale_ = static_cast<double>(kSize - 2) / (high - low);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/mesh/mesh.h"
 
 namespace kerf {
@@ -55,6 +56,7 @@ void cut(std::vector<ChartEdge>& edges, const Passage& p) {
 std::optional<ChartRegion::Winding> untangle(RimInChart& rim, double highest,
                                              const std::function<bool(uint32_t, uint32_t)>& are_joined,
                                              std::vector<std::array<uint32_t, 3>>& cut_off) {
+  KERF_ASSERT(rim.placed.size() == rim.at.size() && highest >= 0);
   std::vector<uint32_t> conflict;
   for (int i = 0; i < kMostCuts; ++i) {
     if (const auto winding = ChartRegion(rim.placed, rim.edges, rim.width).winding(&conflict)) return winding;

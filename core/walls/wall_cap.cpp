@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 std::optional<std::vector<WallMesh::Corners>> triangulate_cap(
     std::span<const Vec2> places, std::span<const Vec3> at,
     std::span<const std::pair<uint32_t, uint32_t>> sides) {
+  KERF_ASSERT(!sides.empty() && places.size() == at.size());
   constexpr int64_t kSize = int64_t{1} << 30, kWidth = 4 * kSize;
   Vec2 low = places[0], high = places[0];
   for (const Vec2 p : places) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/mesh/enclosed_volume.h"
 #include "core/mesh/longest_edge.h"
 
 namespace kerf {
@@ -46,12 +47,6 @@ void BodyEdit::count(FaceId f, int faces, double area) {
 AreaMoments BodyEdit::moments_of(FaceId f) const {
   const Triangle t = mesh().triangle(f);
   return area_moments(t, triangle_area(t), body_->middle());
-}
-
-// The signed volume between a face and the middle of the body.
-double BodyEdit::volume_under(const Triangle& t) const {
-  const Vec3 o = body_->middle();
-  return glm::dot(t[0] - o, glm::cross(t[1] - o, t[2] - o)) / 6;
 }
 
 // Splitting -------------------------------------------------------------------------------------------------
@@ -123,7 +118,7 @@ void BodyEdit::remove_face(FaceId f) {
   count(f, -1, -area);
   body_->edit_piece_of(f).moments -= area_moments(t, area, body_->middle());
   ++removed_faces_;
-  if (body_->solid) solid_.removed_volume += volume_under(t);
+  if (body_->solid) solid_.removed_volume += volume_under(t, body_->middle());
   body_->ejected += body_->heat.energy_of(mesh(), f);
   body_->mesh.remove_face(f);
   removed_.push_back(f);
@@ -179,7 +174,7 @@ std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>>
     body_->edit_piece_of(f).moments += area_moments(t, area, body_->middle());
     ++solid_.wall_faces;
     solid_.wall_area += area;
-    solid_.removed_volume -= volume_under(t);
+    solid_.removed_volume -= volume_under(t, body_->middle());
     edited_.push_back(f);
     for (const VertexId v : mesh().corners(f)) {  // the tree knows the vertices of the faces around
       mesh().star(v, star);
@@ -233,7 +228,7 @@ void BodyEdit::move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around)
     const double old_area = triangle_area(before[i]), area = triangle_area(now);
     follow_area(body_->mesh.edit_data(f), old_area, area);
     count(f, 0, area - old_area);
-    if (body_->solid) solid_.removed_volume += volume_under(before[i]) - volume_under(now);
+    if (body_->solid) solid_.removed_volume += volume_under(before[i], origin) - volume_under(now, origin);
     AreaMoments& moments = body_->edit_piece_of(f).moments;
     moments -= area_moments(before[i], old_area, origin);
     moments += area_moments(now, area, origin);

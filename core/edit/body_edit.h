@@ -98,7 +98,6 @@ class BodyEdit {
  private:
   void count(FaceId f, int faces, double area);
   AreaMoments moments_of(FaceId f) const;
-  double volume_under(const Triangle& t) const;
   void remove_face(FaceId f);
   void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }

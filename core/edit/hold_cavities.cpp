@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "core/edit/move_components.h"
 #include "core/edit/separation.h"
+#include "core/mesh/enclosed_volume.h"
 
 namespace kerf {
 
@@ -27,7 +28,7 @@ std::vector<Enclosed> components_of(const Body& body) {
     const uint32_t component = body.components.at_home(body.loaded_base(f), body.mesh.data(f).piece);
     if (component == LoadedComponents::kNone) continue;
     const Triangle t = body.mesh.triangle(f);
-    all[component].volume += glm::dot(t[0] - o, glm::cross(t[1] - o, t[2] - o)) / 6;
+    all[component].volume += volume_under(t, o);
     if (!all[component].lowest.valid()) all[component].lowest = f;
   }
   return all;

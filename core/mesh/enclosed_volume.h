@@ -10,6 +10,12 @@
 
 namespace kerf {
 
+// The signed volume of the tetrahedron between an origin and a triangle (m^3), positive where the triangle is
+// clockwise seen from the origin. Over closed faces the sum is the volume that they enclose.
+inline double volume_under(const Triangle& t, const Vec3& origin) {
+  return glm::dot(t[0] - origin, glm::cross(t[1] - origin, t[2] - origin)) / 6;
+}
+
 // What some triangles enclose. They are closed and consistently oriented where every edge, by the positions
 // of its ends, is used as often in one direction as in the other; faces that share an edge belong to the same
 // connected part, and so all parts are closed where the whole is. Nothing is not closed.

@@ -1,29 +1,24 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <tuple>
 
 #include "core/base/tolerances.h"
 #include "core/cut/rim_state.h"
+#include "core/cut/swept_distance.h"
 #include "core/walls/make_walls.h"
 
 namespace kerf {
 
 namespace {
 
-// The signed distance from the boundary of what the stroke has swept.
-double distance(const StrokeRegion& region, const Vec3& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < region.parts(); ++i) least = std::min(least, region.part(i).signed_distance(p));
-  return least;
-}
-
 // What is near a face that was flipped may be more than is known of it.
-bool is_at_rim(RimState& rim, const Mesh::Side& side) {
+bool is_at_rim(RimState& rim, const SweptDistance& distance, const Mesh::Side& side) {
   const double most = kRimNear * rim.radius();
   const auto lies_there = [&](VertexId v) {
     if (rim.region.is_near(side.face) && std::abs(rim.distance(v, side.face)) <= most) return true;
-    return std::abs(distance(rim.region, rim.mesh().position(v))) <= most;
+    return std::abs(distance(rim.mesh().position(v))) <= most;
   };
   return lies_there(side.from) && lies_there(side.to);
 }
@@ -49,13 +44,13 @@ std::vector<bool> parts_around(const Mesh& mesh, const std::vector<FaceId>& face
 }
 
 // The sides along the rim of parts that were closed before the stroke.
-Result<std::vector<RimSide>> sides_at_rim(RimState& rim) {
+Result<std::vector<RimSide>> sides_at_rim(RimState& rim, const SweptDistance& distance) {
   std::vector<Mesh::Side> open;
   rim.mesh().append_open_sides(open);
   std::vector<RimSide> sides;
   std::vector<FaceId> elsewhere;
   for (const Mesh::Side& s : open) {
-    if (is_at_rim(rim, s)) {
+    if (is_at_rim(rim, distance, s)) {
       sides.push_back({s.face, s.from, s.to});
     } else {
       elsewhere.push_back(s.face);
@@ -74,7 +69,7 @@ Result<std::vector<RimSide>> sides_at_rim(RimState& rim) {
 // Removes faces that lie along the rim, beyond which the rim is as near to the boundary as it was: those of
 // which all corners are on the rim, and all sides but one are open, if that one lies on the boundary too.
 // Left in place, they make the rim turn back on itself. Returns whether there were any.
-bool remove_ears(RimState& rim, const std::vector<RimSide>& sides) {
+bool remove_ears(RimState& rim, const SweptDistance& distance, const std::vector<RimSide>& sides) {
   std::vector<FaceId> ears;
   for (size_t i = 0; i < sides.size();) {
     size_t end = i + 1;
@@ -89,7 +84,7 @@ bool remove_ears(RimState& rim, const std::vector<RimSide>& sides) {
       const auto c = rim.mesh().corners(f);
       const size_t k = is_open(c[0]) ? is_open(c[1]) ? 2 : 1 : 0;
       const Vec3 middle = 0.5 * rim.mesh().position(c[k]) + 0.5 * rim.mesh().position(c[(k + 1) % 3]);
-      if (std::abs(distance(rim.region, middle)) <= kRimNear * rim.radius()) ears.push_back(f);
+      if (std::abs(distance(middle)) <= kRimNear * rim.radius()) ears.push_back(f);
     }
     i = end;
   }
@@ -153,16 +148,17 @@ std::vector<FaceId> add(RimState& rim, const std::vector<RimSide>& sides, const 
 
 Result<std::vector<FaceId>> close_by_walls(RimState& rim, std::span<const BeamMove> moves) {
   constexpr int kMostRounds = 8;
-  Result<std::vector<RimSide>> sides = sides_at_rim(rim);
-  for (int i = 0; i < kMostRounds && sides && remove_ears(rim, *sides); ++i) sides = sides_at_rim(rim);
+  const SweptDistance swept(rim.region, moves);
+  Result<std::vector<RimSide>> sides = sides_at_rim(rim, swept);
+  for (int i = 0; i < kMostRounds && sides && remove_ears(rim, swept, *sides); ++i)
+    sides = sides_at_rim(rim, swept);
   if (!sides) return sides.error();
   if (sides->empty()) return std::vector<FaceId>();
-  const auto swept = [&](const Vec3& p) { return distance(rim.region, p); };
   const auto winding = [&](const Vec3& p, const Vec3& direction) {
     return winding_of(rim.step.body(), p, direction);
   };
-  const Result<WallPatch> patch =
-      make_walls(rim.mesh(), *sides, {moves, rim.radius(), rim.settings.laser.range, swept, winding});
+  const Result<WallPatch> patch = make_walls(
+      rim.mesh(), *sides, {moves, rim.radius(), rim.settings.laser.range, std::cref(swept), winding});
   if (!patch) return patch.error();
   if (touches_ring(rim.mesh(), *patch)) return failed("more than two faces share an edge at the rim");
   if (joins_pieces(rim.mesh(), *sides, *patch)) return failed("a wall would join two pieces");

@@ -340,11 +340,12 @@ class WallMaker {
       return at_middle(v);
     });
     if (added > most) return left_open("the sides of the beam at different depths do not correspond", here);
+    wall.grade(kRimLeastEdge * stroke_.radius, at_middle);
     wall.split_between(
         static_cast<uint32_t>(side.of_patch.size()),
         [&](uint32_t a, uint32_t b) { return are_joined(side.of_patch[a], side.of_patch[b]); },
         [&](const ChartVertex& v) { return std::optional(at_middle(v)); });
-    append(side, wall);
+    append(side.of_patch, wall);
     return Done{};
   }
 
@@ -390,8 +391,7 @@ class WallMaker {
     });
   }
 
-  void append(const Side& side, const WallMesh& wall) {
-    std::vector<uint32_t> of_patch = side.of_patch;
+  void append(std::vector<uint32_t> of_patch, const WallMesh& wall) {
     for (size_t i = of_patch.size(); i < wall.vertices().size(); ++i)
       of_patch.push_back(add(wall.vertices()[i].at));
     append_faces(of_patch, wall.triangles());
@@ -419,9 +419,12 @@ class WallMaker {
     }
     std::vector<PatchSide> bounds;
     for (const auto& [from, to] : sides) bounds.emplace_back(local.at(from), local.at(to));
-    const auto triangles = triangulate_cap(places, positions, bounds);
-    if (!triangles) return left_open("the range of the beam ends in a part of the kerf only", positions[0]);
-    append_faces(of_patch, *triangles);
+    const double depth = is_high ? *ends_.high : *ends_.low;
+    const auto cap = triangulate_cap(places, positions, bounds, kRimLeastEdge * stroke_.radius, [&](Vec2 p) {
+      return pencil_->point({p.x, is_high ? -p.y : p.y}, depth);
+    });
+    if (!cap) return left_open("the range of the beam ends in a part of the kerf only", positions[0]);
+    append(of_patch, *cap);
     return Done{};
   }
 

@@ -6,9 +6,9 @@
 
 namespace kerf {
 
-std::optional<std::vector<WallMesh::Corners>> triangulate_cap(
-    std::span<const Vec2> places, std::span<const Vec3> at,
-    std::span<const std::pair<uint32_t, uint32_t>> sides) {
+std::optional<WallMesh> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
+                                        std::span<const std::pair<uint32_t, uint32_t>> sides, double least,
+                                        const std::function<Vec3(Vec2)>& lift) {
   KERF_ASSERT(!sides.empty() && places.size() == at.size());
   constexpr int64_t kSize = int64_t{1} << 30, kWidth = 4 * kSize;
   Vec2 low = places[0], high = places[0];
@@ -29,7 +29,10 @@ std::optional<std::vector<WallMesh::Corners>> triangulate_cap(
   WallMesh cap(std::move(vertices), *triangles, kWidth,
                [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; });
   cap.improve();
-  return cap.triangles();
+  cap.grade(least, [&](const ChartVertex& v) {
+    return std::optional(lift(low + Vec2(static_cast<double>(v.x), static_cast<double>(v.y)) / scale));
+  });
+  return cap;
 }
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,12 +11,13 @@
 
 namespace kerf {
 
-// Triangles between points of a plane, counter-clockwise, that cover what directed sides bound on their left.
-// `places` are the points in the plane, `at` the same in space (m). Nothing where sides cross, or bound
-// another region than one that is finite and covered once. Preconditions: there is a side, and the sides form
-// closed loops.
-std::optional<std::vector<WallMesh::Corners>> triangulate_cap(
-    std::span<const Vec2> places, std::span<const Vec3> at,
-    std::span<const std::pair<uint32_t, uint32_t>> sides);
+// Triangles, counter-clockwise, that cover what directed sides bound on their left in a plane, graded (see
+// WallMesh::grade) but for edges not longer than `least` metres. `places` are the ends of the sides in the
+// plane, `at` the same in space, and `lift` puts further vertices there (m). Nothing where sides cross, or
+// bound another region than one that is finite and covered once. Preconditions: there is a side, and the
+// sides form closed loops.
+std::optional<WallMesh> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
+                                        std::span<const std::pair<uint32_t, uint32_t>> sides, double least,
+                                        const std::function<Vec3(Vec2)>& lift);
 
 }  // namespace kerf

@@ -38,25 +38,35 @@ double modulo(double x, double period) {
 
 }  // namespace
 
+void WallChart::Curve::set_outline(OutlineCurve curve) {
+  outline = std::move(curve);
+  starts = {0};
+  for (size_t i = 0; i < outline.pieces.size(); ++i) {
+    const OutlinePiece& p = outline.pieces[i];
+    starts.push_back(starts.back() + p.length);
+    if (i % kTogether == 0) boxes.push_back({p.from, p.from});
+    Box& box = boxes.back();
+    const Vec2 low = p.radius > 0 ? p.centre - p.radius : glm::min(p.from, p.to);
+    const Vec2 high = p.radius > 0 ? p.centre + p.radius : glm::max(p.from, p.to);
+    box = {glm::min(box.low, low), glm::max(box.high, high)};
+  }
+  period = starts.back();
+}
+
 double WallChart::Curve::place(double length) const {
   if (marks.empty()) return length;
-  const double whole = starts.back();
-  size_t i = 0;  // the last landmark before it, going round
-  double beyond = modulo(length - marks[0], whole);
-  while (i + 1 < marks.size() && modulo(marks[i + 1] - marks[0], whole) <= beyond) ++i;
-  const double start = modulo(marks[i] - marks[0], whole);
-  const double end = i + 1 < marks.size() ? modulo(marks[i + 1] - marks[0], whole) : whole;
-  return static_cast<double>(i) + (beyond - start) / (end - start);
+  const double beyond = modulo(length - first_mark, starts.back());
+  const auto after = std::upper_bound(marks.begin() + 1, marks.end(), beyond);
+  const double start = *(after - 1), end = after == marks.end() ? starts.back() : *after;
+  return static_cast<double>(after - 1 - marks.begin()) + (beyond - start) / (end - start);
 }
 
 double WallChart::Curve::length(double place) const {
   place = modulo(place, period);
   if (marks.empty()) return place;
-  const double whole = starts.back();
   const size_t i = std::min(static_cast<size_t>(place), marks.size() - 1);
-  const double start = modulo(marks[i] - marks[0], whole);
-  const double end = i + 1 < marks.size() ? modulo(marks[i + 1] - marks[0], whole) : whole;
-  return modulo(marks[0] + start + (place - static_cast<double>(i)) * (end - start), whole);
+  const double end = i + 1 < marks.size() ? marks[i + 1] : starts.back();
+  return modulo(first_mark + marks[i] + (place - static_cast<double>(i)) * (end - marks[i]), starts.back());
 }
 
 Vec2 WallChart::Curve::at(double place) const {
@@ -69,15 +79,24 @@ Vec2 WallChart::Curve::at(double place) const {
 
 WallChart::Near WallChart::nearest(const Slice& slice, Vec2 p) {
   Near best{0, 0, std::numeric_limits<double>::infinity()};
+  double length = 0;  // along the curve
   for (uint32_t c = 0; c < slice.curves.size(); ++c) {
     const Curve& curve = slice.curves[c];
     for (size_t i = 0; i < curve.outline.pieces.size(); ++i) {
+      const Box& box = curve.boxes[i / kTogether];
+      if (i % kTogether == 0 && glm::length(p - glm::clamp(p, box.low, box.high)) > best.distance) {
+        i += kTogether - 1;
+        continue;
+      }
       const OutlinePiece& piece = curve.outline.pieces[i];
       const double share = nearest_share(piece, p), distance = glm::length(piece.at(share) - p);
       if (!(distance < best.distance)) continue;
-      best = {c, modulo(curve.place(curve.starts[i] + share * piece.length), curve.period), distance};
+      best = {c, 0, distance};
+      length = curve.starts[i] + share * piece.length;
     }
   }
+  const Curve& nearest = slice.curves[best.curve];
+  best.place = modulo(nearest.place(length), nearest.period);
   return best;
 }
 
@@ -112,8 +131,11 @@ bool WallChart::set_landmarks(std::vector<Slice>& slices) {
   std::vector<std::vector<Curve>> ordered(slices.size());
   for (uint32_t c = 0; c < curves; ++c) {
     std::vector<double> reached(slices.size(), -1);  // from the first landmark
-    for (size_t s = 0; s < slices.size(); ++s)
-      ordered[s].push_back(slices[s].curves[of_side[s].at(shared[c][0]).first]);
+    for (size_t s = 0; s < slices.size(); ++s) {
+      const auto& [curve, length] = of_side[s].at(shared[c][0]);
+      ordered[s].push_back(slices[s].curves[curve]);
+      ordered[s].back().first_mark = length;
+    }
     const auto from_first = [&](size_t s, uint32_t side) {
       return modulo(of_side[s].at(side).second - of_side[s].at(shared[c][0]).second,
                     ordered[s][c].starts.back());
@@ -127,7 +149,7 @@ bool WallChart::set_landmarks(std::vector<Slice>& slices) {
       if (!in_order) continue;
       for (size_t s = 0; s < slices.size(); ++s) {
         reached[s] = from_first(s, side);
-        ordered[s][c].marks.push_back(of_side[s].at(side).second);
+        ordered[s][c].marks.push_back(reached[s]);
       }
     }
   }
@@ -154,10 +176,7 @@ std::optional<WallChart> WallChart::make(const BeamPencil& pencil, std::span<con
     for (OutlineCurve& outline : outline_of(discs, radius)) {
       if (!pencil.parallel() && outline.length < kLeastCurve * radius) continue;
       Curve curve;
-      curve.starts.push_back(0);
-      for (const OutlinePiece& p : outline.pieces) curve.starts.push_back(curve.starts.back() + p.length);
-      curve.period = curve.starts.back();
-      curve.outline = std::move(outline);
+      curve.set_outline(std::move(outline));
       slice.curves.push_back(std::move(curve));
     }
     if (slice.curves.empty() ||

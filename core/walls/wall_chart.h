@@ -34,7 +34,8 @@ class WallChart {
   size_t curves() const { return slices_.front().curves.size(); }
   double period(uint32_t curve) const { return slices_.front().curves[curve].period; }
 
-  // The place nearest to a point; nothing if it is farther than `reach` metres from the side. O(pieces).
+  // The place nearest to a point; nothing if it is farther than `reach` metres from the side. Pieces that
+  // follow each other are taken together where they are farther: O(pieces / 16).
   std::optional<Place> place_of(const Vec3& p, double reach) const;
   // The point at a place; `around` may lie outside of the period.
   Vec3 point_at(const Place& place) const;
@@ -44,12 +45,22 @@ class WallChart {
   std::vector<double> corners(uint32_t curve, double turn) const;
 
  private:
+  static constexpr size_t kTogether = 16;
+
+  struct Box {
+    Vec2 low, high;
+  };
   struct Curve {
     OutlineCurve outline;
     std::vector<double> starts;  // by piece: length along the curve, and that of the whole at the end
-    std::vector<double> marks;   // of landmarks; empty where places are lengths
+    // Of landmarks: the length along the curve at the first one, and from there to each, ascending. Places
+    // are lengths where there are none.
+    double first_mark = 0;
+    std::vector<double> marks;
     double period = 0;
+    std::vector<Box> boxes;  // of each kTogether pieces that follow each other
 
+    void set_outline(OutlineCurve curve);
     double place(double length) const;
     double length(double place) const;
     Vec2 at(double place) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <queue>
+#include <tuple>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -14,6 +16,11 @@ namespace {
 constexpr size_t kMostFlips = 16;
 // A flip must reduce the deviation to less than this share.
 constexpr double kLeastGain = 0.99;
+// A triangle is too thin if its shortest side is less than this share of its longest one; where the wall is
+// bent, so that its edges cannot be long in all directions, the second one.
+constexpr double kThin = 1.0 / 4, kThinBent = 1.0 / 16;
+// How many vertices grading may add for each that there was.
+constexpr size_t kMostGraded = 4;
 // The angles must exceed pi by more than what rounding does.
 constexpr double kFlipSlack = 1e-9;
 
@@ -155,16 +162,17 @@ std::vector<WallMesh::Edge> WallMesh::flip_from(std::vector<Edge> waiting) {
 
 void WallMesh::improve() { flip_from(inner_edges()); }
 
-// Splits an edge where `middle` says. Returns whether it does.
-bool WallMesh::split(const Quad& q, const Middle& middle) {
-  const int64_t xm = q.xa + (q.xb - q.xa) / 2;
+ChartVertex WallMesh::middle_of(const Quad& q) const {
   const int64_t ya = vertices_[q.a].chart.y, yb = vertices_[q.b].chart.y;
-  const ChartVertex place{(xm % width_ + width_) % width_, ya + (yb - ya) / 2};
-  const std::optional<Vec3> at = middle(place);
-  if (!at) return false;
+  return within({q.xa + (q.xb - q.xa) / 2, ya + (yb - ya) / 2});
+}
+
+void WallMesh::split(const Quad& q, const Vec3& at) {
+  const ChartVertex place = middle_of(q);
+  const int64_t xm = q.xa + (q.xb - q.xa) / 2;
   const auto m = static_cast<uint32_t>(vertices_.size());
   const auto third = static_cast<uint32_t>(triangles_.size()), fourth = third + 1;
-  vertices_.push_back({*at, place});
+  vertices_.push_back({at, place});
   edges_.erase(key(q.a, q.b));
   for (const uint32_t v : {q.a, q.b, q.c, q.d}) edges_.insert(key(v, m));
   triangles_.resize(fourth + 1);
@@ -174,7 +182,6 @@ bool WallMesh::split(const Quad& q, const Middle& middle) {
   set(third, {{m, q.b, q.c}, {xm, q.xb, q.xc}}, {q.right, q.beyond[0], q.left});
   set(q.right, {{q.b, m, q.d}, {q.xb, xm, q.xd}}, {third, fourth, q.beyond[3]});
   set(fourth, {{m, q.a, q.d}, {xm, q.xa, q.xd}}, {q.left, q.beyond[2], q.right});
-  return true;
 }
 
 void WallMesh::refine(const Middle& middle) {
@@ -184,7 +191,10 @@ void WallMesh::refine(const Middle& middle) {
     for (const Edge& e : waiting) {
       if (!is_current(e) || !is_inner(e)) continue;
       const Quad q = quad_of(e);
-      if (!(deviation(q.a, q.xa, q.b, q.xb) > 0) || !split(q, middle)) continue;
+      if (!(deviation(q.a, q.xa, q.b, q.xb) > 0)) continue;
+      const auto at = middle(middle_of(q));
+      if (!at) continue;
+      split(q, *at);
       const auto first = static_cast<uint32_t>(triangles_.size()) - 2;
       for (const uint32_t t : {q.left, q.right, first, first + 1}) {
         for (uint32_t i = 0; i < 3; ++i) next.push_back(edge(t, i));
@@ -198,6 +208,94 @@ void WallMesh::refine(const Middle& middle) {
   }
 }
 
+// The longest side of a thin triangle, both long sides of which are inner ones.
+std::optional<WallMesh::LongSide> WallMesh::long_side(uint32_t triangle) const {
+  const Corners& c = triangles_[triangle];
+  std::array<double, 3> length;
+  for (uint32_t i = 0; i < 3; ++i) length[i] = glm::length(vertices_[c[(i + 1) % 3]].at - vertices_[c[i]].at);
+  const auto least = static_cast<uint32_t>(std::min_element(length.begin(), length.end()) - length.begin());
+  const uint32_t one = (least + 1) % 3, other = (least + 2) % 3;
+  const uint32_t longest = length[one] >= length[other] ? one : other;
+  if (length[least] >= kThin * length[longest]) return std::nullopt;
+  if (across_[triangle][one] == kNone || across_[triangle][other] == kNone) return std::nullopt;
+  return LongSide{length[longest], length[least], edge(triangle, longest)};
+}
+
+// Whether edges across this one would not deviate that are twice as wide as the triangles beside it.
+bool WallMesh::is_flat_around(const Quad& q, const Middle& middle) const {
+  const Vertex &a = vertices_[q.a], &b = vertices_[q.b];
+  const Vec3 along = b.at - a.at;
+  const ChartVertex m{q.xa + (q.xb - q.xa) / 2, a.chart.y + (b.chart.y - a.chart.y) / 2};
+  for (const auto& [v, x] : {std::pair{q.c, q.xc}, {q.d, q.xd}}) {
+    const double share =
+        std::clamp(glm::dot(vertices_[v].at - a.at, along) / glm::dot(along, along), 0.0, 1.0);
+    const auto from_foot = [&](int64_t at, int64_t from, int64_t to) {
+      return at - from - static_cast<int64_t>(share * static_cast<double>(to - from));
+    };
+    const int64_t dx = from_foot(x, q.xa, q.xb), dy = from_foot(vertices_[v].chart.y, a.chart.y, b.chart.y);
+    const ChartVertex left{m.x - 2 * dx, m.y - 2 * dy}, right{m.x + 2 * dx, m.y + 2 * dy};
+    const auto from = middle(within(left)), to = middle(within(right));
+    if (!from || !to || deviation_({*from, left}, {*to, right}) > 0) return false;
+  }
+  return true;
+}
+
+// Whether a point lies in the sphere of which a side of the boundary is a diameter (J. Ruppert: A Delaunay
+// refinement algorithm for quality 2-dimensional mesh generation, 1995).
+bool WallMesh::encroaches(const Quad& q, const Vec3& p) const {
+  const std::array<std::pair<uint32_t, uint32_t>, 4> sides{{{q.b, q.c}, {q.c, q.a}, {q.a, q.d}, {q.d, q.b}}};
+  for (size_t i = 0; i < 4; ++i) {
+    const Vec3 from = vertices_[sides[i].first].at, to = vertices_[sides[i].second].at;
+    if (q.beyond[i] == kNone && glm::dot(from - p, to - p) < 0) return true;
+  }
+  return false;
+}
+
+// Where the longest side of a thin triangle is split: in the middle, if that is not too near to the boundary,
+// nor nearer to another vertex than the ends of a short side may be to each other.
+std::optional<Vec3> WallMesh::split_for_shape(const Quad& q, double shortest, const Middle& middle) const {
+  const Vec3 a = vertices_[q.a].at, b = vertices_[q.b].at;
+  const double length = glm::length(b - a), thinnest = is_flat_around(q, middle) ? kThin : kThinBent;
+  if (shortest >= thinnest * length) return std::nullopt;
+  const std::optional<Vec3> at = middle(middle_of(q));
+  const auto is_far = [&](uint32_t v, double share) {
+    return glm::length(vertices_[v].at - *at) >= share * length;
+  };
+  if (!at || !is_far(q.a, kThin) || !is_far(q.b, kThin) || !is_far(q.c, thinnest) || !is_far(q.d, thinnest))
+    return std::nullopt;
+  return encroaches(q, *at) ? std::nullopt : at;
+}
+
+void WallMesh::grade(double least, const Middle& middle) {
+  const auto is_less = [](const LongSide& a, const LongSide& b) {
+    return std::tie(a.length, a.edge.from, a.edge.to) < std::tie(b.length, b.edge.from, b.edge.to);
+  };
+  std::priority_queue<LongSide, std::vector<LongSide>, decltype(is_less)> waiting(is_less);
+  const auto look_at = [&](uint32_t triangle) {
+    const auto side = long_side(triangle);
+    if (side && side->length > least) waiting.push(*side);
+  };
+  for (uint32_t t = 0; t < triangles_.size(); ++t) look_at(t);
+  const size_t most = (1 + kMostGraded) * vertices_.size();
+  while (!waiting.empty() && vertices_.size() < most) {
+    const LongSide next = waiting.top();
+    waiting.pop();
+    if (!is_current(next.edge) || !is_inner(next.edge)) continue;
+    const Quad q = quad_of(next.edge);
+    const std::optional<Vec3> at = split_for_shape(q, next.shortest, middle);
+    if (!at) continue;
+    split(q, *at);
+    const auto first = static_cast<uint32_t>(triangles_.size()) - 2;
+    std::vector<uint32_t> changed{q.left, q.right, first, first + 1};
+    const std::vector<Edge> turned =
+        flip_from({edge(q.left, 2), edge(q.right, 2), edge(first, 1), edge(first + 1, 1)});
+    for (const Edge& e : turned) {
+      if (is_current(e)) changed.insert(changed.end(), {e.triangle, across_[e.triangle][e.side]});
+    }
+    for (const uint32_t t : changed) look_at(t);
+  }
+}
+
 void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                              const Middle& middle) {
   bool again = true;
@@ -206,7 +304,9 @@ void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, 
       if (e.from >= fixed || e.to >= fixed || !splits(e.from, e.to)) continue;
       // A split moves other edges of its two triangles.
       again = !is_current(e) || again;
-      if (is_current(e)) split(quad_of(e), middle);
+      if (!is_current(e)) continue;
+      const Quad q = quad_of(e);
+      if (const auto at = middle(middle_of(q))) split(q, *at);
     }
   }
 }

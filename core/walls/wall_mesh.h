@@ -40,6 +40,13 @@ class WallMesh {
   // improves what is around them.
   void refine(const Middle& middle);
 
+  // Splits long sides of thin triangles, the longest first, and improves what is around them, so that
+  // triangles grow away from the rim (as in M.-C. Rivara: New longest-edge algorithms for the refinement
+  // and/or improvement of unstructured triangulations, 1997). Where the wall is bent they may be thinner. A
+  // later stroke that meets a wall of long thin triangles would refine all of them. Sides that are not longer
+  // than `least` metres stay; the vertices must be as exact as that in the chart.
+  void grade(double least, const Middle& middle);
+
   // Splits the inner edges between two of the first `fixed` vertices for which `splits` holds, wherever
   // `middle` says.
   void split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
@@ -53,6 +60,11 @@ class WallMesh {
   // A side of a triangle, from its corner `side` to the next one. `from` tells whether it is still the same.
   struct Edge {
     uint32_t triangle = 0, side = 0, from = 0, to = 0;
+  };
+  // That of a thin triangle, and the length of its shortest side (m).
+  struct LongSide {
+    double length, shortest;
+    Edge edge;
   };
   // The two triangles of an inner edge: a b c and b a d.
   struct Quad {
@@ -71,7 +83,13 @@ class WallMesh {
   bool should_flip(const Quad& q) const;
   void flip(const Quad& q);
   std::vector<Edge> flip_from(std::vector<Edge> waiting);
-  bool split(const Quad& q, const Middle& middle);
+  ChartVertex within(const ChartVertex& v) const { return {(v.x % width_ + width_) % width_, v.y}; }
+  ChartVertex middle_of(const Quad& q) const;
+  void split(const Quad& q, const Vec3& at);
+  std::optional<LongSide> long_side(uint32_t triangle) const;
+  bool is_flat_around(const Quad& q, const Middle& middle) const;
+  bool encroaches(const Quad& q, const Vec3& p) const;
+  std::optional<Vec3> split_for_shape(const Quad& q, double shortest, const Middle& middle) const;
   std::vector<Edge> inner_edges() const;
   double deviation(uint32_t a, int64_t xa, uint32_t b, int64_t xb) const;
 

@@ -1,0 +1,51 @@
+#include "core/walls/wall_chart.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "tests/support/runs.h"
+
+namespace kerf {
+namespace {
+
+std::vector<BeamMove> zigzag(Random& random, bool from_apex) {
+  std::vector<BeamMove> moves;
+  const auto pose = [&](Vec2 p) {
+    const Vec3 at(p.x, 0, p.y), apex(0, 4, 0);
+    return from_apex ? Pose{apex, glm::normalize(at - apex)} : Pose{at + Vec3(0, 4, 0), Vec3(0, -1, 0)};
+  };
+  Vec2 p(0);
+  for (uint64_t i = 0, count = 1 + random.below(60); i < count; ++i) {
+    const Vec2 next = p + Vec2(random.uniform(0, 0.3), random.uniform(-0.1, 0.1));
+    moves.push_back({pose(p), pose(next)});
+    p = next;
+  }
+  return moves;
+}
+
+// Points on the boundary are found at their own place, wherever along the outline that is.
+TEST(WallChart, finds_the_place_of_each_of_its_points) {
+  size_t tried = 0;
+  for (uint64_t seed = 1; seed <= runs(200); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const std::vector<BeamMove> moves = zigzag(random, seed % 2 == 0);
+    const double radius = 0.05;
+    const auto pencil = BeamPencil::of(moves, radius);
+    ASSERT_TRUE(pencil);
+    const auto chart = WallChart::make(*pencil, moves, radius, {3.5, 4.5});
+    if (!chart) continue;
+    for (int i = 0; i < 100; ++i) {
+      const auto curve = static_cast<uint32_t>(random.below(chart->curves()));
+      const Vec3 p = chart->point_at({curve, random.uniform(0, chart->period(curve)), 4});
+      const auto found = chart->place_of(p, 0.3 * radius);
+      ASSERT_TRUE(found);
+      EXPECT_LE(glm::length(chart->point_at(*found) - p), 1e-6 * radius);
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 50u * runs(200));
+}
+
+}  // namespace
+}  // namespace kerf

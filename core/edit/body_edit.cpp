@@ -164,7 +164,6 @@ std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>>
   }
   const std::vector<FaceId> added = body_->mesh.add_faces(corners, data);
   body_->tree.add(mesh(), added);
-  Mesh::Star star;
   for (size_t i = 0; i < added.size(); ++i) {
     const FaceId f = added[i];
     body_->walls.set(body_->mesh, f, body_->loaded_base(beside[i]));
@@ -176,14 +175,27 @@ std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>>
     solid_.wall_area += area;
     solid_.removed_volume -= volume_under(t, body_->middle());
     edited_.push_back(f);
-    for (const VertexId v : mesh().corners(f)) {  // the tree knows the vertices of the faces around
-      mesh().star(v, star);
-      moved_.insert(moved_.end(), star.faces.begin(), star.faces.end());
-    }
   }
-  sort_each_once(moved_);
+  note_moved_around(added);
   faces_made_ += added.size();
   return added;
+}
+
+// The tree knows the vertices of the faces around.
+void BodyEdit::note_moved_around(const std::vector<FaceId>& faces) {
+  std::vector<VertexId> vertices;
+  for (const FaceId f : faces) {
+    const auto c = mesh().corners(f);
+    vertices.insert(vertices.end(), c.begin(), c.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  Mesh::Star star;
+  for (const VertexId v : vertices) {
+    mesh().star(v, star);
+    moved_.insert(moved_.end(), star.faces.begin(), star.faces.end());
+  }
+  sort_each_once(moved_);
 }
 
 // Turning and moving ----------------------------------------------------------------------------------------

@@ -102,6 +102,7 @@ class BodyEdit {
   void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
   void note_splits(size_t first);
+  void note_moved_around(const std::vector<FaceId>& faces);
 
   Body* body_;
   std::vector<Replacement> splits_;  // not applied to the tree yet

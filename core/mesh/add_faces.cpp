@@ -1,5 +1,6 @@
-#include <map>
-#include <optional>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/base/assert.h"
 #include "core/mesh/kernel.h"
@@ -23,25 +24,31 @@ HalfEdgeId open_half_edge(const HalfEdges& m, VertexId from, VertexId to) {
 // The half-edges at some vertices, before faces are added there and after it.
 class FansAtVertices {
  public:
-  explicit FansAtVertices(Mesh::Kernel& kernel) : kernel_(kernel), m_(kernel.half_edges) {}
-
-  // Notes the half-edges that start at a vertex. To be called before any face is added.
-  void note(VertexId v) {
-    if (outgoing_.contains(v)) return;
-    std::vector<HalfEdgeId>& own = outgoing_[v];
-    m_.for_each_outgoing(v, [&](HalfEdgeId h) { own.push_back(h); });
+  FansAtVertices(Mesh::Kernel& kernel, std::span<const FaceCorners> faces)
+      : kernel_(kernel), m_(kernel.half_edges) {
+    for (const FaceCorners& c : faces) vertices_.insert(vertices_.end(), c.begin(), c.end());
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    outgoing_.resize(vertices_.size());
+    for (size_t i = 0; i < vertices_.size(); ++i)
+      m_.for_each_outgoing(vertices_[i], [&](HalfEdgeId h) { outgoing_[i].push_back(h); });
   }
-  void add(VertexId v, HalfEdgeId h) { outgoing_.at(v).push_back(h); }
+
+  // Notes a half-edge that starts at a vertex of a face.
+  void add(VertexId v, HalfEdgeId h) {
+    const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), v);
+    outgoing_[static_cast<size_t>(at - vertices_.begin())].push_back(h);
+  }
 
   // Links the half-edges around every vertex anew. A vertex where several fans touch gives way to one vertex
   // for each of them.
   void link() {
-    for (const auto& [v, outgoing] : outgoing_) {
+    for (const std::vector<HalfEdgeId>& outgoing : outgoing_) {
       for (const HalfEdgeId h : outgoing) {
         if (!m_.face(opposite(h)).valid()) link_boundary(opposite(h));
       }
     }
-    for (const auto& [v, outgoing] : outgoing_) part_fans(v, outgoing);
+    for (size_t i = 0; i < vertices_.size(); ++i) part_fans(vertices_[i], outgoing_[i]);
   }
 
  private:
@@ -53,16 +60,22 @@ class FansAtVertices {
   }
 
   void part_fans(VertexId v, const std::vector<HalfEdgeId>& outgoing) {
-    std::map<HalfEdgeId, bool> seen;
-    for (const HalfEdgeId h : outgoing) seen[h] = false;
+    std::vector<HalfEdgeId> left(outgoing);  // in no fan yet
+    std::sort(left.begin(), left.end());
+    const auto take = [&](HalfEdgeId h) {
+      const auto at = std::lower_bound(left.begin(), left.end(), h);
+      if (at == left.end() || *at != h) return false;
+      left.erase(at);
+      return true;
+    };
     bool first = true;
     for (const HalfEdgeId start : outgoing) {
-      if (seen[start]) continue;
+      if (!take(start)) continue;
       const VertexId own = first ? v : copy_of(v);
       first = false;
       HalfEdgeId h = start;
       do {
-        seen[h] = true;
+        take(h);
         m_.set_to(opposite(h), own);
         h = m_.next(opposite(h));
       } while (h != start);
@@ -78,38 +91,49 @@ class FansAtVertices {
 
   Mesh::Kernel& kernel_;
   HalfEdges& m_;
-  std::map<VertexId, std::vector<HalfEdgeId>> outgoing_;
+  std::vector<VertexId> vertices_;                  // ascending
+  std::vector<std::vector<HalfEdgeId>> outgoing_;  // by index in vertices_
 };
 
 // The sides of new faces: open half-edges that are there, and one new edge for two opposite sides.
 class SidesOfNewFaces {
- public:
-  SidesOfNewFaces(HalfEdges& m, FansAtVertices& fans) : m_(m), fans_(fans) {}
+  struct Side {
+    VertexId from, to;
+    HalfEdgeId half_edge;  // not valid where there is none yet
+    std::pair<VertexId, VertexId> key() const { return {from, to}; }
+  };
 
-  void find(VertexId from, VertexId to) {
-    fans_.note(from);
-    const HalfEdgeId open = open_half_edge(m_, from, to);
-    if (open.valid()) sides_[{from, to}] = open;
+ public:
+  SidesOfNewFaces(HalfEdges& m, FansAtVertices& fans, std::span<const FaceCorners> faces) : m_(m), fans_(fans) {
+    for (const FaceCorners& c : faces) {
+      for (size_t i = 0; i < 3; ++i)
+        sides_.push_back({c[i], c[(i + 1) % 3], open_half_edge(m_, c[i], c[(i + 1) % 3])});
+    }
+    std::ranges::sort(sides_, {}, &Side::key);
   }
 
   HalfEdgeId side(VertexId from, VertexId to) {
-    const auto known = sides_.find({from, to});
-    if (known != sides_.end()) {
-      KERF_ASSERT(!m_.face(known->second).valid());
-      return known->second;
+    Side* const own = find(from, to);
+    KERF_ASSERT(own);
+    if (!own->half_edge.valid()) {
+      own->half_edge = m_.add_edge(from, to);
+      fans_.add(from, own->half_edge);
+      fans_.add(to, opposite(own->half_edge));
+      if (Side* const other = find(to, from)) other->half_edge = opposite(own->half_edge);
     }
-    const HalfEdgeId h = m_.add_edge(from, to);
-    fans_.add(from, h);
-    fans_.add(to, opposite(h));
-    sides_[{from, to}] = h;
-    sides_[{to, from}] = opposite(h);
-    return h;
+    KERF_ASSERT(!m_.face(own->half_edge).valid());
+    return own->half_edge;
   }
 
  private:
+  Side* find(VertexId from, VertexId to) {
+    const auto at = std::ranges::lower_bound(sides_, std::pair(from, to), {}, &Side::key);
+    return at != sides_.end() && at->key() == std::pair(from, to) ? &*at : nullptr;
+  }
+
   HalfEdges& m_;
   FansAtVertices& fans_;
-  std::map<std::pair<VertexId, VertexId>, HalfEdgeId> sides_;
+  std::vector<Side> sides_;  // ascending
 };
 
 }  // namespace
@@ -120,11 +144,8 @@ std::vector<FaceId> Mesh::add_faces(std::span<const FaceCorners> corners, std::s
   KERF_ASSERT(corners.size() == data.size());
   Kernel& k = *kernel_;
   HalfEdges& m = k.half_edges;
-  FansAtVertices fans(k);
-  SidesOfNewFaces sides(m, fans);
-  for (const FaceCorners& c : corners) {
-    for (size_t i = 0; i < 3; ++i) sides.find(c[i], c[(i + 1) % 3]);
-  }
+  FansAtVertices fans(k, corners);
+  SidesOfNewFaces sides(m, fans, corners);
   std::vector<FaceId> added;
   for (size_t i = 0; i < corners.size(); ++i) {
     const auto [a, b, c] = corners[i];

@@ -1,7 +1,7 @@
 #include "core/walls/patch_check.h"
 
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include "core/base/assert.h"
 #include "core/base/union_find.h"
@@ -9,20 +9,25 @@
 namespace kerf {
 
 std::optional<PatchFault> fault_of(const WallPatch& patch, std::span<const PatchSide> rim) {
-  std::set<PatchSide> sides;
+  std::vector<PatchSide> sides, at_rim(rim.begin(), rim.end());
   for (const auto& f : patch.faces) {
-    for (size_t i = 0; i < 3; ++i) {
-      if (!sides.insert({f[i], f[(i + 1) % 3]}).second) return PatchFault{"two walls meet in one edge", f[i]};
-    }
+    for (size_t i = 0; i < 3; ++i) sides.emplace_back(f[i], f[(i + 1) % 3]);
   }
-  std::set<PatchSide> at_rim;
-  for (const PatchSide& s : rim) {
-    if (!at_rim.insert(s).second) return PatchFault{"the rim runs along one edge twice", s.first};
-    if (!sides.contains(s)) return PatchFault{"a part of the rim belongs to no wall", s.first};
+  std::sort(sides.begin(), sides.end());
+  std::sort(at_rim.begin(), at_rim.end());
+  const auto contains = [](const std::vector<PatchSide>& list, const PatchSide& side) {
+    return std::binary_search(list.begin(), list.end(), side);
+  };
+  if (const auto twice = std::adjacent_find(sides.begin(), sides.end()); twice != sides.end())
+    return PatchFault{"two walls meet in one edge", twice->first};
+  if (const auto twice = std::adjacent_find(at_rim.begin(), at_rim.end()); twice != at_rim.end())
+    return PatchFault{"the rim runs along one edge twice", twice->first};
+  for (const PatchSide& s : at_rim) {
+    if (!contains(sides, s)) return PatchFault{"a part of the rim belongs to no wall", s.first};
   }
-  for (const auto& [from, to] : sides) {
-    if (at_rim.contains({from, to}) == sides.contains({to, from}))
-      return PatchFault{"a wall ends in the part", from};
+  for (const PatchSide& s : sides) {
+    if (contains(at_rim, s) == contains(sides, {s.second, s.first}))
+      return PatchFault{"a wall ends in the part", s.first};
   }
   return std::nullopt;
 }

@@ -1,7 +1,6 @@
 #include "core/walls/wall_mesh.h"
 
 #include <algorithm>
-#include <map>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -36,14 +35,22 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
     triangles_.push_back(t.corners);
     x_.push_back(t.x);
   }
-  std::map<std::pair<uint32_t, uint32_t>, std::pair<uint32_t, uint32_t>> sides;
+  struct Side {
+    uint32_t from, to, triangle, side;
+    auto key() const { return std::pair(from, to); }
+  };
+  std::vector<Side> sides;
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
-    for (uint32_t i = 0; i < 3; ++i) sides[{triangles_[t][i], triangles_[t][(i + 1) % 3]}] = {t, i};
+    for (uint32_t i = 0; i < 3; ++i) {
+      sides.push_back({triangles_[t][i], triangles_[t][(i + 1) % 3], t, i});
+      note_edge(sides.back().from, x_[t][i], sides.back().to, x_[t][(i + 1) % 3]);
+    }
   }
-  for (const auto& [side, place] : sides) {
-    edges_.insert(key(side.first, side.second));
-    const auto other = sides.find({side.second, side.first});
-    if (other != sides.end()) across_[place.first][place.second] = other->second.first;
+  std::ranges::sort(sides, {}, &Side::key);
+  for (const Side& s : sides) {
+    const auto other = std::ranges::lower_bound(sides, std::pair(s.to, s.from), {}, &Side::key);
+    if (other != sides.end() && other->key() == std::pair(s.to, s.from))
+      across_[s.triangle][s.side] = other->triangle;
   }
 }
 
@@ -116,8 +123,15 @@ std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
 
 uint64_t WallMesh::key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
+bool WallMesh::is_wide(int64_t x, int64_t other) const { return 2 * std::abs(x - other) >= width_; }
+
+// Edges between the same vertices run around the ring in different ways, so that one of them is wide.
+void WallMesh::note_edge(uint32_t a, int64_t xa, uint32_t b, int64_t xb) {
+  if (is_wide(xa, xb)) wide_edges_.insert(key(a, b));
+}
+
 bool WallMesh::should_flip(const Quad& q) const {
-  if (q.c == q.d || edges_.contains(key(q.c, q.d))) return false;
+  if (q.c == q.d || is_wide(q.xc, q.xd) || wide_edges_.contains(key(q.c, q.d))) return false;
   const auto y_from_a = [&](uint32_t v) { return vertices_[v].chart.y - vertices_[q.a].chart.y; };
   const ChartVertex b{q.xb - q.xa, y_from_a(q.b)}, c{q.xc - q.xa, y_from_a(q.c)},
       d{q.xd - q.xa, y_from_a(q.d)};
@@ -136,8 +150,7 @@ bool WallMesh::should_flip(const Quad& q) const {
 }
 
 void WallMesh::flip(const Quad& q) {
-  edges_.erase(key(q.a, q.b));
-  edges_.insert(key(q.c, q.d));
+  wide_edges_.erase(key(q.a, q.b));
   set(q.left, {{q.a, q.d, q.c}, {q.xa, q.xd, q.xc}}, {q.beyond[2], q.right, q.beyond[1]});
   set(q.right, {{q.d, q.b, q.c}, {q.xd, q.xb, q.xc}}, {q.beyond[3], q.beyond[0], q.left});
 }
@@ -173,8 +186,8 @@ void WallMesh::split(const Quad& q, const Vec3& at) {
   const auto m = static_cast<uint32_t>(vertices_.size());
   const auto third = static_cast<uint32_t>(triangles_.size()), fourth = third + 1;
   vertices_.push_back({at, place});
-  edges_.erase(key(q.a, q.b));
-  for (const uint32_t v : {q.a, q.b, q.c, q.d}) edges_.insert(key(v, m));
+  wide_edges_.erase(key(q.a, q.b));
+  for (const auto& [v, x] : {std::pair{q.a, q.xa}, {q.b, q.xb}, {q.c, q.xc}, {q.d, q.xd}}) note_edge(v, x, m, xm);
   triangles_.resize(fourth + 1);
   x_.resize(fourth + 1);
   across_.resize(fourth + 1);
@@ -255,15 +268,18 @@ bool WallMesh::encroaches(const Quad& q, const Vec3& p) const {
 // nor nearer to another vertex than the ends of a short side may be to each other.
 std::optional<Vec3> WallMesh::split_for_shape(const Quad& q, double shortest, const Middle& middle) const {
   const Vec3 a = vertices_[q.a].at, b = vertices_[q.b].at;
-  const double length = glm::length(b - a), thinnest = is_flat_around(q, middle) ? kThin : kThinBent;
-  if (shortest >= thinnest * length) return std::nullopt;
+  const double length = glm::length(b - a);
   const std::optional<Vec3> at = middle(middle_of(q));
   const auto is_far = [&](uint32_t v, double share) {
     return glm::length(vertices_[v].at - *at) >= share * length;
   };
-  if (!at || !is_far(q.a, kThin) || !is_far(q.b, kThin) || !is_far(q.c, thinnest) || !is_far(q.d, thinnest))
-    return std::nullopt;
-  return encroaches(q, *at) ? std::nullopt : at;
+  const auto is_well_shaped = [&](double thinnest) {
+    return shortest < thinnest * length && is_far(q.c, thinnest) && is_far(q.d, thinnest);
+  };
+  if (!at || !is_far(q.a, kThin) || !is_far(q.b, kThin) || encroaches(q, *at)) return std::nullopt;
+  const bool if_flat = is_well_shaped(kThin), if_bent = is_well_shaped(kThinBent);
+  const bool splits = if_flat == if_bent ? if_flat : is_flat_around(q, middle) ? if_flat : if_bent;
+  return splits ? at : std::nullopt;
 }
 
 void WallMesh::grade(double least, const Middle& middle) {

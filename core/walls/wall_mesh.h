@@ -80,6 +80,8 @@ class WallMesh {
   Quad quad_of(const Edge& e) const;
   void set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across);
   static uint64_t key(uint32_t a, uint32_t b);
+  bool is_wide(int64_t x, int64_t other) const;
+  void note_edge(uint32_t a, int64_t xa, uint32_t b, int64_t xb);
   bool should_flip(const Quad& q) const;
   void flip(const Quad& q);
   std::vector<Edge> flip_from(std::vector<Edge> waiting);
@@ -97,7 +99,7 @@ class WallMesh {
   std::vector<Corners> triangles_;
   std::vector<std::array<int64_t, 3>> x_;        // by triangle: of its corners
   std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: the triangle beyond
-  std::unordered_set<uint64_t> edges_;           // never iterated
+  std::unordered_set<uint64_t> wide_edges_;      // never iterated
   int64_t width_;
   Deviation deviation_;
 };

@@ -91,7 +91,7 @@ class FansAtVertices {
 
   Mesh::Kernel& kernel_;
   HalfEdges& m_;
-  std::vector<VertexId> vertices_;                  // ascending
+  std::vector<VertexId> vertices_;                 // ascending
   std::vector<std::vector<HalfEdgeId>> outgoing_;  // by index in vertices_
 };
 
@@ -104,7 +104,8 @@ class SidesOfNewFaces {
   };
 
  public:
-  SidesOfNewFaces(HalfEdges& m, FansAtVertices& fans, std::span<const FaceCorners> faces) : m_(m), fans_(fans) {
+  SidesOfNewFaces(HalfEdges& m, FansAtVertices& fans, std::span<const FaceCorners> faces)
+      : m_(m), fans_(fans) {
     for (const FaceCorners& c : faces) {
       for (size_t i = 0; i < 3; ++i)
         sides_.push_back({c[i], c[(i + 1) % 3], open_half_edge(m_, c[i], c[(i + 1) % 3])});

@@ -20,6 +20,9 @@ constexpr double kLeastGain = 0.99;
 constexpr double kThin = 1.0 / 4, kThinBent = 1.0 / 16;
 // How many vertices grading may add for each that there was.
 constexpr size_t kMostGraded = 4;
+// A flip makes no triangle that is this flat, in units of the chart: an edge whose middle is a vertex, but
+// for rounding, would come back.
+constexpr int64_t kFlattest = 2;
 // The angles must exceed pi by more than what rounding does.
 constexpr double kFlipSlack = 1e-9;
 
@@ -137,7 +140,8 @@ bool WallMesh::should_flip(const Quad& q) const {
       d{q.xd - q.xa, y_from_a(q.d)};
   const Wide at_a = turn_of(d.x, d.y, c.x, c.y);
   const Wide at_b = turn_of(c.x - b.x, c.y - b.y, d.x - b.x, d.y - b.y);
-  if (at_a <= 0 || at_b <= 0) return false;
+  const Wide least = kFlattest * (std::abs(c.x - d.x) + std::abs(c.y - d.y));
+  if (at_a <= least || at_b <= least) return false;
   const double now = deviation(q.a, q.xa, q.b, q.xb), then = deviation(q.c, q.xc, q.d, q.xd);
   if (now > 0 || then > 0) return then < kLeastGain * now;
   const auto corner = [&](uint32_t v) {
@@ -187,7 +191,8 @@ void WallMesh::split(const Quad& q, const Vec3& at) {
   const auto third = static_cast<uint32_t>(triangles_.size()), fourth = third + 1;
   vertices_.push_back({at, place});
   wide_edges_.erase(key(q.a, q.b));
-  for (const auto& [v, x] : {std::pair{q.a, q.xa}, {q.b, q.xb}, {q.c, q.xc}, {q.d, q.xd}}) note_edge(v, x, m, xm);
+  for (const auto& [v, x] : {std::pair{q.a, q.xa}, {q.b, q.xb}, {q.c, q.xc}, {q.d, q.xd}})
+    note_edge(v, x, m, xm);
   triangles_.resize(fourth + 1);
   x_.resize(fourth + 1);
   across_.resize(fourth + 1);

@@ -51,6 +51,29 @@ Soup grid_with_holes(int cells, double size) {
   return soup;
 }
 
+// A tube of this radius along a trefoil knot of about three metres.
+Soup trefoil(int rings, int sectors, double radius) {
+  Soup soup;
+  const auto at = [](double t) {
+    return 0.25 * Vec3(std::sin(t) + 2 * std::sin(2 * t), std::sin(3 * t), std::cos(t) - 2 * std::cos(2 * t));
+  };
+  const auto corner = [&](int ring, int sector) {
+    return static_cast<uint32_t>(ring % rings * sectors + sector % sectors);
+  };
+  for (int i = 0; i < rings; ++i) {
+    const double t = 2 * kPi * i / rings, step = 1e-4;
+    const Vec3 along = glm::normalize(at(t + step) - at(t - step));
+    const Vec3 right = glm::normalize(glm::cross(along, Vec3(0, 1, 0))), up = glm::cross(right, along);
+    for (int k = 0; k < sectors; ++k) {
+      const double angle = 2 * kPi * k / sectors;
+      soup.positions.push_back(at(t) + radius * (std::cos(angle) * right + std::sin(angle) * up));
+      soup.triangles.push_back({corner(i, k), corner(i + 1, k), corner(i + 1, k + 1)});
+      soup.triangles.push_back({corner(i, k), corner(i + 1, k + 1), corner(i, k + 1)});
+    }
+  }
+  return soup;
+}
+
 Soup facing_outside(Soup soup) {
   const Mesh mesh = build(soup).mesh;
   const EnclosedVolume enclosed = enclosed_volume(mesh, Vec3(0));
@@ -71,7 +94,8 @@ std::vector<NamedSoup> generated_solids() {
           {"plate with holes", extruded(grid_with_holes(9, 1), 0.1)},
           {"two balls", both(ball(0.4), moved(ball(0.3), {0.9, 0.1, 0}, 1))},
           {"hollow ball", both(ball(0.5), inside_out(ball(0.35)))},
-          {"nested balls", both(both(ball(0.5), inside_out(ball(0.35))), ball(0.2))}};
+          {"nested balls", both(both(ball(0.5), inside_out(ball(0.35))), ball(0.2))},
+          {"knot", facing_outside(trefoil(72, 12, 0.12))}};
 }
 
 SolidStroke straight_stroke(const Vec3& from, const Vec3& to, const Vec3& direction, double radius,

@@ -13,8 +13,8 @@ namespace kerf::test {
 // The sheet and its copy that is moved by `height` along +Y, with walls around: closed, normals outside.
 Soup extruded(const Soup& sheet, double height);
 
-// Closed soups whose faces look outside: a box, a ball, a ring, a tube, a plate with holes, two balls beside
-// each other and nested shells.
+// Ten closed soups whose faces look outside: boxes, a ball, a ring, a tube, a plate with holes, two balls
+// beside each other, nested shells and a knot.
 std::vector<NamedSoup> generated_solids();
 
 // A stroke of a beam with one direction, and what it is called.

@@ -11,9 +11,13 @@ BodyDelta move_components(BodyId id, Body& body, const std::map<uint32_t, uint32
   delta.body = id;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
-    const FaceData& data = body.mesh.data(FaceId(f));
-    const auto label = label_of.find(body.components.at_home(body.loaded_base(FaceId(f)), data.piece));
+    const FaceId base = body.loaded_base(FaceId(f));
+    const auto label = label_of.find(body.components.of(base));
     if (label == label_of.end()) continue;
+    const uint32_t own = body.mesh.data(FaceId(f)).piece;
+    const bool is_at_home = body.components.at_home(base, own) != LoadedComponents::kNone;
+    KERF_ASSERT(is_at_home || own != label->second);
+    if (!is_at_home) continue;
     const Triangle t = body.mesh.triangle(FaceId(f));
     const AreaMoments moments = area_moments(t, triangle_area(t), body.middle());
     while (body.pieces.size() <= label->second) {

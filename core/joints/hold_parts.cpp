@@ -64,7 +64,7 @@ class Groups {
       const ConnectedPart& part = parts_[i].part;
       const uint32_t group = together_.find(i);
       if (together_.find(seat_.at(part.piece())) == group) continue;
-      const auto seat = largest_seat(part.body, group);
+      const auto seat = largest_seat(part, group);
       if (seat) {
         changes[part.body][part.component] = *seat;
         continue;
@@ -120,23 +120,42 @@ class Groups {
     return at->second;
   }
 
-  // The label of the piece of a body whose seat is in the group and the largest one.
-  std::optional<uint32_t> largest_seat(BodyId body, uint32_t group) {
+  // The label of the piece, in the body of a loaded component, whose seat is in the group and the largest
+  // one. What is left of a component and what was cut off it are told apart by their labels, so that they
+  // stay two pieces, even where joints hold them together.
+  std::optional<uint32_t> largest_seat(const ConnectedPart& component, uint32_t group) {
     std::optional<uint32_t> label;
     double area = 0;
     for (const auto& [piece, seat] : seat_) {
-      if (piece.body != body || together_.find(seat) != group) continue;
+      if (piece.body != component.body || together_.find(seat) != group) continue;
       if (label && parts_[seat].area <= area) continue;
+      if (cut_off_from(piece) == component.component) continue;
       label = piece.label;
       area = parts_[seat].area;
     }
     return label;
   }
 
+  // The component that the seat of a piece was cut off; kNone where nothing was.
+  uint32_t cut_off_from(const PieceId& piece) {
+    const Body& body = world_.body(piece.body);
+    if (body.pieces[piece.label].cut_off.faces == 0) return LoadedComponents::kNone;
+    const auto [known, is_new] = cut_off_from_.try_emplace(piece, LoadedComponents::kNone);
+    for (uint32_t f = 0; is_new && f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f)) || body.label(FaceId(f)) != piece.label) continue;
+      const FaceId base = body.loaded_base(FaceId(f));
+      if (body.components.at_home(base, piece.label) != LoadedComponents::kNone) continue;
+      known->second = body.components.of(base);
+      break;
+    }
+    return known->second;
+  }
+
   const World& world_;
   std::vector<Part> parts_;
   std::map<ConnectedPart, uint32_t> index_;  // of parts_
   std::map<PieceId, uint32_t> seat_;
+  std::map<PieceId, uint32_t> cut_off_from_;
   UnionFind together_{0};
 };
 

@@ -147,6 +147,57 @@ TEST(HoldParts, a_cut_through_the_faces_that_carry_a_weld_makes_it_let_go) {
   EXPECT_EQ(world.body(world.ids()[0]).pieces[handle].faces, 8u);
 }
 
+// Every face is counted with the connected part that a full search finds it in.
+void expect_counts_of_parts(const Body& body) {
+  test::expect_piece_sums(body);
+  std::vector<uint32_t> component;
+  std::vector<size_t> faces(label_components(body.mesh, component));
+  for (const uint32_t c : component) {
+    if (c < faces.size()) ++faces[c];
+  }
+  for (uint32_t f = 0; f < component.size(); ++f) {
+    if (body.mesh.is_live(FaceId(f))) ASSERT_EQ(body.whole_of(FaceId(f)).faces, faces[component[f]]);
+  }
+}
+
+// Cuts straight down at x from z = -0.1 to 0.1, between these heights.
+void cut_between(World& world, double x, double high, double low, double radius) {
+  CutSettings settings;
+  settings.laser.radius = radius;
+  settings.laser.range = {0, high - low};
+  settings.resolution.target_edge = 0.005;
+  const Vec3 down(0, -1, 0);
+  for (int i = -20; i < 20; ++i) {
+    const BeamMove move{{{x, high, 0.005 * i}, down}, {{x, high, 0.005 * (i + 1)}, down}, 0.1};
+    ASSERT_TRUE(test::cut_whole(world, settings, std::span(&move, 1)));
+  }
+}
+
+// A bar on a sheet, and on the bar a rail that is welded to it at both ends. The bar is cut in two below the
+// rail, then off the sheet: what is left of the bar is held, by the rail, to what was cut off it.
+TEST(HoldParts, what_is_left_of_a_part_stays_another_piece_than_what_was_cut_off_it) {
+  const std::vector<NamedSheet> sheets{{"sheet", test::rectangle(1, 0.4, 20)},
+                                       {"bar", test::rectangle(0.8, 0.04, 20), {0, 0.02, 0}},
+                                       {"rail", test::rectangle(0.7, 0.02, 20), {0, 0.04, 0}}};
+  const std::vector<SceneJoint> welds{weld("bar", "sheet", {-0.15, 0.02, 0}, 0.03),
+                                      weld("rail", "bar", {-0.3, 0.04, 0}, 0.03),
+                                      weld("rail", "bar", {0.3, 0.04, 0}, 0.03)};
+  World world = test::jointed_world(sheets, welds);
+  ASSERT_EQ(held_joints(world).size(), 3u);
+  cut_between(world, 0.05, 0.03, 0.01, 0.004);  // the bar alone
+  EXPECT_EQ(held_joints(world).size(), 3u);
+  EXPECT_EQ(world.live_pieces(), 2u);
+  cut_between(world, -0.15, 0.01, -0.01, 0.05);  // the sheet where it carries the bar
+  EXPECT_EQ(held_joints(world).size(), 2u);
+  const Body& body = world.body(world.ids()[0]);
+  ASSERT_NO_FATAL_FAILURE(expect_counts_of_parts(body));
+  EXPECT_EQ(world.live_pieces(), 3u);
+  EXPECT_NE(label_of(world, "rail"), 0u);
+  cut_between(world, -0.3, 0.05, 0.03, 0.05);  // the rail where it holds what is left of the bar
+  ASSERT_NO_FATAL_FAILURE(expect_counts_of_parts(body));
+  EXPECT_EQ(world.live_pieces(), 3u);
+}
+
 TEST(HoldParts, undo_and_redo_of_a_stroke_take_what_joints_did_with_them) {
   Document document(car_of_sheets());
   const World before = document.world();

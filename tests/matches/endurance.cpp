@@ -13,8 +13,9 @@ namespace kerf {
 
 namespace {
 
-constexpr Ticks kLookAtVerticesEvery = 10 * kTicksPerSecond;
+constexpr Ticks kLookAtMeshesEvery = 10 * kTicksPerSecond;
 constexpr double kOutside = 0.5;  // m, that the middle of a body may be beyond the arena
+constexpr size_t kMostBodies = 1000;
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -43,12 +44,26 @@ bool has_finite_vertices(const Mesh& mesh) {
   return true;
 }
 
-std::string fault_in(const Match& match, bool of_vertices) {
+bool counts_its_faces(const Body& body) {
+  std::vector<size_t> faces(body.pieces.size());
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (body.mesh.is_live(FaceId(f))) ++faces[body.label(FaceId(f))];
+  }
+  for (uint32_t label = 0; label < faces.size(); ++label) {
+    if (body.pieces[label].faces != faces[label]) return false;
+  }
+  return true;
+}
+
+std::string fault_in(const Match& match, bool of_meshes) {
+  if (match.world().ids().size() > kMostBodies) return "there are too many bodies";
   for (const BodyId id : match.world().ids()) {
     const Body& body = match.world().body(id);
     if (!is_finite(body)) return body.name + " is at no finite place";
     if (!body.pinned && !is_inside(body, match.rules().arena.description)) return body.name + " is outside";
-    if (of_vertices && !has_finite_vertices(body.mesh)) return body.name + " has a vertex at no finite place";
+    if (!of_meshes) continue;
+    if (!has_finite_vertices(body.mesh)) return body.name + " has a vertex at no finite place";
+    if (!counts_its_faces(body)) return body.name + " counts faces that it does not have";
   }
   return {};
 }
@@ -68,7 +83,7 @@ Endurance endure(const MatchSetup& setup, double seconds) {
     match.tick(controls);
     times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     result.most_bodies = std::max(result.most_bodies, match.world().ids().size());
-    result.fault = fault_in(match, times.size() % kLookAtVerticesEvery == 0);
+    result.fault = fault_in(match, times.size() % kLookAtMeshesEvery == 0);
     if (!result.fault.empty()) result.fault += " in tick " + std::to_string(times.size());
   }
   result.ticks = times.size();

@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "core/mesh/enclosed_volume.h"
 #include "core/mesh/longest_edge.h"
+#include "core/world/solid_body.h"
 
 namespace kerf {
 
@@ -155,11 +156,12 @@ void BodyEdit::take_out(std::span<const FaceId> faces) {
 std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>> corners,
                                         std::span<const FaceId> beside) {
   KERF_ASSERT(is_settled(*body_) && splits_.empty() && removed_.empty() && corners.size() == beside.size());
+  const std::optional<uint16_t> material = cut_material(*body_);
   std::vector<FaceData> data;
   for (const FaceId f : beside) {
     FaceData own;
     own.piece = mesh().data(f).piece;
-    own.material = mesh().data(f).material;
+    own.material = material.value_or(mesh().data(f).material);
     data.push_back(own);
   }
   const std::vector<FaceId> added = body_->mesh.add_faces(corners, data);

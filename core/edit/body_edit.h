@@ -46,8 +46,9 @@ class BodyEdit {
   // the graph. Precondition: update_tree() was called after the last split.
   void remove(std::span<const FaceId> faces);
 
-  // Adds walls (see WallFaces) with these corners (see Mesh::add_faces), each with the label, the material
-  // and the loaded part of the face `beside` it. Returns them. Precondition: the body is settled.
+  // Adds walls (see WallFaces) with these corners (see Mesh::add_faces), each with the label and the loaded
+  // part of the face `beside` it. Their material is cut_material(), or that of this face where the body has
+  // none. Returns them. Precondition: the body is settled.
   std::vector<FaceId> add_walls(std::span<const std::array<VertexId, 3>> corners,
                                 std::span<const FaceId> beside);
   // Adds a vertex for them.

@@ -4,7 +4,7 @@
 #include "core/document/text/fields.h"
 #include "core/document/text/world_fields.h"
 #include "core/edit/detach.h"
-#include "core/world/weigh.h"
+#include "core/world/solid_body.h"
 
 namespace kerf {
 
@@ -129,10 +129,7 @@ void describe(Fields& f, SetSolid& c) {
 Result<Delta> SetSolid::run(World& world, uint32_t generation, const Progress*) const {
   return edit_piece(
       world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.solid != solid; },
-      [&](Body& own) {
-        own.solid = solid;
-        weigh(own);
-      });
+      [&](Body& own) { make_solid(own, solid); });
 }
 
 }  // namespace kerf

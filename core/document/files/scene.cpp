@@ -5,7 +5,7 @@
 #include "core/document/text/fields.h"
 #include "core/mesh/enclosed_volume.h"
 #include "core/world/load_body.h"
-#include "core/world/weigh.h"
+#include "core/world/solid_body.h"
 
 namespace kerf {
 
@@ -41,8 +41,7 @@ Result<SceneDescription> read_description(const std::filesystem::path& file) {
 Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world) {
   body.placement = description.placement;
   body.sheet = description.sheet;
-  body.solid = is_solid(description.solid, body);
-  if (body.solid) weigh(body);
+  if (is_solid(description.solid, body)) make_solid(body, true);
   const BodyId id = world.add(std::move(body));
   Joints joints = world.joints();
   for (const SceneJoint& joint : description.joints) {

@@ -10,6 +10,7 @@
 #include "core/edit/separation.h"
 #include "core/mesh/enclosed_volume.h"
 #include "core/mesh/write_mesh.h"
+#include "core/world/solid_body.h"
 #include "core/world/state_hash.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/piece_sums.h"
@@ -119,6 +120,32 @@ TEST(CloseByWalls, leaves_so_many_pieces_each_of_them_closed) {
     ASSERT_NO_FATAL_FAILURE(expect_right_labels(cut.body()));
     EXPECT_EQ(find_fault(cut.body().mesh), "");
   }
+}
+
+TEST(CloseByWalls, gives_walls_and_nothing_else_the_material_cut) {
+  Random random(1);
+  World world = world_of(box({1, 1, 1}));
+  Body& body = world.body(world.ids().front());
+  body.solid = false;
+  EXPECT_FALSE(cut_material(body));
+  make_solid(body, true);
+  const auto material = cut_material(body);
+  ASSERT_TRUE(material);
+  EXPECT_EQ(body.material_names, (std::vector<std::string>{"", "cut"}));
+  make_solid(body, true);
+  EXPECT_EQ(body.material_names.size(), 2u);
+  SolidCut cut(std::move(world));
+  ASSERT_TRUE(cut.draw(slot_at(0.1), random));
+  ASSERT_TRUE(cut.draw(slot_at(-0.2), random));
+  const Body& after = cut.body();
+  size_t walls = 0;
+  for (uint32_t f = 0; f < after.mesh.face_slots(); ++f) {
+    if (!after.mesh.is_live(FaceId(f))) continue;
+    const bool is_wall = after.walls.beside(after.mesh, FaceId(f)).valid();
+    EXPECT_EQ(after.mesh.data(FaceId(f)).material == *material, is_wall);
+    walls += is_wall;
+  }
+  EXPECT_GT(walls, 100u);
 }
 
 TEST(CloseByWalls, keeps_labels_and_sums_right_in_random_strokes) {

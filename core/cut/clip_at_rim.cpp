@@ -1,3 +1,4 @@
+#include "core/base/tolerances.h"
 #include "core/cut/rim_state.h"
 
 namespace kerf {
@@ -30,10 +31,9 @@ Crossing longest_crossing(RimState& rim, FaceId f) {
 void split_at(RimState& rim, FaceId f, const Crossing& edge) {
   const VertexId in = edge.from_inside ? edge.from : edge.to, out = edge.from_inside ? edge.to : edge.from;
   const Vec3 a = rim.mesh().position(in), b = rim.mesh().position(out), at = rim.region.crossing(f, a, b);
-  if (at == a || at == b) {
-    rim.note_on_boundary(at == a ? in : out);
-    return;
-  }
+  const double on_boundary = kRimOn * rim.radius();
+  if (glm::length(at - a) <= on_boundary) return rim.note_on_boundary(in);
+  if (glm::length(at - b) <= on_boundary) return rim.note_on_boundary(out);
   std::vector<Mesh::FaceSplit> splits;
   rim.step.edit.split_edge_at(f, edge.from, edge.to, at, splits);
   for (const Mesh::FaceSplit& s : splits) {

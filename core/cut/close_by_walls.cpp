@@ -66,11 +66,59 @@ Result<std::vector<RimSide>> sides_at_rim(RimState& rim, const SweptDistance& di
   return sides;
 }
 
+// Finds connected parts of a few faces that lie along the boundary everywhere. With walls they would enclose
+// next to nothing.
+class SpeckSearch {
+ public:
+  SpeckSearch(RimState& rim, const SweptDistance& distance, const std::vector<RimSide>& sides)
+      : rim_(rim), mesh_(rim.mesh()), distance_(distance), near_(kRimNear * rim.radius()) {
+    for (const RimSide& s : sides) at_rim_.insert(at_rim_.end(), {s.from, s.to});
+    std::sort(at_rim_.begin(), at_rim_.end());
+  }
+
+  // Appends the faces of the part of a face, if it is such a one.
+  void append(FaceId start, std::vector<FaceId>& specks) {
+    constexpr size_t kMostFaces = 64;
+    std::vector<FaceId> part{start}, neighbours;
+    for (size_t i = 0; i < part.size(); ++i) {
+      if (part.size() > kMostFaces || !lies_along(part[i])) return;
+      neighbours.clear();
+      mesh_.append_nearest_neighbours(part[i], neighbours);
+      for (const FaceId n : neighbours) {
+        if (std::find(part.begin(), part.end(), n) == part.end()) part.push_back(n);
+      }
+    }
+    specks.insert(specks.end(), part.begin(), part.end());
+  }
+
+ private:
+  bool lies_along(FaceId f) {
+    const auto corners = mesh_.corners(f);
+    const Triangle t = mesh_.triangle(f);
+    const auto is_near = [&](const Vec3& p) { return std::abs(distance_(p)) <= near_; };
+    for (size_t i = 0; i < 3; ++i) {
+      if (std::binary_search(at_rim_.begin(), at_rim_.end(), corners[i])) continue;
+      const bool is_known = rim_.region.is_near(f);  // what is far away needs no further look
+      if ((is_known && std::abs(rim_.distance(corners[i], f)) > 2 * near_) || !is_near(t[i])) return false;
+    }
+    const Vec3 between[] = {0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]),
+                            (t[0] + t[1] + t[2]) / 3.0};
+    return std::all_of(std::begin(between), std::end(between), is_near);
+  }
+
+  RimState& rim_;
+  const Mesh& mesh_;
+  const SweptDistance& distance_;
+  double near_;
+  std::vector<VertexId> at_rim_;  // ascending, with repeats
+};
+
 // Removes faces that lie along the rim, beyond which the rim is as near to the boundary as it was: those of
 // which all corners are on the rim, and all sides but one are open, if that one lies on the boundary too.
-// Left in place, they make the rim turn back on itself. Returns whether there were any.
+// Left in place, they make the rim turn back on itself. Specks go as well. Returns whether there were any.
 bool remove_ears(RimState& rim, const SweptDistance& distance, const std::vector<RimSide>& sides) {
   std::vector<FaceId> ears;
+  SpeckSearch specks(rim, distance, sides);
   for (size_t i = 0; i < sides.size();) {
     size_t end = i + 1;
     while (end < sides.size() && sides[end].face == sides[i].face) ++end;
@@ -86,8 +134,11 @@ bool remove_ears(RimState& rim, const SweptDistance& distance, const std::vector
       const Vec3 middle = 0.5 * rim.mesh().position(c[k]) + 0.5 * rim.mesh().position(c[(k + 1) % 3]);
       if (std::abs(distance(middle)) <= kRimNear * rim.radius()) ears.push_back(f);
     }
+    specks.append(f, ears);
     i = end;
   }
+  std::sort(ears.begin(), ears.end());
+  ears.erase(std::unique(ears.begin(), ears.end()), ears.end());
   remove_faces(rim.step, ears);
   rim.work.removed = rim.work.removed || !ears.empty();
   return !ears.empty();

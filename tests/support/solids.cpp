@@ -234,12 +234,14 @@ bool SolidCut::draw(const SolidStroke& stroke, Random& random) {
   const EnclosedVolume enclosed = enclosed_by(body());
   EXPECT_TRUE(enclosed.closed);
   EXPECT_NEAR(enclosed.volume + removed_, volume_, 1e-6 * volume_);
+  specks_ = 0;
   const std::vector<bool> closed = closed_pieces(body().mesh, body().pieces.size());
   for (uint32_t label = 0; label < closed.size(); ++label) {
     if (body().pieces[label].faces == 0) continue;
     EXPECT_TRUE(closed[label]) << "piece " << label;
     const EnclosedVolume own = enclosed_volume(body().mesh, body().faces_of(label), body().middle());
     EXPECT_GT(own.volume, -1e-12 * volume_) << "piece " << label;
+    specks_ += own.volume <= 1e-9 * radius * radius * radius;
   }
   expect_points_inside_as_before(radius, random);
   return true;

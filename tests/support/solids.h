@@ -45,6 +45,8 @@ class SolidCut {
   const std::vector<std::string>& reasons() const { return reasons_; }
   // How many closed volumes there are: connected parts without the cavities, which enclose less than nothing.
   size_t solids() const;
+  // How many pieces of the last stroke enclose next to nothing.
+  size_t specks() const { return specks_; }
 
  private:
   double distance_from_swept(const Vec3& p) const;
@@ -55,6 +57,7 @@ class SolidCut {
   std::vector<SweptCylinder> swept_;
   std::vector<std::string> reasons_;
   double volume_ = 0, removed_ = 0;  // m^3
+  size_t specks_ = 0;
 };
 
 }  // namespace kerf::test

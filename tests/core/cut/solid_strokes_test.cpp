@@ -11,7 +11,7 @@ namespace kerf::test {
 namespace {
 
 struct Tally {
-  size_t closed = 0, open = 0;
+  size_t closed = 0, open = 0, specks = 0;
 };
 
 // One to three strokes through each solid, as long as it stays closed.
@@ -31,16 +31,19 @@ TEST(SolidStrokes, leave_solids_closed_or_say_that_they_do_not) {
       SCOPED_TRACE(stroke.name);
       closed = cut.draw(stroke, random);
       for (Tally* tally : {&all, &kinds[stroke.name]}) ++(closed ? tally->closed : tally->open);
+      all.specks += cut.specks();
       if (closed) continue;
       ASSERT_FALSE(cut.reasons().empty());
       std::printf("left open: %s, seed %zu, %s: %s\n", name.c_str(), static_cast<size_t>(seed),
                   stroke.name.c_str(), cut.reasons().back().c_str());
     }
   }
-  std::printf("%zu strokes, of which %zu left a solid open\n", all.closed + all.open, all.open);
+  std::printf("%zu strokes, of which %zu left a solid open; %zu specks\n", all.closed + all.open, all.open,
+              all.specks);
   for (const auto& [name, tally] : kinds)
     std::printf("  %-12s %4zu closed %4zu open\n", name.c_str(), tally.closed, tally.open);
   EXPECT_LE(all.open, 1 + most / 100);
+  EXPECT_LE(all.specks, 1 + most / 100);
 }
 
 }  // namespace

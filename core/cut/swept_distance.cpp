@@ -1,7 +1,9 @@
 #include "core/cut/swept_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 #include "core/base/assert.h"
 
@@ -9,55 +11,72 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kGroup = 16;
+constexpr size_t kMostOfLeaf = 4;
+constexpr size_t kDeepest = 64;  // more halvings than there can be
 
 }  // namespace
 
 SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) : region_(region) {
   KERF_ASSERT(region.parts() == moves.size() && !moves.empty());
-  for (size_t first = 0; first < moves.size(); first += kGroup) {
-    const size_t end = std::min(first + kGroup, moves.size());
-    const Pose& middle = moves[first + (end - first) / 2].from;
-    Group group{first, end, middle.origin, middle.direction, 0, 0};
-    for (const BeamMove& m : moves.subspan(first, end - first)) {
-      for (const Pose* pose : {&m.from, &m.to}) {
-        group.aside = std::max(group.aside, glm::length(pose->origin - group.origin));
-        group.apart = std::max(group.apart, glm::length(pose->direction - group.direction));
-      }
-    }
-    groups_.push_back(group);
+  nodes_.push_back({0, moves.size(), {}, {}});
+  for (uint32_t i = 0; i < nodes_.size(); ++i) {
+    bound(i, moves);
+    const auto [first, end] = std::pair(nodes_[i].first, nodes_[i].end);
+    if (end - first <= kMostOfLeaf) continue;
+    nodes_[i].halves = static_cast<uint32_t>(nodes_.size());
+    const size_t middle = first + (end - first) / 2;
+    nodes_.push_back({first, middle, {}, {}});
+    nodes_.push_back({middle, end, {}, {}});
   }
 }
 
-// A bound of the distances from the parts of a group.
-double SweptDistance::at_least(const Group& group, const Vec3& p) const {
-  constexpr double kRounding = 1e-9;  // beside which the parts of a beam that tilts err by the angle squared
-  const Vec3 from = p - group.origin;
-  const double away = glm::length(from);
-  const double from_axis = glm::length(from - glm::dot(from, group.direction) * group.direction);
-  const double aside = group.aside + group.apart * (1 + group.apart) * (away + group.aside);
-  return from_axis - aside - region_.part(group.first).radius() - kRounding * (away + group.aside);
+void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
+  Node& n = nodes_[node];
+  const Pose& middle = moves[n.first + (n.end - n.first) / 2].from;
+  n.origin = middle.origin;
+  n.direction = middle.direction;
+  for (const BeamMove& m : moves.subspan(n.first, n.end - n.first)) {
+    for (const Pose* pose : {&m.from, &m.to}) {
+      n.aside = std::max(n.aside, glm::length(pose->origin - n.origin));
+      n.apart = std::max(n.apart, glm::length(pose->direction - n.direction));
+    }
+  }
 }
 
-double SweptDistance::least_of(const Group& group, const Vec3& p) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (size_t i = group.first; i < group.end; ++i)
-    least = std::min(least, region_.part(i).signed_distance(p));
-  return least;
+// A bound of the distances from the parts of a node.
+double SweptDistance::at_least(const Node& node, const Vec3& p) const {
+  constexpr double kRounding = 1e-9;  // beside which the parts of a beam that tilts err by the angle squared
+  const Vec3 from = p - node.origin;
+  const double away = glm::length(from);
+  const double from_axis = glm::length(from - glm::dot(from, node.direction) * node.direction);
+  const double aside = node.aside + node.apart * (1 + node.apart) * (away + node.aside);
+  return from_axis - aside - region_.part(node.first).radius() - kRounding * (away + node.aside);
 }
 
 double SweptDistance::operator()(const Vec3& p) const {
-  const Group* nearest = nullptr;
-  double bound = std::numeric_limits<double>::infinity();
-  for (const Group& group : groups_) {
-    const double at_least_here = at_least(group, p);
-    if (at_least_here >= bound && nearest) continue;
-    bound = at_least_here;
-    nearest = &group;
-  }
-  double least = least_of(*nearest, p);
-  for (const Group& group : groups_) {
-    if (&group != nearest && at_least(group, p) < least) least = std::min(least, least_of(group, p));
+  struct Visit {
+    double at_least;
+    uint32_t node;
+  };
+  std::array<Visit, kDeepest> stack;
+  size_t waiting = 0;
+  stack[waiting++] = {-std::numeric_limits<double>::infinity(), 0};
+  double least = std::numeric_limits<double>::infinity();
+  while (waiting > 0) {
+    const Visit visit = stack[--waiting];
+    if (visit.at_least >= least) continue;
+    const Node& node = nodes_[visit.node];
+    if (node.halves == 0) {
+      for (size_t i = node.first; i < node.end; ++i)
+        least = std::min(least, region_.part(i).signed_distance(p));
+      continue;
+    }
+    Visit nearer{at_least(nodes_[node.halves], p), node.halves};
+    Visit farther{at_least(nodes_[node.halves + 1], p), node.halves + 1};
+    if (farther.at_least < nearer.at_least) std::swap(nearer, farther);
+    KERF_ASSERT(waiting + 2 <= kDeepest);
+    stack[waiting++] = farther;
+    stack[waiting++] = nearer;
   }
   return least;
 }

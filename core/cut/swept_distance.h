@@ -9,11 +9,12 @@
 namespace kerf {
 
 // The signed distance from the boundary of all that a stroke has swept, anywhere and not only near a face as
-// in StrokeRegion. Moves that follow each other are taken together where they are far away, so that a query
-// costs about a sixteenth of what asking each of them would.
+// in StrokeRegion. Moves that follow each other are halved again and again to a tree, so that a query asks
+// those that are near alone.
 class SweptDistance {
  public:
-  // Precondition: part i of the region is what moves[i] sweeps, in one frame. Both must outlive this object.
+  // Precondition: part i of the region is what moves[i] sweeps, in one frame. The region must outlive this
+  // object. O(n log n).
   SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves);
 
   // Negative inside, positive outside; the least of the distances from the parts, to the bit (m).
@@ -22,16 +23,17 @@ class SweptDistance {
  private:
   // Parts first .. end - 1. All their axes lie within `aside` metres of the line from `origin` along
   // `direction` at the origin, and within `apart` metres more for each metre from there.
-  struct Group {
+  struct Node {
     size_t first, end;
     Vec3 origin, direction;
-    double aside, apart;
+    double aside = 0, apart = 0;
+    uint32_t halves = 0;  // the index of the first half, before that of the second one; 0 for a leaf
   };
-  double at_least(const Group& group, const Vec3& p) const;
-  double least_of(const Group& group, const Vec3& p) const;
+  void bound(uint32_t node, std::span<const BeamMove> moves);
+  double at_least(const Node& node, const Vec3& p) const;
 
   const StrokeRegion& region_;
-  std::vector<Group> groups_;
+  std::vector<Node> nodes_;  // the root first
 };
 
 }  // namespace kerf

@@ -364,18 +364,19 @@ class WallMaker {
   // Moves a point of the chart, which is exact for parallel beams alone, to the boundary.
   Vec3 on_boundary(Vec3 p) const {
     if (pencil_->parallel()) return p;
-    const double step = kRimOn * stroke_.radius;
-    for (int i = 0; i < 4; ++i) {
-      const double d = stroke_.distance(p);
-      Vec3 slope(0);
-      for (int k = 0; k < 3; ++k) {
-        Vec3 aside(0);
-        aside[k] = step;
-        slope[k] = (stroke_.distance(p + aside) - stroke_.distance(p - aside)) / (2 * step);
-      }
-      const double steepness2 = glm::dot(slope, slope);
-      if (!(steepness2 > 0.25)) return p;
+    const double step = kRimOn * stroke_.radius, exact = 0.01 * step;
+    double d = stroke_.distance(p);
+    Vec3 slope(0);
+    for (int k = 0; k < 3 && std::abs(d) > exact; ++k) {
+      Vec3 aside(0);
+      aside[k] = step;
+      slope[k] = (stroke_.distance(p + aside) - d) / step;
+    }
+    const double steepness2 = glm::dot(slope, slope);
+    constexpr int kMostSteps = 6;
+    for (int i = 0; i < kMostSteps && std::abs(d) > exact && steepness2 > 0.25; ++i) {
       p -= d / steepness2 * slope;
+      d = stroke_.distance(p);
     }
     return p;
   }

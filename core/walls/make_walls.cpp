@@ -330,7 +330,8 @@ class WallMaker {
       vertices.push_back({at(side.of_patch[i]), side.placed[i]});
     WallMesh wall(
         std::move(vertices), *triangles, SideChart::kSize,
-        [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); });
+        [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); },
+        kRimNear * stroke_.radius);
     wall.improve();
     const size_t most = kMostAdded * (side.placed.size() + 1024);
     size_t added = 0;
@@ -349,16 +350,16 @@ class WallMaker {
     return Done{};
   }
 
-  // By how much the chord of an edge deviates from the boundary beyond what it may.
+  // By how much the chord of an edge deviates from the boundary.
   double deviation(const Side& side, const WallMesh::Vertex& a, const WallMesh::Vertex& b) const {
-    const double most = kRimNear * stroke_.radius;
     if (glm::length(b.at - a.at) <= kRimLeastEdge * stroke_.radius) return 0;
     const Vec3 chord = 0.5 * (a.at + b.at);
-    // The point of the chart between the ends is not the nearest one, nor exact for beams through an apex.
-    if (pencil_->parallel() &&
-        glm::length(side.chart.point(SideChart::middle(a.chart, b.chart)) - chord) <= most)
-      return 0;
-    return std::max(std::abs(stroke_.distance(chord)) - most, 0.0);
+    if (pencil_->parallel()) {
+      // The point of the chart between the ends is not the nearest one.
+      const double most = glm::length(side.chart.point(SideChart::middle(a.chart, b.chart)) - chord);
+      if (most <= kRimNear * stroke_.radius) return most;
+    }
+    return std::abs(stroke_.distance(chord));
   }
 
   // Moves a point of the chart, which is exact for parallel beams alone, to the boundary.

@@ -26,8 +26,9 @@ std::optional<WallMesh> triangulate_cap(std::span<const Vec2> places, std::span<
   if (!triangles) return std::nullopt;
   std::vector<WallMesh::Vertex> vertices;
   for (size_t i = 0; i < placed.size(); ++i) vertices.push_back({at[i], placed[i]});
-  WallMesh cap(std::move(vertices), *triangles, kWidth,
-               [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; });
+  WallMesh cap(
+      std::move(vertices), *triangles, kWidth,
+      [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; }, 0);
   cap.improve();
   cap.grade(least, [&](const ChartVertex& v) {
     return std::optional(lift(low + Vec2(static_cast<double>(v.x), static_cast<double>(v.y)) / scale));

@@ -77,27 +77,28 @@ Vec2 WallChart::Curve::at(double place) const {
   return piece.at(piece.length > 0 ? std::min((l - starts[i]) / piece.length, 1.0) : 0);
 }
 
-WallChart::Near WallChart::nearest(const Slice& slice, Vec2 p) {
-  Near best{0, 0, std::numeric_limits<double>::infinity()};
-  double length = 0;  // along the curve
+std::optional<WallChart::Near> WallChart::nearest(const Slice& slice, Vec2 p, double reach) {
+  std::optional<uint32_t> curve_of_best;
+  double best = reach, length = 0;  // along the curve
   for (uint32_t c = 0; c < slice.curves.size(); ++c) {
     const Curve& curve = slice.curves[c];
     for (size_t i = 0; i < curve.outline.pieces.size(); ++i) {
       const Box& box = curve.boxes[i / kTogether];
-      if (i % kTogether == 0 && glm::length(p - glm::clamp(p, box.low, box.high)) > best.distance) {
+      if (i % kTogether == 0 && glm::length(p - glm::clamp(p, box.low, box.high)) > best) {
         i += kTogether - 1;
         continue;
       }
       const OutlinePiece& piece = curve.outline.pieces[i];
       const double share = nearest_share(piece, p), distance = glm::length(piece.at(share) - p);
-      if (!(distance < best.distance)) continue;
-      best = {c, 0, distance};
+      if (!(curve_of_best ? distance < best : distance <= best)) continue;
+      curve_of_best = c;
+      best = distance;
       length = curve.starts[i] + share * piece.length;
     }
   }
-  const Curve& nearest = slice.curves[best.curve];
-  best.place = modulo(nearest.place(length), nearest.period);
-  return best;
+  if (!curve_of_best) return std::nullopt;
+  const Curve& own = slice.curves[*curve_of_best];
+  return Near{*curve_of_best, modulo(own.place(length), own.period)};
 }
 
 // Makes sides that are one piece of every slice landmarks. Returns whether the curves correspond.
@@ -203,17 +204,17 @@ std::optional<WallChart::Place> WallChart::place_of(const Vec3& p, double reach)
   const auto near = [&](size_t s) {
     // Towards an apex everything but the radius shrinks.
     const double scale = pencil_.parallel() ? 1 : slices_[s].depth / seen.depth;
-    return nearest(slices_[s], seen.place * scale);
+    return nearest(slices_[s], seen.place * scale, reach);
   };
-  const Near a = near(below);
-  if (!(a.distance <= reach)) return std::nullopt;
-  if (slices_.size() == 1) return Place{a.curve, a.place, seen.depth};
-  const Near b = near(below + 1);
-  if (!(b.distance <= reach) || a.curve != b.curve) return std::nullopt;
-  const double whole = period(a.curve);
-  double way = b.place - a.place;
+  const auto a = near(below);
+  if (!a) return std::nullopt;
+  if (slices_.size() == 1) return Place{a->curve, a->place, seen.depth};
+  const auto b = near(below + 1);
+  if (!b || a->curve != b->curve) return std::nullopt;
+  const double whole = period(a->curve);
+  double way = b->place - a->place;
   way -= std::round(way / whole) * whole;
-  return Place{a.curve, modulo(a.place + share * way, whole), seen.depth};
+  return Place{a->curve, modulo(a->place + share * way, whole), seen.depth};
 }
 
 Vec3 WallChart::point_at(const Place& place) const {

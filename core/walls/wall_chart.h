@@ -71,11 +71,11 @@ class WallChart {
   };
   struct Near {
     uint32_t curve = 0;
-    double place = 0, distance = 0;
+    double place = 0;
   };
 
   explicit WallChart(const BeamPencil& pencil) : pencil_(pencil) {}
-  static Near nearest(const Slice& slice, Vec2 p);
+  static std::optional<Near> nearest(const Slice& slice, Vec2 p, double reach);
   static bool set_landmarks(std::vector<Slice>& slices);
   // The slice below a depth, and the share of the way to the next one.
   std::pair<size_t, double> slice_below(double depth) const;

@@ -18,6 +18,9 @@ constexpr double kLeastGain = 0.99;
 // A triangle is too thin if its shortest side is less than this share of its longest one; where the wall is
 // bent, so that its edges cannot be long in all directions, the second one.
 constexpr double kThin = 1.0 / 4, kThinBent = 1.0 / 16;
+// A triangle whose height is less than this share of its shorter sides is not thin but flat, and no better
+// when it is split.
+constexpr double kFlat = 1e-3;
 // How many vertices grading may add for each that there was.
 constexpr size_t kMostGraded = 4;
 // A flip makes no triangle that is this flat, in units of the chart: an edge whose middle is a vertex, but
@@ -29,11 +32,13 @@ constexpr double kFlipSlack = 1e-9;
 }  // namespace
 
 WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
-                   Deviation deviation)
+                   Deviation deviation, double most)
     : vertices_(std::move(vertices)),
       across_(triangles.size(), {kNone, kNone, kNone}),
       width_(width),
-      deviation_(std::move(deviation)) {
+      deviation_(std::move(deviation)),
+      most_(most),
+      known_(triangles.size(), kUnknown) {
   for (const ChartTriangle& t : triangles) {
     triangles_.push_back(t.corners);
     x_.push_back(t.x);
@@ -46,7 +51,7 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     for (uint32_t i = 0; i < 3; ++i) {
       sides.push_back({triangles_[t][i], triangles_[t][(i + 1) % 3], t, i});
-      note_edge(sides.back().from, x_[t][i], sides.back().to, x_[t][(i + 1) % 3]);
+      edges_.insert(key(sides.back().from, sides.back().to));
     }
   }
   std::ranges::sort(sides, {}, &Side::key);
@@ -90,13 +95,16 @@ WallMesh::Quad WallMesh::quad_of(const Edge& e) const {
   q.xc = x_[left][c];
   q.xd = x_[right][d] + q.xa - x_[right][to_a];
   q.beyond = {across_[left][b], across_[left][c], across_[right][to_a], across_[right][d]};
+  q.known = {known_[left][b], known_[left][c], known_[right][to_a], known_[right][d]};
   return q;
 }
 
 // Sets a triangle and makes those beyond its sides know it.
-void WallMesh::set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across) {
+void WallMesh::set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across,
+                   const std::array<double, 3>& known) {
   const Corners& corners = to.corners;
   triangles_[triangle] = corners;
+  known_[triangle] = known;
   x_[triangle] = to.x;
   across_[triangle] = across;
   for (uint32_t i = 0; i < 3; ++i) {
@@ -114,6 +122,13 @@ double WallMesh::deviation(uint32_t a, int64_t xa, uint32_t b, int64_t xb) const
   return deviation_({from.at, {xa, from.chart.y}}, {to.at, {xb, to.chart.y}});
 }
 
+// By how much the edge between the triangles deviates beyond what it may.
+double WallMesh::excess(const Quad& q) {
+  double& known = known_[q.left][side_from(q.left, q.a)];
+  if (known < 0) known = known_[q.right][side_from(q.right, q.b)] = deviation(q.a, q.xa, q.b, q.xb);
+  return std::max(known - most_, 0.0);
+}
+
 std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
   std::vector<Edge> edges;
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -126,37 +141,36 @@ std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
 
 uint64_t WallMesh::key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
-bool WallMesh::is_wide(int64_t x, int64_t other) const { return 2 * std::abs(x - other) >= width_; }
-
-// Edges between the same vertices run around the ring in different ways, so that one of them is wide.
-void WallMesh::note_edge(uint32_t a, int64_t xa, uint32_t b, int64_t xb) {
-  if (is_wide(xa, xb)) wide_edges_.insert(key(a, b));
-}
-
-bool WallMesh::should_flip(const Quad& q) const {
-  if (q.c == q.d || is_wide(q.xc, q.xd) || wide_edges_.contains(key(q.c, q.d))) return false;
+bool WallMesh::should_flip(const Quad& q) {
+  if (q.c == q.d || edges_.contains(key(q.c, q.d))) return false;
   const auto y_from_a = [&](uint32_t v) { return vertices_[v].chart.y - vertices_[q.a].chart.y; };
   const ChartVertex b{q.xb - q.xa, y_from_a(q.b)}, c{q.xc - q.xa, y_from_a(q.c)},
       d{q.xd - q.xa, y_from_a(q.d)};
   const Wide at_a = turn_of(d.x, d.y, c.x, c.y);
   const Wide at_b = turn_of(c.x - b.x, c.y - b.y, d.x - b.x, d.y - b.y);
-  const Wide least = kFlattest * (std::abs(c.x - d.x) + std::abs(c.y - d.y));
-  if (at_a <= least || at_b <= least) return false;
-  const double now = deviation(q.a, q.xa, q.b, q.xb), then = deviation(q.c, q.xc, q.d, q.xd);
-  if (now > 0 || then > 0) return then < kLeastGain * now;
+  if (at_a <= 0 || at_b <= 0) return false;
+  const Wide flat = kFlattest * (std::abs(c.x - d.x) + std::abs(c.y - d.y)), flattest = std::min(at_a, at_b);
+  if (flattest <= flat && flattest < std::min(turn_of(b.x, b.y, c.x, c.y), turn_of(d.x, d.y, b.x, b.y)))
+    return false;
+  const double now = excess(q);
+  const auto then = [&] { return std::max(deviation(q.c, q.xc, q.d, q.xd) - most_, 0.0); };
+  if (now > 0) return then() < kLeastGain * now;
   const auto corner = [&](uint32_t v) {
     const Vec3 to_a = vertices_[q.a].at - vertices_[v].at, to_b = vertices_[q.b].at - vertices_[v].at;
     return Vec2(glm::dot(to_a, to_b), glm::length(glm::cross(to_a, to_b)));  // cosine and sine, times lengths
   };
   const Vec2 at_c = corner(q.c), at_d = corner(q.d);
   const double sine_of_sum = at_c.x * at_d.y + at_c.y * at_d.x;
-  return sine_of_sum < -kFlipSlack * glm::length(at_c) * glm::length(at_d);
+  return sine_of_sum < -kFlipSlack * glm::length(at_c) * glm::length(at_d) && then() == 0;
 }
 
 void WallMesh::flip(const Quad& q) {
-  wide_edges_.erase(key(q.a, q.b));
-  set(q.left, {{q.a, q.d, q.c}, {q.xa, q.xd, q.xc}}, {q.beyond[2], q.right, q.beyond[1]});
-  set(q.right, {{q.d, q.b, q.c}, {q.xd, q.xb, q.xc}}, {q.beyond[3], q.beyond[0], q.left});
+  edges_.erase(key(q.a, q.b));
+  edges_.insert(key(q.c, q.d));
+  set(q.left, {{q.a, q.d, q.c}, {q.xa, q.xd, q.xc}}, {q.beyond[2], q.right, q.beyond[1]},
+      {q.known[2], -1, q.known[1]});
+  set(q.right, {{q.d, q.b, q.c}, {q.xd, q.xb, q.xc}}, {q.beyond[3], q.beyond[0], q.left},
+      {q.known[3], q.known[0], -1});
 }
 
 // Returns the edges that flips have made.
@@ -190,16 +204,16 @@ void WallMesh::split(const Quad& q, const Vec3& at) {
   const auto m = static_cast<uint32_t>(vertices_.size());
   const auto third = static_cast<uint32_t>(triangles_.size()), fourth = third + 1;
   vertices_.push_back({at, place});
-  wide_edges_.erase(key(q.a, q.b));
-  for (const auto& [v, x] : {std::pair{q.a, q.xa}, {q.b, q.xb}, {q.c, q.xc}, {q.d, q.xd}})
-    note_edge(v, x, m, xm);
+  edges_.erase(key(q.a, q.b));
+  for (const uint32_t v : {q.a, q.b, q.c, q.d}) edges_.insert(key(v, m));
   triangles_.resize(fourth + 1);
   x_.resize(fourth + 1);
   across_.resize(fourth + 1);
-  set(q.left, {{q.a, m, q.c}, {q.xa, xm, q.xc}}, {fourth, third, q.beyond[1]});
-  set(third, {{m, q.b, q.c}, {xm, q.xb, q.xc}}, {q.right, q.beyond[0], q.left});
-  set(q.right, {{q.b, m, q.d}, {q.xb, xm, q.xd}}, {third, fourth, q.beyond[3]});
-  set(fourth, {{m, q.a, q.d}, {xm, q.xa, q.xd}}, {q.left, q.beyond[2], q.right});
+  known_.resize(fourth + 1, kUnknown);
+  set(q.left, {{q.a, m, q.c}, {q.xa, xm, q.xc}}, {fourth, third, q.beyond[1]}, {-1, -1, q.known[1]});
+  set(third, {{m, q.b, q.c}, {xm, q.xb, q.xc}}, {q.right, q.beyond[0], q.left}, {-1, q.known[0], -1});
+  set(q.right, {{q.b, m, q.d}, {q.xb, xm, q.xd}}, {third, fourth, q.beyond[3]}, {-1, -1, q.known[3]});
+  set(fourth, {{m, q.a, q.d}, {xm, q.xa, q.xd}}, {q.left, q.beyond[2], q.right}, {-1, q.known[2], -1});
 }
 
 void WallMesh::refine(const Middle& middle) {
@@ -209,7 +223,7 @@ void WallMesh::refine(const Middle& middle) {
     for (const Edge& e : waiting) {
       if (!is_current(e) || !is_inner(e)) continue;
       const Quad q = quad_of(e);
-      if (!(deviation(q.a, q.xa, q.b, q.xb) > 0)) continue;
+      if (!(excess(q) > 0)) continue;
       const auto at = middle(middle_of(q));
       if (!at) continue;
       split(q, *at);
@@ -239,23 +253,23 @@ std::optional<WallMesh::LongSide> WallMesh::long_side(uint32_t triangle) const {
   return LongSide{length[longest], length[least], edge(triangle, longest)};
 }
 
-// Whether edges across this one would not deviate that are twice as wide as the triangles beside it.
+// Whether an edge across this one, twice as wide as the triangles beside it, would not deviate.
 bool WallMesh::is_flat_around(const Quad& q, const Middle& middle) const {
   const Vertex &a = vertices_[q.a], &b = vertices_[q.b];
   const Vec3 along = b.at - a.at;
-  const ChartVertex m{q.xa + (q.xb - q.xa) / 2, a.chart.y + (b.chart.y - a.chart.y) / 2};
-  for (const auto& [v, x] : {std::pair{q.c, q.xc}, {q.d, q.xd}}) {
+  const auto beyond = [&](uint32_t v, int64_t x) {
     const double share =
         std::clamp(glm::dot(vertices_[v].at - a.at, along) / glm::dot(along, along), 0.0, 1.0);
-    const auto from_foot = [&](int64_t at, int64_t from, int64_t to) {
+    const auto from_edge = [&](int64_t at, int64_t from, int64_t to) {
       return at - from - static_cast<int64_t>(share * static_cast<double>(to - from));
     };
-    const int64_t dx = from_foot(x, q.xa, q.xb), dy = from_foot(vertices_[v].chart.y, a.chart.y, b.chart.y);
-    const ChartVertex left{m.x - 2 * dx, m.y - 2 * dy}, right{m.x + 2 * dx, m.y + 2 * dy};
-    const auto from = middle(within(left)), to = middle(within(right));
-    if (!from || !to || deviation_({*from, left}, {*to, right}) > 0) return false;
-  }
-  return true;
+    return ChartVertex{
+        q.xa + (q.xb - q.xa) / 2 + 2 * from_edge(x, q.xa, q.xb),
+        a.chart.y + (b.chart.y - a.chart.y) / 2 + 2 * from_edge(vertices_[v].chart.y, a.chart.y, b.chart.y)};
+  };
+  const ChartVertex left = beyond(q.c, q.xc), right = beyond(q.d, q.xd);
+  const auto from = middle(within(left)), to = middle(within(right));
+  return from && to && deviation_({*from, left}, {*to, right}) <= most_;
 }
 
 // Whether a point lies in the sphere of which a side of the boundary is a diameter (J. Ruppert: A Delaunay
@@ -274,6 +288,12 @@ bool WallMesh::encroaches(const Quad& q, const Vec3& p) const {
 std::optional<Vec3> WallMesh::split_for_shape(const Quad& q, double shortest, const Middle& middle) const {
   const Vec3 a = vertices_[q.a].at, b = vertices_[q.b].at;
   const double length = glm::length(b - a);
+  const auto is_flat = [&](uint32_t v) {
+    const Vec3 to_a = a - vertices_[v].at, to_b = b - vertices_[v].at;
+    const double height = glm::length(glm::cross(to_a, to_b)) / length;
+    return height < kFlat * std::min(glm::length(to_a), glm::length(to_b));
+  };
+  if (is_flat(q.c)) return std::nullopt;
   const std::optional<Vec3> at = middle(middle_of(q));
   const auto is_far = [&](uint32_t v, double share) {
     return glm::length(vertices_[v].at - *at) >= share * length;

@@ -20,16 +20,16 @@ class WallMesh {
     Vec3 at{0};  // m
     ChartVertex chart;
   };
-  // How far an edge deviates from the surface beyond what it may, in metres; 0 where it may stay. The x of
-  // the ends may lie beyond the width of the strip.
+  // How far an edge deviates from the surface, in metres; 0 where it may stay. The x of the ends may lie
+  // beyond the width of the strip.
   using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
   // Where a vertex in the middle of an edge lies, from its place in the chart; nothing if the edge stays.
   using Middle = std::function<std::optional<Vec3>(const ChartVertex& middle)>;
 
-  // Precondition: the triangles are those of a ChartRegion of this width, and no two of them have the same
-  // side.
+  // Edges may deviate by `most` metres. Precondition: the triangles are those of a ChartRegion of this width,
+  // and no two of them have the same side.
   WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
-           Deviation deviation);
+           Deviation deviation, double most);
 
   // Flips edges inside of convex quadrilaterals until there is none whose other diagonal deviates less, or
   // deviates as little and has opposite angles that sum up to less (C. L. Lawson: Software for C1 surface
@@ -57,6 +57,7 @@ class WallMesh {
 
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
+  static constexpr std::array<double, 3> kUnknown{-1, -1, -1};
   // A side of a triangle, from its corner `side` to the next one. `from` tells whether it is still the same.
   struct Edge {
     uint32_t triangle = 0, side = 0, from = 0, to = 0;
@@ -71,6 +72,7 @@ class WallMesh {
     uint32_t left, right, a, b, c, d;
     int64_t xa, xb, xc, xd;
     std::array<uint32_t, 4> beyond;  // the triangles beyond b c, c a, a d and d b
+    std::array<double, 4> known;     // how far these sides deviate, as in known_
   };
 
   Edge edge(uint32_t triangle, uint32_t side) const;
@@ -78,11 +80,11 @@ class WallMesh {
   bool is_inner(const Edge& e) const { return across_[e.triangle][e.side] != kNone; }
   uint32_t side_from(uint32_t triangle, uint32_t from) const;
   Quad quad_of(const Edge& e) const;
-  void set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across);
+  void set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across,
+           const std::array<double, 3>& known);
+  double excess(const Quad& q);
   static uint64_t key(uint32_t a, uint32_t b);
-  bool is_wide(int64_t x, int64_t other) const;
-  void note_edge(uint32_t a, int64_t xa, uint32_t b, int64_t xb);
-  bool should_flip(const Quad& q) const;
+  bool should_flip(const Quad& q);
   void flip(const Quad& q);
   std::vector<Edge> flip_from(std::vector<Edge> waiting);
   ChartVertex within(const ChartVertex& v) const { return {(v.x % width_ + width_) % width_, v.y}; }
@@ -99,9 +101,12 @@ class WallMesh {
   std::vector<Corners> triangles_;
   std::vector<std::array<int64_t, 3>> x_;        // by triangle: of its corners
   std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: the triangle beyond
-  std::unordered_set<uint64_t> wide_edges_;      // never iterated
+  std::unordered_set<uint64_t> edges_;           // never iterated
   int64_t width_;
   Deviation deviation_;
+  double most_;  // m
+  // By triangle and side: how far it deviates (m); negative where that is not known yet.
+  std::vector<std::array<double, 3>> known_;
 };
 
 }  // namespace kerf

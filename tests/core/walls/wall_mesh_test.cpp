@@ -85,8 +85,9 @@ TEST(WallMesh, that_is_graded_has_no_long_thin_triangles_and_the_same_rim) {
     const auto triangles = ChartRegion(flat.placed, flat.edges, kRing).triangles();
     ASSERT_TRUE(triangles);
     const size_t rim = flat.vertices.size();
-    WallMesh wall(flat.vertices, *triangles, kRing,
-                  [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; });
+    WallMesh wall(
+        flat.vertices, *triangles, kRing,
+        [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; }, 0);
     wall.improve();
     wall.grade(0, [](const ChartVertex& v) { return std::optional(FlatWall::point(v)); });
     EXPECT_NEAR(area_of(wall), flat.length * flat.height, 1e-6 * flat.length * flat.height);
@@ -114,10 +115,13 @@ TEST(WallMesh, that_is_bent_is_graded_along_the_bend_only_so_far_that_triangles_
   for (WallMesh::Vertex& v : flat.vertices) v.at = on_cylinder(v.chart);
   const auto triangles = ChartRegion(flat.placed, flat.edges, kRing).triangles();
   ASSERT_TRUE(triangles);
-  WallMesh wall(flat.vertices, *triangles, kRing, [](const WallMesh::Vertex& a, const WallMesh::Vertex& b) {
-    const double turn = static_cast<double>(std::abs(a.chart.x - b.chart.x)) / static_cast<double>(kUnit);
-    return std::max(turn - 0.1, 0.0);
-  });
+  WallMesh wall(
+      flat.vertices, *triangles, kRing,
+      [](const WallMesh::Vertex& a, const WallMesh::Vertex& b) {
+        const double turn = static_cast<double>(std::abs(a.chart.x - b.chart.x)) / static_cast<double>(kUnit);
+        return 1 - std::cos(0.5 * turn);
+      },
+      1 - std::cos(0.05));
   wall.improve();
   const double before = thinnest_in(wall);
   wall.grade(0, [&](const ChartVertex& v) { return std::optional(on_cylinder(v)); });

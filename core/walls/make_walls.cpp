@@ -31,6 +31,8 @@ constexpr double kHighestCut = 0.03;
 // How far from the ends of the range a vertex that is not at a corner stays in the chart, relative to the
 // radius.
 constexpr double kWithinRange = 1e-6;
+// No edge of a wall is shorter, relative to the radius.
+constexpr double kShortest = 1e-9;
 // How often a wall may have more vertices than its rim.
 constexpr size_t kMostAdded = 2;
 
@@ -325,11 +327,27 @@ class WallMaker {
     const auto triangles = ChartRegion(side.placed, side.edges, SideChart::kSize).triangles();
     if (!triangles) return left_open("the rim crosses itself", here);
     if (meet_twice(*triangles)) return left_open("the wall is so narrow that its edges meet", here);
+    // The chart may map more than a point to one place, which vertices that come for the shape alone can
+    // avoid.
+    for (const bool graded : {true, false}) {
+      const std::optional<WallMesh> wall = fill(side, *triangles, graded);
+      if (!wall) break;
+      if (!wall->has_edge_below(kShortest * stroke_.radius)) {
+        append(side.of_patch, *wall);
+        return Done{};
+      }
+    }
+    return left_open("the sides of the beam at different depths do not correspond", here);
+  }
+
+  // The wall between the vertices of the rim; nothing where it would need too many further ones.
+  std::optional<WallMesh> fill(const Side& side, std::span<const ChartTriangle> triangles,
+                               bool graded) const {
     std::vector<WallMesh::Vertex> vertices;
     for (size_t i = 0; i < side.placed.size(); ++i)
       vertices.push_back({at(side.of_patch[i]), side.placed[i]});
     WallMesh wall(
-        std::move(vertices), *triangles, SideChart::kSize,
+        std::move(vertices), triangles, SideChart::kSize,
         [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); },
         kRimNear * stroke_.radius);
     wall.improve();
@@ -340,14 +358,13 @@ class WallMaker {
       if (added++ >= most) return std::nullopt;
       return at_middle(v);
     });
-    if (added > most) return left_open("the sides of the beam at different depths do not correspond", here);
-    wall.grade(kRimLeastEdge * stroke_.radius, at_middle);
+    if (added > most) return std::nullopt;
+    if (graded) wall.grade(kRimLeastEdge * stroke_.radius, at_middle);
     wall.split_between(
         static_cast<uint32_t>(side.of_patch.size()),
         [&](uint32_t a, uint32_t b) { return are_joined(side.of_patch[a], side.of_patch[b]); },
         [&](const ChartVertex& v) { return std::optional(at_middle(v)); });
-    append(side.of_patch, wall);
-    return Done{};
+    return wall;
   }
 
   // By how much the chord of an edge deviates from the boundary.

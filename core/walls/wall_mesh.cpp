@@ -21,6 +21,8 @@ constexpr double kThin = 1.0 / 4, kThinBent = 1.0 / 16;
 // A triangle whose height is less than this share of its shorter sides is not thin but flat, and no better
 // when it is split.
 constexpr double kFlat = 1e-3;
+// An edge is not split where one part would be less than this share of it.
+constexpr double kBesideEnd = 1.0 / 16;
 // How many vertices grading may add for each that there was.
 constexpr size_t kMostGraded = 4;
 // A flip makes no triangle that is this flat, in units of the chart: an edge whose middle is a vertex, but
@@ -216,6 +218,12 @@ void WallMesh::split(const Quad& q, const Vec3& at) {
   set(fourth, {{m, q.a, q.d}, {xm, q.xa, q.xd}}, {q.left, q.beyond[2], q.right}, {-1, q.known[2], -1});
 }
 
+// Whether a point is much nearer to an end of the edge between the triangles than to the other one.
+bool WallMesh::is_beside_an_end(const Quad& q, const Vec3& p) const {
+  const Vec3 a = vertices_[q.a].at, b = vertices_[q.b].at;
+  return std::min(glm::length(p - a), glm::length(p - b)) < kBesideEnd * glm::length(b - a);
+}
+
 void WallMesh::refine(const Middle& middle) {
   std::vector<Edge> waiting = inner_edges();
   while (!waiting.empty()) {
@@ -225,7 +233,8 @@ void WallMesh::refine(const Middle& middle) {
       const Quad q = quad_of(e);
       if (!(excess(q) > 0)) continue;
       const auto at = middle(middle_of(q));
-      if (!at) continue;
+      // The chart may map a whole edge to little more than a point.
+      if (!at || is_beside_an_end(q, *at)) continue;
       split(q, *at);
       const auto first = static_cast<uint32_t>(triangles_.size()) - 2;
       for (const uint32_t t : {q.left, q.right, first, first + 1}) {
@@ -335,6 +344,13 @@ void WallMesh::grade(double least, const Middle& middle) {
     }
     for (const uint32_t t : changed) look_at(t);
   }
+}
+
+bool WallMesh::has_edge_below(double length) const {
+  const std::vector<Edge> edges = inner_edges();
+  return std::any_of(edges.begin(), edges.end(), [&](const Edge& e) {
+    return glm::length(vertices_[e.to].at - vertices_[e.from].at) < length;
+  });
 }
 
 void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,

@@ -52,6 +52,9 @@ class WallMesh {
   void split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                      const Middle& middle);
 
+  // Whether an inner edge is shorter than this (m). O(n).
+  bool has_edge_below(double length) const;
+
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<Corners>& triangles() const { return triangles_; }
 
@@ -92,6 +95,7 @@ class WallMesh {
   void split(const Quad& q, const Vec3& at);
   std::optional<LongSide> long_side(uint32_t triangle) const;
   bool is_flat_around(const Quad& q, const Middle& middle) const;
+  bool is_beside_an_end(const Quad& q, const Vec3& p) const;
   bool encroaches(const Quad& q, const Vec3& p) const;
   std::optional<Vec3> split_for_shape(const Quad& q, double shortest, const Middle& middle) const;
   std::vector<Edge> inner_edges() const;

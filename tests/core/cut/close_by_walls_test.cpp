@@ -42,6 +42,11 @@ SolidStroke circle_of(double radius) {
   return stroke;
 }
 
+// Into the middle of a box around the origin.
+SolidStroke hole_that_ends_inside() {
+  return straight_stroke({-0.1, 2, 0.05}, {0.2, 2, 0.05}, {0, -1, 0}, 0.1, {0, 2});
+}
+
 std::vector<size_t> faces_by_label(const Body& body) {
   std::vector<size_t> faces;
   for (uint32_t label = 0; label < body.pieces.size(); ++label) {
@@ -89,6 +94,7 @@ std::vector<Case> cases() {
           {"box in three", box({1, 1, 1}), {slot_at(0.1), slot_at(-0.2)}, 3, 3},
           {"slit in a box", box({1, 1, 1}), {slot_at(0.1, -0.2, 0.3)}, 1, 1},
           {"notch in a box", box({1, 1, 1}), {slot_at(0.1, -2, 0.3)}, 1, 1},
+          {"blind hole in a box", box({1, 1, 1}), {hole_that_ends_inside()}, 1, 1},
           {"box with a plug", box({1, 0.4, 1}), {circle_of(0.3)}, 2, 2},
           {"plug in two", box({1, 0.4, 1}), {circle_of(0.3), slot_at(0, -0.35, 0.35)}, 3, 3},
           {"box with two plugs", box({1, 0.4, 1}), {circle_of(0.3), circle_of(0.15)}, 3, 3},

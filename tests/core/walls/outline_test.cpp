@@ -107,6 +107,7 @@ void expect_bounds_the_swept(const std::vector<OutlineCurve>& curves, const Disc
       const OutlinePiece &p = curve.pieces[i], &next = curve.pieces[(i + 1) % curve.pieces.size()];
       ASSERT_LE(glm::length(p.to - next.from), 1e-3 * radius) << "a gap";
       ASSERT_LT(p.side, 4 * moves.size());
+      ASSERT_NEAR(p.length, p.radius > 0 ? p.radius * p.turn : glm::length(p.to - p.from), 1e-9 * p.length);
       length += p.length;
       for (int k = 0; k <= 8; ++k)
         ASSERT_NEAR(distance_to_moves(p.at(k / 8.0), moves), radius, 1e-6 * radius);

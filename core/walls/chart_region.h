@@ -45,8 +45,7 @@ class ChartRegion {
   struct Winding {
     int least = 0, largest = 0, above = 0;
   };
-  // Nothing where edges cross or touch; `conflict`, if
-  // given, then receives vertices of such edges.
+  // Nothing where edges cross or touch; `conflict`, if given, then receives vertices of such edges.
   std::optional<Winding> winding(std::vector<uint32_t>* conflict = nullptr) const;
 
   // Triangles between the vertices, counter-clockwise, that cover exactly the points with winding number 1.

@@ -32,6 +32,14 @@ Sweep sweep_of(BodyId id, std::span<const BeamMove> path, const SweptByBody& swe
   return {own->second, true};
 }
 
+std::vector<BeamMove> moves_in_body(const Placement& placement, const Sweep& sweep) {
+  std::vector<BeamMove> moves(sweep.moves.begin(), sweep.moves.end());
+  for (BeamMove& m : moves) {
+    if (!sweep.in_body_frame) m = {placement.to_body(m.from), placement.to_body(m.to), m.seconds};
+  }
+  return moves;
+}
+
 void add_to_region(RimState& rim, const BeamMove& move, bool in_body_frame) {
   sweep(rim.step, rim.settings.laser, move, in_body_frame);
   for (const SweptCylinder& part : rim.step.beam) rim.region.add(part);
@@ -161,8 +169,7 @@ class RimBite {
         if (remove_within_rim(rim)) go_to(Stage::kChooseBesideRim);
         return false;
       case Stage::kCloseByWalls:
-        close(rim, sweep);
-        go_to(Stage::kSeparate);
+        if (close(rim, sweep)) go_to(Stage::kSeparate);
         return false;
       case Stage::kSeparate:
         separate_pieces(rim.step);
@@ -232,20 +239,20 @@ class RimBite {
     if (!again) go_to(Stage::kCloseByWalls);
   }
 
-  void close(RimState& rim, const Sweep& sweep) {
-    if (!rim.step.body().solid) return;
-    taken_ += kHeaviestPart;
-    std::vector<BeamMove> moves(sweep.moves.begin(), sweep.moves.end());
-    const Placement& placement = rim.step.body().placement;
-    for (BeamMove& m : moves) {
-      if (!sweep.in_body_frame) m = {placement.to_body(m.from), placement.to_body(m.to), m.seconds};
-    }
-    const Result<std::vector<FaceId>> walls = close_by_walls(rim, moves);
+  // Returns whether the body is closed or stays open.
+  bool close(RimState& rim, const Sweep& sweep) {
+    if (!rim.step.body().solid) return true;
+    if (!work_.closing)
+      work_.closing = std::make_shared<WallClosing>(moves_in_body(rim.step.body().placement, sweep));
+    taken_ += kPartOfWork;
+    if (!work_.closing->go_on(rim)) return false;
+    const Result<std::vector<FaceId>> walls = work_.closing->take_walls();
     if (!walls) {
       left_open_.push_back({rim.step.id, walls.error().message});
     } else if (settings_.heat_width > 0) {
       heat_walls(world_, rim.step, *walls);
     }
+    return true;
   }
 
   void separate_pieces(BodyStep& step) {

@@ -64,11 +64,6 @@ bool choose_within_rim(RimState& rim);
 bool remove_within_rim(RimState& rim);
 bool choose_beside_rim(RimState& rim);
 bool flip_near_rim(RimState& rim);
-// Closes a solid body along the rim by walls, which it returns, and makes the search for parts cross them.
-// The moves are those of the stroke in the frame of the body. Fails, with the rim still open, with a sentence
-// that says why the body stays open.
-Result<std::vector<FaceId>> close_by_walls(RimState& rim, std::span<const BeamMove> moves);
-
 // Calls visit(item) for the next kFacesTogether items of a list that may grow meanwhile. Returns whether none
 // is left, and if so, lets the next list begin at its start.
 template <typename Item, typename Visit>

@@ -16,8 +16,9 @@ constexpr size_t kDeepest = 64;  // more halvings than there can be
 
 }  // namespace
 
-SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) : region_(region) {
+SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) {
   KERF_ASSERT(region.parts() == moves.size() && !moves.empty());
+  for (size_t i = 0; i < region.parts(); ++i) parts_.push_back(region.part(i));
   nodes_.push_back({0, moves.size(), {}, {}});
   for (uint32_t i = 0; i < nodes_.size(); ++i) {
     bound(i, moves);
@@ -50,7 +51,7 @@ double SweptDistance::at_least(const Node& node, const Vec3& p) const {
   const double away = glm::length(from);
   const double from_axis = glm::length(from - glm::dot(from, node.direction) * node.direction);
   const double aside = node.aside + node.apart * (1 + node.apart) * (away + node.aside);
-  return from_axis - aside - region_.part(node.first).radius() - kRounding * (away + node.aside);
+  return from_axis - aside - parts_[node.first].radius() - kRounding * (away + node.aside);
 }
 
 double SweptDistance::operator()(const Vec3& p) const {
@@ -68,7 +69,7 @@ double SweptDistance::operator()(const Vec3& p) const {
     const Node& node = nodes_[visit.node];
     if (node.halves == 0) {
       for (size_t i = node.first; i < node.end; ++i)
-        least = std::min(least, region_.part(i).signed_distance(p));
+        least = std::min(least, parts_[i].signed_distance(p));
       continue;
     }
     Visit nearer{at_least(nodes_[node.halves], p), node.halves};

@@ -13,8 +13,7 @@ namespace kerf {
 // those that are near alone.
 class SweptDistance {
  public:
-  // Precondition: part i of the region is what moves[i] sweeps, in one frame. The region must outlive this
-  // object. O(n log n).
+  // Precondition: part i of the region is what moves[i] sweeps, in one frame. O(n log n).
   SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves);
 
   // Negative inside, positive outside; the least of the distances from the parts, to the bit (m).
@@ -32,7 +31,7 @@ class SweptDistance {
   void bound(uint32_t node, std::span<const BeamMove> moves);
   double at_least(const Node& node, const Vec3& p) const;
 
-  const StrokeRegion& region_;
+  std::vector<SweptCylinder> parts_;
   std::vector<Node> nodes_;  // the root first
 };
 

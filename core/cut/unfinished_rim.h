@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/base/ids.h"
 #include "core/base/paged_array.h"
+#include "core/cut/close_by_walls.h"
 #include "core/cut/stroke_region.h"
 
 namespace kerf {
@@ -61,6 +63,7 @@ struct UnfinishedRim {
   PagedArray<uint32_t>
       distance_of;  // by vertex: an index of `distances` plus one, or 0 where it is not known
   std::vector<double> distances;
+  std::shared_ptr<WallClosing> closing;  // from kCloseByWalls on; of copies, one alone can be continued
 
   // Whether a step has begun it.
   bool begun() const { return bodies > 0 || stage != Stage::kSweep || next > 0; }

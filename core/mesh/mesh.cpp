@@ -22,6 +22,7 @@ Mesh& Mesh::operator=(const Mesh& other) {
 
 uint32_t Mesh::face_slots() const { return kernel_->half_edges.faces(); }
 uint32_t Mesh::vertex_slots() const { return kernel_->half_edges.vertices(); }
+uint32_t Mesh::edge_slots() const { return kernel_->half_edges.edges(); }
 uint32_t Mesh::live_faces() const { return kernel_->live_faces; }
 
 bool Mesh::is_live(FaceId f) const { return f.index < face_slots() && kernel_->half_edges.first(f).valid(); }
@@ -248,9 +249,18 @@ void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<S
   });
 }
 
-void Mesh::append_open_sides(std::vector<Side>& out) const {
+void Mesh::append_open_sides_of(FaceId f, std::vector<Side>& out) const {
+  assert(is_live(f));
   const HalfEdges& m = kernel_->half_edges;
-  for (uint32_t e = 0; e < m.edges(); ++e) {
+  HalfEdgeId h = m.first(f);
+  for (int i = 0; i < 3; ++i, h = m.next(h)) {
+    if (!m.face(opposite(h)).valid() && next_in_ring(*kernel_, h) == h) out.push_back({f, m.from(h), m.to(h)});
+  }
+}
+
+void Mesh::append_open_sides_in(uint32_t first, uint32_t end, std::vector<Side>& out) const {
+  const HalfEdges& m = kernel_->half_edges;
+  for (uint32_t e = first; e < std::min(end, edge_slots()); ++e) {
     for (uint32_t side = 0; side < 2; ++side) {
       const HalfEdgeId h = half_edge(EdgeId(e), side);
       if (!m.face(h).valid() || m.face(opposite(h)).valid()) continue;

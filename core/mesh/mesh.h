@@ -71,6 +71,7 @@ class Mesh {
 
   uint32_t face_slots() const;
   uint32_t vertex_slots() const;
+  uint32_t edge_slots() const;
   uint32_t live_faces() const;
   bool is_live(FaceId f) const;  // false if there is no such slot
 
@@ -113,8 +114,11 @@ class Mesh {
   // Appends the sides of all other live faces on the edge of f from corner `from` to its next corner `to`.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
 
-  // Appends the sides of live faces that no other face shares. O(edges).
-  void append_open_sides(std::vector<Side>& out) const;
+  // Appends the sides of live faces that no other face shares: those of all faces, O(edges); of one face,
+  // which is live; and those along the edges in slots first .. end - 1, which may exceed edge_slots().
+  void append_open_sides(std::vector<Side>& out) const { append_open_sides_in(0, edge_slots(), out); }
+  void append_open_sides_of(FaceId f, std::vector<Side>& out) const;
+  void append_open_sides_in(uint32_t first, uint32_t end, std::vector<Side>& out) const;
 
   // The faces around a vertex on its sheet, and the other ends of its boundary edges. `alone` is false if an
   // edge at the vertex is in a ring, so that other sheets have a vertex at the same position.

@@ -67,7 +67,7 @@ class Polygons {
     }
   }
 
-  bool append_triangles_of_all(std::vector<ChartTriangle>& out) {
+  Resumable<bool> append_triangles_of_all(std::vector<ChartTriangle>& out) {
     std::vector<bool> used(halves_.size());
     std::vector<PolygonCorner> polygon;
     for (uint32_t start = 0; start < halves_.size(); ++start) {
@@ -76,15 +76,16 @@ class Polygons {
       int64_t x = vertices_[halves_[start].from].x;
       uint32_t h = start;
       do {
-        if (used[h] || !halves_[h].inside) return false;
+        if (used[h] || !halves_[h].inside) co_return false;
         used[h] = true;
         polygon.push_back({halves_[h].from, x, vertices_[halves_[h].from].y});
         x += halves_[h].dx;
         h = after(h);
       } while (h != start);
-      if (x != polygon.front().x || !append_triangles(polygon, out)) return false;
+      co_await worked(polygon.size());
+      if (x != polygon.front().x || !append_triangles(polygon, out)) co_return false;
     }
-    return true;
+    co_return true;
   }
 
  private:
@@ -123,21 +124,23 @@ class Polygons {
 
 }  // namespace
 
-std::optional<ChartRegion::Winding> ChartRegion::winding(std::vector<uint32_t>* conflict) const {
+Resumable<std::optional<ChartRegion::Winding>> ChartRegion::winding(std::vector<uint32_t>* conflict) const {
   ChartSweep sweep(vertices_, edges_, width_);
-  if (sweep.run()) return sweep.winding();
+  if (co_await sweep.run()) co_return sweep.winding();
   if (conflict != nullptr) *conflict = sweep.conflict();
-  return std::nullopt;
+  co_return std::nullopt;
 }
 
-std::optional<std::vector<ChartTriangle>> ChartRegion::triangles() const {
+Resumable<std::optional<std::vector<ChartTriangle>>> ChartRegion::triangles() const {
   ChartSweep sweep(vertices_, edges_, width_);
-  if (!sweep.run()) return std::nullopt;
+  if (!co_await sweep.run()) co_return std::nullopt;
   const Winding winding = sweep.winding();
-  if (winding.least < 0 || winding.largest > 1 || winding.above != 0) return std::nullopt;
+  if (winding.least < 0 || winding.largest > 1 || winding.above != 0) co_return std::nullopt;
   std::vector<ChartTriangle> triangles;
-  if (!Polygons(vertices_, edges_, sweep.diagonals()).append_triangles_of_all(triangles)) return std::nullopt;
-  return triangles;
+  Polygons polygons(vertices_, edges_, sweep.diagonals());
+  co_await worked(4 * vertices_.size());
+  if (!co_await polygons.append_triangles_of_all(triangles)) co_return std::nullopt;
+  co_return triangles;
 }
 
 }  // namespace kerf

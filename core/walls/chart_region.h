@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/resumable.h"
+
 namespace kerf {
 
 __extension__ using Wide = __int128;
@@ -46,7 +48,7 @@ class ChartRegion {
     int least = 0, largest = 0, above = 0;
   };
   // Nothing where edges cross or touch; `conflict`, if given, then receives vertices of such edges.
-  std::optional<Winding> winding(std::vector<uint32_t>* conflict = nullptr) const;
+  Resumable<std::optional<Winding>> winding(std::vector<uint32_t>* conflict = nullptr) const;
 
   // Triangles between the vertices, counter-clockwise, that cover exactly the points with winding number 1.
   // Nothing where edges cross or touch, where another number than 0 or 1 occurs, or below or above all edges
@@ -55,7 +57,7 @@ class ChartRegion {
   // computing trapezoidal decompositions and for triangulating polygons, 1991) and these into triangles.
   // O(n log n) with lists that are searched, but whose insertions cost the number of edges that the line
   // meets.
-  std::optional<std::vector<ChartTriangle>> triangles() const;
+  Resumable<std::optional<std::vector<ChartTriangle>>> triangles() const;
 
  private:
   std::span<const ChartVertex> vertices_;

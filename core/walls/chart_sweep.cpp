@@ -51,19 +51,21 @@ bool ChartSweep::fail_at(uint32_t v, size_t first, size_t end) {
   return false;
 }
 
-bool ChartSweep::run() {
+Resumable<bool> ChartSweep::run() {
+  co_await worked(4 * order_.size());
   for (size_t i = 0; i + 1 < order_.size(); ++i) {
     const ChartVertex &a = vertices_[order_[i]], &b = vertices_[order_[i + 1]];
     if (a.x == b.x && a.y == b.y) {
       conflict_ = {order_[i], order_[i + 1]};
-      return false;
+      co_return false;
     }
   }
-  if (!start_at_seam()) return false;
+  if (!start_at_seam()) co_return false;
   for (const uint32_t v : order_) {
-    if (!pass(v)) return false;
+    if (!pass(v)) co_return false;
+    co_await worked(1);
   }
-  return end_at_seam();
+  co_return end_at_seam();
 }
 
 // The edges that run across x = -1/2, from below.

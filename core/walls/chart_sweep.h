@@ -3,6 +3,7 @@
 // Private to core/walls.
 #include <vector>
 
+#include "core/base/resumable.h"
 #include "core/walls/chart_region.h"
 
 namespace kerf {
@@ -13,7 +14,7 @@ class ChartSweep {
   ChartSweep(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges, int64_t width);
 
   // Returns whether no edges cross or touch.
-  bool run();
+  Resumable<bool> run();
 
   // Otherwise vertices of edges that do.
   const std::vector<uint32_t>& conflict() const { return conflict_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "core/walls/chart_region.h"
 #include "core/walls/patch_check.h"
 #include "core/walls/side_chart.h"
+#include "core/walls/side_index.h"
 #include "core/walls/untangle.h"
 #include "core/walls/wall_cap.h"
 #include "core/walls/wall_chart.h"
@@ -53,24 +55,27 @@ class WallMaker {
   WallMaker(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke)
       : mesh_(mesh), sides_(sides), stroke_(stroke) {}
 
-  Result<WallPatch> make() {
+  Resumable<Result<WallPatch>> make() {
     number_rim();
+    co_await worked(rim_.size());
     pencil_ = BeamPencil::of(stroke_.moves, stroke_.radius);
-    if (!pencil_) return left_open("the beam turned about no single point", rim_at(0));
+    if (!pencil_) co_return left_open("the beam turned about no single point", rim_at(0));
     measure_depths();
     ends_ = range_ends(*pencil_, stroke_.moves, stroke_.range, stroke_.radius);
-    chart_ = WallChart::make(*pencil_, stroke_.moves, stroke_.radius, depths_);
-    if (!chart_) return left_open("the sides of the beam at different depths do not correspond", rim_at(0));
-    if (const Status placed = place_rim(); !placed) return placed.error();
+    chart_ = co_await WallChart::make(*pencil_, stroke_.moves, stroke_.radius, depths_);
+    if (!chart_) co_return left_open("the sides of the beam at different depths do not correspond", rim_at(0));
+    if (const Status placed = co_await place_rim(); !placed) co_return placed.error();
     for (uint32_t c = 0; c < chart_->curves(); ++c) {
-      if (const Status made = make_side(c); !made) return made.error();
+      if (const Status made = co_await make_side(c); !made) co_return made.error();
     }
-    for (const std::vector<PatchSide>* end : {&low_end_, &high_end_}) {
-      if (const Status made = make_cap(*end, end == &high_end_); !made) return made.error();
+    for (const bool is_high : {false, true}) {
+      if (const Status made = co_await make_cap(is_high); !made) co_return made.error();
     }
-    if (const auto fault = fault_of(patch_, rim_)) return left_open(fault->why, at(fault->vertex));
+    const auto fault = fault_of(patch_, rim_);
+    co_await worked(patch_.faces.size() / 4);
+    if (fault) co_return left_open(fault->why, at(fault->vertex));
     tell_walls_apart(patch_, rim_, sides_);
-    return std::move(patch_);
+    co_return std::move(patch_);
   }
 
  private:
@@ -108,20 +113,21 @@ class WallMaker {
     }
   }
 
-  Status place_rim() {
+  Resumable<Status> place_rim() {
     const double reach = stroke_.radius * (pencil_->parallel() ? kReachParallel : kReachFan);
     std::vector<NearBoundary> near;
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
+      co_await worked(2);
       near.push_back(near_boundary(*chart_, ends_, rim_at(i), pencil_->see(rim_at(i)).depth, reach));
       if (!near[i].place && near[i].end == BoundaryPart::kSide)
-        return left_open("the rim leaves the sides of the beam", rim_at(i));
+        co_return left_open("the rim leaves the sides of the beam", rim_at(i));
       places_.push_back(near[i].place.value_or(WallChart::Place{kNoCurve, 0, 0}));
     }
     std::vector<bool> on_side(patch_.rim.size());
     std::vector<BoundaryPart> on_end(patch_.rim.size(), BoundaryPart::kSide);
     for (const PatchSide& s : rim_) {
       const auto part = part_along(near[s.first], near[s.second]);
-      if (!part) return left_open("the rim leaves the sides of the beam", rim_at(s.first));
+      if (!part) co_return left_open("the rim leaves the sides of the beam", rim_at(s.first));
       if (*part == BoundaryPart::kSide) rim_on_sides_.push_back(s);
       if (*part == BoundaryPart::kLowEnd) low_end_.push_back(s);
       if (*part == BoundaryPart::kHighEnd) high_end_.push_back(s);
@@ -131,7 +137,8 @@ class WallMaker {
       }
     }
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) place_at_end(i, on_side[i], on_end[i]);
-    return Done{};
+    co_await worked(rim_.size());
+    co_return Done{};
   }
 
   // A vertex at a corner lies on the end in the chart, and none beyond it.
@@ -264,24 +271,26 @@ class WallMaker {
     return stroke_.winding(chart_->point_at({side.curve, place.around, depth}), sign * pencil_->axis());
   }
 
-  std::optional<ChartRegion::Winding> untangle_side(Side& side) {
+  Resumable<std::optional<ChartRegion::Winding>> untangle_side(Side& side) {
     std::vector<Vec3> positions;
     for (const uint32_t i : side.of_patch) positions.push_back(at(i));
     RimInChart rim{side.placed, positions, std::move(side.edges), SideChart::kSize};
     std::vector<std::array<uint32_t, 3>> cut_off;
-    const auto winding = untangle(
-        rim, kHighestCut * stroke_.radius,
-        [&](uint32_t a, uint32_t b) { return are_joined(side.of_patch[a], side.of_patch[b]); }, cut_off);
+    const std::function<bool(uint32_t, uint32_t)> joined = [&](uint32_t a, uint32_t b) {
+      return are_joined(side.of_patch[a], side.of_patch[b]);
+    };
+    const auto winding = co_await untangle(rim, kHighestCut * stroke_.radius, joined, cut_off);
     side.edges = std::move(rim.edges);
     append_faces(side.of_patch, cut_off);
-    return winding;
+    co_return winding;
   }
 
-  Status make_side(uint32_t curve) {
+  Resumable<Status> make_side(uint32_t curve) {
     Result<Side> found = side_of(curve);
-    if (!found) return found.error();
+    if (!found) co_return found.error();
     Side& side = *found;
-    if (side.edges.empty()) return Done{};
+    co_await worked(side.edges.size());
+    if (side.edges.empty()) co_return Done{};
     const Vec3 here = rim_at(side.of_patch.front());
     Interval depths = depths_;
     if (ends_.low && !low_end_.empty()) depths.low = *ends_.low;
@@ -289,60 +298,57 @@ class WallMaker {
     place_vertices(side, depths);
     const auto low = ends_.low ? add_partial_end(side, *ends_.low, false) : false;
     const auto high = ends_.high ? add_partial_end(side, *ends_.high, true) : false;
-    if (!low || !high) return left_open("the rim does not match at an end of the beam's range", here);
-    const auto winding = untangle_side(side);
-    if (!winding) return left_open("the rim crosses itself", here);
-    if (side.edges.empty()) return Done{};
+    if (!low || !high) co_return left_open("the rim does not match at an end of the beam's range", here);
+    const auto winding = co_await untangle_side(side);
+    if (!winding) co_return left_open("the rim crosses itself", here);
+    if (side.edges.empty()) co_return Done{};
     const int below = -winding->least, above = winding->above + below;
     if (below > (*high ? 0 : 1) || above < 0 || above > (*low ? 0 : 1) || winding->largest + below > 1)
-      return left_open("the part passes through itself", here);
+      co_return left_open("the part passes through itself", here);
     if ((below > 0 && (!ends_.high || *ends_.high < depths.high)) ||
         (above > 0 && (!ends_.low || *ends_.low > depths.low)))
-      return left_open("the range of the beam ends in the part at no single depth", here);
+      co_return left_open("the range of the beam ends in the part at no single depth", here);
     if ((below > 0 && winds_at(side, *ends_.high, 1) != 1) ||
         (above > 0 && winds_at(side, *ends_.low, -1) != 1))
-      return left_open("the part is turned inside out, or not closed", here);
+      co_return left_open("the part is turned inside out, or not closed", here);
     if (below > 0) depths.high = *ends_.high;
     if (above > 0) depths.low = *ends_.low;
     if (below + above > 0) place_vertices(side, depths);
     if (below > 0) add_whole_end(side, *ends_.high, true);
     if (above > 0) add_whole_end(side, *ends_.low, false);
-    return triangulate(side, here);
+    co_return co_await triangulate(side, here);
   }
 
   // Whether two triangles have the same side, or one has a corner twice, as around a ring with few corners.
-  static bool meet_twice(std::span<const ChartTriangle> triangles) {
-    std::vector<PatchSide> sides;
-    for (const ChartTriangle& t : triangles) {
-      for (size_t i = 0; i < 3; ++i) {
-        if (t.corners[i] == t.corners[(i + 1) % 3]) return true;
-        sides.emplace_back(t.corners[i], t.corners[(i + 1) % 3]);
-      }
-    }
-    std::sort(sides.begin(), sides.end());
-    return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
+  static bool meet_twice(std::span<const ChartTriangle> triangles, size_t vertices) {
+    std::vector<WallMesh::Corners> corners;
+    for (const ChartTriangle& t : triangles) corners.push_back(t.corners);
+    return SideIndex(corners, vertices).find_repeated() != nullptr;
   }
 
-  Status triangulate(const Side& side, const Vec3& here) {
-    const auto triangles = ChartRegion(side.placed, side.edges, SideChart::kSize).triangles();
-    if (!triangles) return left_open("the rim crosses itself", here);
-    if (meet_twice(*triangles)) return left_open("the wall is so narrow that its edges meet", here);
+  Resumable<Status> triangulate(const Side& side, const Vec3& here) {
+    const auto triangles = co_await ChartRegion(side.placed, side.edges, SideChart::kSize).triangles();
+    if (!triangles) co_return left_open("the rim crosses itself", here);
+    co_await worked(triangles->size());
+    if (meet_twice(*triangles, side.placed.size()))
+      co_return left_open("the wall is so narrow that its edges meet", here);
     // The chart may map more than a point to one place, which vertices that come for the shape alone can
     // avoid.
     for (const bool graded : {true, false}) {
-      const std::optional<WallMesh> wall = fill(side, *triangles, graded);
+      const std::optional<WallMesh> wall = co_await fill(side, *triangles, graded);
       if (!wall) break;
       if (!wall->has_edge_below(kShortest * stroke_.radius)) {
         append(side.of_patch, *wall);
-        return Done{};
+        co_await worked(wall->triangles().size() / 4);
+        co_return Done{};
       }
     }
-    return left_open("the sides of the beam at different depths do not correspond", here);
+    co_return left_open("the sides of the beam at different depths do not correspond", here);
   }
 
   // The wall between the vertices of the rim; nothing where it would need too many further ones.
-  std::optional<WallMesh> fill(const Side& side, std::span<const ChartTriangle> triangles,
-                               bool graded) const {
+  Resumable<std::optional<WallMesh>> fill(const Side& side, std::span<const ChartTriangle> triangles,
+                                          bool graded) const {
     std::vector<WallMesh::Vertex> vertices;
     for (size_t i = 0; i < side.placed.size(); ++i)
       vertices.push_back({at(side.of_patch[i]), side.placed[i]});
@@ -350,21 +356,24 @@ class WallMaker {
         std::move(vertices), triangles, SideChart::kSize,
         [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); },
         kRimNear * stroke_.radius);
-    wall.improve();
+    co_await worked(triangles.size());
+    co_await wall.improve();
     const size_t most = kMostAdded * (side.placed.size() + 1024);
     size_t added = 0;
-    const auto at_middle = [&](const ChartVertex& v) { return on_boundary(side.chart.point(v)); };
-    wall.refine([&](const ChartVertex& v) -> std::optional<Vec3> {
-      if (added++ >= most) return std::nullopt;
-      return at_middle(v);
-    });
-    if (added > most) return std::nullopt;
-    if (graded) wall.grade(kRimLeastEdge * stroke_.radius, at_middle);
-    wall.split_between(
-        static_cast<uint32_t>(side.of_patch.size()),
-        [&](uint32_t a, uint32_t b) { return are_joined(side.of_patch[a], side.of_patch[b]); },
-        [&](const ChartVertex& v) { return std::optional(at_middle(v)); });
-    return wall;
+    const WallMesh::Middle at_middle = [&](const ChartVertex& v) {
+      return on_boundary(side.chart.point(v));
+    };
+    const WallMesh::Middle at_next_middle = [&](const ChartVertex& v) {
+      return added++ < most ? at_middle(v) : std::nullopt;
+    };
+    co_await wall.refine(at_next_middle);
+    if (added > most) co_return std::nullopt;
+    if (graded) co_await wall.grade(kRimLeastEdge * stroke_.radius, at_middle);
+    const std::function<bool(uint32_t, uint32_t)> joined = [&](uint32_t a, uint32_t b) {
+      return are_joined(side.of_patch[a], side.of_patch[b]);
+    };
+    co_await wall.split_between(static_cast<uint32_t>(side.of_patch.size()), joined, at_middle);
+    co_return wall;
   }
 
   // By how much the chord of an edge deviates from the boundary.
@@ -423,8 +432,9 @@ class WallMaker {
 
   // The part of the plane at an end of the range that the ends of the sides bound. Seen from the beam, i.e.
   // from lower depths for the higher end, its faces are counter-clockwise.
-  Status make_cap(const std::vector<PatchSide>& sides, bool is_high) {
-    if (sides.empty()) return Done{};
+  Resumable<Status> make_cap(bool is_high) {
+    const std::vector<PatchSide>& sides = is_high ? high_end_ : low_end_;
+    if (sides.empty()) co_return Done{};
     std::map<uint32_t, uint32_t> local;
     std::vector<uint32_t> of_patch;
     std::vector<Vec2> places;
@@ -439,12 +449,14 @@ class WallMaker {
     std::vector<PatchSide> bounds;
     for (const auto& [from, to] : sides) bounds.emplace_back(local.at(from), local.at(to));
     const double depth = is_high ? *ends_.high : *ends_.low;
-    const auto cap = triangulate_cap(places, positions, bounds, kRimLeastEdge * stroke_.radius, [&](Vec2 p) {
+    const std::function<Vec3(Vec2)> lift = [&](Vec2 p) {
       return pencil_->point({p.x, is_high ? -p.y : p.y}, depth);
-    });
-    if (!cap) return left_open("the range of the beam ends in a part of the kerf only", positions[0]);
+    };
+    const auto cap =
+        co_await triangulate_cap(places, positions, bounds, kRimLeastEdge * stroke_.radius, lift);
+    if (!cap) co_return left_open("the range of the beam ends in a part of the kerf only", positions[0]);
     append(of_patch, *cap);
-    return Done{};
+    co_return Done{};
   }
 
   const Mesh& mesh_;
@@ -463,9 +475,11 @@ class WallMaker {
 
 }  // namespace
 
-Result<WallPatch> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke) {
+Resumable<Result<WallPatch>> make_walls(const Mesh& mesh, std::span<const RimSide> sides,
+                                        const WallStroke& stroke) {
   KERF_ASSERT(!sides.empty() && !stroke.moves.empty() && stroke.radius > 0);
-  return WallMaker(mesh, sides, stroke).make();
+  WallMaker maker(mesh, sides, stroke);
+  co_return co_await maker.make();
 }
 
 }  // namespace kerf

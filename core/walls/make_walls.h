@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/resumable.h"
 #include "core/laser/laser.h"
 #include "core/mesh/mesh.h"
 
@@ -48,8 +49,9 @@ struct WallStroke {
 // every edge has two faces with those at the rim.
 //
 // Fails, with a sentence that says why and where, if there is no such part or it cannot be told.
-// Precondition: `sides` are all sides without another face of some connected parts of the mesh that were
-// closed before.
-Result<WallPatch> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke);
+// Preconditions: `sides` are all sides without another face of some connected parts of the mesh that were
+// closed before; until the walls are made, all arguments live and the mesh stays as it is.
+Resumable<Result<WallPatch>> make_walls(const Mesh& mesh, std::span<const RimSide> sides,
+                                        const WallStroke& stroke);
 
 }  // namespace kerf

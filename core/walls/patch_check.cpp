@@ -5,29 +5,26 @@
 
 #include "core/base/assert.h"
 #include "core/base/union_find.h"
+#include "core/walls/side_index.h"
 
 namespace kerf {
 
 std::optional<PatchFault> fault_of(const WallPatch& patch, std::span<const PatchSide> rim) {
-  std::vector<PatchSide> sides, at_rim(rim.begin(), rim.end());
-  for (const auto& f : patch.faces) {
-    for (size_t i = 0; i < 3; ++i) sides.emplace_back(f[i], f[(i + 1) % 3]);
-  }
-  std::sort(sides.begin(), sides.end());
+  const SideIndex sides(patch.faces, patch.rim.size() + patch.added.size());
+  if (const SideIndex::Side* const twice = sides.find_repeated())
+    return PatchFault{"two walls meet in one edge", twice->to};
+  std::vector<PatchSide> at_rim(rim.begin(), rim.end());
   std::sort(at_rim.begin(), at_rim.end());
-  const auto contains = [](const std::vector<PatchSide>& list, const PatchSide& side) {
-    return std::binary_search(list.begin(), list.end(), side);
-  };
-  if (const auto twice = std::adjacent_find(sides.begin(), sides.end()); twice != sides.end())
-    return PatchFault{"two walls meet in one edge", twice->first};
   if (const auto twice = std::adjacent_find(at_rim.begin(), at_rim.end()); twice != at_rim.end())
     return PatchFault{"the rim runs along one edge twice", twice->first};
   for (const PatchSide& s : at_rim) {
-    if (!contains(sides, s)) return PatchFault{"a part of the rim belongs to no wall", s.first};
+    if (!sides.find(s.first, s.second)) return PatchFault{"a part of the rim belongs to no wall", s.first};
   }
-  for (const PatchSide& s : sides) {
-    if (contains(at_rim, s) == contains(sides, {s.second, s.first}))
-      return PatchFault{"a wall ends in the part", s.first};
+  for (uint32_t v = 0; v < patch.rim.size() + patch.added.size(); ++v) {
+    for (const SideIndex::Side& s : sides.from(v)) {
+      const bool is_at_rim = std::binary_search(at_rim.begin(), at_rim.end(), PatchSide{v, s.to});
+      if (is_at_rim == (sides.find(s.to, v) != nullptr)) return PatchFault{"a wall ends in the part", v};
+    }
   }
   return std::nullopt;
 }

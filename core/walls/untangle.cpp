@@ -53,13 +53,14 @@ void cut(std::vector<ChartEdge>& edges, const Passage& p) {
 
 }  // namespace
 
-std::optional<ChartRegion::Winding> untangle(RimInChart& rim, double highest,
-                                             const std::function<bool(uint32_t, uint32_t)>& are_joined,
-                                             std::vector<std::array<uint32_t, 3>>& cut_off) {
+Resumable<std::optional<ChartRegion::Winding>> untangle(
+    RimInChart& rim, double highest, const std::function<bool(uint32_t, uint32_t)>& are_joined,
+    std::vector<std::array<uint32_t, 3>>& cut_off) {
   KERF_ASSERT(rim.placed.size() == rim.at.size() && highest >= 0);
   std::vector<uint32_t> conflict;
   for (int i = 0; i < kMostCuts; ++i) {
-    if (const auto winding = ChartRegion(rim.placed, rim.edges, rim.width).winding(&conflict)) return winding;
+    const auto winding = co_await ChartRegion(rim.placed, rim.edges, rim.width).winding(&conflict);
+    if (winding) co_return winding;
     std::optional<Passage> best;
     double least = std::numeric_limits<double>::infinity();
     for (const uint32_t v : conflict) {
@@ -74,11 +75,11 @@ std::optional<ChartRegion::Winding> untangle(RimInChart& rim, double highest,
       best = p;
       least = area;
     }
-    if (!best) return std::nullopt;
+    if (!best) co_return std::nullopt;
     cut_off.push_back({rim.edges[best->in].from, rim.edges[best->in].to, rim.edges[best->out].to});
     cut(rim.edges, *best);
   }
-  return std::nullopt;
+  co_return std::nullopt;
 }
 
 }  // namespace kerf

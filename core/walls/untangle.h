@@ -24,8 +24,8 @@ struct RimInChart {
 // vertices there, the smallest first, which become faces of the wall and are appended to `cut_off`. No third
 // side of such a triangle runs between vertices for which `are_joined` holds. Returns nothing where that does
 // not help. O(n log n) for each triangle that is cut off.
-std::optional<ChartRegion::Winding> untangle(RimInChart& rim, double highest,
-                                             const std::function<bool(uint32_t, uint32_t)>& are_joined,
-                                             std::vector<std::array<uint32_t, 3>>& cut_off);
+Resumable<std::optional<ChartRegion::Winding>> untangle(
+    RimInChart& rim, double highest, const std::function<bool(uint32_t, uint32_t)>& are_joined,
+    std::vector<std::array<uint32_t, 3>>& cut_off);
 
 }  // namespace kerf

@@ -6,9 +6,9 @@
 
 namespace kerf {
 
-std::optional<WallMesh> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
-                                        std::span<const std::pair<uint32_t, uint32_t>> sides, double least,
-                                        const std::function<Vec3(Vec2)>& lift) {
+Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
+                                                   std::span<const std::pair<uint32_t, uint32_t>> sides,
+                                                   double least, const std::function<Vec3(Vec2)>& lift) {
   KERF_ASSERT(!sides.empty() && places.size() == at.size());
   constexpr int64_t kSize = int64_t{1} << 30, kWidth = 4 * kSize;
   Vec2 low = places[0], high = places[0];
@@ -22,18 +22,19 @@ std::optional<WallMesh> triangulate_cap(std::span<const Vec2> places, std::span<
   for (const Vec2 p : places) placed.push_back({whole(p.x - low.x), whole(p.y - low.y)});
   std::vector<ChartEdge> edges;
   for (const auto& [from, to] : sides) edges.push_back({from, to, placed[to].x - placed[from].x});
-  const auto triangles = ChartRegion(placed, edges, kWidth).triangles();
-  if (!triangles) return std::nullopt;
+  const auto triangles = co_await ChartRegion(placed, edges, kWidth).triangles();
+  if (!triangles) co_return std::nullopt;
   std::vector<WallMesh::Vertex> vertices;
   for (size_t i = 0; i < placed.size(); ++i) vertices.push_back({at[i], placed[i]});
   WallMesh cap(
       std::move(vertices), *triangles, kWidth,
       [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; }, 0);
-  cap.improve();
-  cap.grade(least, [&](const ChartVertex& v) {
+  co_await cap.improve();
+  const WallMesh::Middle lifted = [&](const ChartVertex& v) {
     return std::optional(lift(low + Vec2(static_cast<double>(v.x), static_cast<double>(v.y)) / scale));
-  });
-  return cap;
+  };
+  co_await cap.grade(least, lifted);
+  co_return cap;
 }
 
 }  // namespace kerf

@@ -16,8 +16,8 @@ namespace kerf {
 // plane, `at` the same in space, and `lift` puts further vertices there (m). Nothing where sides cross, or
 // bound another region than one that is finite and covered once. Preconditions: there is a side, and the
 // sides form closed loops.
-std::optional<WallMesh> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
-                                        std::span<const std::pair<uint32_t, uint32_t>> sides, double least,
-                                        const std::function<Vec3(Vec2)>& lift);
+Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
+                                                   std::span<const std::pair<uint32_t, uint32_t>> sides,
+                                                   double least, const std::function<Vec3(Vec2)>& lift);
 
 }  // namespace kerf

@@ -161,8 +161,9 @@ bool WallChart::set_landmarks(std::vector<Slice>& slices) {
   return true;
 }
 
-std::optional<WallChart> WallChart::make(const BeamPencil& pencil, std::span<const BeamMove> moves,
-                                         double radius, Interval depths) {
+Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil,
+                                                    std::span<const BeamMove> moves, double radius,
+                                                    Interval depths) {
   KERF_ASSERT(radius > 0);
   WallChart chart(pencil);
   const size_t slices = pencil.parallel() ? 1 : kSlices;
@@ -172,7 +173,7 @@ std::optional<WallChart> WallChart::make(const BeamPencil& pencil, std::span<con
     slice.depth = depths.low;
     if (slices > 1)
       slice.depth += (depths.high - depths.low) * static_cast<double>(s) / static_cast<double>(slices - 1);
-    if (!pencil.parallel() && !(slice.depth > radius)) return std::nullopt;
+    if (!pencil.parallel() && !(slice.depth > radius)) co_return std::nullopt;
     for (size_t i = 0; i < moves.size(); ++i) discs[i] = pencil.at_depth(moves[i], slice.depth);
     for (OutlineCurve& outline : outline_of(discs, radius)) {
       if (!pencil.parallel() && outline.length < kLeastCurve * radius) continue;
@@ -182,11 +183,12 @@ std::optional<WallChart> WallChart::make(const BeamPencil& pencil, std::span<con
     }
     if (slice.curves.empty() ||
         slice.curves.size() != (s > 0 ? chart.slices_[0].curves.size() : slice.curves.size()))
-      return std::nullopt;
+      co_return std::nullopt;
     chart.slices_.push_back(std::move(slice));
+    co_await worked(moves.size() * (8 + moves.size() / 16));
   }
-  if (slices > 1 && !set_landmarks(chart.slices_)) return std::nullopt;
-  return chart;
+  if (slices > 1 && !set_landmarks(chart.slices_)) co_return std::nullopt;
+  co_return chart;
 }
 
 std::pair<size_t, double> WallChart::slice_below(double depth) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/interval.h"
+#include "core/base/resumable.h"
 #include "core/walls/beam_pencil.h"
 #include "core/walls/outline.h"
 
@@ -20,10 +21,10 @@ namespace kerf {
 class WallChart {
  public:
   // The chart for depths within `depths` (m, of the pencil). Nothing where the outlines at different depths
-  // do not correspond: curves longer than a radius come or go,
-  // or have no side in common. Precondition: radius > 0.
-  static std::optional<WallChart> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
-                                       double radius, Interval depths);
+  // do not correspond: curves longer than a radius come or go, or have no side in common. Preconditions:
+  // radius > 0; pencil and moves live until it is made.
+  static Resumable<std::optional<WallChart>> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
+                                                  double radius, Interval depths);
 
   struct Place {
     uint32_t curve = 0;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/walls/side_index.h"
 
 namespace kerf {
 
@@ -35,22 +36,13 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
     triangles_.push_back(t.corners);
     x_.push_back(t.x);
   }
-  struct Side {
-    uint32_t from, to, triangle, side;
-    auto key() const { return std::pair(from, to); }
-  };
-  std::vector<Side> sides;
+  const SideIndex sides(triangles_, vertices_.size());
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     for (uint32_t i = 0; i < 3; ++i) {
-      sides.push_back({triangles_[t][i], triangles_[t][(i + 1) % 3], t, i});
-      edges_.insert(key(sides.back().from, sides.back().to));
+      const uint32_t from = triangles_[t][i], to = triangles_[t][(i + 1) % 3];
+      edges_.insert(key(from, to));
+      if (const SideIndex::Side* const other = sides.find(to, from)) across_[t][i] = other->triangle;
     }
-  }
-  std::ranges::sort(sides, {}, &Side::key);
-  for (const Side& s : sides) {
-    const auto other = std::ranges::lower_bound(sides, std::pair(s.to, s.from), {}, &Side::key);
-    if (other != sides.end() && other->key() == std::pair(s.to, s.from))
-      across_[s.triangle][s.side] = other->triangle;
   }
 }
 
@@ -165,25 +157,41 @@ void WallMesh::flip(const Quad& q) {
       {q.known[3], q.known[0], -1});
 }
 
+size_t WallMesh::most_flips() const { return kMostFlips * triangles_.size(); }
+
+// Takes the last edge off the list, and if it should be flipped, replaces it by the sides around it.
+void WallMesh::flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made) {
+  const Edge e = waiting.back();
+  waiting.pop_back();
+  if (!is_current(e) || !is_inner(e)) return;
+  const Quad q = quad_of(e);
+  if (!should_flip(q)) return;
+  flip(q);
+  made.push_back(edge(q.left, 1));
+  for (const Edge& side : {edge(q.left, 0), edge(q.left, 2), edge(q.right, 0), edge(q.right, 1)})
+    waiting.push_back(side);
+}
+
 // Returns the edges that flips have made.
 std::vector<WallMesh::Edge> WallMesh::flip_from(std::vector<Edge> waiting) {
   std::vector<Edge> made;
-  const size_t most = kMostFlips * triangles_.size();
-  while (!waiting.empty() && made.size() < most) {
-    const Edge e = waiting.back();
-    waiting.pop_back();
-    if (!is_current(e) || !is_inner(e)) continue;
-    const Quad q = quad_of(e);
-    if (!should_flip(q)) continue;
-    flip(q);
-    made.push_back(edge(q.left, 1));
-    for (const Edge& side : {edge(q.left, 0), edge(q.left, 2), edge(q.right, 0), edge(q.right, 1)})
-      waiting.push_back(side);
-  }
+  for (const size_t most = most_flips(); !waiting.empty() && made.size() < most;) flip_last(waiting, made);
   return made;
 }
 
-void WallMesh::improve() { flip_from(inner_edges()); }
+Resumable<std::vector<WallMesh::Edge>> WallMesh::flip_in_parts(std::vector<Edge> waiting) {
+  std::vector<Edge> made;
+  for (const size_t most = most_flips(); !waiting.empty() && made.size() < most;) {
+    flip_last(waiting, made);
+    co_await worked(1);
+  }
+  co_return made;
+}
+
+Resumable<Done> WallMesh::improve() {
+  co_await flip_in_parts(inner_edges());
+  co_return Done{};
+}
 
 ChartVertex WallMesh::middle_of(const Quad& q) const {
   const int64_t ya = vertices_[q.a].chart.y, yb = vertices_[q.b].chart.y;
@@ -214,11 +222,12 @@ bool WallMesh::is_beside_an_end(const Quad& q, const Vec3& p) const {
   return std::min(glm::length(p - a), glm::length(p - b)) < kBesideEnd * glm::length(b - a);
 }
 
-void WallMesh::refine(const Middle& middle) {
+Resumable<Done> WallMesh::refine(const Middle& middle) {
   std::vector<Edge> waiting = inner_edges();
   while (!waiting.empty()) {
     std::vector<Edge> next, around;
     for (const Edge& e : waiting) {
+      co_await worked(1);
       if (!is_current(e) || !is_inner(e)) continue;
       const Quad q = quad_of(e);
       if (!(excess(q) > 0)) continue;
@@ -233,10 +242,11 @@ void WallMesh::refine(const Middle& middle) {
       for (const Edge& side : {edge(q.left, 2), edge(q.right, 2), edge(first, 1), edge(first + 1, 1)})
         around.push_back(side);
     }
-    const std::vector<Edge> turned = flip_from(std::move(around));
+    const std::vector<Edge> turned = co_await flip_in_parts(std::move(around));
     next.insert(next.end(), turned.begin(), turned.end());
     waiting = std::move(next);
   }
+  co_return Done{};
 }
 
 bool WallMesh::has_edge_below(double length) const {
@@ -246,11 +256,13 @@ bool WallMesh::has_edge_below(double length) const {
   });
 }
 
-void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
-                             const Middle& middle) {
+Resumable<Done> WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
+                                        const Middle& middle) {
   bool again = true;
   while (std::exchange(again, false)) {
-    for (const Edge& e : inner_edges()) {
+    const std::vector<Edge> edges = inner_edges();
+    for (const Edge& e : edges) {
+      co_await worked(1);
       if (e.from >= fixed || e.to >= fixed || !splits(e.from, e.to)) continue;
       // A split moves other edges of its two triangles.
       again = !is_current(e) || again;
@@ -259,6 +271,7 @@ void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, 
       if (const auto at = middle(middle_of(q))) split(q, *at);
     }
   }
+  co_return Done{};
 }
 
 }  // namespace kerf

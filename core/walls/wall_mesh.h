@@ -7,6 +7,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/base/resumable.h"
 #include "core/base/vec3.h"
 #include "core/walls/chart_region.h"
 
@@ -34,23 +36,23 @@ class WallMesh {
   // Flips edges inside of convex quadrilaterals until there is none whose other diagonal deviates less, or
   // deviates as little and has opposite angles that sum up to less (C. L. Lawson: Software for C1 surface
   // interpolation, 1977). Where a wall is bent, long triangles along the beam thus need no further vertices.
-  void improve();
+  Resumable<Done> improve();
 
   // Splits every inner edge that deviates and for which `middle` gives a vertex, and those that arise, and
   // improves what is around them.
-  void refine(const Middle& middle);
+  Resumable<Done> refine(const Middle& middle);
 
   // Splits long sides of thin triangles, the longest first, and improves what is around them, so that
   // triangles grow away from the rim (as in M.-C. Rivara: New longest-edge algorithms for the refinement
   // and/or improvement of unstructured triangulations, 1997). Where the wall is bent they may be thinner. A
   // later stroke that meets a wall of long thin triangles would refine all of them. Sides that are not longer
   // than `least` metres stay; the vertices must be as exact as that in the chart.
-  void grade(double least, const Middle& middle);
+  Resumable<Done> grade(double least, const Middle& middle);
 
   // Splits the inner edges between two of the first `fixed` vertices for which `splits` holds, wherever
   // `middle` says.
-  void split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
-                     const Middle& middle);
+  Resumable<Done> split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
+                                const Middle& middle);
 
   // Whether an inner edge is shorter than this (m). O(n).
   bool has_edge_below(double length) const;
@@ -89,7 +91,10 @@ class WallMesh {
   static uint64_t key(uint32_t a, uint32_t b);
   bool should_flip(const Quad& q);
   void flip(const Quad& q);
+  size_t most_flips() const;
+  void flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made);
   std::vector<Edge> flip_from(std::vector<Edge> waiting);
+  Resumable<std::vector<Edge>> flip_in_parts(std::vector<Edge> waiting);
   ChartVertex within(const ChartVertex& v) const { return {(v.x % width_ + width_) % width_, v.y}; }
   ChartVertex middle_of(const Quad& q) const;
   void split(const Quad& q, const Vec3& at);

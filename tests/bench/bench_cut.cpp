@@ -4,6 +4,7 @@
 #include "core/document/files/extract.h"
 #include "core/edit/separation.h"
 #include "core/mesh/build_mesh.h"
+#include "core/world/solid_body.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kFaceBar = 2;        // us a face born or gone
 constexpr double kLongestBar = 8;     // of the median
+constexpr double kWallsBar = 50;      // ms that walls may take beside the rim
 constexpr double kJobBar = 1.0 / 20;  // of CGAL
 constexpr double kManifoldBar = 1.0 / 12;
 constexpr double kSeparationBar = 500;            // ns per removed face
@@ -90,6 +92,7 @@ struct Walked {
   std::vector<bool> removed;  // by step: it removed something
   double seconds = 0;         // of all together
   size_t turned = 0;          // faces born or gone
+  size_t walls = 0;           // faces
 
   double longest() const { return *std::max_element(steps.begin(), steps.end()); }
   // Of the steps that removed something.
@@ -108,6 +111,7 @@ Walked walk_slot(World& world, const Slot& slot, const CutSettings& settings, in
   const auto note = [&](const StepResult& result, double seconds) {
     walked.seconds += seconds;
     walked.turned += 2 * result.delta.removed_faces + result.statistics.faces_made;
+    walked.walls += result.delta.solid.wall_faces;
     walked.steps.push_back(seconds);
     walked.removed.push_back(result.delta.removed_faces > 0);
   };
@@ -219,11 +223,13 @@ void bench_pieces(const Subject& s, const Effort& effort, const Report& report) 
 
 // Three runs have the same steps, and each step counts with its shortest time: a pause of a few milliseconds
 // that the machine makes in one of thousands of steps would decide which is the longest.
-Walked walk_three_times(const Subject& s, const Effort& effort, CutSettings (Slot::*settings)() const) {
+Walked walk_three_times(const Subject& s, const Effort& effort, CutSettings (Slot::*settings)() const,
+                        bool solid = false) {
   std::vector<Walked> runs;
   for (int run = 0; run < 3; ++run) {
     World world;
     const BodyId id = world.add(body_of(s));
+    if (solid) make_solid(world.body(id), true);
     const Slot slot(world.body(id).tree.bounds());
     runs.push_back(walk_slot(world, slot, (slot.*settings)(), effort.slot_steps));
   }
@@ -244,6 +250,12 @@ void bench_rim(const Subject& s, const Effort& effort, const Report& report) {
           1e6 * walked.median_step(), kLongestBar});
   report({"slot with a smooth rim, per new or removed face", s.name, "us",
           1e6 * walked.seconds / static_cast<double>(walked.turned), kFaceBar, std::nullopt});
+  const Walked solid = walk_three_times(s, effort, &Slot::smooth_settings, true);
+  if (solid.walls == 0) return;  // not closed before
+  report({"slot through a solid, longest / median step", s.name, "us", 1e6 * solid.longest(),
+          1e6 * solid.median_step(), kLongestBar});
+  report({"walls of the slot, beside the rim / limit", s.name, "ms", 1e3 * (solid.seconds - walked.seconds),
+          kWallsBar, 1.0});
 }
 
 void bench_steps(const Subject& s, const Effort& effort, const Report& report) {

@@ -83,7 +83,7 @@ TEST(ChartRegion, is_covered_by_triangles_between_its_loops) {
     const ChartLattice lattice = random_lattice(random, 0, 1);
     std::vector<ChartEdge> edges = edges_between_cells(lattice);
     if (random.below(2) == 0) join_straight_edges(edges, lattice.corners, lattice.width());
-    const auto triangles = lattice.region(edges).triangles();
+    const auto triangles = at_once(lattice.region(edges).triangles());
     if (lattice.above != 0) {
       ASSERT_FALSE(triangles) << "it has no upper end";
       continue;
@@ -135,7 +135,7 @@ TEST(ChartRegion, winds_as_often_as_a_ray_from_each_place_crosses_its_edges) {
       edges.push_back({e.from, e.to, e.dx + 3 * turns});  // the width is four times as large, too
     }
     const int64_t width = 4 * lattice.width();
-    const auto winding = ChartRegion(lattice.corners, edges, width).winding();
+    const auto winding = at_once(ChartRegion(lattice.corners, edges, width).winding());
     ASSERT_TRUE(winding);
     int least = 0, largest = 0;
     for (int j = 0; j <= lattice.rows; ++j) {
@@ -163,7 +163,7 @@ TEST(ChartRegion, winds_as_often_as_a_ray_from_each_place_crosses_its_edges) {
     EXPECT_EQ(winding->above, lattice.above);
     above += lattice.above != 0;
     const bool is_region = least == 0 && largest <= 1 && lattice.above == 0;
-    EXPECT_EQ(ChartRegion(lattice.corners, edges, width).triangles().has_value(), is_region);
+    EXPECT_EQ(at_once(ChartRegion(lattice.corners, edges, width).triangles()).has_value(), is_region);
   }
   EXPECT_GT(above, runs(1200) / 20);
 }

@@ -33,7 +33,7 @@ TEST(WallChart, finds_the_place_of_each_of_its_points) {
     const double radius = 0.05;
     const auto pencil = BeamPencil::of(moves, radius);
     ASSERT_TRUE(pencil);
-    const auto chart = WallChart::make(*pencil, moves, radius, {3.5, 4.5});
+    const auto chart = at_once(WallChart::make(*pencil, moves, radius, {3.5, 4.5}));
     if (!chart) continue;
     for (int i = 0; i < 100; ++i) {
       const auto curve = static_cast<uint32_t>(random.below(chart->curves()));

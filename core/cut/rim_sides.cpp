@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/base/tolerances.h"
+#include "core/cut/close_by_walls.h"
+#include "core/cut/rim_state.h"
+#include "core/cut/speck_search.h"
+
+namespace kerf {
+
+namespace {
+
+void sort_faces(std::vector<FaceId>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+}  // namespace
+
+Resumable<Done> WallClosing::find_open_faces() {
+  constexpr uint32_t kTogether = 4096;
+  std::vector<Mesh::Side> open;
+  for (uint32_t edge = 0; edge < mesh().edge_slots(); edge += kTogether) {
+    mesh().append_open_sides_in(edge, edge + kTogether, open);
+    co_await worked(kTogether / 32);
+  }
+  for (const Mesh::Side& s : open) open_faces_.push_back(s.face);
+  sort_faces(open_faces_);
+  co_return Done{};
+}
+
+// What is near a face that was flipped may be more than is known of it.
+bool WallClosing::is_at_rim(const Mesh::Side& side) {
+  const double most = kRimNear * rim_->radius();
+  const auto lies_there = [&](VertexId v) {
+    if (rim_->region.is_near(side.face) && std::abs(rim_->distance(v, side.face)) <= most) return true;
+    return std::abs((*distance_)(mesh().position(v))) <= most;
+  };
+  return lies_there(side.from) && lies_there(side.to);
+}
+
+// Finds the sides along the rim of parts that were closed before the stroke.
+Resumable<Status> WallClosing::find_sides() {
+  sides_.clear();
+  std::vector<FaceId> elsewhere;
+  std::vector<Mesh::Side> open;
+  for (const FaceId f : open_faces_) {
+    co_await worked(1);
+    open.clear();
+    mesh().append_open_sides_of(f, open);
+    for (const Mesh::Side& s : open) {
+      if (is_at_rim(s)) {
+        sides_.push_back({s.face, s.from, s.to});
+      } else {
+        elsewhere.push_back(s.face);
+      }
+    }
+  }
+  std::sort(sides_.begin(), sides_.end(), [](const RimSide& a, const RimSide& b) {
+    return std::tie(a.face, a.from) < std::tie(b.face, b.from);
+  });
+  if (elsewhere.empty() || sides_.empty()) co_return Done{};
+  const std::vector<bool> was_open = co_await parts_around(elsewhere);
+  std::erase_if(sides_, [&](const RimSide& s) { return was_open[s.face.index]; });
+  if (sides_.empty()) co_return failed("it was open before the stroke");
+  co_return Done{};
+}
+
+// The faces of the connected parts that hold some faces.
+Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>& faces) {
+  std::vector<bool> reached(mesh().face_slots());
+  std::vector<FaceId> waiting, neighbours;
+  const auto reach = [&](FaceId f) {
+    if (reached[f.index]) return;
+    reached[f.index] = true;
+    waiting.push_back(f);
+  };
+  for (const FaceId f : faces) reach(f);
+  while (!waiting.empty()) {
+    const FaceId f = waiting.back();
+    waiting.pop_back();
+    neighbours.clear();
+    mesh().append_nearest_neighbours(f, neighbours);
+    for (const FaceId n : neighbours) reach(n);
+    co_await worked(1);
+  }
+  co_return reached;
+}
+
+// Whether all sides of a face are open, or two and the third one lies on the boundary too.
+bool WallClosing::is_ear(std::span<const RimSide> of_face) const {
+  if (of_face.size() != 2) return of_face.size() == 3;
+  const auto c = mesh().corners(of_face[0].face);
+  const auto is_open = [&](VertexId from) { return of_face[0].from == from || of_face[1].from == from; };
+  const size_t k = is_open(c[0]) ? is_open(c[1]) ? 2 : 1 : 0;
+  const Vec3 middle = 0.5 * mesh().position(c[k]) + 0.5 * mesh().position(c[(k + 1) % 3]);
+  return std::abs((*distance_)(middle)) <= kRimNear * rim_->radius();
+}
+
+// Removes faces that lie along the rim, beyond which the rim is as near to the boundary as it was: those of
+// which all corners are on the rim, and all sides but one are open, if that one lies on the boundary too.
+// Left in place, they make the rim turn back on itself. Specks go as well. Returns whether there were any.
+Resumable<bool> WallClosing::remove_ears() {
+  std::vector<FaceId> ears;
+  const SpeckSearch specks(*distance_, sides_);
+  for (size_t i = 0; i < sides_.size();) {
+    const FaceId f = sides_[i].face;
+    size_t end = i + 1;
+    while (end < sides_.size() && sides_[end].face == f) ++end;
+    if (is_ear(std::span(sides_).subspan(i, end - i))) ears.push_back(f);
+    specks.append(*rim_, f, ears);
+    i = end;
+    co_await worked(2);
+  }
+  if (ears.empty()) co_return false;
+  sort_faces(ears);
+  remove(std::move(ears));
+  co_return true;
+}
+
+void WallClosing::remove(std::vector<FaceId> faces) {
+  for (const FaceId f : faces) mesh().append_nearest_neighbours(f, open_faces_);
+  remove_faces(rim_->step, faces);
+  rim_->work.removed = true;
+  sort_faces(open_faces_);
+  std::erase_if(open_faces_, [&](FaceId f) { return !mesh().is_live(f); });
+}
+
+}  // namespace kerf

@@ -34,7 +34,7 @@ Resumable<Result<std::vector<FaceId>>> WallClosing::close() {
   if (touches_ring(*patch)) co_return failed("more than two faces share an edge at the rim");
   if (joins_pieces(*patch)) co_return failed("a wall would join two pieces");
   co_await worked(kPartOfWork);
-  co_return add(*patch);
+  co_return co_await add(*patch);
 }
 
 int WallClosing::winding(const Vec3& p, const Vec3& direction) const {
@@ -67,27 +67,33 @@ bool WallClosing::joins_pieces(const WallPatch& patch) const {
   return false;
 }
 
-std::vector<FaceId> WallClosing::add(const WallPatch& patch) {
-  BodyEdit& edit = rim_->step.edit;
+Resumable<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
+  constexpr size_t kTogether = 256;
   std::vector<VertexId> vertices = patch.rim;
-  for (const Vec3& p : patch.added) vertices.push_back(edit.add_vertex(p));
-  std::vector<std::array<VertexId, 3>> corners;
-  std::vector<FaceId> beside;
-  for (size_t i = 0; i < patch.faces.size(); ++i) {
-    const auto& f = patch.faces[i];
-    corners.push_back({vertices[f[0]], vertices[f[1]], vertices[f[2]]});
-    beside.push_back(patch.beside_wall[patch.wall_of_face[i]]);
+  for (const Vec3& p : patch.added) vertices.push_back(rim_->step.edit.add_vertex(p));
+  co_await worked(vertices.size() / 4);
+  FaceAddition addition(std::move(vertices), patch.faces);
+  std::vector<FaceId> walls, beside;
+  is_adding_ = true;
+  while (walls.size() < patch.faces.size()) {
+    beside.clear();
+    for (size_t i = walls.size(); i < std::min(walls.size() + kTogether, patch.faces.size()); ++i)
+      beside.push_back(patch.beside_wall[patch.wall_of_face[i]]);
+    const std::vector<FaceId> added = rim_->step.edit.add_walls(addition, beside);
+    walls.insert(walls.end(), added.begin(), added.end());
+    co_await worked(4 * added.size());
   }
+  while (!rim_->step.edit.part_fans(addition, kTogether)) co_await worked(kTogether / 2);
+  is_adding_ = false;
   std::vector<FaceId> seeds;
   for (size_t i = 0; i < sides_.size(); ++i) {
     seeds.push_back(sides_[i].face);
-    edit.join_parts(sides_[i].face, patch.beside_wall[patch.wall_of_side[i]]);
+    rim_->step.edit.join_parts(sides_[i].face, patch.beside_wall[patch.wall_of_side[i]]);
   }
-  const std::vector<FaceId> walls = edit.add_walls(corners, beside);
   std::sort(seeds.begin(), seeds.end());
   seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  edit.search_from(seeds);
-  return walls;
+  rim_->step.edit.search_from(seeds);
+  co_return walls;
 }
 
 }  // namespace kerf

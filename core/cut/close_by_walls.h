@@ -14,7 +14,7 @@ namespace kerf {
 struct RimState;
 
 // Closes a solid body along the rim that a stroke has left, by walls, and makes the search for parts cross
-// them: all of the rim or nothing. The work is done in parts; only the addition of the walls is one.
+// them: all of the rim or nothing. The work is done in parts.
 class WallClosing {
  public:
   // The moves are those of the stroke in the frame of the body.
@@ -25,6 +25,9 @@ class WallClosing {
   // Does the next part. Returns whether it was the last one. Preconditions: the body, the region and what is
   // known of the rim are as the last part left them, with the tree up to date.
   bool go_on(RimState& rim);
+
+  // Whether some walls are there and others not: the last part has to be done before anything else is.
+  bool is_adding() const { return is_adding_; }
 
   // The walls, or, with the rim still open, a sentence that says why the body stays open. Precondition: the
   // last part was done.
@@ -42,7 +45,7 @@ class WallClosing {
   int winding(const Vec3& p, const Vec3& direction) const;
   bool touches_ring(const WallPatch& patch) const;
   bool joins_pieces(const WallPatch& patch) const;
-  std::vector<FaceId> add(const WallPatch& patch);
+  Resumable<std::vector<FaceId>> add(const WallPatch& patch);
   const Mesh& mesh() const;
 
   std::vector<BeamMove> moves_;
@@ -50,6 +53,7 @@ class WallClosing {
   std::optional<SweptDistance> distance_;
   std::vector<FaceId> open_faces_;  // that have sides without another face; ascending
   std::vector<RimSide> sides_;      // along the rim, of parts that were closed before the stroke; by face
+  bool is_adding_ = false;
   std::optional<Resumable<Result<std::vector<FaceId>>>> closing_;
 };
 

@@ -121,7 +121,7 @@ class RimBite {
 
   Result<Reached> go_through(RimState& rim, const Sweep& sweep) {
     do {
-      if (!progress_.report(0)) return cancelled();
+      if (!work_.must_go_on() && !progress_.report(0)) return cancelled();
       const Stage before = work_.stage;
       const Result<bool> over = go_on(rim, sweep);
       if (!over) return over.error();

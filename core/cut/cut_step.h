@@ -151,7 +151,9 @@ using SweptByBody = std::map<BodyId, std::vector<BeamMove>>;
 // The step goes on where `unfinished` says, and ends after an amount of work of about settings.bite faces.
 // The rim is closed once unfinished.begun() is false afterwards; until then nothing else may change the
 // world, and the next step must be given the same arguments. The result does not depend on the division into
-// steps. The world is consistent between them; pieces are looked for in the last ones.
+// steps. The world is consistent between them, but for a body to which walls are being added (see
+// UnfinishedRim::must_go_on): neither `progress` nor a budget may stop it then. Pieces are looked for in the
+// last steps.
 //
 // Faces in which a chord would deviate from the boundary by more than kRimChord are split by the scheme
 // first. A vertex near the boundary is moved onto it along an edge if that does not change the surface; every

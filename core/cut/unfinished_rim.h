@@ -65,6 +65,9 @@ struct UnfinishedRim {
   std::vector<double> distances;
   std::shared_ptr<WallClosing> closing;  // from kCloseByWalls on; of copies, one alone can be continued
 
+  // Whether the body is in a state that nothing but the following steps may end: some of its walls are there
+  // and others not.
+  bool must_go_on() const { return closing && closing->is_adding(); }
   // Whether a step has begun it.
   bool begun() const { return bodies > 0 || stage != Stage::kSweep || next > 0; }
 };

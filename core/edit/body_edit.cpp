@@ -153,9 +153,8 @@ void BodyEdit::take_out(std::span<const FaceId> faces) {
 
 // Adding ----------------------------------------------------------------------------------------------------
 
-std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>> corners,
-                                        std::span<const FaceId> beside) {
-  KERF_ASSERT(is_settled(*body_) && splits_.empty() && removed_.empty() && corners.size() == beside.size());
+std::vector<FaceId> BodyEdit::add_walls(FaceAddition& addition, std::span<const FaceId> beside) {
+  KERF_ASSERT(is_settled(*body_) && splits_.empty() && removed_.empty());
   const std::optional<uint16_t> material = cut_material(*body_);
   std::vector<FaceData> data;
   for (const FaceId f : beside) {
@@ -164,7 +163,7 @@ std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>>
     own.material = material.value_or(mesh().data(f).material);
     data.push_back(own);
   }
-  const std::vector<FaceId> added = body_->mesh.add_faces(corners, data);
+  const std::vector<FaceId> added = addition.add(body_->mesh, data);
   body_->tree.add(mesh(), added);
   for (size_t i = 0; i < added.size(); ++i) {
     const FaceId f = added[i];
@@ -178,26 +177,13 @@ std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>>
     solid_.removed_volume -= volume_under(t, body_->middle());
     edited_.push_back(f);
   }
-  note_moved_around(added);
   faces_made_ += added.size();
   return added;
 }
 
-// The tree knows the vertices of the faces around.
-void BodyEdit::note_moved_around(const std::vector<FaceId>& faces) {
-  std::vector<VertexId> vertices;
-  for (const FaceId f : faces) {
-    const auto c = mesh().corners(f);
-    vertices.insert(vertices.end(), c.begin(), c.end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  Mesh::Star star;
-  for (const VertexId v : vertices) {
-    mesh().star(v, star);
-    moved_.insert(moved_.end(), star.faces.begin(), star.faces.end());
-  }
-  sort_each_once(moved_);
+// The tree knows the vertices of faces.
+bool BodyEdit::part_fans(FaceAddition& addition, size_t most) {
+  return addition.part_fans(body_->mesh, most, moved_);
 }
 
 // Turning and moving ----------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/edit/separation.h"
+#include "core/mesh/face_addition.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 
@@ -46,11 +47,12 @@ class BodyEdit {
   // the graph. Precondition: update_tree() was called after the last split.
   void remove(std::span<const FaceId> faces);
 
-  // Adds walls (see WallFaces) with these corners (see Mesh::add_faces), each with the label and the loaded
-  // part of the face `beside` it. Their material is cut_material(), or that of this face where the body has
-  // none. Returns them. Precondition: the body is settled.
-  std::vector<FaceId> add_walls(std::span<const std::array<VertexId, 3>> corners,
-                                std::span<const FaceId> beside);
+  // Adds the next faces of an addition as walls (see WallFaces), each with the label and the loaded part of
+  // the face `beside` it. Their material is cut_material(), or that of this face where the body has none.
+  // Returns them. Precondition: the body is settled.
+  std::vector<FaceId> add_walls(FaceAddition& addition, std::span<const FaceId> beside);
+  // Calls FaceAddition::part_fans.
+  bool part_fans(FaceAddition& addition, size_t most);
   // Adds a vertex for them.
   VertexId add_vertex(const Vec3& position) { return body_->mesh.add_vertex(position); }
   // Makes the connected parts of two faces that a wall has joined one part. Precondition: their labels are
@@ -103,7 +105,6 @@ class BodyEdit {
   void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
   void note_splits(size_t first);
-  void note_moved_around(const std::vector<FaceId>& faces);
 
   Body* body_;
   std::vector<Replacement> splits_;  // not applied to the tree yet

@@ -168,7 +168,7 @@ class Mesh {
   // boundary closes it; columns and colours of what is new are zero. A vertex at which the faces no longer
   // hang together over edges gives way to several at its position. Preconditions: the mesh stays orientable:
   // no side occurs twice in one direction, or along a live face that has it already; no corner is the end of
-  // an edge in a ring. O(n log n) in the new faces and those around their corners.
+  // an edge in a ring. O(n log n) in the new faces and those around their corners. See also FaceAddition.
   std::vector<FaceId> add_faces(std::span<const std::array<VertexId, 3>> corners,
                                 std::span<const FaceData> data);
 
@@ -199,6 +199,7 @@ class Mesh {
   };
 
   struct Kernel;
+  friend class FaceAddition;
   Kernel& kernel() { return *kernel_; }
   const Kernel& kernel() const { return *kernel_; }
 

@@ -109,7 +109,7 @@ Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progr
 }
 
 Result<StepResult> Execution::close_rim_of_stroke(const Progress& progress) {
-  if (is_over_budget()) return over_face_budget(face_budget_);
+  if (is_over_budget() && !queue_.unfinished_rim().must_go_on()) return over_face_budget(face_budget_);
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   Result<StepResult> some =
@@ -273,6 +273,7 @@ void Execution::finish(size_t step) {
 // so does what is drawn of it afterwards: it may be cut again. If it is one that is cut again itself, nothing
 // is cut, as the earlier settings do not count any more.
 bool Execution::give_up(size_t step, bool stopped) {
+  KERF_ASSERT(!queue_.unfinished_rim().must_go_on());
   if (in_stroke() && is_last(step)) drawn_->given_up = true;
   queue_.drop_strokes(step);
   if (stopped) queue_.clear();

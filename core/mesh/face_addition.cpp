@@ -1,0 +1,175 @@
+#include "core/mesh/face_addition.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/mesh/kernel.h"
+#include "core/mesh/rings.h"
+
+namespace kerf {
+
+namespace {
+
+VertexId add_copy_of(Mesh::Kernel& kernel, VertexId v) {
+  const VertexId copy = kernel.half_edges.add_vertex(Vec3(kernel.half_edges.position(v)));
+  if (!kernel.colours.blank()) kernel.colours.set(copy, kernel.colours.get(v));
+  return copy;
+}
+
+}  // namespace
+
+FaceAddition::FaceAddition(std::vector<VertexId> vertices, std::vector<std::array<uint32_t, 3>> corners)
+    : vertices_(std::move(vertices)),
+      corners_(std::move(corners)),
+      is_noted_(vertices_.size()),
+      chains_(vertices_.size()) {}
+
+void FaceAddition::append(uint32_t v, HalfEdgeId h) {
+  const auto entry = static_cast<uint32_t>(entries_.size());
+  entries_.push_back({h, kNone});
+  Chain& chain = chains_[v];
+  (chain.first == kNone ? chain.first : entries_[chain.last].next) = entry;
+  chain.last = entry;
+}
+
+// Lists the half-edges at a vertex before a face is added there; later the mesh may not lead to all of them.
+void FaceAddition::note_half_edges(const Mesh::Kernel& kernel, uint32_t v) {
+  if (is_noted_[v]) return;
+  is_noted_[v] = true;
+  kernel.half_edges.for_each_outgoing(vertices_[v], [&](HalfEdgeId h) { append(v, h); });
+}
+
+// An open half-edge that is there, or one of a new edge.
+HalfEdgeId FaceAddition::side(Mesh::Kernel& kernel, uint32_t from, uint32_t to) {
+  HalfEdges& m = kernel.half_edges;
+  HalfEdgeId found;
+  for_each_at(from, [&](HalfEdgeId h) {
+    if (!found.valid() && m.to(h) == vertices_[to] && !m.face(h).valid()) found = h;
+  });
+  if (found.valid()) return found;
+  const HalfEdgeId made = m.add_edge(vertices_[from], vertices_[to]);
+  append(from, made);
+  append(to, opposite(made));
+  return made;
+}
+
+// Every boundary half-edge that ends at a vertex is followed by the one that bounds the same fan on its other
+// side, and the vertex leads to a fan.
+void FaceAddition::link_boundaries(Mesh::Kernel& kernel, uint32_t v) const {
+  HalfEdges& m = kernel.half_edges;
+  if (!m.outgoing(vertices_[v]).valid())
+    m.set_outgoing(vertices_[v], entries_[chains_[v].first].half_edge);
+  for_each_at(v, [&](HalfEdgeId h) {
+    const HalfEdgeId boundary = opposite(h);
+    if (m.face(boundary).valid()) return;
+    HalfEdgeId after = h;
+    while (m.face(after).valid()) after = opposite(m.previous(after));
+    m.link(boundary, after);
+  });
+}
+
+std::vector<FaceId> FaceAddition::add(Mesh& mesh, std::span<const FaceData> data) {
+  KERF_ASSERT(data.size() <= faces() - added_);
+  Mesh::Kernel& k = *mesh.kernel_;
+  HalfEdges& m = k.half_edges;
+  std::vector<FaceId> added;
+  std::vector<uint32_t> touched;
+  for (const FaceData& of_face : data) {
+    const auto& corners = corners_[added_++];
+    for (const uint32_t v : corners) note_half_edges(k, v);
+    const HalfEdgeId ab = side(k, corners[0], corners[1]), bc = side(k, corners[1], corners[2]),
+                     ca = side(k, corners[2], corners[0]);
+    const FaceId f = m.add_face(ab);
+    m.close(f, ab, bc, ca);
+    k.faces.push_back(of_face);
+    k.faces.edit(f.index).base = f;
+    added.push_back(f);
+    touched.insert(touched.end(), corners.begin(), corners.end());
+  }
+  k.live_faces += static_cast<uint32_t>(added.size());
+  if (!k.rings.empty()) add_lone_rings(k);
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const uint32_t v : touched) link_boundaries(k, v);
+  return added;
+}
+
+bool FaceAddition::is_one_fan(const Mesh::Kernel& kernel, uint32_t v) const {
+  const HalfEdges& m = kernel.half_edges;
+  size_t listed = 0, around = 0;
+  for_each_at(v, [&](HalfEdgeId) { ++listed; });
+  const HalfEdgeId start = entries_[chains_[v].first].half_edge;
+  HalfEdgeId h = start;
+  do {
+    ++around;
+    h = m.next(opposite(h));
+  } while (h != start);
+  return around == listed;
+}
+
+void FaceAddition::part_fans_at(Mesh::Kernel& kernel, uint32_t v, std::vector<FaceId>& changed) const {
+  HalfEdges& m = kernel.half_edges;
+  std::vector<HalfEdgeId> left;  // in no fan yet
+  for_each_at(v, [&](HalfEdgeId h) { left.push_back(h); });
+  std::sort(left.begin(), left.end());
+  const auto take = [&](HalfEdgeId h) {
+    const auto at = std::lower_bound(left.begin(), left.end(), h);
+    if (at == left.end() || *at != h) return false;
+    left.erase(at);
+    return true;
+  };
+  bool first = true;
+  for_each_at(v, [&](HalfEdgeId start) {
+    if (!take(start)) return;
+    const bool is_kept = std::exchange(first, false);
+    const VertexId own = is_kept ? vertices_[v] : add_copy_of(kernel, vertices_[v]);
+    HalfEdgeId h = start;
+    do {
+      take(h);
+      m.set_to(opposite(h), own);
+      if (!is_kept && m.face(h).valid()) changed.push_back(m.face(h));
+      h = m.next(opposite(h));
+    } while (h != start);
+    m.set_outgoing(own, start);
+  });
+}
+
+bool FaceAddition::part_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed) {
+  KERF_ASSERT(added_ == faces());
+  Mesh::Kernel& k = *mesh.kernel_;
+  const size_t end = std::min(parted_ + most, vertices_.size());
+  for (; parted_ < end; ++parted_) {
+    const auto v = static_cast<uint32_t>(parted_);
+    if (chains_[v].first == kNone) continue;
+    if (is_one_fan(k, v)) {
+      k.half_edges.set_outgoing(vertices_[v], entries_[chains_[v].first].half_edge);
+    } else {
+      part_fans_at(k, v, changed);
+    }
+  }
+  return parted_ == vertices_.size();
+}
+
+VertexId Mesh::add_vertex(const Vec3& position) { return kernel_->half_edges.add_vertex(position); }
+
+std::vector<FaceId> Mesh::add_faces(std::span<const std::array<VertexId, 3>> corners,
+                                    std::span<const FaceData> data) {
+  KERF_ASSERT(corners.size() == data.size());
+  std::vector<VertexId> vertices;
+  for (const auto& c : corners) vertices.insert(vertices.end(), c.begin(), c.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const auto index = [&](VertexId v) {
+    return static_cast<uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  };
+  std::vector<std::array<uint32_t, 3>> local;
+  for (const auto& c : corners) local.push_back({index(c[0]), index(c[1]), index(c[2])});
+  FaceAddition addition(vertices, std::move(local));
+  const std::vector<FaceId> added = addition.add(*this, data);
+  std::vector<FaceId> changed;
+  addition.part_fans(*this, vertices.size(), changed);
+  return added;
+}
+
+}  // namespace kerf

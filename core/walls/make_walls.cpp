@@ -56,8 +56,7 @@ class WallMaker {
       : mesh_(mesh), sides_(sides), stroke_(stroke) {}
 
   Resumable<Result<WallPatch>> make() {
-    number_rim();
-    co_await worked(rim_.size());
+    co_await number_rim();
     pencil_ = BeamPencil::of(stroke_.moves, stroke_.radius);
     if (!pencil_) co_return left_open("the beam turned about no single point", rim_at(0));
     measure_depths();
@@ -71,10 +70,9 @@ class WallMaker {
     for (const bool is_high : {false, true}) {
       if (const Status made = co_await make_cap(is_high); !made) co_return made.error();
     }
-    const auto fault = fault_of(patch_, rim_);
-    co_await worked(patch_.faces.size() / 4);
+    const auto fault = co_await fault_of(patch_, rim_);
     if (fault) co_return left_open(fault->why, at(fault->vertex));
-    tell_walls_apart(patch_, rim_, sides_);
+    co_await tell_walls_apart(patch_, rim_, sides_);
     co_return std::move(patch_);
   }
 
@@ -91,7 +89,7 @@ class WallMaker {
   }
 
   // The sides of the walls along the rim run against those of the faces there.
-  void number_rim() {
+  Resumable<Done> number_rim() {
     for (const RimSide& s : sides_) {
       patch_.rim.push_back(s.from);
       patch_.rim.push_back(s.to);
@@ -102,7 +100,12 @@ class WallMaker {
       return static_cast<uint32_t>(std::lower_bound(patch_.rim.begin(), patch_.rim.end(), v) -
                                    patch_.rim.begin());
     };
-    for (const RimSide& s : sides_) rim_.emplace_back(index(s.to), index(s.from));
+    co_await worked(sides_.size() / 4);
+    for (const RimSide& s : sides_) {
+      rim_.emplace_back(index(s.to), index(s.from));
+      co_await worked(1);
+    }
+    co_return Done{};
   }
 
   void measure_depths() {
@@ -329,9 +332,9 @@ class WallMaker {
   Resumable<Status> triangulate(const Side& side, const Vec3& here) {
     const auto triangles = co_await ChartRegion(side.placed, side.edges, SideChart::kSize).triangles();
     if (!triangles) co_return left_open("the rim crosses itself", here);
-    co_await worked(triangles->size());
     if (meet_twice(*triangles, side.placed.size()))
       co_return left_open("the wall is so narrow that its edges meet", here);
+    co_await worked(triangles->size() / 8);
     // The chart may map more than a point to one place, which vertices that come for the shape alone can
     // avoid.
     for (const bool graded : {true, false}) {

@@ -19,10 +19,11 @@ struct PatchFault {
 
 // Whether every side of the patch has exactly one other face: another one of the patch, or the one beyond a
 // side of the rim, and every side of the rim is one of the patch. Nothing if so. O(n log n).
-std::optional<PatchFault> fault_of(const WallPatch& patch, std::span<const PatchSide> rim);
+Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim);
 
 // Fills in which connected wall the faces and the sides of the rim are in. `sides` are those beyond `rim`.
 // Precondition: the patch has no fault.
-void tell_walls_apart(WallPatch& patch, std::span<const PatchSide> rim, std::span<const RimSide> sides);
+Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> rim,
+                                 std::span<const RimSide> sides);
 
 }  // namespace kerf

@@ -28,6 +28,7 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
                    Deviation deviation, double most)
     : vertices_(std::move(vertices)),
       across_(triangles.size(), {kNone, kNone, kNone}),
+      is_pinched_(vertices_.size()),
       width_(width),
       deviation_(std::move(deviation)),
       most_(most),
@@ -37,11 +38,16 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
     x_.push_back(t.x);
   }
   const SideIndex sides(triangles_, vertices_.size());
+  std::vector<bool> starts_boundary(vertices_.size());
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     for (uint32_t i = 0; i < 3; ++i) {
       const uint32_t from = triangles_[t][i], to = triangles_[t][(i + 1) % 3];
-      edges_.insert(key(from, to));
-      if (const SideIndex::Side* const other = sides.find(to, from)) across_[t][i] = other->triangle;
+      if (const SideIndex::Side* const other = sides.find(to, from)) {
+        across_[t][i] = other->triangle;
+      } else {
+        is_pinched_[from] = starts_boundary[from];
+        starts_boundary[from] = true;
+      }
     }
   }
 }
@@ -123,10 +129,33 @@ std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
   return edges;
 }
 
-uint64_t WallMesh::key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+// Whether a triangle of the fan around `from` that this triangle is in has the corner `to`.
+bool WallMesh::has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const {
+  const auto contains = [&](uint32_t t) {
+    return std::find(triangles_[t].begin(), triangles_[t].end(), to) != triangles_[t].end();
+  };
+  // Counter-clockwise, and where that comes to the boundary, clockwise.
+  uint32_t t = triangle;
+  do {
+    if (contains(t)) return true;
+    t = across_[t][(side_from(t, from) + 2) % 3];
+  } while (t != kNone && t != triangle);
+  if (t == triangle) return false;
+  for (t = across_[triangle][side_from(triangle, from)]; t != kNone; t = across_[t][side_from(t, from)]) {
+    if (contains(t)) return true;
+  }
+  return false;
+}
+
+// Whether the opposite corners of two triangles have an edge in common, or it would be hard to tell: each has
+// several fans.
+bool WallMesh::may_be_joined(const Quad& q) const {
+  if (q.c == q.d) return true;
+  if (!is_pinched_[q.c]) return has_edge_to(q.left, q.c, q.d);
+  return is_pinched_[q.d] || has_edge_to(q.right, q.d, q.c);
+}
 
 bool WallMesh::should_flip(const Quad& q) {
-  if (q.c == q.d || edges_.contains(key(q.c, q.d))) return false;
   const auto y_from_a = [&](uint32_t v) { return vertices_[v].chart.y - vertices_[q.a].chart.y; };
   const ChartVertex b{q.xb - q.xa, y_from_a(q.b)}, c{q.xc - q.xa, y_from_a(q.c)},
       d{q.xd - q.xa, y_from_a(q.d)};
@@ -138,19 +167,18 @@ bool WallMesh::should_flip(const Quad& q) {
     return false;
   const double now = excess(q);
   const auto then = [&] { return std::max(deviation(q.c, q.xc, q.d, q.xd) - most_, 0.0); };
-  if (now > 0) return then() < kLeastGain * now;
+  if (now > 0) return !may_be_joined(q) && then() < kLeastGain * now;
   const auto corner = [&](uint32_t v) {
     const Vec3 to_a = vertices_[q.a].at - vertices_[v].at, to_b = vertices_[q.b].at - vertices_[v].at;
     return Vec2(glm::dot(to_a, to_b), glm::length(glm::cross(to_a, to_b)));  // cosine and sine, times lengths
   };
   const Vec2 at_c = corner(q.c), at_d = corner(q.d);
   const double sine_of_sum = at_c.x * at_d.y + at_c.y * at_d.x;
-  return sine_of_sum < -kFlipSlack * glm::length(at_c) * glm::length(at_d) && then() == 0;
+  if (!(sine_of_sum < -kFlipSlack * glm::length(at_c) * glm::length(at_d))) return false;
+  return !may_be_joined(q) && then() == 0;
 }
 
 void WallMesh::flip(const Quad& q) {
-  edges_.erase(key(q.a, q.b));
-  edges_.insert(key(q.c, q.d));
   set(q.left, {{q.a, q.d, q.c}, {q.xa, q.xd, q.xc}}, {q.beyond[2], q.right, q.beyond[1]},
       {q.known[2], -1, q.known[1]});
   set(q.right, {{q.d, q.b, q.c}, {q.xd, q.xb, q.xc}}, {q.beyond[3], q.beyond[0], q.left},
@@ -204,8 +232,7 @@ void WallMesh::split(const Quad& q, const Vec3& at) {
   const auto m = static_cast<uint32_t>(vertices_.size());
   const auto third = static_cast<uint32_t>(triangles_.size()), fourth = third + 1;
   vertices_.push_back({at, place});
-  edges_.erase(key(q.a, q.b));
-  for (const uint32_t v : {q.a, q.b, q.c, q.d}) edges_.insert(key(v, m));
+  is_pinched_.push_back(false);
   triangles_.resize(fourth + 1);
   x_.resize(fourth + 1);
   across_.resize(fourth + 1);
@@ -250,10 +277,13 @@ Resumable<Done> WallMesh::refine(const Middle& middle) {
 }
 
 bool WallMesh::has_edge_below(double length) const {
-  const std::vector<Edge> edges = inner_edges();
-  return std::any_of(edges.begin(), edges.end(), [&](const Edge& e) {
-    return glm::length(vertices_[e.to].at - vertices_[e.from].at) < length;
-  });
+  for (uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (uint32_t i = 0; i < 3; ++i) {
+      const Vec3 way = vertices_[triangles_[t][(i + 1) % 3]].at - vertices_[triangles_[t][i]].at;
+      if (across_[t][i] != kNone && t < across_[t][i] && glm::length(way) < length) return true;
+    }
+  }
+  return false;
 }
 
 Resumable<Done> WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,

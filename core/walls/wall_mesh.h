@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
 #include "core/base/result.h"
@@ -88,7 +87,8 @@ class WallMesh {
   void set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across,
            const std::array<double, 3>& known);
   double excess(const Quad& q);
-  static uint64_t key(uint32_t a, uint32_t b);
+  bool has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const;
+  bool may_be_joined(const Quad& q) const;
   bool should_flip(const Quad& q);
   void flip(const Quad& q);
   size_t most_flips() const;
@@ -110,7 +110,7 @@ class WallMesh {
   std::vector<Corners> triangles_;
   std::vector<std::array<int64_t, 3>> x_;        // by triangle: of its corners
   std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: the triangle beyond
-  std::unordered_set<uint64_t> edges_;           // never iterated
+  std::vector<uint8_t> is_pinched_;              // by vertex: it has several fans of triangles
   int64_t width_;
   Deviation deviation_;
   double most_;  // m

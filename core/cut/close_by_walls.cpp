@@ -31,7 +31,7 @@ Resumable<Result<std::vector<FaceId>>> WallClosing::close() {
                           [this](const Vec3& p, const Vec3& direction) { return winding(p, direction); }};
   const Result<WallPatch> patch = co_await make_walls(mesh(), sides_, stroke);
   if (!patch) co_return patch.error();
-  if (touches_ring(*patch)) co_return failed("more than two faces share an edge at the rim");
+  if (co_await touches_ring(*patch)) co_return failed("more than two faces share an edge at the rim");
   if (joins_pieces(*patch)) co_return failed("a wall would join two pieces");
   co_await worked(kPartOfWork);
   co_return co_await add(*patch);
@@ -50,12 +50,14 @@ int WallClosing::winding(const Vec3& p, const Vec3& direction) const {
 }
 
 // Whether a wall would touch an edge that three or more faces share.
-bool WallClosing::touches_ring(const WallPatch& patch) const {
+Resumable<bool> WallClosing::touches_ring(const WallPatch& patch) const {
   Mesh::Star star;
-  return std::any_of(patch.rim.begin(), patch.rim.end(), [&](VertexId v) {
+  for (const VertexId v : patch.rim) {
     mesh().star(v, star);
-    return !star.alone;
-  });
+    if (!star.alone) co_return true;
+    co_await worked(1);
+  }
+  co_return false;
 }
 
 // Whether faces of two pieces are beside one wall.
@@ -84,6 +86,7 @@ Resumable<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
     co_await worked(4 * added.size());
   }
   while (!rim_->step.edit.part_fans(addition, kTogether)) co_await worked(kTogether / 2);
+  co_await worked(kPartOfWork);
   is_adding_ = false;
   std::vector<FaceId> seeds;
   for (size_t i = 0; i < sides_.size(); ++i) {

@@ -43,7 +43,7 @@ class WallClosing {
   bool is_ear(std::span<const RimSide> of_face) const;
   void remove(std::vector<FaceId> faces);
   int winding(const Vec3& p, const Vec3& direction) const;
-  bool touches_ring(const WallPatch& patch) const;
+  Resumable<bool> touches_ring(const WallPatch& patch) const;
   bool joins_pieces(const WallPatch& patch) const;
   Resumable<std::vector<FaceId>> add(const WallPatch& patch);
   const Mesh& mesh() const;

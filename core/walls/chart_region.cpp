@@ -60,14 +60,13 @@ class Polygons {
     around_.resize(halves_.size());
     std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
     for (uint32_t h = 0; h < halves_.size(); ++h) around_[next[halves_[h].from]++] = h;
-    for (size_t v = 0; v < vertices.size(); ++v) {
-      std::sort(around_.begin() + first_[v], around_.begin() + first_[v + 1],
-                [&](uint32_t a, uint32_t b) { return turns_before(halves_[a], halves_[b]); });
-      for (uint32_t i = first_[v]; i < first_[v + 1]; ++i) halves_[around_[i]].place = i;
-    }
   }
 
   Resumable<bool> append_triangles_of_all(std::vector<ChartTriangle>& out) {
+    for (uint32_t v = 0; v < vertices_.size(); ++v) {
+      sort_around(v);
+      co_await worked(1);
+    }
     std::vector<bool> used(halves_.size());
     std::vector<PolygonCorner> polygon;
     for (uint32_t start = 0; start < halves_.size(); ++start) {
@@ -82,7 +81,7 @@ class Polygons {
         x += halves_[h].dx;
         h = after(h);
       } while (h != start);
-      co_await worked(polygon.size());
+      co_await worked(polygon.size() / 2 + 1);
       if (x != polygon.front().x || !append_triangles(polygon, out)) co_return false;
     }
     co_return true;
@@ -102,6 +101,12 @@ class Polygons {
     const int64_t dy = vertices_[e.to].y - vertices_[e.from].y;
     halves_.push_back({e.from, e.to, e.dx, dy, inside, 0});
     halves_.push_back({e.to, e.from, -e.dx, -dy, back_inside, 0});
+  }
+
+  void sort_around(uint32_t v) {
+    std::sort(around_.begin() + first_[v], around_.begin() + first_[v + 1],
+              [&](uint32_t a, uint32_t b) { return turns_before(halves_[a], halves_[b]); });
+    for (uint32_t i = first_[v]; i < first_[v + 1]; ++i) halves_[around_[i]].place = i;
   }
 
   static bool in_upper_half(const Half& h) { return h.dy > 0 || (h.dy == 0 && h.dx > 0); }
@@ -138,7 +143,7 @@ Resumable<std::optional<std::vector<ChartTriangle>>> ChartRegion::triangles() co
   if (winding.least < 0 || winding.largest > 1 || winding.above != 0) co_return std::nullopt;
   std::vector<ChartTriangle> triangles;
   Polygons polygons(vertices_, edges_, sweep.diagonals());
-  co_await worked(4 * vertices_.size());
+  co_await worked(vertices_.size() / 8);
   if (!co_await polygons.append_triangles_of_all(triangles)) co_return std::nullopt;
   co_return triangles;
 }

@@ -25,10 +25,6 @@ ChartSweep::ChartSweep(std::span<const ChartVertex> vertices, std::span<const Ch
   for (uint32_t v = 0; v < vertices.size(); ++v) {
     if (ending_[v] > 0 || first_[v + 1] > first_[v]) order_.push_back(v);
   }
-  std::sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
-    const ChartVertex &p = vertices[a], &q = vertices[b];
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-  });
 }
 
 void ChartSweep::note(int winding) {
@@ -52,7 +48,12 @@ bool ChartSweep::fail_at(uint32_t v, size_t first, size_t end) {
 }
 
 Resumable<bool> ChartSweep::run() {
-  co_await worked(4 * order_.size());
+  co_await worked(order_.size() / 8);
+  std::sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
+    const ChartVertex &p = vertices_[a], &q = vertices_[b];
+    return p.x != q.x ? p.x < q.x : p.y < q.y;
+  });
+  co_await worked(order_.size() / 8);
   for (size_t i = 0; i + 1 < order_.size(); ++i) {
     const ChartVertex &a = vertices_[order_[i]], &b = vertices_[order_[i + 1]];
     if (a.x == b.x && a.y == b.y) {

@@ -33,6 +33,13 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
       deviation_(std::move(deviation)),
       most_(most),
       known_(triangles.size(), kUnknown) {
+  // Lists that grow by so much make long pauses.
+  constexpr size_t kRoom = 4;
+  vertices_.reserve(kRoom * vertices_.size());
+  triangles_.reserve(kRoom * triangles.size());
+  x_.reserve(kRoom * triangles.size());
+  across_.reserve(kRoom * triangles.size());
+  known_.reserve(kRoom * triangles.size());
   for (const ChartTriangle& t : triangles) {
     triangles_.push_back(t.corners);
     x_.push_back(t.x);
@@ -42,6 +49,7 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     for (uint32_t i = 0; i < 3; ++i) {
       const uint32_t from = triangles_[t][i], to = triangles_[t][(i + 1) % 3];
+      has_wide_edge_ = has_wide_edge_ || is_wide(x_[t][i], x_[t][(i + 1) % 3]);
       if (const SideIndex::Side* const other = sides.find(to, from)) {
         across_[t][i] = other->triangle;
       } else {
@@ -148,9 +156,10 @@ bool WallMesh::has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const 
 }
 
 // Whether the opposite corners of two triangles have an edge in common, or it would be hard to tell: each has
-// several fans.
+// several fans. In the chart no edge lies within the two triangles, so that it goes around the other way.
 bool WallMesh::may_be_joined(const Quad& q) const {
   if (q.c == q.d) return true;
+  if (!has_wide_edge_ && !is_wide(q.xc, q.xd)) return false;
   if (!is_pinched_[q.c]) return has_edge_to(q.left, q.c, q.d);
   return is_pinched_[q.d] || has_edge_to(q.right, q.d, q.c);
 }
@@ -179,6 +188,7 @@ bool WallMesh::should_flip(const Quad& q) {
 }
 
 void WallMesh::flip(const Quad& q) {
+  has_wide_edge_ = has_wide_edge_ || is_wide(q.xc, q.xd);
   set(q.left, {{q.a, q.d, q.c}, {q.xa, q.xd, q.xc}}, {q.beyond[2], q.right, q.beyond[1]},
       {q.known[2], -1, q.known[1]});
   set(q.right, {{q.d, q.b, q.c}, {q.xd, q.xb, q.xc}}, {q.beyond[3], q.beyond[0], q.left},

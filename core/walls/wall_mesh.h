@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <span>
@@ -88,6 +89,7 @@ class WallMesh {
            const std::array<double, 3>& known);
   double excess(const Quad& q);
   bool has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const;
+  bool is_wide(int64_t from, int64_t to) const { return 2 * std::abs(to - from) >= width_; }
   bool may_be_joined(const Quad& q) const;
   bool should_flip(const Quad& q);
   void flip(const Quad& q);
@@ -112,6 +114,7 @@ class WallMesh {
   std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: the triangle beyond
   std::vector<uint8_t> is_pinched_;              // by vertex: it has several fans of triangles
   int64_t width_;
+  bool has_wide_edge_ = false;  // that goes at least half around
   Deviation deviation_;
   double most_;  // m
   // By triangle and side: how far it deviates (m); negative where that is not known yet.

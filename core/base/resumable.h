@@ -18,7 +18,7 @@ struct Worked {
   size_t units;
 };
 inline Worked worked(size_t units) { return {units}; }
-inline constexpr size_t kPartOfWork = 2000;
+inline constexpr size_t kPartOfWork = 1500;
 
 // The computations that wait for each other, the innermost last, and what they have done since the last pause.
 struct WaitingComputations {

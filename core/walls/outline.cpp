@@ -168,7 +168,7 @@ struct Box {
 
 // The pieces of the outline in no order. Of two regions, the later one leaves to the earlier one what they
 // have in common.
-std::vector<OutlinePiece> pieces_of_outline(std::span<const DiscMove> moves, double radius) {
+Resumable<std::vector<OutlinePiece>> pieces_of_outline(std::span<const DiscMove> moves, double radius) {
   std::vector<Box> boxes;
   for (const DiscMove& m : moves)
     boxes.push_back(
@@ -189,8 +189,9 @@ std::vector<OutlinePiece> pieces_of_outline(std::span<const DiscMove> moves, dou
         append_covered(side, moves[k], radius * (k < i ? 1 + kDepth : 1 - kDepth), covered);
       append_uncovered(side, covered, kLeastPiece * radius, pieces);
     }
+    co_await worked(4 + moves.size() / 64 + 2 * near.size());
   }
-  return pieces;
+  co_return pieces;
 }
 
 // Chains pieces, each to the one that starts nearest to its end.
@@ -238,9 +239,10 @@ Vec2 OutlinePiece::at(double share) const {
   return radius > 0 ? on_circle(centre, radius, angle + share * turn) : from + share * (to - from);
 }
 
-std::vector<OutlineCurve> outline_of(std::span<const DiscMove> moves, double radius) {
+Resumable<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius) {
   KERF_ASSERT(radius > 0);
-  return chain(pieces_of_outline(moves, radius), radius);
+  const std::vector<OutlinePiece> pieces = co_await pieces_of_outline(moves, radius);
+  co_return chain(pieces, radius);
 }
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/resumable.h"
 #include "core/base/vec3.h"
 
 namespace kerf {
@@ -37,6 +38,6 @@ struct OutlineCurve {
 // region, what no other region covers, chained to closed curves. What several of them have in common belongs
 // to the first one. Features smaller than 1e-4 radii are lost. Returns no curve where the chain does not
 // close. O(n^2) boxes are compared, and the intersections of those that meet computed.
-std::vector<OutlineCurve> outline_of(std::span<const DiscMove> moves, double radius);
+Resumable<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius);
 
 }  // namespace kerf

@@ -175,7 +175,8 @@ Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil,
       slice.depth += (depths.high - depths.low) * static_cast<double>(s) / static_cast<double>(slices - 1);
     if (!pencil.parallel() && !(slice.depth > radius)) co_return std::nullopt;
     for (size_t i = 0; i < moves.size(); ++i) discs[i] = pencil.at_depth(moves[i], slice.depth);
-    for (OutlineCurve& outline : outline_of(discs, radius)) {
+    std::vector<OutlineCurve> outlines = co_await outline_of(discs, radius);
+    for (OutlineCurve& outline : outlines) {
       if (!pencil.parallel() && outline.length < kLeastCurve * radius) continue;
       Curve curve;
       curve.set_outline(std::move(outline));
@@ -185,7 +186,7 @@ Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil,
         slice.curves.size() != (s > 0 ? chart.slices_[0].curves.size() : slice.curves.size()))
       co_return std::nullopt;
     chart.slices_.push_back(std::move(slice));
-    co_await worked(moves.size() * (8 + moves.size() / 16));
+    co_await worked(moves.size());
   }
   if (slices > 1 && !set_landmarks(chart.slices_)) co_return std::nullopt;
   co_return chart;

@@ -239,13 +239,14 @@ class RimBite {
     if (!again) go_to(Stage::kCloseByWalls);
   }
 
-  // Returns whether the body is closed or stays open.
+  // Returns whether the body is closed or stays open. The search that follows is in a step of its own.
   bool close(RimState& rim, const Sweep& sweep) {
     if (!rim.step.body().solid) return true;
     if (!work_.closing)
       work_.closing = std::make_shared<WallClosing>(moves_in_body(rim.step.body().placement, sweep));
     taken_ += kPartOfWork;
     if (!work_.closing->go_on(rim)) return false;
+    taken_ += settings_.bite - std::min(taken_, settings_.bite);
     const Result<std::vector<FaceId>> walls = work_.closing->take_walls();
     if (!walls) {
       left_open_.push_back({rim.step.id, walls.error().message});

@@ -55,14 +55,11 @@ class Polygons {
       : vertices_(vertices), first_(vertices.size() + 1) {
     for (const ChartEdge& e : edges) add(e, true, false);
     for (const ChartEdge& e : diagonals) add(e, true, true);
-    for (const Half& h : halves_) ++first_[h.from + 1];
-    for (size_t v = 0; v < vertices.size(); ++v) first_[v + 1] += first_[v];
-    around_.resize(halves_.size());
-    std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
-    for (uint32_t h = 0; h < halves_.size(); ++h) around_[next[halves_[h].from]++] = h;
   }
 
   Resumable<bool> append_triangles_of_all(std::vector<ChartTriangle>& out) {
+    co_await worked(halves_.size() / 16);
+    list_by_vertex();
     for (uint32_t v = 0; v < vertices_.size(); ++v) {
       sort_around(v);
       co_await worked(1);
@@ -101,6 +98,14 @@ class Polygons {
     const int64_t dy = vertices_[e.to].y - vertices_[e.from].y;
     halves_.push_back({e.from, e.to, e.dx, dy, inside, 0});
     halves_.push_back({e.to, e.from, -e.dx, -dy, back_inside, 0});
+  }
+
+  void list_by_vertex() {
+    for (const Half& h : halves_) ++first_[h.from + 1];
+    for (size_t v = 0; v < vertices_.size(); ++v) first_[v + 1] += first_[v];
+    around_.resize(halves_.size());
+    std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
+    for (uint32_t h = 0; h < halves_.size(); ++h) around_[next[halves_[h].from]++] = h;
   }
 
   void sort_around(uint32_t v) {

@@ -19,6 +19,8 @@ constexpr double kBesideEnd = 1.0 / 16;
 // A flip makes no triangle that is this flat, in units of the chart: an edge whose middle is a vertex, but
 // for rounding, would come back.
 constexpr int64_t kFlattest = 2;
+// Lists begin with room for so many times what is in them: to copy one that grows would be a long pause.
+constexpr size_t kRoom = 4;
 // The angles must exceed pi by more than what rounding does.
 constexpr double kFlipSlack = 1e-9;
 
@@ -33,8 +35,6 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
       deviation_(std::move(deviation)),
       most_(most),
       known_(triangles.size(), kUnknown) {
-  // Lists that grow by so much make long pauses.
-  constexpr size_t kRoom = 4;
   vertices_.reserve(kRoom * vertices_.size());
   triangles_.reserve(kRoom * triangles.size());
   x_.reserve(kRoom * triangles.size());
@@ -219,6 +219,8 @@ std::vector<WallMesh::Edge> WallMesh::flip_from(std::vector<Edge> waiting) {
 
 Resumable<std::vector<WallMesh::Edge>> WallMesh::flip_in_parts(std::vector<Edge> waiting) {
   std::vector<Edge> made;
+  waiting.reserve(kRoom * waiting.size());
+  made.reserve(kRoom * waiting.size());
   for (const size_t most = most_flips(); !waiting.empty() && made.size() < most;) {
     flip_last(waiting, made);
     co_await worked(1);

@@ -86,16 +86,12 @@ Resumable<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
     co_await worked(4 * added.size());
   }
   while (!rim_->step.edit.part_fans(addition, kTogether)) co_await worked(kTogether / 2);
-  co_await worked(kPartOfWork);
-  is_adding_ = false;
-  std::vector<FaceId> seeds;
   for (size_t i = 0; i < sides_.size(); ++i) {
-    seeds.push_back(sides_[i].face);
+    co_await worked(1);
     rim_->step.edit.join_parts(sides_[i].face, patch.beside_wall[patch.wall_of_side[i]]);
   }
-  std::sort(seeds.begin(), seeds.end());
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  rim_->step.edit.search_from(seeds);
+  is_adding_ = false;
+  rim_->step.edit.search_from(patch.beside_wall);  // all that is beside a wall hangs together by it
   co_return walls;
 }
 

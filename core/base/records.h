@@ -173,9 +173,10 @@ class Records {
   }
 
   // Undoes the change as an edit, which an open change records. Precondition: the array is as the change left
-  // it or grew since.
+  // it or grew since; it may be a copy, which lacks what lies beyond the end.
   void restore(const Change& change) {
-    assert(change.size_ <= used_);
+    reserve(change.size_);
+    used_ = std::max(used_, change.size_);
     // Records beyond the new end are saved here, because growing again overwrites them without saving.
     const uint32_t end = std::min(size_, remembered_);
     for (uint32_t i = change.size_; i < end; i += kPage - i % kPage) save_page(i / kPage);

@@ -79,6 +79,8 @@ TEST(Records, restore_an_older_state_as_an_edit_that_can_be_taken_back) {
     const auto before = content(records);
     records.begin_change();
     change_at_random(records, random);
+    records.grow_to(records.size() + static_cast<uint32_t>(random.below(2 * Records<Record>::kSmall)));
+    change_at_random(records, random);
     auto first = records.end_change();
     const auto between = content(records);
 
@@ -95,7 +97,11 @@ TEST(Records, restore_an_older_state_as_an_edit_that_can_be_taken_back) {
     records.exchange(third);
     ASSERT_EQ(content(records), after);
 
-    Records<Record> copy = records;
+    Records<Record> copy = records, other = records;
+    other.restore(second);
+    ASSERT_EQ(content(other), between);
+    other.restore(first);
+    ASSERT_EQ(content(other), before);
     records.exchange(second);
     ASSERT_EQ(content(records), between);
     records.exchange(second);

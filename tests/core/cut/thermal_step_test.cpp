@@ -130,6 +130,28 @@ TEST(ThermalStep, lets_all_energy_escape_where_the_beam_meets_nothing) {
 }
 
 // The first wall has to be pierced before the second one gets anything; then it is.
+// The plate reaches from -0.05 m to 0.05 m.
+TEST(ThermalStep, tells_for_how_long_the_beam_met_a_face_and_how_deep_it_got) {
+  const auto cut = [](double power, std::vector<BeamMove> moves) {
+    World world = plates({0});
+    return cut_whole(world, thermal(0.002, power), moves)->statistics;
+  };
+  const auto across = [](double from, double to, double seconds) {
+    return BeamMove{{{from, 1, 0}, {0, -1, 0}}, {{to, 1, 0}, {0, -1, 0}}, seconds};
+  };
+  EXPECT_EQ(cut(100, {across(0.2, 0.3, 1)}).met_s, 0);
+  EXPECT_NEAR(cut(100, {across(-0.1, 0.1, 1)}).met_s, 0.5, 0.08);
+  const StepStatistics weak = cut(100, {across(-0.04, 0.04, 1)});
+  EXPECT_NEAR(weak.met_s, 1, 1e-9);
+  EXPECT_GT(weak.depth_s, 0);
+  EXPECT_LT(weak.depth_s, 0.5);
+  const StepStatistics weaker = cut(50, {across(-0.04, 0.04, 1)});
+  EXPECT_LT(weaker.depth_s, weak.depth_s);
+  // It gets through where it goes slowly, and no more once it goes fast.
+  const StepStatistics both = cut(4000, {across(-0.04, -0.03, 0.5), across(-0.03, 0.04, 0.02)});
+  EXPECT_NEAR(both.depth_s, cut(4000, {across(-0.04, -0.03, 0.5)}).depth_s, 0.5 * 0.02);
+}
+
 TEST(ThermalStep, gets_through_the_first_wall_before_it_heats_the_second) {
   const CutSettings settings = thermal(0.001, 3000);
   bool shielded = false, pierced = false;

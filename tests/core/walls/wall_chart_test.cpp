@@ -23,6 +23,24 @@ std::vector<BeamMove> zigzag(Random& random, bool from_apex) {
   return moves;
 }
 
+TEST(WallChart, lists_corners_in_the_order_of_their_places) {
+  for (uint64_t seed = 1; seed <= runs(50); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const std::vector<BeamMove> moves = zigzag(random, seed % 2 == 0);
+    const auto pencil = BeamPencil::of(moves, 0.05);
+    ASSERT_TRUE(pencil);
+    const auto chart = at_once(WallChart::make(*pencil, moves, 0.05, {3.5, 4.5}));
+    for (uint32_t c = 0; chart && c < chart->curves(); ++c) {
+      const std::vector<double> corners = chart->corners(c, 0.1);
+      ASSERT_GE(corners.size(), 3u);
+      EXPECT_GE(corners.front(), 0);
+      EXPECT_LT(corners.back(), chart->period(c));
+      for (size_t i = 1; i < corners.size(); ++i) EXPECT_LT(corners[i - 1], corners[i]);
+    }
+  }
+}
+
 // Points on the boundary are found at their own place, wherever along the outline that is.
 TEST(WallChart, finds_the_place_of_each_of_its_points) {
   size_t tried = 0;

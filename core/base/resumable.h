@@ -20,7 +20,8 @@ struct Worked {
 inline Worked worked(size_t units) { return {units}; }
 inline constexpr size_t kPartOfWork = 1500;
 
-// The computations that wait for each other, the innermost last, and what they have done since the last pause.
+// The computations that wait for each other, the innermost last, and what they have done since the last
+// pause.
 struct WaitingComputations {
   std::vector<std::coroutine_handle<>> waiting;
   size_t units = 0;
@@ -35,9 +36,9 @@ struct WaitingComputations {
 };
 
 // A computation that is done in parts and yields a T: a coroutine that says what it has worked, waits for
-// others of its kind by `co_await other(...)`, and ends by `co_return value`. It begins with the first call of
-// go_on(); what its arguments refer to must live until it is over. Its result does not depend on when it is
-// resumed. An exception leaves go_on(), which must not be called again then.
+// others of its kind by `co_await other(...)`, and ends by `co_return value`. It begins with the first call
+// of go_on(); what its arguments refer to must live until it is over. Its result does not depend on when it
+// is resumed. An exception leaves go_on(), which must not be called again then.
 template <typename T>
 class [[nodiscard]] Resumable {
  public:

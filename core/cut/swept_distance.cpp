@@ -68,8 +68,7 @@ double SweptDistance::operator()(const Vec3& p) const {
     if (visit.at_least >= least) continue;
     const Node& node = nodes_[visit.node];
     if (node.halves == 0) {
-      for (size_t i = node.first; i < node.end; ++i)
-        least = std::min(least, parts_[i].signed_distance(p));
+      for (size_t i = node.first; i < node.end; ++i) least = std::min(least, parts_[i].signed_distance(p));
       continue;
     }
     Visit nearer{at_least(nodes_[node.halves], p), node.halves};

@@ -58,8 +58,7 @@ HalfEdgeId FaceAddition::side(Mesh::Kernel& kernel, uint32_t from, uint32_t to) 
 // side, and the vertex leads to a fan.
 void FaceAddition::link_boundaries(Mesh::Kernel& kernel, uint32_t v) const {
   HalfEdges& m = kernel.half_edges;
-  if (!m.outgoing(vertices_[v]).valid())
-    m.set_outgoing(vertices_[v], entries_[chains_[v].first].half_edge);
+  if (!m.outgoing(vertices_[v]).valid()) m.set_outgoing(vertices_[v], entries_[chains_[v].first].half_edge);
   for_each_at(v, [&](HalfEdgeId h) {
     const HalfEdgeId boundary = opposite(h);
     if (m.face(boundary).valid()) return;

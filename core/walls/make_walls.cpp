@@ -12,12 +12,12 @@
 #include "core/walls/boundary_part.h"
 #include "core/walls/chart_region.h"
 #include "core/walls/patch_check.h"
-#include "core/walls/side_chart.h"
 #include "core/walls/side_index.h"
 #include "core/walls/untangle.h"
 #include "core/walls/wall_cap.h"
 #include "core/walls/wall_chart.h"
 #include "core/walls/wall_mesh.h"
+#include "core/walls/wall_side.h"
 
 namespace kerf {
 
@@ -26,8 +26,6 @@ namespace {
 // How far a vertex of the rim may lie from the outline, relative to the radius: by the errors that the rim
 // may have, and for beams through an apex also by what the inclined beam's ellipse differs from a circle.
 constexpr double kReachParallel = 0.03, kReachFan = 0.3;
-// Two corners of the end of a wall, as seen from the middle of an arc: their chord lies kRimChord from it.
-constexpr double kTurnOfEnd = 0.0979;
 // A triangle that is cut off the rim is no higher, relative to the radius.
 constexpr double kHighestCut = 0.03;
 // How far from the ends of the range a vertex that is not at a corner stays in the chart, relative to the
@@ -62,7 +60,8 @@ class WallMaker {
     measure_depths();
     ends_ = range_ends(*pencil_, stroke_.moves, stroke_.range, stroke_.radius);
     chart_ = co_await WallChart::make(*pencil_, stroke_.moves, stroke_.radius, depths_);
-    if (!chart_) co_return left_open("the sides of the beam at different depths do not correspond", rim_at(0));
+    if (!chart_)
+      co_return left_open("the sides of the beam at different depths do not correspond", rim_at(0));
     if (const Status placed = co_await place_rim(); !placed) co_return placed.error();
     for (uint32_t c = 0; c < chart_->curves(); ++c) {
       if (const Status made = co_await make_side(c); !made) co_return made.error();
@@ -82,9 +81,8 @@ class WallMaker {
     const auto rim = static_cast<uint32_t>(patch_.rim.size());
     return i < rim ? rim_at(i) : patch_.added[i - rim];
   }
-  uint32_t add(const Vec3& p, const WallChart::Place& place = {}) {
+  uint32_t add(const Vec3& p) {
     patch_.added.push_back(p);
-    places_.push_back(place);
     return static_cast<uint32_t>(patch_.rim.size() + patch_.added.size() - 1);
   }
 
@@ -157,133 +155,60 @@ class WallMaker {
     if (on_end == BoundaryPart::kHighEnd) places_[i].depth = *ends_.high;
   }
 
-  // What the rim does on one side of the beam, i.e. around one curve of its outline.
+  // A side, and its vertices in the patch, of which those of the rim come first.
   struct Side {
-    uint32_t curve;
-    SideChart chart;
-    std::vector<uint32_t> of_patch;   // vertices by local number; those of the rim come first
-    std::vector<ChartVertex> placed;  // by local number
-    std::vector<ChartEdge> edges;
+    WallSide wall;
+    std::vector<uint32_t> of_patch;
   };
-
-  void place_vertices(Side& side, Interval depths) const {
-    side.chart = SideChart(*chart_, side.curve, depths);
-    side.placed.clear();
-    for (const uint32_t i : side.of_patch)
-      side.placed.push_back(side.chart.place(places_[i].around, places_[i].depth));
-  }
 
   // The vertices and the edges of the rim around a curve.
   Result<Side> side_of(uint32_t curve) const {
-    Side side{curve, SideChart(*chart_, curve, depths_), {}, {}, {}};
+    Side side{WallSide(*chart_, curve, depths_), {}};
     std::vector<uint32_t> local(patch_.rim.size());
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
       if (places_[i].curve != curve) continue;
-      local[i] = static_cast<uint32_t>(side.of_patch.size());
+      local[i] = side.wall.add_vertex(places_[i]);
       side.of_patch.push_back(i);
     }
-    place_vertices(side, depths_);
     for (const auto& [from, to] : rim_on_sides_) {
       if (places_[from].curve != places_[to].curve)
         return left_open("the rim crosses from one side of the beam to another", rim_at(from));
-      if (places_[from].curve != curve) continue;
-      const ChartVertex &a = side.placed[local[from]], &b = side.placed[local[to]];
-      side.edges.push_back({local[from], local[to], SideChart::x_between(a, b)});
+      if (places_[from].curve == curve) side.wall.add_edge(local[from], local[to]);
     }
     return side;
   }
 
-  uint32_t add_end_vertex(Side& side, double around, double depth) {
-    const WallChart::Place place{side.curve, around, depth};
-    side.of_patch.push_back(add(chart_->point_at(place), place));
-    side.placed.push_back(side.chart.place(around, depth));
-    return static_cast<uint32_t>(side.placed.size() - 1);
+  // Adds the vertices along the ends to the patch.
+  void add_new_vertices(Side& side) {
+    for (size_t i = side.of_patch.size(); i < side.wall.places().size(); ++i)
+      side.of_patch.push_back(add(chart_->point_at(side.wall.places()[i])));
   }
 
-  // Adds an edge along an end, and the side of the cap beyond it. The wall lies on the left.
-  void add_end_edge(Side& side, uint32_t from, uint32_t to, bool is_high) {
-    int64_t dx = side.placed[to].x - side.placed[from].x;
-    if (is_high && dx <= 0) dx += SideChart::kSize;
-    if (!is_high && dx >= 0) dx -= SideChart::kSize;
-    side.edges.push_back({from, to, dx});
-    (is_high ? high_end_ : low_end_).emplace_back(side.of_patch[to], side.of_patch[from]);
-  }
-
-  // Closes a side where the range of the beam ends in the solid all around.
-  void add_whole_end(Side& side, double depth, bool is_high) {
-    std::vector<uint32_t> ring;
-    for (const double around : chart_->corners(side.curve, kTurnOfEnd))
-      ring.push_back(add_end_vertex(side, around, depth));
-    if (!is_high) std::reverse(ring.begin(), ring.end());
-    for (size_t i = 0; i < ring.size(); ++i)
-      add_end_edge(side, ring[i], ring[(i + 1) % ring.size()], is_high);
-  }
-
-  // Closes a side where the range ends in the solid between vertices at which the rim leaves the side and
-  // comes back to it. Returns whether there are any; nothing where they do not match.
-  std::optional<bool> add_partial_end(Side& side, double depth, bool is_high) {
-    std::vector<int> balance(side.placed.size());
-    for (const ChartEdge& e : side.edges) {
-      ++balance[e.to];
-      --balance[e.from];
+  // What caps have to close beyond the side.
+  void note_caps(const Side& side) {
+    for (const bool is_high : {false, true}) {
+      for (const auto& [from, to] : side.wall.cap(is_high))
+        (is_high ? high_end_ : low_end_).emplace_back(side.of_patch[from], side.of_patch[to]);
     }
-    // Corners, at which the rim leaves the side (+1) or comes back to it (-1), and places between them (0).
-    struct Stop {
-      int64_t x;
-      int balance;
-      uint32_t vertex;
-      double around;
-    };
-    std::vector<Stop> ring;
-    for (uint32_t v = 0; v < balance.size(); ++v) {
-      if (balance[v] == 0 || places_[side.of_patch[v]].depth != depth) continue;
-      if (std::abs(balance[v]) != 1) return std::nullopt;
-      ring.push_back({side.placed[v].x, balance[v], v, 0});
-    }
-    if (ring.empty()) return false;
-    const auto corners = static_cast<std::ptrdiff_t>(ring.size());
-    for (const double around : chart_->corners(side.curve, kTurnOfEnd)) {
-      const int64_t x = side.chart.place(around, depth).x;
-      const bool is_taken =
-          std::any_of(ring.begin(), ring.begin() + corners, [&](const Stop& stop) { return stop.x == x; });
-      if (!is_taken) ring.push_back({x, 0, 0, around});
-    }
-    std::sort(ring.begin(), ring.end(), [](const Stop& a, const Stop& b) { return a.x < b.x; });
-    if (!is_high) std::reverse(ring.begin(), ring.end());
-    int open = 0;
-    for (size_t i = 0; i < ring.size(); ++i) {
-      open += ring[i].balance;
-      if (ring[i].balance != 1) continue;
-      uint32_t from = ring[i].vertex;
-      for (size_t k = (i + 1) % ring.size();; k = (k + 1) % ring.size()) {
-        const Stop& stop = ring[k];
-        if (stop.balance > 0) return std::nullopt;
-        const uint32_t to = stop.balance < 0 ? stop.vertex : add_end_vertex(side, stop.around, depth);
-        add_end_edge(side, from, to, is_high);
-        if (stop.balance < 0) break;
-        from = to;
-      }
-    }
-    if (open != 0) return std::nullopt;
-    return true;
   }
 
   // How often the part winds around the end of a side, as seen away from the beam.
   int winds_at(const Side& side, double depth, double sign) const {
-    const WallChart::Place& place = places_[side.of_patch.front()];
-    return stroke_.winding(chart_->point_at({side.curve, place.around, depth}), sign * pencil_->axis());
+    WallChart::Place place = side.wall.places().front();
+    place.depth = depth;
+    return stroke_.winding(chart_->point_at(place), sign * pencil_->axis());
   }
 
   Resumable<std::optional<ChartRegion::Winding>> untangle_side(Side& side) {
     std::vector<Vec3> positions;
     for (const uint32_t i : side.of_patch) positions.push_back(at(i));
-    RimInChart rim{side.placed, positions, std::move(side.edges), SideChart::kSize};
+    RimInChart rim{side.wall.placed(), positions, std::move(side.wall.edges()), SideChart::kSize};
     std::vector<std::array<uint32_t, 3>> cut_off;
     const std::function<bool(uint32_t, uint32_t)> joined = [&](uint32_t a, uint32_t b) {
       return are_joined(side.of_patch[a], side.of_patch[b]);
     };
     const auto winding = co_await untangle(rim, kHighestCut * stroke_.radius, joined, cut_off);
-    side.edges = std::move(rim.edges);
+    side.wall.edges() = std::move(rim.edges);
     append_faces(side.of_patch, cut_off);
     co_return winding;
   }
@@ -292,19 +217,23 @@ class WallMaker {
     Result<Side> found = side_of(curve);
     if (!found) co_return found.error();
     Side& side = *found;
-    co_await worked(side.edges.size());
-    if (side.edges.empty()) co_return Done{};
+    co_await worked(side.wall.edges().size());
+    if (side.wall.edges().empty()) co_return Done{};
     const Vec3 here = rim_at(side.of_patch.front());
     Interval depths = depths_;
     if (ends_.low && !low_end_.empty()) depths.low = *ends_.low;
     if (ends_.high && !high_end_.empty()) depths.high = *ends_.high;
-    place_vertices(side, depths);
-    const auto low = ends_.low ? add_partial_end(side, *ends_.low, false) : false;
-    const auto high = ends_.high ? add_partial_end(side, *ends_.high, true) : false;
+    side.wall.place_within(depths);
+    const auto low = ends_.low ? side.wall.close_between_corners(*ends_.low, false) : false;
+    const auto high = ends_.high ? side.wall.close_between_corners(*ends_.high, true) : false;
     if (!low || !high) co_return left_open("the rim does not match at an end of the beam's range", here);
+    add_new_vertices(side);
     const auto winding = co_await untangle_side(side);
     if (!winding) co_return left_open("the rim crosses itself", here);
-    if (side.edges.empty()) co_return Done{};
+    if (side.wall.edges().empty()) {
+      note_caps(side);
+      co_return Done{};
+    }
     const int below = -winding->least, above = winding->above + below;
     if (below > (*high ? 0 : 1) || above < 0 || above > (*low ? 0 : 1) || winding->largest + below > 1)
       co_return left_open("the part passes through itself", here);
@@ -316,9 +245,11 @@ class WallMaker {
       co_return left_open("the part is turned inside out, or not closed", here);
     if (below > 0) depths.high = *ends_.high;
     if (above > 0) depths.low = *ends_.low;
-    if (below + above > 0) place_vertices(side, depths);
-    if (below > 0) add_whole_end(side, *ends_.high, true);
-    if (above > 0) add_whole_end(side, *ends_.low, false);
+    if (below + above > 0) side.wall.place_within(depths);
+    if (below > 0) side.wall.close_all_around(*ends_.high, true);
+    if (above > 0) side.wall.close_all_around(*ends_.low, false);
+    add_new_vertices(side);
+    note_caps(side);
     co_return co_await triangulate(side, here);
   }
 
@@ -330,9 +261,10 @@ class WallMaker {
   }
 
   Resumable<Status> triangulate(const Side& side, const Vec3& here) {
-    const auto triangles = co_await ChartRegion(side.placed, side.edges, SideChart::kSize).triangles();
+    const auto triangles =
+        co_await ChartRegion(side.wall.placed(), side.wall.edges(), SideChart::kSize).triangles();
     if (!triangles) co_return left_open("the rim crosses itself", here);
-    if (meet_twice(*triangles, side.placed.size()))
+    if (meet_twice(*triangles, side.wall.placed().size()))
       co_return left_open("the wall is so narrow that its edges meet", here);
     co_await worked(triangles->size() / 8);
     // The chart may map more than a point to one place, which vertices that come for the shape alone can
@@ -353,18 +285,18 @@ class WallMaker {
   Resumable<std::optional<WallMesh>> fill(const Side& side, std::span<const ChartTriangle> triangles,
                                           bool graded) const {
     std::vector<WallMesh::Vertex> vertices;
-    for (size_t i = 0; i < side.placed.size(); ++i)
-      vertices.push_back({at(side.of_patch[i]), side.placed[i]});
+    for (size_t i = 0; i < side.wall.placed().size(); ++i)
+      vertices.push_back({at(side.of_patch[i]), side.wall.placed()[i]});
     WallMesh wall(
         std::move(vertices), triangles, SideChart::kSize,
         [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); },
         kRimNear * stroke_.radius);
     co_await worked(triangles.size());
     co_await wall.improve();
-    const size_t most = kMostAdded * (side.placed.size() + 1024);
+    const size_t most = kMostAdded * (side.wall.placed().size() + 1024);
     size_t added = 0;
     const WallMesh::Middle at_middle = [&](const ChartVertex& v) {
-      return on_boundary(side.chart.point(v));
+      return on_boundary(side.wall.side_chart().point(v));
     };
     const WallMesh::Middle at_next_middle = [&](const ChartVertex& v) {
       return added++ < most ? at_middle(v) : std::nullopt;
@@ -385,7 +317,8 @@ class WallMaker {
     const Vec3 chord = 0.5 * (a.at + b.at);
     if (pencil_->parallel()) {
       // The point of the chart between the ends is not the nearest one.
-      const double most = glm::length(side.chart.point(SideChart::middle(a.chart, b.chart)) - chord);
+      const double most =
+          glm::length(side.wall.side_chart().point(SideChart::middle(a.chart, b.chart)) - chord);
       if (most <= kRimNear * stroke_.radius) return most;
     }
     return std::abs(stroke_.distance(chord));
@@ -470,7 +403,7 @@ class WallMaker {
   WallPatch patch_;
   std::vector<PatchSide> rim_;            // sides of walls along the rim, in the order of sides_
   std::vector<PatchSide> rim_on_sides_;   // of these, along the sides of the beam
-  std::vector<WallChart::Place> places_;  // by vertex of the patch
+  std::vector<WallChart::Place> places_;  // by vertex of the rim
   RangeEnds ends_;
   Interval depths_;                            // of the rim
   std::vector<PatchSide> low_end_, high_end_;  // sides of caps, along the rim and along the ends of walls

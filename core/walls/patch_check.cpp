@@ -19,8 +19,7 @@ Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<
     co_return PatchFault{"the rim runs along one edge twice", twice->first};
   co_await worked(rim.size() / 8);
   for (const PatchSide& s : at_rim) {
-    if (!sides.find(s.first, s.second))
-      co_return PatchFault{"a part of the rim belongs to no wall", s.first};
+    if (!sides.find(s.first, s.second)) co_return PatchFault{"a part of the rim belongs to no wall", s.first};
   }
   for (uint32_t v = 0; v < vertices; ++v) {
     for (const SideIndex::Side& s : sides.from(v)) {

@@ -161,9 +161,8 @@ bool WallChart::set_landmarks(std::vector<Slice>& slices) {
   return true;
 }
 
-Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil,
-                                                    std::span<const BeamMove> moves, double radius,
-                                                    Interval depths) {
+Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil, std::span<const BeamMove> moves,
+                                                    double radius, Interval depths) {
   KERF_ASSERT(radius > 0);
   WallChart chart(pencil);
   const size_t slices = pencil.parallel() ? 1 : kSlices;

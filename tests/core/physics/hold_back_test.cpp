@@ -67,5 +67,23 @@ TEST_F(PlateOverSheet, sweeps_aside_what_is_too_light_to_stop_it) {
   EXPECT_NEAR(height(), 0.1 - 0.15, 1e-9);
 }
 
+TEST(HoldBack, shortens_the_way_of_a_body_that_meets_two_others_once_where_that_is_enough) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(1, 0.4, 4), {0, 0.1, 0});
+  for (const double x : {-0.3, 0.3}) {
+    const uint32_t below = sheets.add(test::rectangle(0.4, 0.6, 2), {x, 0, 0});
+    sheets.body(below).pinned = true;
+  }
+  sheets.body(0).motion.velocity = {0, -0.15 / kTick, 0};
+  const Surroundings around;
+  const ContactMemory before;
+  std::vector<MovingBody>& bodies = sheets.bodies();
+  ContactSearch search(bodies, {}, around, before);
+  search.find();
+  sheets.move_on();
+  EXPECT_EQ(hold_back(bodies, search), 1u);
+  EXPECT_NEAR(sheets.body(0).placement.position.y, 0.1 - 0.5 * 0.15, 1e-9);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -1,3 +1,5 @@
+#include "core/physics/joint_constraints.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +11,7 @@
 #include "core/joints/held_joints.h"
 #include "core/physics/physics.h"
 #include "core/world/state_hash.h"
+#include "tests/core/physics/moving_sheets.h"
 #include "tests/support/jointed.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"
@@ -305,6 +308,30 @@ TEST(Joints, physics_that_is_made_anew_at_any_tick_goes_on_to_the_bit) {
     made_anew.tick(other);
     ASSERT_EQ(state_hash(one), state_hash(other)) << "tick " << t;
   }
+}
+
+TEST(Joints, are_remembered_once_for_each_pair_in_whatever_order_they_come) {
+  test::MovingSheets sheets;
+  for (int i = 0; i < 4; ++i) sheets.add(test::rectangle(0.1, 0.1, 1), {0.2 * i, 0, 0});
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  const std::vector<BodyJoint> joints{{2, 3, nullptr}, {1, 0, nullptr}, {1, 2, nullptr},
+                                      {3, 2, nullptr}, {0, 1, nullptr}, {0, 3, nullptr}};
+  ContactMemory memory;
+  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {2, 3}}) {
+    memory.push_back({bodies[i].id, bodies[j].id, {}, {}, {}});
+    memory.back().crossed = 5;
+  }
+  remember_joints(bodies, joints, memory);
+  std::vector<std::pair<BodyId, BodyId>> pairs, expected;
+  for (const PairMemory& m : memory) {
+    pairs.push_back(m.bodies());
+    const bool joined = m.bodies() != std::pair(bodies[0].id, bodies[2].id);
+    EXPECT_EQ(m.touching, joined);
+    EXPECT_EQ(m.crossed, joined ? 0u : 5u);
+  }
+  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}})
+    expected.emplace_back(bodies[i].id, bodies[j].id);
+  EXPECT_EQ(pairs, expected);
 }
 
 TEST(Physics, makes_a_collider_anew_and_leaves_the_joints_known_after_a_change_without_faces) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/tick.h"
 #include "tests/core/physics/moving_sheets.h"
@@ -54,6 +55,22 @@ TEST_F(PlateAcrossBar, remembers_each_place_once_and_in_order) {
   EXPECT_EQ(memory_.size(), once);
   EXPECT_TRUE(std::is_sorted(memory_.begin(), memory_.end(),
                              [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
+}
+
+TEST(ChordPoints, at_a_rim_that_a_chord_met_askew_are_to_leave_in_the_plane_of_the_face) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(0.4, 0.4, 1), {0.03, 0.01, 0.3});  // its edges along x fall across a rim along z
+  const glm::dquat standing(std::sqrt(0.5), 0, 0, std::sqrt(0.5));  // in x = 0
+  sheets.add(test::rectangle(0.4, 2, 1), {0, -0.2, 0}, standing);
+  sheets.body(0).motion.velocity = Vec3(0.01, -0.02, 0) / kTick;
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  std::vector<PointMemory> memory;
+  EXPECT_TRUE(remember_piercing_points(bodies[0], bodies[1], memory));
+  ASSERT_FALSE(memory.empty());
+  for (const PointMemory& m : memory) {
+    EXPECT_TRUE(is_at_rim(m.point));
+    EXPECT_LT(glm::length(bodies[1].now.turn * m.normal - Vec3(0, 1, 0)), 1e-9);
+  }
 }
 
 TEST(ChordPoints, are_told_from_those_of_the_collider) {

@@ -43,6 +43,22 @@ TEST_F(PlateThroughPlate, is_not_pushed_where_that_would_take_too_long) {
   EXPECT_FALSE(push(0.001, static_cast<uint32_t>(kLongestPush * kTicksPerSecond)));
 }
 
+TEST(PushOut, keeps_the_way_of_the_last_tick_and_turns_it_to_where_it_is_shorter) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(0.12, 0.12, 4), {0, 0.01, 0}, kStanding);  // the way up is the shorter one
+  sheets.add(test::rectangle(0.3, 0.3, 4), {0.003, 0, 0.01});
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  const Vec3 before = glm::normalize(Vec3(0.05, -1, 0));
+  PairMemory memory{bodies[0].id, bodies[1].id, {}, {}, {}};
+  memory.crossed = 1;
+  memory.way_out = before;
+  const auto contact = push_out(bodies[0], bodies[1], memory);
+  ASSERT_TRUE(contact);
+  EXPECT_LT(contact->normal.y, before.y);
+  EXPECT_NEAR(contact->normal.y, -1, 1e-4);
+  EXPECT_EQ(memory.way_out, contact->normal);
+}
+
 TEST(PushOut, of_sheets_that_do_not_intersect_is_none) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(0.5, 0.5, 4), {0, 0.3, 0}, kStanding);

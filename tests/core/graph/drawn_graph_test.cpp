@@ -161,6 +161,28 @@ TEST(DrawnGraph, opens_a_cluster_into_its_faces) {
   EXPECT_EQ(open.nodes[open.of[opened]].faces, 1u);
 }
 
+// With 1998 single faces and a sheet as one node, there is room for one node more.
+TEST(DrawnGraph, opens_a_cluster_into_as_many_nodes_as_there_is_room_for) {
+  Soup soup = grid(3, 1);
+  const auto first = static_cast<uint32_t>(soup.positions.size());
+  for (uint32_t i = 0; i < DrawnGraph::kMost - 2; ++i) {
+    const double x = 3.0 * i + 3;
+    soup.positions.insert(soup.positions.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 0, 1}});
+    soup.triangles.push_back({first + 3 * i, first + 3 * i + 1, first + 3 * i + 2});
+  }
+  Shown shown{world_of(soup), {}, {}};
+  shown.graph = cut_graph(shown.world, {});
+  shown.traversal = traverse_cut(shown.graph, 0);
+  const DrawnGraph closed = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  ASSERT_EQ(closed.nodes.size(), DrawnGraph::kMost - 1);
+  ASSERT_EQ(closed.nodes[0].faces, 18u);
+  const uint32_t sheet = 0;
+  const DrawnGraph open = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole, {&sheet, 1});
+  expect_sound(shown, open);
+  EXPECT_EQ(open.nodes.size(), DrawnGraph::kMost);
+  EXPECT_LT(open.nodes[0].faces, 18u);
+}
+
 TEST(DrawnGraph, draws_the_largest_of_more_parts_than_it_can) {
   Soup soup;
   for (uint32_t i = 0; i < 2500; ++i) {

@@ -176,6 +176,24 @@ TEST_F(BodiesInTime, one_step_of_the_history_goes_from_play_to_pause_and_each_st
   EXPECT_EQ(state_hash(world()), end);
 }
 
+TEST_F(BodiesInTime, undo_of_time_tells_which_pieces_are_no_bodies_of_their_own_any_more) {
+  cut(0.1);
+  run();
+  const BodyId plate = world().ids().front();
+  apply(Play{});
+  fall(1);
+  run();
+  ASSERT_EQ(world().ids().size(), 2u);
+  const BodyId piece = world().ids().back();
+  const Outcome outcome = document_.apply(Undo{});
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(world().ids(), std::vector{plate});
+  EXPECT_EQ(outcome.delta.went, std::vector{piece});
+  ASSERT_EQ(outcome.delta.detached.size(), 1u);
+  EXPECT_EQ(outcome.delta.detached[0].from, piece);
+  EXPECT_EQ(outcome.delta.detached[0].to, plate);
+}
+
 TEST_F(BodiesInTime, replay_of_the_journal_goes_on_to_the_same_bits) {
   apply(Play{});
   fall(20);

@@ -67,6 +67,14 @@ TEST(CutReport, has_no_word_of_solids_where_there_is_none) {
   EXPECT_FALSE(report.contains("walls") || report.contains("notes") || report["removed"].contains("volume"));
 }
 
+TEST(CutReport, names_the_pattern_of_the_beam) {
+  CutSettings settings;
+  settings.laser.pattern = Pattern::kRays4;
+  EXPECT_EQ(settings_json(settings, "obj", false)["pattern"], "rays4");
+  settings.laser.pattern = Pattern::kVolume;
+  EXPECT_EQ(settings_json(settings, "obj", false)["pattern"], "volume");
+}
+
 TEST(CutReport, says_of_each_piece_whether_it_is_closed_and_then_its_volume) {
   WrittenPiece closed, open;
   closed.volume = 0.5;

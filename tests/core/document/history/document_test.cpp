@@ -174,6 +174,23 @@ TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   EXPECT_GT(one.world().live_faces(), 200u);
 }
 
+TEST(Document, a_stroke_that_failed_is_over_and_is_not_tried_again_by_redo) {
+  CutSettings too_fine = settings_of(0.02);
+  too_fine.most_faces = 40;
+  Document document(world_of(plate(1)));
+  const uint64_t whole = state_hash(document.world());
+  document.apply(BeginStroke{too_fine, {{-0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  EXPECT_FALSE(run_all(document).ok());
+  EXPECT_TRUE(document.history().last().done());
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  EXPECT_EQ(document.history().position(), 1u);
+  EXPECT_EQ(document.waiting(), 0u);
+  EXPECT_EQ(state_hash(document.world()), whole);
+}
+
 TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
@@ -257,6 +274,20 @@ TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
     EXPECT_EQ(known, live_faces(document.world()));
     EXPECT_EQ(document.history().size(), too_fine ? 2u : 1u);
   }
+}
+
+TEST(Document, a_recut_tells_which_faces_of_the_stroke_are_back) {
+  Document document(world_of(plate(1)));
+  document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(run_all(document).ok());
+  std::set<FaceId> known = live_faces(document.world());
+  const Outcome outcome = document.apply(Recut{settings_of(0.03)});
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_NE(known, live_faces(document.world()));
+  follow(known, document.world(), outcome.delta);
+  EXPECT_EQ(known, live_faces(document.world()));
 }
 
 TEST(Document, a_journey_through_the_history_that_fails_tells_how_far_it_came) {

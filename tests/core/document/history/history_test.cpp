@@ -262,6 +262,16 @@ TEST(History, a_smaller_window_discards_the_oldest_images_and_no_more_than_it_mu
   EXPECT_TRUE(history.holds_images(oldest, steps)) << "what is held fits";
 }
 
+TEST(History, keeps_within_its_window_right_after_a_command_that_happens_at_once) {
+  Document document(world_of(grid(20, 1)));
+  constexpr size_t kWindow = 1000;
+  document.set_window(kWindow);
+  const PieceId piece{document.world().ids().front(), 0};
+  ASSERT_TRUE(document.apply(SubdividePiece{piece, Subdivision::kMidpoint}).ok());
+  EXPECT_LE(document.history().bytes(), kWindow);
+  EXPECT_FALSE(document.history().holds_images(0, 1));
+}
+
 TEST(History, states_beyond_the_window_come_back_by_replay) {
   for (uint64_t seed = 101; seed <= 100 + runs(6); ++seed) {
     run_at_random(seed, 200'000);
@@ -349,6 +359,19 @@ TEST(History, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
     expect_same_world(asked.world(), left_alone.world());
     if (HasFailure()) return;
   }
+}
+
+TEST(History, does_not_tell_what_was_before_a_stroke_after_which_something_else_happened) {
+  Random random(5);
+  Document document(made_world());
+  EXPECT_FALSE(document.before_last_stroke().has_value());
+  for (const Command& c : random_stroke_commands(random)) ASSERT_TRUE(document.apply(c).ok());
+  finish(document);
+  EXPECT_TRUE(document.before_last_stroke().has_value());
+  ASSERT_TRUE(document.apply(RenamePiece{{document.world().ids().front(), 0}, "ring"}).ok());
+  EXPECT_FALSE(document.before_last_stroke().has_value());
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_TRUE(document.before_last_stroke().has_value());
 }
 
 // Pieces that came off while bodies moved take ids, which commands name: also where the stroke is cut again

@@ -285,6 +285,26 @@ TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
   EXPECT_EQ(gone, hit);
 }
 
+TEST(SingleStep, tells_of_the_faces_that_are_left_to_refine_only_after_a_part_of_refining) {
+  Document document(world_of(grid(80, 2)));
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 3;  // over the whole sheet
+  document.apply(BeginStroke{settings, {{0, 1, 0}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  SingleStep single(document);
+  bool any_left = false;
+  while (document.waiting() > 0) {
+    const auto stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    if (stage->kind == StageKind::kRemove) continue;
+    const bool refines = stage->kind == StageKind::kRefine;
+    const size_t to_split = document.execution().unfinished_move().to_split.size();
+    EXPECT_EQ(stage->left, refines ? to_split : 0) << words(*stage, FileUnit::kMetre);
+    any_left = any_left || stage->left > 0;
+  }
+  EXPECT_TRUE(any_left);
+}
+
 TEST(SingleStep, says_one_face_several_and_none_in_sentences) {
   StageRecord record;
   record.kind = StageKind::kRemove;

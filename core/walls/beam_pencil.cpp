@@ -1,5 +1,6 @@
 #include "core/walls/beam_pencil.h"
 
+#include <algorithm>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -14,6 +15,8 @@ namespace {
 constexpr double kParallel = 1e-9;
 // The largest distance of a line from the apex, relative to the radius.
 constexpr double kAtApex = 1e-3;
+// The least cosine of the angle between a direction and the middle one.
+constexpr double kLeastCosine = 0.3;
 
 template <typename Visit>
 void for_each_pose(std::span<const BeamMove> moves, Visit visit) {
@@ -59,7 +62,7 @@ std::optional<BeamPencil> BeamPencil::of(std::span<const BeamMove> moves, double
   for_each_pose(moves, [&](const Pose& pose) {
     const Vec3 from = apex - pose.origin;
     const double distance = glm::length(from - glm::dot(from, pose.direction) * pose.direction);
-    meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > 0.5;
+    meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > kLeastCosine;
   });
   if (!meet) return std::nullopt;
   pencil.origin_ = apex;
@@ -73,6 +76,13 @@ BeamPencil::Seen BeamPencil::see(const Vec3& p) const {
 
 Vec3 BeamPencil::point(Vec2 place, double depth) const {
   return origin_ + depth * axis_ + place.x * right_ + place.y * up_;
+}
+
+double BeamPencil::longest_ellipse(std::span<const BeamMove> moves) const {
+  double longest = 1;
+  for_each_pose(moves,
+                [&](const Pose& pose) { longest = std::max(longest, 1 / glm::dot(pose.direction, axis_)); });
+  return longest;
 }
 
 DiscMove BeamPencil::at_depth(const BeamMove& move, double depth) const {

@@ -15,7 +15,8 @@ namespace kerf {
 class BeamPencil {
  public:
   // The pencil of some moves of a beam of this radius (m); nothing where the lines are neither parallel nor
-  // meet within 1e-3 radii. The moves and everything below are in one frame. Precondition: there is a move.
+  // meet within 1e-3 radii, or one is inclined by more than 72 degrees. The moves and everything below are in
+  // one frame. Precondition: there is a move.
   static std::optional<BeamPencil> of(std::span<const BeamMove> moves, double radius);
 
   bool parallel() const { return parallel_; }
@@ -31,6 +32,9 @@ class BeamPencil {
 
   // Where the axis of the beam moves in the plane at this depth.
   DiscMove at_depth(const BeamMove& move, double depth) const;
+
+  // By how much the longest of the ellipses in that plane is longer than the disc, 1 or more.
+  double longest_ellipse(std::span<const BeamMove> moves) const;
 
   const Vec3& axis() const { return axis_; }
 

@@ -24,8 +24,9 @@ namespace kerf {
 namespace {
 
 // How far a vertex of the rim may lie from the outline, relative to the radius: by the errors that the rim
-// may have, and for beams through an apex also by what the inclined beam's ellipse differs from a circle.
-constexpr double kReachParallel = 0.03, kReachFan = 0.3;
+// may have. For beams through an apex, what an inclined beam's ellipse is longer than a circle comes on top,
+// and what it grows to the next depth at which there is an outline; but no less than kLeastOfFan in all.
+constexpr double kReach = 0.03, kReachOfFan = 0.1, kLeastOfFan = 0.3;
 // A triangle that is cut off the rim is no higher, relative to the radius.
 constexpr double kHighestCut = 0.03;
 // How far from the ends of the range a vertex that is not at a corner stays in the chart, relative to the
@@ -56,7 +57,7 @@ class WallMaker {
   Resumable<Result<WallPatch>> make() {
     co_await number_rim();
     pencil_ = BeamPencil::of(stroke_.moves, stroke_.radius);
-    if (!pencil_) co_return left_open("the beam turned about no single point", rim_at(0));
+    if (!pencil_) co_return left_open("the beam turned about no single point, or too far", rim_at(0));
     measure_depths();
     ends_ = range_ends(*pencil_, stroke_.moves, stroke_.range, stroke_.radius);
     chart_ = co_await WallChart::make(*pencil_, stroke_.moves, stroke_.radius, depths_);
@@ -115,7 +116,9 @@ class WallMaker {
   }
 
   Resumable<Status> place_rim() {
-    const double reach = stroke_.radius * (pencil_->parallel() ? kReachParallel : kReachFan);
+    const double longer = pencil_->longest_ellipse(stroke_.moves) - 1;
+    const double reach =
+        stroke_.radius * (pencil_->parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kLeastOfFan));
     std::vector<NearBoundary> near;
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
       co_await worked(2);

@@ -128,6 +128,29 @@ TEST(CloseByWalls, leaves_so_many_pieces_each_of_them_closed) {
   }
 }
 
+// A beam that turns about a point above a plate takes a strip as wide as the beam from it, and half of the beam
+// at each end.
+TEST(CloseByWalls, takes_the_volume_that_a_beam_sweeps_which_turns_by_up_to_seventy_degrees_to_either_side) {
+  constexpr double kRadius = 0.03, kHeight = 1.25, kThickness = 0.5;
+  for (const double degrees : {20, 45, 60, 70}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * kPi / 180;
+    SolidStroke stroke = straight_stroke({}, {}, {0, -1, 0}, kRadius, {0, 20});
+    stroke.poses.clear();
+    for (int i = -4; i <= 4; ++i) {
+      const double turned = angle * i / 4;
+      stroke.poses.push_back({{0, kHeight, 0}, {std::sin(turned), -std::cos(turned), 0}});
+    }
+    SolidCut cut(world_of(box({12, kThickness, 1})));
+    Random random(1);
+    ASSERT_TRUE(cut.draw(stroke, random)) << (cut.reasons().empty() ? "" : cut.reasons().back());
+    const double strip = 2 * kHeight * std::tan(angle) * kThickness * 2 * kRadius;
+    const double ends = kPi * kRadius * kRadius * kThickness / std::cos(angle);
+    const double left = enclosed_volume(cut.body().mesh, cut.body().middle()).volume;
+    EXPECT_NEAR(12 * kThickness - left, strip + ends, 1e-3 * (strip + ends));
+  }
+}
+
 TEST(CloseByWalls, gives_walls_and_nothing_else_the_material_cut) {
   Random random(1);
   World world = world_of(box({1, 1, 1}));

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/random.h"
+#include "core/mesh/face_addition.h"
 #include "core/mesh/mesh.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
@@ -153,6 +154,54 @@ TEST(AddFaces, closes_what_was_removed_in_any_order_and_is_undone_to_the_bit) {
     ASSERT_NO_FATAL_FAILURE(expect_same_mesh(mesh, after));
   }
   EXPECT_GT(pinched, runs(1200) / 10) << "vertices at which holes touch";
+}
+
+// A part of the removed faces comes back, in parts. In between each vertex leads to live faces.
+TEST(AddFaces, in_parts_leads_to_the_same_mesh_to_the_bit_as_at_once) {
+  for (uint64_t seed = 1; seed <= runs(400); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Mesh mesh = random_closed_mesh(random);
+    std::vector<CornerIds> removed;
+    for (const FaceId f : random_patch(mesh, 2 + random.below(mesh.live_faces() / 2), random)) {
+      removed.push_back(mesh.corners(f));
+      mesh.remove_face(f);
+    }
+    shuffle(removed, random);
+    removed.resize(1 + random.below(removed.size()));
+    const uint32_t slots = mesh.vertex_slots();
+    Mesh at_once = mesh;
+    at_once.add_faces(removed, std::vector<FaceData>(removed.size()));
+
+    std::set<VertexId> corners;
+    for (const CornerIds& c : removed) corners.insert(c.begin(), c.end());
+    const std::vector<VertexId> vertices(corners.begin(), corners.end());
+    std::vector<std::array<uint32_t, 3>> faces;
+    for (const CornerIds& c : removed) {
+      auto& local = faces.emplace_back();
+      for (size_t k = 0; k < 3; ++k)
+        local[k] = static_cast<uint32_t>(std::distance(corners.begin(), corners.find(c[k])));
+    }
+    FaceAddition addition(vertices, faces);
+    Mesh::Star star;
+    while (addition.added() < addition.faces()) {
+      const size_t part = 1 + random.below(std::min<size_t>(8, addition.faces() - addition.added()));
+      for (const FaceId f : addition.add(mesh, std::vector<FaceData>(part))) {
+        for (const VertexId v : mesh.corners(f)) {
+          mesh.star(v, star);
+          ASSERT_FALSE(star.faces.empty());
+          for (const FaceId beside : star.faces) ASSERT_TRUE(mesh.is_live(beside));
+        }
+      }
+    }
+    std::vector<FaceId> changed;
+    while (!addition.part_fans(mesh, 1 + random.below(5), changed)) {
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_same_mesh(mesh, at_once));
+    ASSERT_EQ(find_fault(mesh), "");
+    for (const FaceId f : changed) ASSERT_TRUE(mesh.is_live(f));
+    EXPECT_EQ(changed.empty(), mesh.vertex_slots() == slots);
+  }
 }
 
 // A part of the removed faces comes back, the rest stays open. Faces around a vertex that do not hang

@@ -121,13 +121,13 @@ class DesktopEditor(EditorDriver):
         self.xdotool("click", "--repeat", 2, "--delay", 120, 1)
         self.pause(3)
 
-    def drop(self, *files):
-        """Drags files from another program onto the middle of the picture and lets them go."""
+    def drop(self, *files, seconds=2):
+        """Drags files from another program onto the middle of the picture, lets them go and waits."""
         window = self.xdotool("search", "--onlyvisible", "--name", "Kerf").stdout.split()[0]
         source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "drag_source.py")
         x, y = self.place((0.5, 0.5))
         subprocess.run([sys.executable, source, window, str(x), str(y), *files], env=self.environment, check=True)
-        self.pause(2)
+        self.pause(seconds)
 
     def resize(self, width, height):
         self.xdotool("search", "--name", "Kerf", "windowsize", width, height)

@@ -74,7 +74,7 @@ class LargeMesh(WindowTest):
         editor = self.open()
         before = editor.quit()["faces"]
         editor = self.open()
-        editor.drop(self.large_mesh())
+        editor.drop(self.large_mesh(), seconds=0)  # opening takes less than a second
         editor.press("Escape")
         editor.pause(6)
         report = editor.quit()

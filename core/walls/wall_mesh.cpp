@@ -156,12 +156,20 @@ bool WallMesh::has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const 
 }
 
 // Whether the opposite corners of two triangles have an edge in common, or it would be hard to tell: each has
-// several fans. In the chart no edge lies within the two triangles, so that it goes around the other way.
+// several fans. Where no triangle is folded over, no edge lies within the two in the chart, so that it goes
+// around the other way.
 bool WallMesh::may_be_joined(const Quad& q) const {
   if (q.c == q.d) return true;
-  if (!has_wide_edge_ && !is_wide(q.xc, q.xd)) return false;
+  if (!is_folded_ && !has_wide_edge_ && !is_wide(q.xc, q.xd)) return false;
   if (!is_pinched_[q.c]) return has_edge_to(q.left, q.c, q.d);
   return is_pinched_[q.d] || has_edge_to(q.right, q.d, q.c);
+}
+
+// Whether a triangle is counter-clockwise in the chart.
+bool WallMesh::is_upright(uint32_t triangle) const {
+  const auto& x = x_[triangle];
+  const auto y = [&](size_t i) { return vertices_[triangles_[triangle][i]].chart.y; };
+  return turn_of(x[1] - x[0], y(1) - y(0), x[2] - x[0], y(2) - y(0)) > 0;
 }
 
 bool WallMesh::should_flip(const Quad& q) {
@@ -253,6 +261,7 @@ void WallMesh::split(const Quad& q, const Vec3& at) {
   set(third, {{m, q.b, q.c}, {xm, q.xb, q.xc}}, {q.right, q.beyond[0], q.left}, {-1, q.known[0], -1});
   set(q.right, {{q.b, m, q.d}, {q.xb, xm, q.xd}}, {third, fourth, q.beyond[3]}, {-1, -1, q.known[3]});
   set(fourth, {{m, q.a, q.d}, {xm, q.xa, q.xd}}, {q.left, q.beyond[2], q.right}, {-1, q.known[2], -1});
+  for (const uint32_t t : {q.left, third, q.right, fourth}) is_folded_ = is_folded_ || !is_upright(t);
 }
 
 // Whether a point is much nearer to an end of the edge between the triangles than to the other one.

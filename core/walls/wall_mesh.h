@@ -91,6 +91,7 @@ class WallMesh {
   bool has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const;
   bool is_wide(int64_t from, int64_t to) const { return 2 * std::abs(to - from) >= width_; }
   bool may_be_joined(const Quad& q) const;
+  bool is_upright(uint32_t triangle) const;
   bool should_flip(const Quad& q);
   void flip(const Quad& q);
   size_t most_flips() const;
@@ -115,6 +116,7 @@ class WallMesh {
   std::vector<uint8_t> is_pinched_;              // by vertex: it has several fans of triangles
   int64_t width_;
   bool has_wide_edge_ = false;  // that goes at least half around
+  bool is_folded_ = false;      // a triangle is not counter-clockwise in the chart, by rounding
   Deviation deviation_;
   double most_;  // m
   // By triangle and side: how far it deviates (m); negative where that is not known yet.

@@ -254,7 +254,8 @@ void Mesh::append_open_sides_of(FaceId f, std::vector<Side>& out) const {
   const HalfEdges& m = kernel_->half_edges;
   HalfEdgeId h = m.first(f);
   for (int i = 0; i < 3; ++i, h = m.next(h)) {
-    if (!m.face(opposite(h)).valid() && next_in_ring(*kernel_, h) == h) out.push_back({f, m.from(h), m.to(h)});
+    if (!m.face(opposite(h)).valid() && next_in_ring(*kernel_, h) == h)
+      out.push_back({f, m.from(h), m.to(h)});
   }
 }
 

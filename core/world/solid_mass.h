@@ -6,8 +6,8 @@ namespace kerf {
 
 // Moments of the volume that some triangles enclose: the integrals of 1, of x and of x x^T, where x is the
 // position relative to a fixed origin. They are signed sums of the tetrahedra between the origin and each
-// triangle, and so they mean something only where the triangles are closed (see closed_pieces). The origin should
-// lie near the middle of the triangles (see AreaMoments).
+// triangle, and so they mean something only where the triangles are closed (see closed_pieces). The origin
+// should lie near the middle of the triangles (see AreaMoments).
 struct VolumeMoments {
   double volume = 0;               // m^3
   Vec3 first{0};                   // m^4

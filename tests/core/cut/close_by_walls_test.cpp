@@ -128,8 +128,8 @@ TEST(CloseByWalls, leaves_so_many_pieces_each_of_them_closed) {
   }
 }
 
-// A beam that turns about a point above a plate takes a strip as wide as the beam from it, and half of the beam
-// at each end.
+// A beam that turns about a point above a plate takes a strip as wide as the beam from it, and half of the
+// beam at each end.
 TEST(CloseByWalls, takes_the_volume_that_a_beam_sweeps_which_turns_by_up_to_seventy_degrees_to_either_side) {
   constexpr double kRadius = 0.03, kHeight = 1.25, kThickness = 0.5;
   for (const double degrees : {20, 45, 60, 70}) {

@@ -24,7 +24,8 @@ struct SolidBeforeClosing {
   std::vector<BeamMove> path;
   UnfinishedRim rim;
 
-  SolidBeforeClosing(const Soup& soup, const SolidStroke& stroke) : world(world_of(soup)), settings(stroke.settings) {
+  SolidBeforeClosing(const Soup& soup, const SolidStroke& stroke)
+      : world(world_of(soup)), settings(stroke.settings) {
     make_solid(world.body(world.ids().front()), true);
     for (size_t i = 0; i + 1 < stroke.poses.size(); ++i)
       path.push_back({stroke.poses[i], stroke.poses[i + 1]});

@@ -2,6 +2,8 @@
 
 // Private to core/cut.
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"

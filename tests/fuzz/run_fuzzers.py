@@ -21,7 +21,7 @@ LIMITS = ['-max_len=8192', '-timeout=10', '-rss_limit_mb=1024', '-malloc_limit_m
 # Each byte of a history is worked on longer. How often each feature was seen would take a fifth of the time.
 OF_STROKES = ['-timeout=180', '-report_slow_units=60', '-rss_limit_mb=2048', '-entropic=0']
 SHORT, LONG = ['-max_len=64', *OF_STROKES], ['-max_len=300', *OF_STROKES]
-MOST_LONG = 64  # that a run begins from: each takes a part of a second
+MOST_LONG = 64  # that are kept for the next run to begin from: each takes a part of a second
 
 
 def runs_of(targets):

@@ -156,19 +156,25 @@ TEST(AddFaces, closes_what_was_removed_in_any_order_and_is_undone_to_the_bit) {
   EXPECT_GT(pinched, runs(1200) / 10) << "vertices at which holes touch";
 }
 
+// Removes connected faces, or faces anywhere, and returns the corners of some of them in random order.
+std::vector<CornerIds> remove_patch(Mesh& mesh, Random& random) {
+  std::vector<CornerIds> removed;
+  for (const FaceId f : random_patch(mesh, 2 + random.below(mesh.live_faces() / 2), random)) {
+    removed.push_back(mesh.corners(f));
+    mesh.remove_face(f);
+  }
+  shuffle(removed, random);
+  removed.resize(1 + random.below(removed.size()));
+  return removed;
+}
+
 // A part of the removed faces comes back, in parts. In between each vertex leads to live faces.
 TEST(AddFaces, in_parts_leads_to_the_same_mesh_to_the_bit_as_at_once) {
   for (uint64_t seed = 1; seed <= runs(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Mesh mesh = random_closed_mesh(random);
-    std::vector<CornerIds> removed;
-    for (const FaceId f : random_patch(mesh, 2 + random.below(mesh.live_faces() / 2), random)) {
-      removed.push_back(mesh.corners(f));
-      mesh.remove_face(f);
-    }
-    shuffle(removed, random);
-    removed.resize(1 + random.below(removed.size()));
+    const std::vector<CornerIds> removed = remove_patch(mesh, random);
     const uint32_t slots = mesh.vertex_slots();
     Mesh at_once = mesh;
     at_once.add_faces(removed, std::vector<FaceData>(removed.size()));
@@ -212,13 +218,7 @@ TEST(AddFaces, parts_vertices_at_which_faces_do_not_hang_together) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Mesh mesh = random_closed_mesh(random);
-    std::vector<CornerIds> removed;
-    for (const FaceId f : random_patch(mesh, 2 + random.below(mesh.live_faces() / 2), random)) {
-      removed.push_back(mesh.corners(f));
-      mesh.remove_face(f);
-    }
-    shuffle(removed, random);
-    removed.resize(1 + random.below(removed.size()));
+    const std::vector<CornerIds> removed = remove_patch(mesh, random);
     const uint32_t vertices = mesh.vertex_slots();
     std::set<VertexId> touched;
     for (const CornerIds& c : removed) touched.insert(c.begin(), c.end());

@@ -17,6 +17,7 @@ namespace {
 
 using Stage = UnfinishedRim::Stage;
 
+constexpr size_t kAllAtOnce = std::numeric_limits<size_t>::max();  // a bite that does not end
 // The cost of a part of a stage, in faces of a bite; that of a face found near the boundary.
 constexpr size_t kLightPart = 200, kHeavyPart = 2000, kHeaviestPart = 3000, kNearFace = 2;
 
@@ -169,7 +170,10 @@ class RimBite {
         if (remove_within_rim(rim)) go_to(Stage::kChooseBesideRim);
         return false;
       case Stage::kCloseByWalls:
-        if (close(rim, sweep)) go_to(Stage::kSeparate);
+        if (close(rim, sweep)) go_to(Stage::kHeatWalls);
+        return false;
+      case Stage::kHeatWalls:
+        if (heat(rim)) go_to(Stage::kSeparate);
         return false;
       case Stage::kSeparate:
         separate_pieces(rim.step);
@@ -216,7 +220,7 @@ class RimBite {
     } else if (work_.stage == Stage::kSplitInTheWay) {
       if (split_in_the_way(rim)) fit_again_or_settle();
     } else if (work_.stage == Stage::kFlip) {
-      if (flip_near_rim(rim)) flip_again_or_separate();
+      if (flip_near_rim(rim)) flip_again_or_close();
     } else {
       const auto list = std::ranges::find(kListStages, work_.stage, &ListStage::stage);
       KERF_ASSERT(list != kListStages.end());
@@ -233,10 +237,16 @@ class RimBite {
     go_to(Stage::kListNear);
   }
 
-  void flip_again_or_separate() {
+  void flip_again_or_close() {
     constexpr int kMostRounds = 4;
     const bool again = std::exchange(work_.flipped, false) && ++work_.rounds < kMostRounds;
-    if (!again) go_to(Stage::kCloseByWalls);
+    if (again) return;
+    work_.waiting.clear();
+    go_to(Stage::kCloseByWalls);
+  }
+
+  void end_bite() {
+    if (settings_.bite < kAllAtOnce) taken_ = std::max(taken_, settings_.bite);
   }
 
   // Returns whether the body is closed or stays open. The search that follows is in a step of its own.
@@ -246,14 +256,22 @@ class RimBite {
       work_.closing = std::make_shared<WallClosing>(moves_in_body(rim.step.body().placement, sweep));
     taken_ += kPartOfWork;
     if (!work_.closing->go_on(rim)) return false;
-    taken_ += settings_.bite - std::min(taken_, settings_.bite);
-    const Result<std::vector<FaceId>> walls = work_.closing->take_walls();
+    end_bite();
+    Result<std::vector<FaceId>> walls = work_.closing->take_walls();
     if (!walls) {
       left_open_.push_back({rim.step.id, walls.error().message});
     } else if (settings_.heat_width > 0) {
-      heat_walls(world_, rim.step, *walls);
+      work_.waiting = std::move(*walls);
     }
     return true;
+  }
+
+  // Returns whether all walls have their heat.
+  bool heat(const RimState& rim) {
+    const size_t end = std::min(work_.waiting.size(), work_.next + 8 * kFacesTogether);
+    heat_walls(world_, rim.step, std::span(work_.waiting).subspan(work_.next, end - work_.next));
+    taken_ += end - std::exchange(work_.next, end);
+    return end == work_.waiting.size();
   }
 
   void separate_pieces(BodyStep& step) {
@@ -320,7 +338,7 @@ Result<StepResult> rim_step(World& world, const CutSettings& settings, std::span
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const SweptByBody& swept, const Progress* progress) {
   CutSettings at_once = settings;
-  at_once.bite = std::numeric_limits<size_t>::max();
+  at_once.bite = kAllAtOnce;
   UnfinishedRim whole;
   return rim_step(world, at_once, path, swept, whole, progress);
 }

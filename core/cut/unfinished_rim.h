@@ -43,6 +43,7 @@ struct UnfinishedRim {
     kChooseBesideRim,  // lists the faces at the rim
     kFlip,             // flips edges of theirs that make small angles
     kCloseByWalls,     // closes a solid body
+    kHeatWalls,        // gives the walls the heat of the cut
     kSeparate,         // searches for separated pieces
     kMeasure,          // measures the angles of all faces that are new
   };
@@ -55,7 +56,8 @@ struct UnfinishedRim {
   bool removed = false;  // faces were removed
   StrokeRegion region;
   std::vector<FaceId> faces;  // on or near the boundary of the region, followed by the parts of split ones
-  // The faces to process: a heap of near faces, those to split (the next one is last), to remove, or to flip.
+  // The faces to process: a heap of near faces, those to split (the next one is last), to remove, to flip,
+  // or to heat.
   std::vector<FaceId> waiting;
   std::vector<RimSnap> snaps;      // a heap of vertices to move or to settle, the nearest on top
   std::vector<FaceId> in_the_way;  // faces to split because a vertex very near the boundary cannot be moved

@@ -6,9 +6,12 @@
 
 #include "core/cut/thermal_step.h"
 #include "core/document/history/document.h"
+#include "core/world/solid_body.h"
 #include "core/world/state_hash.h"
 #include "tests/support/energy.h"
+#include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
+#include "tests/support/solids.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
@@ -41,6 +44,20 @@ struct Slot {
 
 double temperature(const Body& body, FaceId f) {
   return body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness);
+}
+
+void close_rim_in_steps(World& world, const CutSettings& settings, std::span<const BeamMove> moves) {
+  UnfinishedRim rim;
+  do {
+    ASSERT_TRUE(rim_step(world, settings, moves, {}, rim).ok());
+  } while (rim.begun());
+}
+
+// Whether a triangle is not in the faces of a brick of this size at the origin.
+bool is_within(const Vec3& size, const Triangle& t) {
+  const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+  const auto inside = [](double x, double end) { return x > 1e-9 && x < end - 1e-9; };
+  return inside(middle.x, size.x) && inside(middle.y, size.y) && inside(middle.z, size.z);
 }
 
 // The mean of the profile over a face, by a fine sum over the face: the expected temperature is that of the
@@ -79,13 +96,43 @@ TEST(DepositHeat, is_at_the_melting_point_at_the_rim_and_falls_over_the_width) {
 }
 
 TEST(DepositHeat, makes_no_faces_and_removes_what_the_cut_removes_without_it) {
-  Slot with(0.002), without(0.002);
-  without.settings.heat_width = 0;
-  with.cut();
-  without.cut();
-  EXPECT_EQ(with.body().mesh.live_faces(), without.body().mesh.live_faces());
-  EXPECT_EQ(without.world.energy(), EnergyLedger{});
-  EXPECT_FALSE(is_hot(without.world));
+  for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
+    Slot with(0.002, rim), without(0.002, rim);
+    without.settings.heat_width = 0;
+    with.cut();
+    without.cut();
+    EXPECT_EQ(with.body().mesh.live_faces(), without.body().mesh.live_faces());
+    EXPECT_EQ(without.world.energy(), EnergyLedger{});
+    EXPECT_FALSE(is_hot(without.world));
+  }
+}
+
+TEST(DepositHeat, brings_the_walls_of_a_solid_to_the_melting_point_however_the_steps_are_divided) {
+  const Vec3 size(0.2, 0.05, 0.2);
+  std::vector<uint64_t> hashes;
+  for (const bool at_once : {true, false}) {
+    World world = world_of(inside_out(brick(size)));
+    const BodyId id = world.ids().front();
+    make_solid(world.body(id), true);
+    SolidStroke stroke = straight_stroke({0.1, 0.1, -0.1}, {0.1, 0.1, 0.3}, {0, -1, 0}, kRadius, {0, 1});
+    stroke.settings.heat_width = kWidth;
+    stroke.settings.bite = 1;
+    const std::vector<BeamMove> moves = subdivide({stroke.poses[0], stroke.poses[1], 1}, kRadius, 0.2);
+    ASSERT_TRUE(cut_whole(world, stroke.settings, moves).ok());
+    if (at_once) ASSERT_TRUE(close_rim(world, stroke.settings, moves).ok());
+    if (!at_once) close_rim_in_steps(world, stroke.settings, moves);
+    const Body& body = world.body(id);
+    size_t walls = 0;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f)) || !is_within(size, body.mesh.triangle(FaceId(f)))) continue;
+      ++walls;
+      EXPECT_NEAR(temperature(body, FaceId(f)), body.sheet.substance.transition, 1e-6);
+    }
+    EXPECT_GT(walls, 1000);  // more than are heated in one step
+    expect_closed_ledger(world, 1e-9);
+    hashes.push_back(state_hash(world));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
 }
 
 TEST(DepositHeat, does_not_depend_on_the_division_into_steps) {

@@ -72,6 +72,8 @@ Result<StepResult> run_moves(Document& document, size_t moves) {
 
 Result<StepResult> run_all(Document& document) { return run_moves(document, document.waiting()); }
 
+void finish(Document& document) { ASSERT_TRUE(run_all(document).ok()); }
+
 World world_of(const Soup& soup) {
   World world;
   world.add(make_body("body", build(soup)));

@@ -24,6 +24,8 @@ Result<StepResult> cut_whole(World& world, const CutSettings& settings, std::spa
 // The same of so many moves that wait in a document, and of all.
 Result<StepResult> run_moves(Document& document, size_t moves);
 Result<StepResult> run_all(Document& document);
+// Runs all, and expects that nothing fails.
+void finish(Document& document);
 
 // A world of one body.
 World world_of(const Soup& soup);

@@ -40,12 +40,16 @@ Result<Renderer> Renderer::create() {
   return renderer;
 }
 
-void Renderer::catch_up(const World& world) {
+void Renderer::send_faces(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (!world.contains(id)) continue;
     if (picture.faces().is_sending()) contact_old_ = true;
     uploaded_ += picture.faces().update(world.body(id).mesh, most_faces_sent_);
   }
+}
+
+void Renderer::catch_up(const World& world) {
+  send_faces(world);
   find_finest();
   follow_heat(world);
 }

@@ -57,8 +57,11 @@ class Renderer {
   // How the bodies were shaded as loaded, for prepare_shading of bodies that will come.
   const LoadedShadings& loaded_shadings() const { return loaded_; }
 
-  // Sends changes now instead of with the next picture, so that faces that are removed before they were drawn
-  // are recorded with their current corners.
+  // Sends changed faces now instead of with the next picture, so that those that are removed before they were
+  // drawn are recorded with their current corners. O(changes).
+  void send_faces(const World& world);
+
+  // Sends all changes now: faces, and the heat of bodies. O(changes + hot faces).
   void catch_up(const World& world);
 
   // Draws a picture. Precondition: the world is the one that was shown, with all changes followed.

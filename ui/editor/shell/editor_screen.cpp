@@ -49,8 +49,8 @@ void send(Workspace& on) {
   if (!on.window->draws() && !renderer.is_sending() && !on.cools) return;
   const size_t before = renderer.uploaded_bytes();
   const double until = on.clock->seconds() + kSendingSeconds;
+  while (renderer.is_sending() && on.clock->seconds() < until) renderer.send_faces(on.shown_world());
   renderer.catch_up(on.shown_world());
-  while (renderer.is_sending() && on.clock->seconds() < until) renderer.catch_up(on.shown_world());
   if (renderer.uploaded_bytes() > before) on.statistics.chart.note_sent(renderer.uploaded_bytes() - before);
 }
 

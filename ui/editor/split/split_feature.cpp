@@ -116,7 +116,7 @@ bool SplitFeature::cut(Renderer& renderer) {
       break;
     }
     renderer.follow(twin_.world(), step->delta);
-    if (on_.view.look.ghost || on_.view.look.show.face_numbers) renderer.catch_up(twin_.world());
+    if (on_.view.look.ghost || on_.view.look.show.face_numbers) renderer.send_faces(twin_.world());
   }
   return anew || waited;
 }

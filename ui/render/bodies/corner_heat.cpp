@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/gtc/packing.hpp>
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/parallel.h"
 #include "core/mesh/longest_edge.h"
 #include "ui/render/bodies/heat_fit.h"
 
@@ -14,6 +16,7 @@ namespace kerf {
 namespace {
 
 constexpr double kColdWithin = 0.5;  // K, which nobody sees
+constexpr double kUnknown = -1;      // J, which no face has
 // How hot a corner may have been at the outline of what was hot, between the temperatures of the faces there.
 constexpr double kAtOutline = 0.25;
 
@@ -33,13 +36,14 @@ CornerTemperature packed(const LocalHeat& heat, double scale) {
 }
 
 // Faces that were never hot enough to keep their highest temperature tell nothing of it but that: it ends
-// between their centroids and those of the others, where it falls to, not where a face begins.
-CornerTemperature hottest_at(const Vec3& vertex, std::vector<FaceSample> samples, double scale) {
-  const size_t all = samples.size();
-  std::erase_if(samples, [](const FaceSample& s) { return s.temperatures[1] <= kAmbient; });
+// between their centroids and those of the others, where it falls to, not where a face begins. Removes their
+// samples.
+CornerTemperature hottest_at(const Vec3& vertex, std::vector<FaceSample>& samples, double scale) {
+  const size_t cold =
+      std::erase_if(samples, [](const FaceSample& s) { return s.temperatures[1] <= kAmbient; });
   if (samples.empty()) return {};
   LocalHeat heat = fit_heat(vertex, samples)[1];
-  if (samples.size() < all) {
+  if (cold > 0) {
     const auto [least, most] =
         std::ranges::minmax(samples, {}, [](const FaceSample& s) { return s.temperatures[1]; });
     heat.at = std::min(heat.at, glm::mix(least.temperatures[1], most.temperatures[1], kAtOutline));
@@ -47,93 +51,154 @@ CornerTemperature hottest_at(const Vec3& vertex, std::vector<FaceSample> samples
   return packed(heat, scale);
 }
 
-HeatMark mark_at(const Body& body, VertexId v, const std::vector<FaceId>& faces, double scale) {
-  std::vector<FaceSample> samples;
-  samples.reserve(faces.size());
-  double most = 0;
-  for (const FaceId f : faces) {
-    const Triangle t = body.mesh.triangle(f);
-    const double size2 = longest_edge2(t);
-    if (size2 == 0) continue;
-    const double now = body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness);
-    const double hottest = body.heat.hottest_of(body.mesh, f);
-    samples.push_back({(t[0] + t[1] + t[2]) / 3.0, std::sqrt(size2), {now, hottest}});
-    most = std::max({most, now, hottest});
-  }
-  if (most < kAmbient + kColdWithin) return {};
-  const Vec3& at = body.mesh.position(v);
-  return {packed(fit_heat(at, samples)[0], scale), hottest_at(at, std::move(samples), scale)};
-}
-
-void make_unique(std::vector<VertexId>& corners) {
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-}
-
 }  // namespace
 
-void CornerHeat::add_corners(const Mesh& mesh, FaceId f, std::vector<VertexId>& corners) const {
-  const std::array<VertexId, 3> of = mesh.corners(f);
-  corners.insert(corners.end(), of.begin(), of.end());
+// Makes the marks of vertices from what is known of the faces at them.
+class CornerHeat::Fitter {
+ public:
+  Fitter(const CornerHeat& heat, const Body& body, double scale) : heat_(heat), body_(body), scale_(scale) {}
+
+  // Appends what is new at a vertex of the mesh.
+  void fit(VertexId v, NewMarks& found) {
+    body_.mesh.star(v, star_);
+    std::vector<FaceId>& faces = star_.faces;
+    const auto is_wall = [&](FaceId f) { return heat_.walls_.contain(body_.mesh, f); };
+    auto walls = faces.end();
+    if (std::ranges::any_of(faces, is_wall))
+      walls = std::stable_partition(faces.begin(), faces.end(), std::not_fn(is_wall));
+    const std::span<const FaceId> surface(faces.begin(), walls), beside(walls, faces.end());
+    note(heat_.marks_, v, mark_at(v, surface), surface, found.of_surface, found.affected);
+    HeatMark of_wall = mark_at(v, beside);
+    of_wall.now.gradient = of_wall.hottest.gradient = {};
+    note(heat_.wall_marks_, v, of_wall, beside, found.of_walls, found.affected);
+  }
+
+ private:
+  HeatMark mark_at(VertexId v, std::span<const FaceId> faces) {
+    samples_.clear();
+    double most = 0;
+    for (const FaceId f : faces) {
+      const Triangle t = body_.mesh.triangle(f);
+      const double size2 = longest_edge2(t);
+      if (size2 == 0) continue;
+      const Known known = heat_.known_.get(f.index);
+      samples_.push_back({(t[0] + t[1] + t[2]) / 3.0, std::sqrt(size2), {known.now, known.hottest}});
+      most = std::max({most, known.now, known.hottest});
+    }
+    if (most < kAmbient + kColdWithin) return {};
+    const Vec3& at = body_.mesh.position(v);
+    const CornerTemperature now = packed(fit_heat(at, samples_)[0], scale_);
+    return {now, hottest_at(at, samples_, scale_)};
+  }
+
+  static void note(const std::vector<HeatMark>& marks, VertexId v, const HeatMark& mark,
+                   std::span<const FaceId> faces, std::vector<std::pair<VertexId, HeatMark>>& found,
+                   std::vector<FaceId>& affected) {
+    if (mark == (v.index < marks.size() ? marks[v.index] : HeatMark{})) return;
+    found.emplace_back(v, mark);
+    affected.insert(affected.end(), faces.begin(), faces.end());
+  }
+
+  const CornerHeat& heat_;
+  const Body& body_;
+  double scale_;
+  Mesh::Star star_;
+  std::vector<FaceSample> samples_;
+};
+
+// Returns whether it was not in the list.
+bool CornerHeat::list_corner(VertexId v) {
+  if (is_listed_.size() <= v.index) is_listed_.resize(v.index + 1, 0);
+  if (std::exchange(is_listed_[v.index], 1) != 0) return false;
+  to_fit_.push_back(v);
+  return true;
 }
 
-// Appends the corners of the faces that have energy, which are also those that may be cold next time.
-void CornerHeat::find_hot(const Body& body, std::vector<VertexId>& corners) {
-  corners.insert(corners.end(), hot_.begin(), hot_.end());
-  hot_.clear();
-  warmest_ = kAmbient;
-  body.mesh.columns().for_each_set(body.heat.energy, [&](FaceId f) {
-    add_corners(body.mesh, f, hot_);
-    warmest_ =
-        std::max(warmest_, body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
-  });
-  make_unique(hot_);
-  corners.insert(corners.end(), hot_.begin(), hot_.end());
+void CornerHeat::list_corners(const Mesh& mesh, FaceId f) {
+  for (const VertexId v : mesh.corners(f)) list_corner(v);
 }
 
-// Appends the corners of the faces whose highest temperature is another one than at the last update.
-void CornerHeat::find_tinted(const Body& body, std::vector<VertexId>& corners) {
-  const FaceColumns& columns = body.mesh.columns();
-  const auto note = [&](FaceId f, float hottest) {
-    if (seen_.size() <= f.index) seen_.resize(f.index + 1, 0);
-    if (std::exchange(seen_[f.index], hottest) == hottest) return;
-    if (body.mesh.is_live(f)) add_corners(body.mesh, f, corners);
-  };
-  for (const FaceId f : tinted_) note(f, columns.get(body.heat.hottest, f));
-  tinted_.clear();
-  columns.for_each_set(body.heat.hottest, [&](FaceId f) {
-    tinted_.push_back(f);
-    note(f, columns.get(body.heat.hottest, f));
-  });
-}
-
-void CornerHeat::update(const Body& body, double scale, std::vector<VertexId> changed,
-                        std::vector<FaceId>& affected) {
-  KERF_ASSERT(scale > 0);
-  find_hot(body, changed);
-  find_tinted(body, changed);
-  make_unique(changed);
-  walls_ = body.walls;
+// A face with other corners has another temperature with the same energy.
+void CornerHeat::forget_temperatures(const Body& body, std::span<const VertexId> changed) {
   Mesh::Star star;
   for (const VertexId v : changed) {
-    if (v.index >= body.mesh.vertex_slots()) continue;
+    if (v.index >= body.mesh.vertex_slots() || !list_corner(v)) continue;
     body.mesh.star(v, star);
-    const auto walls = std::stable_partition(star.faces.begin(), star.faces.end(),
-                                             [&](FaceId f) { return !walls_.contain(body.mesh, f); });
-    const std::vector<FaceId> surface(star.faces.begin(), walls), beside(walls, star.faces.end());
-    set_mark(marks_, v, mark_at(body, v, surface, scale), surface, affected);
-    HeatMark of_wall = mark_at(body, v, beside, scale);
-    of_wall.now.gradient = of_wall.hottest.gradient = {};
-    set_mark(wall_marks_, v, of_wall, beside, affected);
+    for (const FaceId f : star.faces) {
+      if (known_.get(f.index).energy != 0) known_.at(f.index).energy = kUnknown;
+    }
   }
 }
 
-void CornerHeat::set_mark(std::vector<HeatMark>& marks, VertexId v, const HeatMark& mark,
-                          const std::vector<FaceId>& faces, std::vector<FaceId>& affected) const {
-  if (marks.size() <= v.index && mark == HeatMark{}) return;
-  if (marks.size() <= v.index) marks.resize(v.index + 1);
-  if (std::exchange(marks[v.index], mark) == mark) return;
-  affected.insert(affected.end(), faces.begin(), faces.end());
+// Lists the corners of faces that have another energy than at the last update.
+void CornerHeat::find_reheated(const Body& body) {
+  const FaceColumns& columns = body.mesh.columns();
+  const auto note = [&](FaceId f) {
+    const double energy = columns.get(body.heat.energy, f);
+    if (known_.get(f.index).energy != energy) {
+      Known& known = known_.at(f.index);
+      known.energy = energy;
+      const bool lives = body.mesh.is_live(f);
+      known.now = lives ? body.heat.temperature(body.mesh, f, sheet_.substance, sheet_.thickness) : kAmbient;
+      if (lives) list_corners(body.mesh, f);
+    }
+    warmest_ = std::max(warmest_, known_.get(f.index).now);
+  };
+  warmest_ = kAmbient;
+  for (const FaceId f : std::exchange(hot_, {})) note(f);
+  columns.for_each_set(body.heat.energy, [&](FaceId f) {
+    hot_.push_back(f);
+    note(f);
+  });
+}
+
+// Lists the corners of faces whose highest temperature is another one than at the last update.
+void CornerHeat::find_tinted(const Body& body) {
+  const auto note = [&](FaceId f) {
+    const double hottest = body.heat.hottest_of(body.mesh, f);
+    if (known_.get(f.index).hottest == hottest) return;
+    known_.at(f.index).hottest = hottest;
+    if (body.mesh.is_live(f)) list_corners(body.mesh, f);
+  };
+  for (const FaceId f : std::exchange(tinted_, {})) note(f);
+  body.mesh.columns().for_each_set(body.heat.hottest, [&](FaceId f) {
+    tinted_.push_back(f);
+    note(f);
+  });
+}
+
+void CornerHeat::update(const Body& body, double scale, std::span<const VertexId> changed,
+                        std::vector<FaceId>& affected) {
+  KERF_ASSERT(scale > 0);
+  constexpr size_t kTogether = 1024;  // vertices
+  if (sheet_ != body.sheet) {
+    for (const FaceId f : hot_) known_.at(f.index).energy = kUnknown;
+  }
+  sheet_ = body.sheet;
+  walls_ = body.walls;
+  forget_temperatures(body, changed);
+  find_reheated(body);
+  find_tinted(body);
+  std::vector<NewMarks> found(range_count(to_fit_.size(), kTogether));
+  for_each_range(to_fit_.size(), kTogether, [&](size_t begin, size_t end) {
+    Fitter fitter(*this, body, scale);
+    for (size_t i = begin; i < end; ++i) fitter.fit(to_fit_[i], found[begin / kTogether]);
+  });
+  for (const NewMarks& part : found) {
+    set_marks(marks_, part.of_surface);
+    set_marks(wall_marks_, part.of_walls);
+    affected.insert(affected.end(), part.affected.begin(), part.affected.end());
+  }
+  for (const VertexId v : to_fit_) is_listed_[v.index] = 0;
+  to_fit_.clear();
+}
+
+void CornerHeat::set_marks(std::vector<HeatMark>& marks,
+                           std::span<const std::pair<VertexId, HeatMark>> found) {
+  for (const auto& [v, mark] : found) {
+    if (marks.size() <= v.index) marks.resize(v.index + 1);
+    marks[v.index] = mark;
+  }
 }
 
 std::array<HeatMark, 3> CornerHeat::of(const Mesh& mesh, FaceId f) const {

@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "core/base/paged_array.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -42,26 +45,44 @@ class CornerHeat {
 
   // Follows the heat of the body, whose float frame has this scale (> 0), at each update the same. `changed`
   // are corners of faces that came, went or have new corners; those that the mesh does not have are passed
-  // over. Appends the faces whose corners have new marks to `affected`. O(faces that are hot, plus a compare
-  // for each that ever was).
-  void update(const Body& body, double scale, std::vector<VertexId> changed, std::vector<FaceId>& affected);
+  // over. Appends the faces whose corners have new marks to `affected`. Fits are made at corners of faces
+  // that changed or have another temperature, several at a time; a compare for each face that is or was hot.
+  void update(const Body& body, double scale, std::span<const VertexId> changed,
+              std::vector<FaceId>& affected);
 
   // Precondition: f is live.
   std::array<HeatMark, 3> of(const Mesh& mesh, FaceId f) const;
 
  private:
-  void add_corners(const Mesh& mesh, FaceId f, std::vector<VertexId>& corners) const;
-  void find_hot(const Body& body, std::vector<VertexId>& corners);
-  void find_tinted(const Body& body, std::vector<VertexId>& corners);
-  void set_mark(std::vector<HeatMark>& marks, VertexId v, const HeatMark& mark,
-                const std::vector<FaceId>& faces, std::vector<FaceId>& affected) const;
+  // Of a face at the last update.
+  struct Known {
+    double energy = 0;  // J
+    double now = kAmbient, hottest = kAmbient;
+  };
+  // New marks of vertices, and the faces at them.
+  struct NewMarks {
+    std::vector<std::pair<VertexId, HeatMark>> of_surface, of_walls;
+    std::vector<FaceId> affected;
+  };
+  class Fitter;
+
+  void forget_temperatures(const Body& body, std::span<const VertexId> changed);
+  void find_reheated(const Body& body);
+  void find_tinted(const Body& body);
+  void list_corners(const Mesh& mesh, FaceId f);
+  bool list_corner(VertexId v);
+  static void set_marks(std::vector<HeatMark>& marks, std::span<const std::pair<VertexId, HeatMark>> found);
+
   // By vertex: of the surface, and of walls, which meet it at an angle and are larger: what is fitted to one
   // does not tell of the other.
   std::vector<HeatMark> marks_, wall_marks_;
   WallFaces walls_;
-  std::vector<float> seen_;     // by face: the highest temperature as of the last update
-  std::vector<FaceId> tinted_;  // the faces for which it is not 0
-  std::vector<VertexId> hot_;   // the corners of the faces that had energy then
+  Sheet sheet_;
+  PagedArray<Known> known_;         // by face
+  std::vector<FaceId> hot_;         // the faces that had energy
+  std::vector<FaceId> tinted_;      // the faces that were hot enough to keep their highest temperature
+  std::vector<VertexId> to_fit_;    // of an update
+  std::vector<uint8_t> is_listed_;  // by vertex: whether it is in to_fit_
   double warmest_ = kAmbient;
 };
 

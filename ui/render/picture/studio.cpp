@@ -57,7 +57,7 @@ Result<Studio> Studio::open(const Scene& scene, const PictureOptions& options) {
 void Studio::follow(const World& world, const StepResult* step) {
   if (step == nullptr) return renderer_.resend(world);
   renderer_.follow(world, step->delta);
-  if (look_.show.face_numbers) renderer_.catch_up(world);
+  if (look_.show.face_numbers) renderer_.send_faces(world);
 }
 
 void Studio::show_graph(const Document& document) {

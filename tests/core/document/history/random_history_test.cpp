@@ -199,7 +199,8 @@ void act(Document& document, Model& model, Random& random) {
 void run_at_random(uint64_t seed, size_t window) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Model model{.solid = seed % 2 == 1};
+  Model model;
+  model.solid = seed % 2 == 1;
   const auto origin = [&](const Progress*) { return Result<World>(ring_and_book(model.solid)); };
   Document document(ring_and_book(model.solid), origin);
   document.set_window(window);
@@ -234,7 +235,8 @@ TEST(RandomHistory, a_journal_with_undos_and_recuts_replays_to_the_same_world) {
   for (uint64_t seed = 201; seed <= 200 + runs(4); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    Model model{.solid = seed % 2 == 1};
+    Model model;
+    model.solid = seed % 2 == 1;
     Document document(ring_and_book(model.solid));
     for (int i = 0; i < 20; ++i) act(document, model, random);
     finish(document);

@@ -13,6 +13,7 @@ import hashlib
 import os
 import random
 import re
+import shutil
 import subprocess
 import sys
 import time
@@ -119,6 +120,12 @@ def noticed(folder, room):
 
 def bring_up_to_date(folder):
     os.makedirs(folder, exist_ok=True)
+    for name in sorted(set(os.listdir(folder)) - {'build'}):
+        path = f'{folder}/{name}'
+        if os.path.isdir(path):
+            shutil.rmtree(path)
+        else:
+            os.remove(path)
     archive = subprocess.Popen(['git', '-C', ROOT, 'archive', 'HEAD'], stdout=subprocess.PIPE)
     subprocess.run(['tar', '-x', '-C', folder], stdin=archive.stdout, check=True)
     if not os.path.exists(f'{folder}/build/build.ninja'):

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/edit/detach.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
@@ -41,6 +43,27 @@ TEST(BodyEdit, keeps_faces_areas_and_moments_of_all_pieces_through_strokes_and_d
         if (stroke == 1) detach_all(world);
         for (const BodyId id : world.ids()) expect_piece_sums(world.body(id));
         if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+// A face keeps how often the area of its base face was halved, rounded.
+TEST(BodyEdit, counts_the_halvings_of_both_parts_of_an_edge_that_is_split_anywhere) {
+  for (const double share : {0.5, 0.25, 0.7, 0.9, 0.03}) {
+    SCOPED_TRACE(share);
+    Body body = make_body("grid", build(grid(4, 1)));
+    const FaceId f(9);
+    const auto corners = body.mesh.corners(f);
+    const double whole = triangle_area(body.mesh.triangle(f));
+    std::vector<Mesh::FaceSplit> splits;
+    const Vec3 from = body.mesh.position(corners[0]), to = body.mesh.position(corners[1]);
+    BodyEdit(body).split_edge_at(f, corners[0], corners[1], from + share * (to - from), splits);
+    ASSERT_EQ(splits.size(), 2u);
+    for (const Mesh::FaceSplit& split : splits) {
+      for (const FaceId part : {split.kept, split.added}) {
+        const double halvings = std::log2(whole / triangle_area(body.mesh.triangle(part)));
+        EXPECT_EQ(body.mesh.data(part).halvings, std::lround(halvings));
       }
     }
   }

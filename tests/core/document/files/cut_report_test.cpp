@@ -61,6 +61,46 @@ TEST(CutReport, sums_up_walls_and_volume_and_says_each_reason_once) {
   EXPECT_EQ(report["notes"].dump(), R"(["box: the walls meet nowhere."])");
 }
 
+TEST(CutReport, sums_up_what_was_loaded_and_what_steps_took) {
+  CutJob job;
+  MeshReport mesh;
+  mesh.faces = 12;
+  mesh.vertices = 8;
+  mesh.components = 1;
+  mesh.area = 6;
+  for (int i = 0; i < 2; ++i) job.note_loaded(mesh);
+  const World world = world_of(brick({1, 1, 1}));
+  // Steps of 1 to 100 ms in some order, and one that removed nothing.
+  for (int i = 1; i <= 100; ++i) {
+    StepResult step;
+    step.delta.removed_faces = 2;
+    step.delta.removed_area = 0.5;
+    step.statistics.query_s = 0.25;
+    step.statistics.refine_s = 0.5;
+    step.statistics.remove_s = 1;
+    step.statistics.update_tree_s = 2;
+    step.statistics.separate_s = 4;
+    job.note_bite(step, world, i * 37 % 101 / 1000.0);
+  }
+  job.note_bite({}, world, 7);
+  const auto report = cut_report(job, world, {}, {});
+  EXPECT_EQ(report["input"]["faces"], 24);
+  EXPECT_EQ(report["input"]["vertices"], 16);
+  EXPECT_EQ(report["input"]["components"], 2);
+  EXPECT_EQ(report["input"]["area"], 12.0);
+  EXPECT_EQ(report["removed"]["faces"], 200);
+  EXPECT_EQ(report["removed"]["area"], 50.0);
+  const auto& timing = report["timing_ms"];
+  EXPECT_EQ(timing["query"], 25e3);
+  EXPECT_EQ(timing["refine"], 50e3);
+  EXPECT_EQ(timing["remove"], 100e3);
+  EXPECT_EQ(timing["update_tree"], 200e3);
+  EXPECT_EQ(timing["separate"], 400e3);
+  EXPECT_DOUBLE_EQ(timing["step_p50"], 50);
+  EXPECT_DOUBLE_EQ(timing["step_p99"], 99);
+  EXPECT_DOUBLE_EQ(timing["step_max"], 100);
+}
+
 TEST(CutReport, has_no_word_of_solids_where_there_is_none) {
   const World world = world_of(brick({1, 1, 1}));
   const auto report = cut_report({}, world, {}, {});

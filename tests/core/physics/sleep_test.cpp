@@ -81,6 +81,24 @@ TEST_F(QuietRow, wakes_what_touched_before_it_fell_asleep) {
   EXPECT_EQ(awake(false), "23");
 }
 
+// The first is restless, and wakes the second if it touches it before the tick is over. They are 3 mm apart,
+// and quiet speeds close that gap within a tick only if both go towards each other.
+TEST_F(QuietRow, wakes_what_comes_near_within_the_tick_as_seen_from_the_other) {
+  const auto second_wakes = [&](double first, double second) {
+    sheets_.body(0).motion.quiet = 0;
+    sheets_.body(1).motion.quiet = kHalfASecond;
+    sheets_.body(1).motion.asleep = false;
+    sheets_.body(0).motion.velocity = {first, 0, 0};
+    sheets_.body(1).motion.velocity = {second, 0, 0};
+    const TouchingPair pair{0, 1, {Contact{Vec3(0), {-1, 0, 0}, 0.003, 0, {}}}, {}};
+    update_sleep(sheets_.bodies(), {&pair, 1}, joints_, memory_, kTick);
+    return !sheets_.body(1).motion.asleep;
+  };
+  EXPECT_TRUE(second_wakes(0.2, -0.2));
+  EXPECT_FALSE(second_wakes(0.2, 0.2)) << "both go the same way";
+  EXPECT_FALSE(second_wakes(-0.2, 0.2)) << "they part";
+}
+
 // Whether a tick at this speed and spin counts as quiet.
 bool is_quiet(double speed, double spin, bool on_hinge = false, uint32_t crossed = 0) {
   test::MovingSheets sheets;

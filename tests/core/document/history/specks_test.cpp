@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/document/history/single_step.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -30,7 +31,8 @@ Soup two_strips(double short_end) {
   return soup;
 }
 
-Document cut_strips() {
+// With the stroke to be cut.
+Document strips() {
   Document document(test::world_of(two_strips(0.63)));
   CutSettings settings;
   settings.laser.radius = kRadius;
@@ -40,6 +42,11 @@ Document cut_strips() {
   document.apply(BeginStroke{settings, {{-1, 0.5, 1}, {0, 0, -1}}});
   document.apply(MoveStroke{{{2, 0.5, 1}, {0, 0, -1}}});
   document.apply(EndStroke{});
+  return document;
+}
+
+Document cut_strips() {
+  Document document = strips();
   while (document.waiting() > 0) EXPECT_TRUE(document.step(64).ok());
   return document;
 }
@@ -72,6 +79,19 @@ TEST(Specks, keep_their_kind_when_they_become_bodies) {
   const std::set<PieceId> after = specks(document);
   ASSERT_EQ(after.size(), 1u);
   EXPECT_NE(after.begin()->body, speck.body);
+}
+
+TEST(Specks, are_told_by_the_stage_in_which_they_come_off) {
+  Document document = strips();
+  SingleStep single(document);
+  size_t told = 0;
+  while (document.waiting() > 0) {
+    const Result<StageRecord> stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    told += stage->specks;
+  }
+  EXPECT_EQ(told, 1u);
+  EXPECT_EQ(specks(document).size(), 1u);
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ TEST(MaterialReader, the_table_has_the_materials_of_the_command_line) {
   EXPECT_EQ(materials->size(), 10u);
   EXPECT_EQ(find_material(*materials, "unobtainium"), nullptr);
   EXPECT_EQ(find_material(*materials, "mild-steel")->substance, Substance());
+  EXPECT_EQ(find_material(*materials, "mild-steel")->title, "Mild steel");
 }
 
 TEST(MaterialReader, what_is_ablated_takes_its_heat_of_ablation_from_the_ambient_on) {

@@ -51,10 +51,12 @@ TEST(SaveWorldAsScene, keeps_the_order_of_faces_of_several_pieces) {
   settle(body);
   ASSERT_EQ(world.live_pieces(), 2u);
   TemporaryFolder folder;
-  const auto saved = save_world_as_scene(world, {}, folder.path());
+  SceneDescription description;
+  description.bodies.push_back(body_of_file(folder / "what-was-opened.obj"));
+  const auto saved = save_world_as_scene(world, description, folder.path());
   ASSERT_TRUE(saved.ok());
   const auto scene = read_scene(*saved);
-  ASSERT_TRUE(scene.ok());
+  ASSERT_TRUE(scene.ok()) << "it has only the bodies of the world";
   const Mesh& back = scene->world.body(scene->world.ids().front()).mesh;
   uint32_t next = 0;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {

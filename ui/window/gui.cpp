@@ -4,6 +4,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+
 #include <backends/imgui_impl_opengl3.h>
 
 #include "core/base/assert.h"
@@ -22,6 +24,14 @@ bool has_double_click(std::span<const InputEvent> events, double most_pixels) {
     first = event.at;
   }
   return false;
+}
+
+// The pointer may have left where a button was pressed before the frame began, and what is hovered hears of a
+// press.
+void point_at_press(std::span<const InputEvent> events) {
+  const auto press = std::ranges::find(events, InputEvent::Kind::kPress, &InputEvent::kind);
+  if (press == events.end()) return;
+  ImGui::GetIO().MousePos = {static_cast<float>(press->at.x), static_cast<float>(press->at.y)};
 }
 
 // Whether the last frame left out the item that the mouse holds (see keep_active_item).
@@ -75,6 +85,7 @@ void Gui::begin_frame(std::span<const InputEvent> events) {
   ImGuiIO& io = ImGui::GetIO();
   io.MouseDoubleClickTime = kDoubleClickSeconds + last_frame_seconds_ + io.DeltaTime;
   last_frame_seconds_ = io.DeltaTime;
+  point_at_press(events);
   hold_release(events);
   ImGui::NewFrame();
   if (!has_double_click(events, io.MouseDoubleClickMaxDist)) return;

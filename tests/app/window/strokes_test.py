@@ -31,6 +31,15 @@ class Strokes(WindowTest):
     def test_a_slit_follows_the_pointer_also_where_it_moves_within_a_slow_frame(self):
         self.assert_slit_follows_pointer(self.open())
 
+    def test_a_press_is_heard_where_it_was_though_the_pointer_went_on_within_the_frame(self):
+        editor = self.open()
+        on_car, over_panel = editor.place((0.3, 0.51)), editor.place(("side", 0.5, 0.7))
+        editor.draw_at_once([on_car, editor.place((0.5, 0.5)), over_panel])
+        editor.settle()
+        editor.draw_at_once([over_panel, on_car, editor.place((0.5, 0.6))])
+        editor.settle()
+        self.assertEqual(editor.quit()["strokes"], 1)
+
     def test_standard_views_come_by_keys_and_by_the_axes_and_a_slit_follows_the_pointer_in_an_orthographic_view(self):
         editor = self.open()
         editor.point_at(0.05, 0.05)

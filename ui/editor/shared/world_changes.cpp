@@ -241,7 +241,8 @@ bool WorldChanges::do_beside(const Part& part) {
 void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) {
   if (step.last) on_.beam.reach(step.last->to);
   renderer().follow(on_.work.document.world(), step.delta, std::move(prepared));
-  if (on_.view.look.ghost || on_.view.look.show.face_numbers) renderer().send_faces(on_.work.document.world());
+  if (on_.view.look.ghost || on_.view.look.show.face_numbers)
+    renderer().send_faces(on_.work.document.world());
   follow_released(step.delta);
   const bool came = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
                                 [](const BodyDelta& body) { return !body.new_pieces.empty(); });

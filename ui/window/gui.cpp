@@ -3,7 +3,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-
 #include <algorithm>
 
 #include <backends/imgui_impl_opengl3.h>

@@ -115,11 +115,12 @@ compile() {
 }
 
 # show_progress: what ninja prints, without the names of what it builds. On a terminal a line says how far the build is
-# and about how long it still takes; in a log such a line is written every 15 seconds. The filter outlives an interrupt,
-# or ninja would die on the broken pipe before it ends its compilers.
+# and about how long it still takes; in a log such a line is written after 2 seconds and every 15 from then on, so that
+# nothing is said where there is next to nothing to build. The filter outlives an interrupt, or ninja would die on the
+# broken pipe before it ends its compilers.
 show_progress() {
   trap '' INT
-  local line next_line=0 groups=0
+  local line next_line=2 groups=0
   while IFS= read -r line; do
     case $line in
       'ninja: Entering directory'* | 'ninja: no work to do'* | *'Re-checking globbed'*) continue ;;

@@ -268,6 +268,7 @@ class RimBite {
 
   // Returns whether all walls have their heat.
   bool heat(const RimState& rim) {
+    KERF_ASSERT(work_.waiting.empty() || (rim.step.body().solid && settings_.heat_width > 0));
     const size_t end = std::min(work_.waiting.size(), work_.next + 8 * kFacesTogether);
     heat_walls(world_, rim.step, std::span(work_.waiting).subspan(work_.next, end - work_.next));
     taken_ += end - std::exchange(work_.next, end);

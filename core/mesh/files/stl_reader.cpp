@@ -1,9 +1,13 @@
 #include "core/mesh/files/stl_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/count_text.h"
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/polygon_list.h"
 #include "core/mesh/files/scanner.h"
@@ -21,15 +25,22 @@ uint32_t binary_count(std::string_view bytes) {
   return load<uint32_t>(bytes.data() + kCountAt, std::endian::little);
 }
 
+char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+
+bool starts_ignoring_case(std::string_view word, std::string_view lower) {
+  return word.size() >= lower.size() && std::equal(lower.begin(), lower.end(), word.begin(),
+                                                   [](char a, char b) { return a == lower_case(b); });
+}
 bool equal_ignoring_case(std::string_view word, std::string_view lower) {
-  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
-                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + ('a' - 'A') : a) == b; });
+  return word.size() == lower.size() && starts_ignoring_case(word, lower);
 }
 
 bool is_text(std::string_view bytes) {
   Scanner scanner(bytes, {}, {}, nullptr);
   scanner.at_end();
-  return equal_ignoring_case(scanner.word(), "solid") && bytes.find('\0') == std::string_view::npos;
+  const std::string_view word = scanner.word();
+  return (starts_ignoring_case(word, "solid") || equal_ignoring_case(word, "facet")) &&
+         bytes.find('\0') == std::string_view::npos;
 }
 
 void add_triangle(const std::array<Vec3, 3>& corners, Soup& soup) {
@@ -53,6 +64,22 @@ std::array<Vec3, 3> load_corners(const char* bytes) {
   return corners;
 }
 
+// The number of whole triangles that a binary file is long enough for.
+size_t room_for_triangles(std::string_view bytes) { return (bytes.size() - kHeaderBytes) / kTriangleBytes; }
+
+// Whether the bytes after the header are whole triangles, whatever number the header announces. Programs that
+// write while they compute leave it at 0. Text and most other data are told apart by the coordinates.
+bool are_whole_triangles(std::string_view bytes) {
+  if ((bytes.size() - kHeaderBytes) % kTriangleBytes != 0 || bytes.find('\0') == std::string_view::npos)
+    return false;
+  for (size_t i = 0; i < room_for_triangles(bytes); ++i) {
+    for (const Vec3& corner : load_corners(bytes.data() + kHeaderBytes + i * kTriangleBytes + kNormalBytes)) {
+      if (!std::isfinite(corner.x) || !std::isfinite(corner.y) || !std::isfinite(corner.z)) return false;
+    }
+  }
+  return true;
+}
+
 Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, const Progress* progress) {
   Scanner scanner(bytes, file_name, {}, progress);
   scanner.seek(0);
@@ -61,16 +88,23 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
                               " bytes it is too short for an STL file");
   }
   scanner.take(kCountAt);
-  const uint32_t count = load<uint32_t>(scanner.take(sizeof(uint32_t)), std::endian::little);
-  if (count > scanner.left() / kTriangleBytes) {
-    return scanner.byte_error("announces " + std::to_string(count) + " triangles, but the file holds only " +
-                              std::to_string(scanner.left() / kTriangleBytes) +
+  const uint32_t announced = load<uint32_t>(scanner.take(sizeof(uint32_t)), std::endian::little);
+  const size_t room = room_for_triangles(bytes);
+  const bool wrong_count = room > 0 && announced != room && are_whole_triangles(bytes);
+  if (announced > room && !wrong_count) {
+    return scanner.byte_error("announces " + std::to_string(announced) +
+                              " triangles, but the file holds only " + std::to_string(room) +
                               "; it is cut short or no STL");
   }
   Soup soup;
-  soup.positions.reserve(3 * size_t{count});
+  if (wrong_count) {
+    soup.warnings.push_back("The header announces " + count_text(announced, "triangle") +
+                            ", but the file is as long as " + grouped(room) + "; all of them were read.");
+  }
+  const size_t count = wrong_count ? room : announced;
+  soup.positions.reserve(3 * count);
   soup.triangles.reserve(count);
-  for (uint32_t i = 0; i < count; ++i) {
+  for (size_t i = 0; i < count; ++i) {
     if (scanner.cancelled()) return cancelled();
     add_triangle(load_corners(scanner.take(kTriangleBytes) + kNormalBytes), soup);
   }
@@ -82,22 +116,83 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
   return finished(std::move(soup), file_name);
 }
 
+// Reads text as programs write it. Where it strays from the format and no facet is in doubt, it is read as
+// other readers do, with a warning.
 class TextReader {
  public:
   TextReader(std::string_view bytes, const std::string& file_name, const Progress* progress)
       : scanner_(bytes, file_name, {}, progress), file_name_(file_name) {}
 
   Result<Soup> read() {
-    while (next_is("solid")) {
-      if (auto problem = read_solid()) return *problem;
+    while (!scanner_.at_end()) {
+      if (scanner_.cancelled()) return cancelled();
+      if (auto problem = read_statement()) return *problem;
     }
-    if (!scanner_.at_end()) soup_.warnings.push_back("What follows the last 'endsolid' was passed over.");
+    scanner_.word();
+    if (in_solid_) stray("the file ends without 'endsolid', so that it may be cut short");
+    if (strays_ > 0) add_warning();
     if (scanner_.garbled_numbers() > 0) soup_.warnings.push_back(scanner_.garbled_numbers_warning());
     return finished(std::move(soup_), file_name_);
   }
 
  private:
   using Problem = std::optional<Error>;
+
+  // Reads a facet, or a line outside of facets.
+  Problem read_statement() {
+    const std::string_view word = scanner_.word();
+    if (equal_ignoring_case(word, "facet")) return read_facet();
+    const bool split_end = equal_ignoring_case(word, "end");
+    if (starts_ignoring_case(word, "endsolid") || (split_end && next_is("solid"))) {
+      if (split_end || word.size() > std::string_view("endsolid").size())
+        stray("it is not 'endsolid' followed by a blank and the name");
+      if (!std::exchange(in_solid_, false)) stray("'endsolid' without 'solid'");
+    } else if (starts_ignoring_case(word, "solid")) {
+      if (std::exchange(in_solid_, true)) stray("'solid' before the 'endsolid' of the last one");
+    } else if (is_part_of_facet(word) || (in_solid_ && is_last_line())) {
+      return scanner_.expected("'facet' or 'endsolid'");
+    } else {
+      stray(in_quotes(word) + " is passed over");
+    }
+    scanner_.skip_line();
+    return std::nullopt;
+  }
+
+  static bool is_part_of_facet(std::string_view word) {
+    constexpr std::array<std::string_view, 7> kParts{"normal",  "outer",    "loop", "vertex",
+                                                     "endloop", "endfacet", "end"};
+    return std::any_of(kParts.begin(), kParts.end(),
+                       [&](std::string_view part) { return equal_ignoring_case(word, part); });
+  }
+
+  // Whether nothing follows the line of the last word.
+  bool is_last_line() {
+    const size_t before = scanner_.position();
+    scanner_.skip_line();
+    const bool last = scanner_.at_end();
+    scanner_.seek(before);
+    return last;
+  }
+
+  // Reads a facet after the word "facet".
+  Problem read_facet() {
+    Vec3 normal;
+    std::array<Vec3, 3> corners;
+    if (!in_solid_ && soup_.triangles.empty()) stray("'facet' without 'solid'");
+    if (auto problem = need("normal")) return problem;
+    if (auto problem = read_vector(normal)) return problem;
+    for (const std::string_view keyword : {"outer", "loop"}) {
+      if (auto problem = need(keyword)) return problem;
+    }
+    for (Vec3& corner : corners) {
+      if (auto problem = need("vertex")) return problem;
+      if (auto problem = read_vector(corner)) return problem;
+    }
+    if (auto problem = need_one("end", "loop")) return problem;
+    if (auto problem = need_one("end", "facet")) return problem;
+    add_triangle(corners, soup_);
+    return std::nullopt;
+  }
 
   // Consumes the next word if it is the keyword.
   bool next_is(std::string_view keyword) {
@@ -114,6 +209,14 @@ class TextReader {
     return scanner_.expected(in_quotes(keyword));
   }
 
+  // Consumes a keyword whose two parts a writer may have split.
+  Problem need_one(std::string_view first, std::string_view second) {
+    const std::string keyword = std::string(first) + std::string(second);
+    if (!next_is(first)) return need(keyword);
+    stray("'" + std::string(first) + " " + std::string(second) + "' stands for " + in_quotes(keyword));
+    return need(second);
+  }
+
   Problem read_vector(Vec3& vector) {
     for (int i = 0; i < 3; ++i) {
       scanner_.at_end();
@@ -124,41 +227,25 @@ class TextReader {
     return std::nullopt;
   }
 
-  // Reads a solid after the word "solid" up to the end of the line of "endsolid".
-  Problem read_solid() {
-    scanner_.skip_line();
-    while (next_is("facet")) {
-      if (scanner_.cancelled()) return cancelled();
-      if (auto problem = read_facet()) return problem;
-    }
-    if (!next_is("endsolid")) return scanner_.expected("'facet' or 'endsolid'");
-    scanner_.skip_line();
-    return std::nullopt;
+  // Counts a place where the file strays from the format, in the line of the last word.
+  void stray(const std::string& how) {
+    if (strays_++ == 0) first_stray_ = "line " + std::to_string(scanner_.line()) + ": " + how;
   }
 
-  // Reads a facet after the word "facet".
-  Problem read_facet() {
-    Vec3 normal;
-    std::array<Vec3, 3> corners;
-    if (auto problem = need("normal")) return problem;
-    if (auto problem = read_vector(normal)) return problem;
-    for (const std::string_view keyword : {"outer", "loop"}) {
-      if (auto problem = need(keyword)) return problem;
-    }
-    for (Vec3& corner : corners) {
-      if (auto problem = need("vertex")) return problem;
-      if (auto problem = read_vector(corner)) return problem;
-    }
-    for (const std::string_view keyword : {"endloop", "endfacet"}) {
-      if (auto problem = need(keyword)) return problem;
-    }
-    add_triangle(corners, soup_);
-    return std::nullopt;
+  void add_warning() {
+    const size_t facets = soup_.triangles.size();
+    soup_.warnings.push_back("This is not quite STL, in " +
+                             (strays_ == 1 ? std::string() : grouped(strays_) + " places, the first in ") +
+                             first_stray_ + ". " + count_text(facets, "facet") +
+                             (facets == 1 ? " was read." : " were read."));
   }
 
   Scanner scanner_;
   const std::string& file_name_;
   Soup soup_;
+  bool in_solid_ = false;
+  size_t strays_ = 0;
+  std::string first_stray_;  // "line 3: WHAT"
 };
 
 }  // namespace

@@ -35,6 +35,82 @@ TEST(StlReader, takes_a_binary_file_that_says_solid) {
   EXPECT_TRUE(read_stl(bytes + "x", "t.stl"));
 }
 
+// A square with the given number in its header.
+std::string announcing(uint32_t count) {
+  std::string bytes = binary_sample();
+  for (size_t i = 0; i < sizeof count; ++i) bytes[80 + i] = static_cast<char>(count >> 8 * i);
+  return bytes;
+}
+
+TEST(StlReader, reads_whole_triangles_whatever_number_a_binary_file_announces) {
+  for (const uint32_t count : {0u, 1u, 3u, 0xffffffffu}) {
+    const Result<Soup> soup = read_stl(announcing(count), "t.stl");
+    ASSERT_TRUE(soup) << count;
+    EXPECT_EQ(soup->triangles_in_file, 2u);
+    EXPECT_EQ(test::area(*soup), 1.0);
+    ASSERT_EQ(soup->warnings.size(), 1u);
+    EXPECT_NE(soup->warnings[0].find("but the file is as long as 2; all of them were read."),
+              std::string::npos)
+        << soup->warnings[0];
+  }
+}
+
+TEST(StlReader, does_not_take_other_bytes_of_that_length_for_triangles) {
+  std::string bytes = announcing(3);
+  bytes.replace(84 + 12, 4, "\xff\xff\xff\xff");  // a coordinate that is no number
+  EXPECT_NE(stl_refusal(bytes), "");
+  EXPECT_NE(stl_refusal(std::string(84 + 50, 'a')), "");
+  EXPECT_NE(stl_refusal(announcing(3).substr(0, 84)), "");
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+constexpr const char* kFacet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n";
+
+TEST(StlReader, reads_text_as_sloppy_programs_write_it_and_says_where_it_strays) {
+  const std::string facet = kFacet, split = replaced(facet, "end", "end ");
+  const struct {
+    std::string text, warning;
+  } files[] = {
+      {"solid x\n" + split + "endsolid x\n",
+       "This is not quite STL, in 2 places, the first in line 7: 'end loop' stands for 'endloop'."},
+      {"solid A\nsolid A\n" + facet + "endsolid A\nendsolid A\n",
+       "This is not quite STL, in 2 places, the first in line 2: 'solid' before the 'endsolid' of the last "
+       "one."},
+      {"solid\n" + facet + "ENDSOLIDtwo\n",
+       "This is not quite STL, in line 9: it is not 'endsolid' followed by a blank and the name."},
+      {"solid\n" + facet + "end solid two\n",
+       "This is not quite STL, in line 9: it is not 'endsolid' followed by a blank and the name."},
+      {"solid x\ncolor 0.1 0.2 0.3\n" + facet + "endsolid\n",
+       "This is not quite STL, in line 2: 'color' is passed over."},
+      {"solid x\n" + facet,
+       "This is not quite STL, in line 9: the file ends without 'endsolid', so that it may be cut short."},
+      {facet + "endsolid\n",
+       "This is not quite STL, in 2 places, the first in line 1: 'facet' without 'solid'."},
+      {"solid x\n" + facet + "endsolid\nwritten by hand\n",
+       "This is not quite STL, in line 10: 'written' is passed over."},
+  };
+  for (const auto& file : files) {
+    const Result<Soup> soup = read_stl(file.text, "t.stl");
+    ASSERT_TRUE(soup) << file.text << soup.error().message;
+    EXPECT_EQ(soup->triangles_in_file, 1u) << file.text;
+    EXPECT_EQ(soup->warnings, (std::vector<std::string>{file.warning + " 1 facet was read."}));
+  }
+}
+
+TEST(StlReader, reads_on_behind_lines_that_it_passes_over_between_solids) {
+  const std::string facet = kFacet;
+  const Result<Soup> soup =
+      read_stl("solid\n" + facet + "endsolid\n; two\nsolid solid two\n" + facet, "t.stl");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->triangles_in_file, 2u);
+}
+
 TEST(StlReader, reads_several_solids_of_text) {
   std::string text = test::sample_files()[5].bytes;
   const Result<Soup> soup = read_stl(text + text, "t.stl");
@@ -49,6 +125,10 @@ TEST(StlReader, names_the_line_where_text_is_wrong) {
   EXPECT_EQ(stl_refusal(start + "vertex 0 one 0\n"), "t.stl, line 5: expected a number, found 'one'.");
   EXPECT_EQ(stl_refusal(start + "vertex 0 1"),
             "t.stl, line 5: the file ends where a number must be; it is cut short.");
+  EXPECT_EQ(stl_refusal(std::string("solid x\n") + kFacet + "fac"),
+            "t.stl, line 9: expected 'facet' or 'endsolid', found 'fac'.");
+  EXPECT_EQ(stl_refusal("solid x\nouter loop\n"),
+            "t.stl, line 2: expected 'facet' or 'endsolid', found 'outer'.");
   EXPECT_EQ(stl_refusal("solid x\nendsolid"), "t.stl: there is no face in it, so there is nothing to cut.");
 }
 

@@ -88,11 +88,24 @@ Result<FileBytes> read_bytes(const std::filesystem::path& path, const std::strin
   return bytes;
 }
 
+Error not_a_mesh(const std::string& name, std::string_view kind) {
+  const std::string what = kind.empty() ? "" : std::string(kind) + ", which is ";
+  return bad_input(name + ": this is " + what +
+                   "no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
+}
+
 Result<Soup> parse(std::string_view bytes, const std::string& name, const std::filesystem::path& path,
                    const Progress* progress) {
-  const std::optional<MeshFormat> format = recognise_format(bytes, path.extension().string());
-  if (!format)
-    return bad_input(name + ": this is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
+  const std::optional<MeshFormat> by_content = recognise_format(bytes, {});
+  if (!by_content) {
+    // What is no other kind of file may be a damaged one of the format that its name says.
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+      return bad_input(name + ": this is UTF-16 text; save it as UTF-8.");
+    const std::string_view kind = kind_of_file(bytes);
+    if (!kind.empty()) return not_a_mesh(name, kind);
+  }
+  const std::optional<MeshFormat> format = by_content ? by_content : mesh_format(path.extension().string());
+  if (!format) return not_a_mesh(name, {});
   switch (*format) {
     case MeshFormat::kObj:
       return read_obj(bytes, name, progress);

@@ -8,6 +8,7 @@
 
 #include "core/base/ids.h"
 #include "core/base/unit_vector.h"
+#include "core/mesh/files/mesh_format.h"
 
 namespace kerf {
 
@@ -98,7 +99,11 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
   } catch (const nlohmann::json::parse_error& fault) {
     const size_t at = std::min(text.size(), fault.byte > 0 ? fault.byte - 1 : 0);
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    return bad_input(file + ": line " + std::to_string(line) + ": this is not JSON");
+    const size_t first = text.find_first_not_of(" \t\r\n");
+    const bool begins_as_json = first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+    const std::string_view kind = begins_as_json ? std::string_view() : kind_of_file(text);
+    return bad_input(file + ": line " + std::to_string(line) + ": this is " +
+                     (kind.empty() ? "not JSON" : std::string(kind) + ", not JSON"));
   } catch (const std::exception&) {
     return bad_input(file + ": this is not JSON that can be read");
   }

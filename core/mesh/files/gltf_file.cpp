@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr size_t kHead = 12, kChunkHead = 8;
 constexpr uint64_t kLargestBuffer = uint64_t{1} << 32;
+constexpr std::array<const char*, 7> kLists{"accessors", "bufferViews", "buffers", "materials",
+                                            "meshes",    "nodes",       "scenes"};
 
 uint32_t word_at(std::string_view bytes, size_t at) {
   return load<uint32_t>(bytes.data() + at, std::endian::little);
@@ -70,6 +72,7 @@ Result<GltfFile> GltfFile::open(std::string_view bytes, const std::string& name,
   file.name_ = one_line(name);
   auto problem = is_binary(bytes) ? file.take_chunks(bytes) : file.parse(bytes);
   if (!problem) problem = file.check_version();
+  if (!problem) problem = file.check_lists();
   if (!problem) problem = file.check_extensions();
   if (!problem) problem = file.find_buffers(folder);
   if (problem) return *problem;
@@ -83,9 +86,7 @@ Error GltfFile::wrong(const std::string& where, const std::string& what) const {
 std::optional<Error> GltfFile::take_chunks(std::string_view bytes) {
   if (bytes.size() < kHead + kChunkHead)
     return wrong("byte 0", "the file ends within the header of a binary glTF file");
-  if (word_at(bytes, 4) != 2)
-    return wrong("byte 4",
-                 "this is glTF of version " + std::to_string(word_at(bytes, 4)) + "; only version 2 is read");
+  if (word_at(bytes, 4) != kGlbVersion) return other_version("byte 4", std::to_string(word_at(bytes, 4)));
   const size_t length = word_at(bytes, 8);
   if (length > bytes.size() || length < kHead + kChunkHead) {
     return wrong("byte 8", "announces " + std::to_string(length) + " bytes, but the file has " +
@@ -119,7 +120,11 @@ std::optional<Error> GltfFile::parse(std::string_view text) {
     return wrong("JSON", "it holds a number that is too large");
   }
   if (!json_.is_object()) return wrong("JSON", "must be an object");
-  for (const char* list : {"accessors", "bufferViews", "buffers", "materials", "meshes", "nodes", "scenes"}) {
+  return std::nullopt;
+}
+
+std::optional<Error> GltfFile::check_lists() const {
+  for (const char* list : kLists) {
     if (!json_.contains(list)) continue;
     const nlohmann::json& elements = json_[list];
     const auto is_object = [](const nlohmann::json& e) { return e.is_object(); };
@@ -129,19 +134,28 @@ std::optional<Error> GltfFile::parse(std::string_view text) {
   return std::nullopt;
 }
 
+Error GltfFile::other_version(const std::string& where, const std::string& version) const {
+  return wrong(where, "this is glTF " + version + ", and only glTF 2.0 is read; convert it to 2.0");
+}
+
 std::optional<Error> GltfFile::check_version() const {
   const auto text = [&](const char* key) -> std::string {
     const auto asset = json_.find("asset");
     if (asset == json_.end() || !asset->is_object()) return "";
     const auto at = asset->find(key);
-    return at != asset->end() && at->is_string() ? at->get<std::string>() : "";
+    if (at == asset->end()) return "";
+    return at->is_string() ? one_line(at->get<std::string>()) : at->is_number() ? at->dump() : "";
   };
-  const std::string version = text("minVersion").empty() ? text("version") : text("minVersion");
+  const bool has_least = !text("minVersion").empty();
+  const std::string version = has_least ? text("minVersion") : text("version");
+  // Before 2.0 the accessors and so on had names, and the version could be left out.
+  const bool named = std::any_of(kLists.begin(), kLists.end(), [&](const char* list) {
+    return json_.contains(list) && json_[list].is_object();
+  });
+  if (version.empty() && named) return other_version("/accessors", "1.0");
   if (version.empty()) return wrong("/asset/version", "is missing, so that this is no glTF file");
-  if (!version.starts_with("2.") && version != "2")
-    return wrong("/asset/version", "is " + in_quotes(version) + "; only glTF 2 is read");
-  if (version != "2" && version != "2.0" && !text("minVersion").empty())
-    return wrong("/asset/minVersion", "is " + in_quotes(version) + "; glTF 2.0 is read");
+  if (!(has_least ? version == "2.0" : version.starts_with("2.")) && version != "2")
+    return other_version(has_least ? "/asset/minVersion" : "/asset/version", version);
   return std::nullopt;
 }
 

@@ -54,6 +54,8 @@ class GltfFile {
   std::optional<Error> take_chunks(std::string_view bytes);
   std::optional<Error> parse(std::string_view text);
   std::optional<Error> check_version() const;
+  std::optional<Error> check_lists() const;
+  Error other_version(const std::string& where, const std::string& version) const;
   std::optional<Error> check_extensions() const;
   std::optional<Error> find_buffers(const std::filesystem::path& folder);
   Result<std::string_view> buffer_bytes(size_t i, const std::filesystem::path& folder);

@@ -48,6 +48,78 @@ bool is_gltf_text(std::string_view bytes) {
          bytes.find("\"asset\"") != std::string_view::npos;
 }
 
+// A kind of file that begins with `start`, at the byte `at`, and holds `word` if there is one.
+struct Signature {
+  std::string_view start;
+  std::string_view kind;
+  std::string_view word{};
+  size_t at = 0;
+};
+
+// Bytes that no text has at its start, and lines that are no statement of a format that is read. The first
+// that fits counts.
+constexpr std::array kSignatures{
+    Signature{"\x89PNG", "a PNG image"},
+    Signature{"\xff\xd8\xff", "a JPEG image"},
+    Signature{"GIF8", "a GIF image"},
+    Signature{"WEBP", "a WebP image", {}, 8},
+    Signature{std::string_view("MM\0*", 4), "a TIFF image"},
+    Signature{std::string_view("II*\0", 4), "a TIFF image"},
+    Signature{"%PDF", "a PDF document"},
+    Signature{"PK\x03\x04", "a 3MF file", "3D/3dmodel"},
+    Signature{"PK\x03\x04", "a USDZ file", ".usd"},
+    Signature{"PK\x03\x04", "a ZIP archive"},
+    Signature{"\x1f\x8b", "a file packed with gzip"},
+    Signature{"7z\xbc\xaf", "a 7z archive"},
+    Signature{"\3757zXZ", "a file packed with xz"},
+    Signature{"\x28\xb5\x2f\xfd", "a file packed with Zstandard"},
+    Signature{"BZh", "a file packed with bzip2"},
+    Signature{"\177ELF", "a compiled program or library"},
+    Signature{"\x4c\x01", "object code of a compiler"},
+    Signature{"\x64\x86", "object code of a compiler"},
+    Signature{"Kaydara FBX", "an FBX file"},
+    Signature{"; FBX", "an FBX file"},
+    Signature{"BLENDER", "a Blender file"},
+    Signature{"ISO-10303-21", "a STEP file"},
+    Signature{"PXR-USDC", "a USD file"},
+    Signature{"#usda", "a USD file"},
+    Signature{"#VRML", "a VRML file"},
+    Signature{"# vtk", "a VTK file"},
+    Signature{"$MeshFormat", "a Gmsh file"},
+    Signature{"MeshVersionFormatted", "a Medit file"},
+    Signature{"3D Geometry File Format", "a Rhino file"},
+    Signature{"*3DSMAX_ASCIIEXPORT", "an ASE file"},
+    Signature{"xof 0", "a DirectX file"},
+    Signature{"DRACO", "a Draco file"},
+    Signature{"AutoCAD Binary DXF", "a DXF drawing"},
+    Signature{"MM", "a 3DS file", "\x3d\x3d"},
+};
+
+// The same for text after blanks.
+constexpr std::array kTextSignatures{
+    Signature{"0", "a DXF drawing", "SECTION"},
+    Signature{"<", "a Collada file", "<COLLADA"},
+    Signature{"<", "an X3D file", "<X3D"},
+    Signature{"<", "an AMF file", "<amf"},
+    Signature{"<", "an SVG drawing", "<svg"},
+    Signature{"<", "a web page", "<html"},
+    Signature{"<", "a web page", "<!DOCTYPE html"},
+    Signature{"<", "an XML file", "<?xml"},
+    Signature{"{", "a Kerf journal", "\"kerf\":\"journal\""},
+    Signature{"{", "a Kerf scene", "\"bodies\""},
+    Signature{"{", "a Kerf path", "\"strokes\""},
+};
+
+template <size_t N>
+std::string_view kind_by(const std::array<Signature, N>& signatures, std::string_view bytes) {
+  const auto fits = [&](const Signature& s) {
+    return bytes.size() >= s.at && bytes.substr(s.at).starts_with(s.start) &&
+           bytes.find(s.word) != std::string_view::npos;
+  };
+  const auto found = std::find_if(signatures.begin(), signatures.end(), fits);
+  return found == signatures.end() ? std::string_view() : found->kind;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(std::string_view name) {
@@ -68,6 +140,17 @@ std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_v
   if (is_gltf_text(bytes)) return MeshFormat::kGltf;
   const std::optional<MeshFormat> by_content = format_of_first_word(bytes);
   return by_content ? by_content : mesh_format(ending);
+}
+
+std::string_view kind_of_file(std::string_view bytes) {
+  constexpr std::array<std::string_view, kNames.size()> kMeshes{"an OBJ mesh", "a PLY mesh",  "an STL mesh",
+                                                                "an OFF mesh", "a glTF file", "a glTF file"};
+  const std::string_view start = bytes.substr(0, kLongestPreface);
+  const std::string_view foreign = kind_by(kSignatures, start);
+  if (!foreign.empty()) return foreign;
+  if (const auto format = recognise_format(bytes, {})) return kMeshes[static_cast<size_t>(*format)];
+  const size_t first = start.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? std::string_view() : kind_by(kTextSignatures, start.substr(first));
 }
 
 }  // namespace kerf

@@ -18,4 +18,8 @@ std::string_view format_name(MeshFormat format);
 // the extension of its name, decide, so that a reader can report what is wrong with it.
 std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_view ending);
 
+// The kind of a file, for an error message: "an OBJ mesh", "a PNG image", "a Kerf scene"; empty if its bytes
+// are not known. Linear in the number of bytes, which it searches up to a mebibyte.
+std::string_view kind_of_file(std::string_view bytes);
+
 }  // namespace kerf

@@ -46,6 +46,36 @@ TEST(ReadMesh, refuses_what_is_no_regular_file) {
             ": this is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
 }
 
+TEST(ReadMesh, says_what_a_file_is_that_is_no_mesh_whatever_its_ending) {
+  const test::TemporaryFolder folder;
+  const std::pair<std::string, std::string> files[] = {
+      {"\x89PNG\r\n\x1a\n", "a PNG image"},
+      {std::string("PK\x03\x04\x14\0\0\0", 8) + "3D/3dmodel.model", "a 3MF file"},
+      {std::string("PK\x03\x04\x14\0\0\0", 8), "a ZIP archive"},
+      {"\x1f\x8b\x08", "a file packed with gzip"},
+      {std::string("\x64\x86\x05\0", 4), "object code of a compiler"},
+      {"Kaydara FBX Binary  ", "an FBX file"},
+      {"ISO-10303-21;\nHEADER;\n", "a STEP file"},
+      {"#VRML V2.0 utf8\nShape {\n", "a VRML file"},
+      {"<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\">", "a Collada file"},
+      {"\n<!DOCTYPE html><html>", "a web page"},
+      {"  0\nSECTION\n  2\nENTITIES\n", "a DXF drawing"},
+      {"{\"bodies\": []}", "a Kerf scene"},
+      {"{\"kerf\":\"journal\",\"bodies\":[]}\n", "a Kerf journal"},
+      {"{\"strokes\": []}", "a Kerf path"},
+  };
+  for (const auto& [bytes, kind] : files) {
+    for (const char* ending : {".obj", ".ply", ".stl", ".off", ".txt", ""}) {
+      test::write_text(folder / (std::string("mesh") + ending), bytes);
+      EXPECT_EQ(
+          refusal(folder / (std::string("mesh") + ending)),
+          ": this is " + kind + ", which is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
+    }
+  }
+  test::write_text(folder / "wide.stl", std::string("\xff\xfes\0o\0", 6));
+  EXPECT_EQ(refusal(folder / "wide.stl"), ": this is UTF-16 text; save it as UTF-8.");
+}
+
 TEST(ReadMesh, refuses_more_than_four_gibibytes) {
   const test::TemporaryFolder folder;
   test::write_text(folder / "big.stl", "x");

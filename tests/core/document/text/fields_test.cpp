@@ -81,6 +81,8 @@ TEST(Fields, that_are_not_known_are_kept) {
 
 TEST(Fields, say_the_file_the_place_and_what_was_expected) {
   EXPECT_EQ(error_of("{\n\"power\": }"), "lamp.json: line 2: this is not JSON");
+  EXPECT_EQ(error_of("# a\nv 0 0 0\n"), "lamp.json: line 1: this is an OBJ mesh, not JSON");
+  EXPECT_EQ(error_of("<svg width='1'>"), "lamp.json: line 1: this is an SVG drawing, not JSON");
   EXPECT_EQ(error_of("[]"), "lamp.json: must be an object");
   EXPECT_EQ(error_of("{}"), "lamp.json: needs \"power\"");
   EXPECT_EQ(error_of(R"({"power": "much"})"), "lamp.json: /power: must be a finite number");

@@ -154,7 +154,12 @@ TEST(Gltf, what_is_not_read_is_named) {
   says(with("/extensionsRequired", {"KHR_draco_mesh_compression"}), "KHR_draco_mesh_compression");
   says(with("/accessors/0/sparse", json::object()), "sparse");
   says(with("/accessors/0/componentType", 5122), "quantised");
-  says(with("/asset/version", "1.0"), "only glTF 2");
+  says(with("/asset/version", "1.0"), "this is glTF 1.0, and only glTF 2.0 is read; convert it to 2.0");
+  says(with("/asset/version", 1), "this is glTF 1,");
+  says(with("/asset/minVersion", "2.1"), "this is glTF 2.1,");
+  const json named = {{"a", json::object()}};
+  says(refusal_of({{"asset", {{"version", "1.0"}}}, {"accessors", named}, {"meshes", named}}), "glTF 1.0");
+  says(refusal_of({{"asset", json::object()}, {"accessors", named}, {"meshes", named}}), "glTF 1.0");
   says(with("/nodes/0/children", {0}), "ancestor");
   says(with("/accessors/1/count", 7), "cannot hold");
   says(with("/accessors/1/count", uint64_t{1} << 52), "cannot hold");

@@ -21,11 +21,14 @@ struct MeshView {
   std::span<const std::string> material_names;  // by material; covers every material that a triangle has
   std::string_view mtl{};   // name of the MTL file beside it, on one line; empty: none. Only for OBJ
   std::string_view name{};  // of the node in glTF; empty: none
-  std::span<const VertexColour> colours{};  // one per position, or empty. For OBJ, PLY and glTF
+  std::span<const VertexColour> colours{};  // one per position, or empty. Not for STL
 
   // Whether the opacities of the colours have to be written.
   bool any_translucent() const;
 };
+
+// A part of a colour in the eight bits of PLY and OFF, rounded.
+inline uint8_t eight_bits(uint16_t part) { return static_cast<uint8_t>((part + 128u) / 257u); }
 
 // Encodes a mesh as the bytes of a file. Positions and triangles keep their order and are read back to the
 // bit, except from STL, which stores three positions in single precision per triangle, and from glTF.
@@ -39,7 +42,7 @@ std::string encoded(const MeshView& mesh, MeshFormat format);
 // a usemtl wherever the material changes. Colours follow the coordinates as three fractions, and a fourth if
 // any is not opaque.
 void encode_obj(const MeshView& mesh, const ByteSink& sink);
-// OFF with numbers of the same kind; without materials.
+// OFF with numbers of the same kind, or COFF with colours and opacities of eight bits; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);
 // Little-endian binary PLY with positions in double precision and colours of eight bits, with opacity if any
 // is not opaque; without materials. Precondition: there are at

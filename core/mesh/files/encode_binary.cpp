@@ -33,8 +33,6 @@ std::string colour_properties(size_t count) {
   return lines;
 }
 
-uint8_t eight_bits(uint16_t part) { return static_cast<uint8_t>((part + 128u) / 257u); }
-
 }  // namespace
 
 void encode_ply(const MeshView& mesh, const ByteSink& sink) {

@@ -97,9 +97,18 @@ std::string encode_mtl(std::span<const MaterialLook> materials) {
 }
 
 void encode_off(const MeshView& mesh, const ByteSink& sink) {
-  std::string head = "OFF\n";
+  std::string head = mesh.colours.empty() ? "OFF\n" : "COFF\n";
   append_three(std::array<size_t, 3>{mesh.positions.size(), mesh.triangles.size(), 0}, head);
-  const auto append_position = [&](size_t i, std::string& text) { append_three(mesh.positions[i], text); };
+  const auto append_position = [&](size_t i, std::string& text) {
+    append_three(mesh.positions[i], text);
+    if (mesh.colours.empty()) return;
+    text.pop_back();
+    for (const uint16_t part : mesh.colours[i].part) {
+      text += ' ';
+      append_number(eight_bits(part), text);
+    }
+    text += '\n';
+  };
   const auto append_triangle = [&](size_t i, std::string& text) {
     text += "3 ";
     append_three(mesh.triangles[i], text);

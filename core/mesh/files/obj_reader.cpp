@@ -6,6 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/mesh/files/colour_numbers.h"
 #include "core/mesh/files/number.h"
 #include "core/mesh/files/polygon_list.h"
 #include "core/mesh/files/scanner.h"
@@ -40,8 +41,7 @@ class ObjReader {
     Result<Soup> soup = polygons_.to_soup(std::move(positions_), file_name_);
     if (!soup) return soup;
     soup->format = "obj";
-    if (!colours_.empty()) colours_.resize(soup->positions.size());
-    soup->colours = std::move(colours_);
+    soup->colours = colours_.take(soup->positions.size(), soup->warnings);
     add_warnings(*soup);
     soup->material_names = std::move(material_names_);
     if (soup->material_names.size() == 1 && soup->material_names[0].empty()) soup->material_names.clear();
@@ -77,21 +77,16 @@ class ObjReader {
     }
     positions_.push_back(position);
     // A weight or a colour may follow. Anything that is not a number indicates a lost line break.
-    std::array<double, 4> further{1, 1, 1, 1};
+    ColourNumbers::Parts further;
+    further.fill(ColourNumbers::kFull);
     size_t count = 0;
     for (; !scanner_.at_line_end(); ++count) {
       const std::optional<double> number = parse_number(scanner_.word());
       if (!number) return scanner_.expected("a number");
       if (count < further.size()) further[count] = *number;
     }
-    if (count >= VertexColour::kOpacity) add_colour(further);
+    if (count >= VertexColour::kOpacity) colours_.set(positions_.size() - 1, further);
     return std::nullopt;
-  }
-
-  // Of the vertex that was read last: red, green, blue and perhaps opacity.
-  void add_colour(const std::array<double, 4>& fractions) {
-    colours_.resize(positions_.size());
-    for (size_t k = 0; k < fractions.size(); ++k) colours_.back().part[k] = colour_part(fractions[k]);
   }
 
   Problem read_face() {
@@ -109,7 +104,7 @@ class ObjReader {
 
   void read_groups() {
     std::vector<std::string> names;
-    while (!scanner_.at_line_end()) names.push_back(one_line(scanner_.word()));
+    for (auto name = scanner_.name(); !name.empty(); name = scanner_.name()) names.push_back(one_line(name));
     polygons_.begin_parts(PolygonList::Level::kGroup, names);
   }
 
@@ -151,7 +146,7 @@ class ObjReader {
   Scanner scanner_;
   const std::string& file_name_;
   std::vector<Vec3> positions_;
-  std::vector<VertexColour> colours_;  // by position, up to the last one that has a colour
+  ColourNumbers colours_;  // by position
   PolygonList polygons_;
 
   std::string_view material_name_;           // the argument of the last usemtl

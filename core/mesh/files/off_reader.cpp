@@ -1,7 +1,11 @@
 #include "core/mesh/files/off_reader.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 
+#include "core/mesh/files/colour_numbers.h"
+#include "core/mesh/files/number.h"
 #include "core/mesh/files/polygon_list.h"
 #include "core/mesh/files/scanner.h"
 
@@ -11,6 +15,8 @@ namespace {
 struct Keyword {
   size_t length = 0;       // of the keyword, including "OFF"; 0 if the word is none
   bool flat_space = true;  // three coordinates
+  // What follows the coordinates of a vertex, in this order.
+  bool normals = false, colours = false, texture = false;
 };
 
 Keyword parse_keyword(std::string_view word) {
@@ -20,13 +26,11 @@ Keyword parse_keyword(std::string_view word) {
     if (there) rest.remove_prefix(prefix.size());
     return there;
   };
-  skip("ST");
-  skip("C");
-  skip("N");
+  const bool texture = skip("ST"), colours = skip("C"), normals = skip("N");
   const bool homogeneous = skip("4"), many = skip("n");
   if (!skip("OFF")) return {};
   const bool ends = rest.empty() || (rest[0] >= '0' && rest[0] <= '9');
-  return {ends ? word.size() - rest.size() : 0, !homogeneous && !many};
+  return {ends ? word.size() - rest.size() : 0, !homogeneous && !many, normals, colours, texture};
 }
 
 class OffReader {
@@ -51,6 +55,7 @@ class OffReader {
     Result<Soup> soup = polygons_.to_soup(std::move(positions_), file_name_);
     if (!soup) return soup;
     soup->format = "off";
+    soup->colours = colours_.take(soup->positions.size(), soup->warnings);
     if (!scanner_.at_end())
       soup->warnings.push_back("What follows the last face that the file announces was passed over.");
     if (scanner_.garbled_numbers() > 0) soup->warnings.push_back(scanner_.garbled_numbers_warning());
@@ -64,10 +69,10 @@ class OffReader {
     scanner_.at_end();
     const std::string_view word = scanner_.word();
     const size_t begin = scanner_.position() - word.size();
-    const Keyword keyword = parse_keyword(word);
-    if (keyword.length == 0) return scanner_.expected("the keyword OFF");
-    if (!keyword.flat_space) return scanner_.line_error("OFF with other than three coordinates is not read");
-    scanner_.seek(begin + keyword.length);
+    keyword_ = parse_keyword(word);
+    if (keyword_.length == 0) return scanner_.expected("the keyword OFF");
+    if (!keyword_.flat_space) return scanner_.line_error("OFF with other than three coordinates is not read");
+    scanner_.seek(begin + keyword_.length);
     const size_t after = scanner_.position();
     if (scanner_.word() == "BINARY")
       return scanner_.line_error("binary OFF is not read; save it as text, or as PLY");
@@ -111,9 +116,27 @@ class OffReader {
       }
       position[i] = *number;
     }
+    if (keyword_.colours) read_colour();
     positions_.push_back(position);
     scanner_.skip_line();
     return std::nullopt;
+  }
+
+  // Reads the colour of the next vertex in the rest of its line, if there is one.
+  void read_colour() {
+    std::array<double, 9> numbers;
+    size_t count = 0;
+    for (; count < numbers.size() && !scanner_.at_line_end(); ++count) {
+      const std::optional<double> number = parse_number(scanner_.word());
+      if (!number) return;
+      numbers[count] = *number;
+    }
+    const size_t first = keyword_.normals ? 3 : 0, others = first + (keyword_.texture ? 2 : 0);
+    if (count < others + VertexColour::kOpacity) return;
+    ColourNumbers::Parts parts;
+    parts.fill(ColourNumbers::kFull);
+    std::copy_n(numbers.begin() + first, std::min(count - others, parts.size()), parts.begin());
+    colours_.set(positions_.size(), parts);
   }
 
   Problem read_face() {
@@ -142,7 +165,9 @@ class OffReader {
   const std::string& file_name_;
   size_t vertices_ = 0;
   size_t faces_ = 0;
+  Keyword keyword_;
   std::vector<Vec3> positions_;
+  ColourNumbers colours_;  // by position
   PolygonList polygons_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/files/colour_numbers.h"
 #include "core/mesh/files/ply_header.h"
 #include "core/mesh/files/ply_values.h"
 #include "core/mesh/files/polygon_list.h"
@@ -25,6 +26,7 @@ struct ElementPlan {
   bool faces = false;       // an element gives a polygon
   bool strips = false;      // an element gives triangle strips
   bool colours = false;     // an element gives a colour with its position
+  bool fractions = false;   // the colour is not in whole numbers, so that its type does not say what is full
 };
 
 bool is_corner_list(const PlyProperty& property) {
@@ -54,8 +56,9 @@ ElementPlan plan_for(const PlyElement& element) {
   const auto colours = plan.positions ? colour_properties_of(element) : std::nullopt;
   plan.colours = colours.has_value();
   for (size_t k = 0; colours && k < colours->size(); ++k) {
-    if ((*colours)[k] != kNoProperty)
-      plan.roles[(*colours)[k]] = static_cast<Role>(static_cast<size_t>(Role::kRed) + k);
+    if ((*colours)[k] == kNoProperty) continue;
+    plan.roles[(*colours)[k]] = static_cast<Role>(static_cast<size_t>(Role::kRed) + k);
+    plan.fractions = plan.fractions || !is_integer(element.properties[(*colours)[k]].type);
   }
   return plan;
 }
@@ -92,6 +95,7 @@ class BodyReader {
   }
 
   PlyVertices vertices;
+  ColourNumbers numbers;  // the colours, where they are not in whole numbers
   PolygonList polygons;
 
  private:
@@ -104,7 +108,10 @@ class BodyReader {
       if (scanner_.cancelled()) return cancelled();
       if (auto problem = read_properties(element, plan)) return problem;
       if (plan.positions) vertices.positions.push_back(position_);
-      if (plan.colours) vertices.colours.push_back(colour_);
+      if (plan.fractions)
+        numbers.set(vertices.positions.size() - 1, numbers_);
+      else if (plan.colours)
+        vertices.colours.push_back(colour_);
       if (plan.faces) add_face();
       if (plan.strips) add_strips();
     }
@@ -149,7 +156,8 @@ class BodyReader {
       position_[static_cast<int>(role)] = number;
     } else {
       const size_t part = static_cast<size_t>(role) - static_cast<size_t>(Role::kRed);
-      colour_.part[part] = colour_part(number / largest_of(property.type));
+      numbers_[part] = number / largest_of(property.type);
+      colour_.part[part] = colour_part(numbers_[part]);
     }
   }
 
@@ -201,6 +209,7 @@ class BodyReader {
   uint64_t number_ = 0;                  // of them read before
   Vec3 position_{0, 0, 0};
   VertexColour colour_;
+  ColourNumbers::Parts numbers_{1, 1, 1, ColourNumbers::kFull};  // of colour_
   std::vector<int64_t> corners_;
 };
 
@@ -212,6 +221,7 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
   Result<Soup> soup = body.polygons.to_soup(std::move(body.vertices.positions), file_name);
   if (!soup) return soup;
   soup->colours = std::move(body.vertices.colours);
+  if (soup->colours.empty()) soup->colours = body.numbers.take(soup->positions.size(), soup->warnings);
   soup->format = "ply";
   soup->warnings.insert(soup->warnings.end(), header.warnings.begin(), header.warnings.end());
   const bool rest = header.encoding == PlyEncoding::kText ? !scanner.at_end() : scanner.left() > 0;

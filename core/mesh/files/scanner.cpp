@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/mesh/files/number.h"
@@ -93,6 +94,13 @@ std::string_view Scanner::word() {
   if (none) return {};
   while (!is_word_end(position_)) ++position_;
   return bytes_.substr(last_, position_ - last_);
+}
+
+std::string_view Scanner::name() {
+  const bool comments = std::exchange(syntax_.comments, false);
+  const std::string_view name = word();
+  syntax_.comments = comments;
+  return name;
 }
 
 std::string_view Scanner::rest_of_line() {

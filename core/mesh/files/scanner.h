@@ -51,6 +51,8 @@ class Scanner {
   std::string_view word();
   // The rest of the line, including comments, without surrounding blanks.
   std::string_view rest_of_line();
+  // The next word in this line, in which '#' is a character like others; empty if there is none.
+  std::string_view name();
   // Advances to the start of the next line.
   void skip_line();
   // The next word in this line as a number; see number.h. Garbled numbers are counted.

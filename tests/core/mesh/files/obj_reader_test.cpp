@@ -75,6 +75,22 @@ TEST(ObjReader, numbers_materials_by_first_use) {
   EXPECT_EQ(soup.materials, (std::vector<uint16_t>{0, 1, 2, 1}));
 }
 
+std::vector<std::string> part_names(const Soup& soup) {
+  std::vector<std::string> names;
+  for (const MeshPart& part : soup.parts) names.push_back(part.name);
+  return names;
+}
+
+TEST(ObjReader, keeps_a_hash_in_every_kind_of_name) {
+  const Soup soup =
+      read(kTriangle +
+           "o rig #1 # a\ng left#1 #2 shared \\\n  last#3\nusemtl br.png^[colorize:#4ab:255 # b\n"
+           "f 1 2 3 # a comment\n# a comment\nusemtl #4ab\nf 1 2 3\n");
+  EXPECT_EQ(part_names(soup), (std::vector<std::string>{"rig #1 # a", "left#1", "#2", "shared", "last#3"}));
+  EXPECT_EQ(soup.material_names, (std::vector<std::string>{"br.png^[colorize:#4ab:255 # b", "#4ab"}));
+  EXPECT_EQ(soup.triangles.size(), 2u);
+}
+
 TEST(ObjReader, has_no_material_list_for_one_material) {
   EXPECT_TRUE(read(kTriangle + "f 1 2 3\n").material_names.empty());
   const Soup soup = read(kTriangle + "usemtl a\nf 1 2 3\n");

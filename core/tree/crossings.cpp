@@ -92,7 +92,9 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   }
   const double reach = tree.reach(), scale = tree.frame.scale;
   const double lost = kBoxSlack * (8 * reach + far), error = reach * kPlaneRoundings + lost;
-  if (nearest > (reach + error) * (reach + error)) return false;
+  // From so far away that rounding decides where they pass, rays meet nothing; beyond, floats overflow.
+  constexpr double kMostError = 1e30;
+  if (!(error < kMostError) || nearest > (reach + error) * (reach + error)) return false;
   // t = 0 is a plane across the rays in front of all boxes.
   const auto back = static_cast<float>(2 * reach);
   const __m128 ahead = _mm_mul_ps(_mm_set1_ps(back), direction);

@@ -5,6 +5,7 @@
 // frames, costs and threads. It is compiled by whoever includes it, so that no compiler option of Kerf's
 // matters.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <exception>
@@ -38,9 +39,15 @@ class Cancelled : public Failure {
  public:
   using Failure::Failure;
 };
+// A call that cannot run while another one uses the world.
+class Busy : public Failure {
+ public:
+  using Failure::Failure;
+};
 
 inline void throw_unless_ok(kerf_result result) {
   if (result == KERF_OK) return;
+  if (result == KERF_BUSY) throw Busy(kerf_message());
   if (result == KERF_BAD_INPUT) throw BadInput(kerf_message());
   if (result == KERF_CANCELLED) throw Cancelled(kerf_message());
   throw Failure(kerf_message());
@@ -198,7 +205,8 @@ class World {
     // A value that was given as 0 must not count as none.
     if (settings.target_edge) how.target_edge = *settings.target_edge == 0 ? -1 : *settings.target_edge;
     if (settings.tolerance) how.tolerance = *settings.tolerance == 0 ? -1 : *settings.tolerance;
-    if (settings.levels) how.levels_plus_one = *settings.levels < 0 ? -1 : *settings.levels + 1;
+    if (settings.levels)
+      how.levels_plus_one = *settings.levels < 0 ? -1 : std::min(*settings.levels, 1000) + 1;
     if (!settings.material.empty()) how.material = settings.material.c_str();
     CutResult result{};
     Run(control).call([&](const kerf_control* c) {

@@ -13,8 +13,10 @@
  * every x86-64 processor and do not depend on the number of threads, nor on the locale or on the rounding and
  * flush-to-zero modes of the caller, which are put back on return.
  *
- * Functions may be called from several threads at a time. Of two that use the same world at the same time,
- * the later one fails with KERF_BUSY; a mesh never changes and may be shared.
+ * Functions may be called from several threads at the same time. Those that take a `const kerf_world*` only
+ * read the world, and any number of them may use one world at once. One that changes a world fails with
+ * KERF_BUSY while another call uses it, and so does every other call until the change is done. A mesh never
+ * changes and may be shared.
  */
 
 #include <stddef.h>
@@ -35,7 +37,7 @@ typedef enum kerf_result {
   KERF_FAILED = 1,    /* it could not be done: a full disk, too little memory */
   KERF_BAD_INPUT = 2, /* an argument or a file is wrong */
   KERF_CANCELLED = 3, /* the caller's progress function asked for it */
-  KERF_BUSY = 4       /* another thread works in the world */
+  KERF_BUSY = 4       /* another call changes the world, or uses one that this call would change */
 } kerf_result;
 
 /* The version of the library, "0.1.0". */
@@ -46,9 +48,8 @@ KERF_API const char* kerf_version(void);
 KERF_API const char* kerf_message(void);
 
 /* Called on the thread of the caller, some hundred times in a long call, with the share of the work that is
- * done, 0 to
- * 1. If it returns anything but 0, the call ends with KERF_CANCELLED. It must not call Kerf with the same
- * world, nor throw. */
+ * done, 0 to 1. If it returns anything but 0, the call ends with KERF_CANCELLED. It must not throw. Calls
+ * that it makes with the same world fail with KERF_BUSY, except for queries within a query. */
 typedef int (*kerf_progress)(double share, void* user);
 
 /* How a call runs. All zero, or a null pointer in its place, is the default. */
@@ -134,7 +135,7 @@ typedef struct kerf_key {
 typedef struct kerf_stroke {
   const kerf_key* keys;
   size_t key_count;
-  double radius;   /* m; 0: 1/400 of the diagonal of the world */
+  double radius;   /* m; 0: 1/400 of the diagonal of all meshes as they were added */
   double range[2]; /* m along the beam, 0 <= first <= second; both 0: from 0 to ten diagonals */
   double power;    /* W, for the thermal model; 0: 2000 */
 } kerf_stroke;
@@ -163,7 +164,8 @@ typedef struct kerf_cut_result {
 } kerf_cut_result;
 
 /* Cuts all bodies with strokes, one after the other. `result` may be null. A cut that fails or is cancelled
- * leaves the world as it was. About 1 us for a face that is made or removed. */
+ * leaves the world as it was. Bad input: a world to which no mesh was added. About 1 us for a face that is
+ * made or removed. */
 KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t stroke_count,
                                     const kerf_cut_settings* settings, const kerf_control* control,
                                     kerf_cut_result* result);
@@ -171,7 +173,7 @@ KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* stroke
 /* The pieces of all bodies, largest area first, as meshes in world coordinates: `*count` of them in `*out`,
  * an array that kerf_pieces_free frees with its meshes. A mesh that is to live longer is taken out by setting
  * its place to null. O(n log n). */
-KERF_API kerf_result kerf_world_pieces(kerf_world* world, const kerf_control* control, kerf_mesh*** out,
+KERF_API kerf_result kerf_world_pieces(const kerf_world* world, const kerf_control* control, kerf_mesh*** out,
                                        size_t* count);
 KERF_API void kerf_pieces_free(kerf_mesh** pieces, size_t count);
 
@@ -179,7 +181,7 @@ KERF_API void kerf_pieces_free(kerf_mesh** pieces, size_t count);
  * length but 0. Each of the output arrays has n places and may be null: `distances` (m, infinity where
  * nothing is crossed), `bodies` (the number of the body in the order of adding) and `faces` (its slot there),
  * both 2^32 - 1 where nothing is. Bad input: numbers that are not finite. About 0.3 us a ray. */
-KERF_API kerf_result kerf_world_nearest_hits(kerf_world* world, const double* origins,
+KERF_API kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origins,
                                              const double* directions, size_t n, const double range[2],
                                              const kerf_control* control, double* distances, uint32_t* bodies,
                                              uint32_t* faces);
@@ -193,32 +195,32 @@ typedef struct kerf_hits {
   const uint32_t *bodies, *faces;
   void* owner;
 } kerf_hits;
-KERF_API kerf_result kerf_world_all_hits(kerf_world* world, const double* origins, const double* directions,
-                                         size_t n, const double range[2], const kerf_control* control,
-                                         kerf_hits* out);
+KERF_API kerf_result kerf_world_all_hits(const kerf_world* world, const double* origins,
+                                         const double* directions, size_t n, const double range[2],
+                                         const kerf_control* control, kerf_hits* out);
 KERF_API void kerf_hits_free(kerf_hits* hits);
 
 /* Writes the bodies as they are and where they are: an OBJ file for each and scene.json, which the editor
  * opens, in a folder, which is made if it is missing; files there of these names are replaced. Heat is not
  * written. O(n log n). */
-KERF_API kerf_result kerf_world_save_scene(kerf_world* world, const char* folder);
+KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder);
 
 /* Writes the journal (.kerf) of the world, which the editor opens and `kerf replay` checks: the cuts since
  * the bodies were added, and a mesh file beside it, NAME-mesh-0001.obj and so on, for each body that was
  * added. Bad input where a body was added or the material was changed after a cut. O(n log n). */
-KERF_API kerf_result kerf_world_save_journal(kerf_world* world, const char* path);
+KERF_API kerf_result kerf_world_save_journal(const kerf_world* world, const char* path);
 
 /* The report of all cuts so far as JSON, with the keys of the report.json of `kerf cut`; "file" is the name
  * of the piece. Free it with kerf_text_free. O(n log n). */
-KERF_API kerf_result kerf_world_report(kerf_world* world, const kerf_control* control, char** out);
+KERF_API kerf_result kerf_world_report(const kerf_world* world, const kerf_control* control, char** out);
 
 /* The hash of the state, sixteen hexadecimal digits and a zero; that of `kerf cut` for the same meshes and
  * strokes. O(n). */
-KERF_API kerf_result kerf_world_hash(kerf_world* world, char out[17]);
+KERF_API kerf_result kerf_world_hash(const kerf_world* world, char out[17]);
 
 /* The component graph of the faces as JSON, as `kerf inspect --graph` writes it. Free it with kerf_text_free.
  */
-KERF_API kerf_result kerf_world_graph(kerf_world* world, char** out);
+KERF_API kerf_result kerf_world_graph(const kerf_world* world, char** out);
 KERF_API void kerf_text_free(char* text);
 
 #ifdef __cplusplus

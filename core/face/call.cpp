@@ -2,6 +2,7 @@
 
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <new>
 #include <utility>
@@ -54,6 +55,9 @@ class DefaultArithmetic {
 kerf_result told(kerf_result result, const char* message) noexcept {
   try {
     kept() = {message, false};
+    // A name in it, such as that of a file, may have several lines.
+    std::ranges::replace_if(
+        kept().text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   } catch (const std::bad_alloc&) {
     kept().lacks_memory = true;
   }
@@ -67,7 +71,7 @@ Call::Call(const kerf_control* control) {
 }
 
 kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
-  if (control_.threads > kMostThreads) return told(KERF_BAD_INPUT, "threads: must be at most 1024");
+  if (control_.threads > kMostThreads) return told(KERF_BAD_INPUT, "threads: must be from 0 to 1024");
   const DefaultArithmetic arithmetic;
   const Progress progress{[&](double share) {
     stopped_ = stopped_ || (control_.progress != nullptr && control_.progress(share, control_.user) != 0);

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <locale>
+#include <sstream>
 
 #include "core/base/assets.h"
 #include "core/base/machine_memory.h"
@@ -58,19 +61,31 @@ Result<StrokePath> path_of(const kerf_stroke& stroke, size_t number) {
   return path;
 }
 
+// The number that a field of an enumeration holds: callers in C may set it to any.
+template <typename Enum>
+int number_in(const Enum& field) {
+  static_assert(sizeof(Enum) == sizeof(int));
+  int number = 0;
+  std::memcpy(&number, &field, sizeof number);
+  return number;
+}
+
+bool is_either(int number, int first, int second) { return number == first || number == second; }
+
 Status check(const kerf_cut_settings& s) {
   const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
   if (!is_length(s.target_edge))
     return bad_input("target_edge: must be a length in metres greater than zero");
   if (!is_length(s.tolerance)) return bad_input("tolerance: must be a length in metres greater than zero");
   if (s.levels_plus_one < 0 || s.levels_plus_one > Resolution::kLargestDepth + 1)
-    return bad_input("levels_plus_one: must be from 0 to " + std::to_string(Resolution::kLargestDepth + 1));
+    return bad_input("levels: must be from 0 to " + std::to_string(Resolution::kLargestDepth));
   if ((s.target_edge > 0) + (s.tolerance > 0) + (s.levels_plus_one > 0) > 1)
-    return bad_input("target_edge, tolerance and levels_plus_one: choose one of them");
-  if (s.rim != KERF_RIM_FACES && s.rim != KERF_RIM_SMOOTH) return bad_input("rim: there is faces and smooth");
-  if (s.scheme != KERF_SCHEME_LONGEST_EDGE && s.scheme != KERF_SCHEME_ONE_TO_FOUR)
+    return bad_input("target_edge, tolerance and levels: choose one of them");
+  if (!is_either(number_in(s.rim), KERF_RIM_FACES, KERF_RIM_SMOOTH))
+    return bad_input("rim: there is faces and smooth");
+  if (!is_either(number_in(s.scheme), KERF_SCHEME_LONGEST_EDGE, KERF_SCHEME_ONE_TO_FOUR))
     return bad_input("scheme: there is longest-edge and one-to-four");
-  if (s.model != KERF_MODEL_GEOMETRIC && s.model != KERF_MODEL_THERMAL)
+  if (!is_either(number_in(s.model), KERF_MODEL_GEOMETRIC, KERF_MODEL_THERMAL))
     return bad_input("model: there is geometric and thermal");
   return Done{};
 }
@@ -116,6 +131,22 @@ Document of_material(const Document& document, const Substance& substance) {
   return Document(std::move(world));
 }
 
+// Whether lengths that follow from the size of the world, or from the radius, can be used.
+Status check_usable(const CutSettings& s, size_t number, double diagonal) {
+  const auto is_usable = [](double length) { return std::isfinite(length) && length > 0; };
+  const std::string where = "strokes: number " + std::to_string(number);
+  if (!is_usable(s.laser.radius) || !std::isfinite(s.laser.range.high)) {
+    std::ostringstream size;
+    size.imbue(std::locale::classic());
+    size << diagonal;
+    return bad_input(where + ": the world is " + size.str() +
+                     " m across, from which neither radius nor range follow; give both");
+  }
+  if (!is_usable(s.resolution.target_edge) || !is_usable(s.resolution.tolerance))
+    return bad_input(where + ": the radius is too small");
+  return Done{};
+}
+
 // The commands of each stroke.
 Result<std::vector<std::vector<Command>>> commands_of(std::span<const kerf_stroke> strokes,
                                                       const kerf_cut_settings& settings, double diagonal) {
@@ -123,7 +154,9 @@ Result<std::vector<std::vector<Command>>> commands_of(std::span<const kerf_strok
   for (size_t i = 0; i < strokes.size(); ++i) {
     const auto path = path_of(strokes[i], i);
     if (!path) return path.error();
-    commands.push_back(stroke_commands(*path, settings_of(settings, *path, diagonal)));
+    const CutSettings own = settings_of(settings, *path, diagonal);
+    if (const Status usable = check_usable(own, i, diagonal); !usable) return usable.error();
+    commands.push_back(stroke_commands(*path, own));
   }
   return commands;
 }
@@ -146,17 +179,18 @@ Status cut_one(Document& document, std::span<const Command> stroke, const Progre
   return run_queue(document, how);
 }
 
-// All strokes or none: those before one that fails are undone, as the document undoes that one itself.
+// All strokes or none.
 Status cut_each(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
                 CutJob& job) {
+  const size_t position = document.history().position();
   const double share = 1 / static_cast<double>(std::max<size_t>(strokes.size(), 1));
   for (size_t i = 0; i < strokes.size(); ++i) {
     const double done = share * static_cast<double>(i);
     const Progress own = share_of(&progress, done, std::min(1.0, done + share));
     const Status cut = cut_one(document, strokes[i], own, job);
     if (cut) continue;
-    for (size_t k = 0; k < i; ++k) document.apply(Undo{});
-    return cut;
+    const Outcome back = document.travel(position);
+    return back.ok() ? cut : back.error();
   }
   return Done{};
 }
@@ -191,7 +225,9 @@ Status cut(kerf_world& world, std::span<const kerf_stroke> strokes, const kerf_c
            const Progress& progress, CutJob& job) {
   if (const Status right = check(settings); !right) return right;
   Document& document = world.document;
-  const auto commands = commands_of(strokes, settings, document.world().bounds().diagonal());
+  if (!world.bounds && !strokes.empty()) return bad_input("the world has no mesh; add one before a cut");
+  const double diagonal = world.bounds ? world.bounds->diagonal() : 0;
+  const auto commands = commands_of(strokes, settings, diagonal);
   if (!commands) return commands.error();
   job = begun(world, settings);
   std::optional<Document> other;
@@ -221,7 +257,7 @@ kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t
   const auto begin = std::chrono::steady_clock::now();
   kerf_cut_result done{};
   const kerf_result how =
-      kerf::run_on(world, control, [&](kerf::Document&, const kerf::Progress& progress) -> kerf::Status {
+      kerf::change_world(world, control, [&](const kerf::Progress& progress) -> kerf::Status {
         kerf::CutJob job;
         const kerf::Status cut =
             kerf::cut(*world, {strokes, stroke_count}, settings == nullptr ? kerf_cut_settings{} : *settings,

@@ -17,12 +17,14 @@ void Beginning::set_substance(const Substance& substance) {
   give(sheet_);
 }
 
-Status Beginning::save(Document& document, const std::filesystem::path& file) const {
+Status Beginning::save(const Document& document, const std::filesystem::path& file) const {
   if (lost_)
     return bad_input(
         "the world has no journal, because a body was added or the material was changed after a cut; save "
         "the "
         "scene instead");
+  if (document.world().ids().empty() && document.journal().empty())
+    return bad_input("the world has no mesh; add one before its journal is saved");
   SceneDescription scene = scene_;
   scene.strokes.clear();  // which are commands of the document
   for (const auto& [mesh, name] : added_) {
@@ -39,7 +41,8 @@ Status Beginning::save(Document& document, const std::filesystem::path& file) co
   }
   if (const Status noted = note_hashes(scene); !noted) return noted;
   std::vector<StateMark> marks;
-  mark_state(document, marks, true);
+  // The journal that was opened may end within a stroke.
+  if (!document.execution().in_stroke() && document.waiting() == 0) marks.push_back(state_mark(document));
   return save_journal(file, scene, document.journal(), marks);
 }
 

@@ -25,7 +25,7 @@ class Beginning {
 
   // Writes the journal of the document, and beside it the meshes that were added. Bad input where there is no
   // journal; fails if a file cannot be written.
-  Status save(Document& document, const std::filesystem::path& file) const;
+  Status save(const Document& document, const std::filesystem::path& file) const;
 
  private:
   struct Added {

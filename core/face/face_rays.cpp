@@ -106,11 +106,11 @@ Status find_all(const World& world, const Rays& rays, const Progress& progress, 
 }  // namespace
 }  // namespace kerf
 
-kerf_result kerf_world_nearest_hits(kerf_world* world, const double* origins, const double* directions,
+kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origins, const double* directions,
                                     size_t n, const double range[2], const kerf_control* control,
                                     double* distances, uint32_t* bodies, uint32_t* faces) {
-  return kerf::run_on(
-      world, control, [&](kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+  return kerf::read_world(
+      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
         const auto rays = kerf::rays_of(origins, directions, n, range);
         if (!rays) return rays.error();
         const auto ids = kerf::ids_of(document.world());
@@ -130,21 +130,22 @@ kerf_result kerf_world_nearest_hits(kerf_world* world, const double* origins, co
       });
 }
 
-kerf_result kerf_world_all_hits(kerf_world* world, const double* origins, const double* directions, size_t n,
-                                const double range[2], const kerf_control* control, kerf_hits* out) {
+kerf_result kerf_world_all_hits(const kerf_world* world, const double* origins, const double* directions,
+                                size_t n, const double range[2], const kerf_control* control,
+                                kerf_hits* out) {
   if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
-  return kerf::run_on(world, control,
-                      [&](kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
-                        const auto rays = kerf::rays_of(origins, directions, n, range);
-                        if (!rays) return rays.error();
-                        auto arrays = std::make_unique<kerf::HitArrays>();
-                        const kerf::Status found = kerf::find_all(document.world(), *rays, progress, *arrays);
-                        if (!found) return found;
-                        *out = {arrays->distances.size(), arrays->first.data(), arrays->distances.data(),
-                                arrays->bodies.data(),    arrays->faces.data(), nullptr};
-                        out->owner = arrays.release();
-                        return kerf::Done{};
-                      });
+  return kerf::read_world(
+      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+        const auto rays = kerf::rays_of(origins, directions, n, range);
+        if (!rays) return rays.error();
+        auto arrays = std::make_unique<kerf::HitArrays>();
+        const kerf::Status found = kerf::find_all(document.world(), *rays, progress, *arrays);
+        if (!found) return found;
+        *out = {arrays->distances.size(), arrays->first.data(), arrays->distances.data(),
+                arrays->bodies.data(),    arrays->faces.data(), nullptr};
+        out->owner = arrays.release();
+        return kerf::Done{};
+      });
 }
 
 void kerf_hits_free(kerf_hits* hits) {

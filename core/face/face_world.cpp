@@ -15,28 +15,61 @@
 #include "core/document/journal/replay.h"
 #include "core/document/journal/save.h"
 #include "core/document/text/hash_text.h"
+#include "core/document/text/json_text.h"
 #include "core/face/face_mesh.h"
 #include "core/graph/graph_text.h"
 #include "core/world/state_hash.h"
 
 namespace kerf {
 
-kerf_result run_on(kerf_world* world, const kerf_control* control,
-                   const std::function<Status(Document&, const Progress&)>& work) {
+bool WorldUsers::begin_reading() {
+  int users = users_.load(std::memory_order_relaxed);
+  while (users != kChanging) {
+    if (users_.compare_exchange_weak(users, users + 1, std::memory_order_acquire)) return true;
+  }
+  return false;
+}
+
+bool WorldUsers::begin_changing() {
+  int none = 0;
+  return users_.compare_exchange_strong(none, kChanging, std::memory_order_acquire);
+}
+
+kerf_result read_world(const kerf_world* world, const kerf_control* control,
+                       const std::function<Status(const Document&, const Progress&)>& work) {
   if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
-  if (world->busy.test_and_set())
-    return told(KERF_BUSY, "the world is in use by another thread; use one world a thread");
+  if (!world->users.begin_reading())
+    return told(KERF_BUSY, "the world is in use: another call changes it; try again when that has returned");
   const kerf_result result =
       Call(control).run([&](const Progress& progress) { return work(world->document, progress); });
-  world->busy.clear();
+  world->users.end_reading();
+  return result;
+}
+
+kerf_result change_world(kerf_world* world, const kerf_control* control,
+                         const std::function<Status(const Progress&)>& work) {
+  if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
+  if (!world->users.begin_changing())
+    return told(KERF_BUSY, "the world is in use by another call; change it when that has returned");
+  const kerf_result result = Call(control).run(work);
+  world->users.end_changing();
   return result;
 }
 
 namespace {
 
+void grow(std::optional<World::Bounds>& bounds, const World::Bounds& by) {
+  if (!bounds) bounds = by;
+  bounds->min = glm::min(bounds->min, by.min);
+  bounds->max = glm::max(bounds->max, by.max);
+}
+
+bool is_utf8(const std::string& text) { return dump_json(nlohmann::ordered_json(text), -1).ok(); }
+
 // A document with another body. Its history ends: nothing is taken back through the library.
 Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, const Progress& progress) {
   const std::string name = given_name == nullptr ? "mesh" : given_name;
+  if (!is_utf8(name)) return bad_input("name: must be UTF-8");
   ProgressShares shares(&progress);
   const Progress building = shares.next(0.5), growing = shares.next(0.5);
   auto built = build_mesh(soup_of(mesh), &building);
@@ -49,6 +82,7 @@ Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, c
   to.beginning.add(mesh, name);
   if (!to.document.journal().empty()) to.beginning.lose();
   to.job.note_loaded(loaded);
+  grow(to.bounds, world.bounds());
   to.document = Document(std::move(world));
   return Done{};
 }
@@ -62,7 +96,8 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   Document& document = to.document;
   document = Document(std::move(file->scene.world));
   for (const BodyId id : document.world().ids()) to.job.note_loaded(document.world().body(id).loaded);
-  const double diagonal = document.world().bounds().diagonal();
+  to.bounds = document.world().bounds();
+  const double diagonal = to.bounds->diagonal();
   for (const StrokePath& stroke : file->scene.strokes) {
     const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
     if (!cut) return cut.error();
@@ -184,25 +219,25 @@ void kerf_world_free(kerf_world* world) { delete world; }
 kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
                            const kerf_control* control) {
   if (mesh == nullptr) return kerf::told(KERF_BAD_INPUT, "mesh: must not be null");
-  return kerf::run_on(world, control, [&](kerf::Document&, const kerf::Progress& progress) {
+  return kerf::change_world(world, control, [&](const kerf::Progress& progress) {
     return kerf::add_body(*world, *mesh, name, progress);
   });
 }
 
-kerf_result kerf_world_pieces(kerf_world* world, const kerf_control* control, kerf_mesh*** out,
+kerf_result kerf_world_pieces(const kerf_world* world, const kerf_control* control, kerf_mesh*** out,
                               size_t* count) {
   if (out == nullptr || count == nullptr)
     return kerf::told(KERF_BAD_INPUT, "out and count: must not be null");
-  return kerf::run_on(world, control,
-                      [&](kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
-                        auto pieces = kerf::pieces_of(document.world(), progress);
-                        if (!pieces) return pieces.error();
-                        auto list = std::make_unique<kerf_mesh*[]>(pieces->size());
-                        for (size_t i = 0; i < pieces->size(); ++i) list[i] = (*pieces)[i].release();
-                        *count = pieces->size();
-                        *out = list.release();
-                        return kerf::Done{};
-                      });
+  return kerf::read_world(
+      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+        auto pieces = kerf::pieces_of(document.world(), progress);
+        if (!pieces) return pieces.error();
+        auto list = std::make_unique<kerf_mesh*[]>(pieces->size());
+        for (size_t i = 0; i < pieces->size(); ++i) list[i] = (*pieces)[i].release();
+        *count = pieces->size();
+        *out = list.release();
+        return kerf::Done{};
+      });
 }
 
 void kerf_pieces_free(kerf_mesh** pieces, size_t count) {
@@ -210,54 +245,61 @@ void kerf_pieces_free(kerf_mesh** pieces, size_t count) {
   delete[] pieces;
 }
 
-kerf_result kerf_world_save_scene(kerf_world* world, const char* folder) {
+kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder) {
   if (folder == nullptr) return kerf::told(KERF_BAD_INPUT, "folder: must not be null");
-  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) -> kerf::Status {
-    const auto saved = kerf::save_world_as_scene(document.world(), {}, folder);
-    return saved ? kerf::Status(kerf::Done{}) : saved.error();
-  });
+  return kerf::read_world(world, nullptr,
+                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+                            if (document.world().live_faces() == 0)
+                              return kerf::bad_input("the world has no face to save");
+                            const auto saved = kerf::save_world_as_scene(document.world(), {}, folder);
+                            return saved ? kerf::Status(kerf::Done{}) : saved.error();
+                          });
 }
 
-kerf_result kerf_world_save_journal(kerf_world* world, const char* path) {
+kerf_result kerf_world_save_journal(const kerf_world* world, const char* path) {
   if (path == nullptr) return kerf::told(KERF_BAD_INPUT, "path: must not be null");
-  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) {
+  return kerf::read_world(world, nullptr, [&](const kerf::Document& document, const kerf::Progress&) {
     return world->beginning.save(document, path);
   });
 }
 
-kerf_result kerf_world_report(kerf_world* world, const kerf_control* control, char** out) {
+kerf_result kerf_world_report(const kerf_world* world, const kerf_control* control, char** out) {
   if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
-  return kerf::run_on(
-      world, control, [&](kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+  return kerf::read_world(
+      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
         auto pieces = kerf::pieces_of(document.world(), progress);
         if (!pieces) return pieces.error();
         std::vector<kerf::WrittenPiece> written;
         for (const auto& piece : *pieces) written.push_back(kerf::as_written(*piece));
-        *out =
-            kerf::copy_of(kerf::cut_report(world->job, document.world(), world->settings, written).dump(2));
+        const auto text =
+            kerf::dump_json(kerf::cut_report(world->job, document.world(), world->settings, written), 2);
+        if (!text) return text.error();
+        *out = kerf::copy_of(*text);
         return kerf::Done{};
       });
 }
 
-kerf_result kerf_world_hash(kerf_world* world, char out[17]) {
+kerf_result kerf_world_hash(const kerf_world* world, char out[17]) {
   if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
-  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) -> kerf::Status {
-    const std::string text = kerf::hash_text(kerf::state_hash(document.world()));
-    std::memcpy(out, text.c_str(), text.size() + 1);
-    return kerf::Done{};
-  });
+  return kerf::read_world(world, nullptr,
+                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+                            const std::string text = kerf::hash_text(kerf::state_hash(document.world()));
+                            std::memcpy(out, text.c_str(), text.size() + 1);
+                            return kerf::Done{};
+                          });
 }
 
-kerf_result kerf_world_graph(kerf_world* world, char** out) {
+kerf_result kerf_world_graph(const kerf_world* world, char** out) {
   if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
-  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) -> kerf::Status {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    kerf::write_graph_json(kerf::component_graph(document.world()), kerf::piece_origins(document),
-                           document.world(), text);
-    *out = kerf::copy_of(text.str());
-    return kerf::Done{};
-  });
+  return kerf::read_world(world, nullptr,
+                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+                            std::ostringstream text;
+                            text.imbue(std::locale::classic());
+                            kerf::write_graph_json(kerf::component_graph(document.world()),
+                                                   kerf::piece_origins(document), document.world(), text);
+                            *out = kerf::copy_of(text.str());
+                            return kerf::Done{};
+                          });
 }
 
 void kerf_text_free(char* text) { delete[] text; }

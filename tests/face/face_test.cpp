@@ -128,6 +128,22 @@ TEST(Face, rays_find_the_sheet_and_the_slot) {
   EXPECT_EQ(all.distances, (std::vector<double>{1, 2}));
 }
 
+TEST(Face, rays_from_anywhere_end) {
+  kerf::World world;
+  world.add(sheet(4));
+  const double max = std::numeric_limits<double>::max();
+  for (const double far : {1e18, 1e40, 1e150, 1e200, 1e300, max}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const std::vector<double> from{sign * far, 1, 0.3, 0.3, sign * far, 0.3, 0.3, 1, sign * far},
+          along{0, -1, 0, 0, -sign, 0, 0, 0, -sign};
+      const kerf::Hits nearest = world.nearest_hits(from, along), all = world.all_hits(from, along);
+      EXPECT_EQ(nearest.distances[0], std::numeric_limits<double>::infinity()) << far;
+      EXPECT_EQ(nearest.distances[2], std::numeric_limits<double>::infinity()) << far;
+      EXPECT_EQ(all.first[1], 0u) << far;
+    }
+  }
+}
+
 TEST(Face, results_do_not_depend_on_threads_locale_or_arithmetic_of_the_caller) {
   const kerf::Mesh mesh = sheet(20);
   const std::string wanted = hash_of_cut(mesh);
@@ -152,10 +168,22 @@ TEST(Face, a_cut_that_is_stopped_or_fails_changes_nothing) {
   kerf::World world;
   world.add(sheet(20));
   const std::string before = world.hash();
-  int asked = 0;
-  EXPECT_THROW(world.cut(through_the_middle(), {}, {[&](double) { return ++asked < 3; }, 0}),
-               kerf::Cancelled);
-  EXPECT_EQ(world.hash(), before);
+  kerf::Stroke fine = through_the_middle();  // of many steps, between and within which it may be stopped
+  fine.radius = 0.002;
+  const std::vector<kerf::Stroke> twice{fine, fine};
+  int calls = 0;
+  for (int wanted = 0;; wanted += 1 + wanted / 2) {  // stopped early, and ever later
+    calls = 0;
+    try {
+      world.cut(twice, {}, {[&](double) { return calls++ < wanted; }, 0});
+      break;
+    } catch (const kerf::Cancelled&) {
+      ASSERT_EQ(world.hash(), before) << "stopped at call " << wanted;
+    }
+  }
+  EXPECT_GT(calls, 10);
+  world = kerf::World();
+  world.add(sheet(20));
   kerf::Stroke bad = through_the_middle();
   bad.keys.back().direction[1] = 0;
   const std::vector<kerf::Stroke> strokes{through_the_middle(), bad};
@@ -187,7 +215,7 @@ TEST(Face, a_world_in_use_says_so) {
                  std::thread([&] {
                    try {
                      world.hash();
-                   } catch (const kerf::Failure& fault) {
+                   } catch (const kerf::Busy& fault) {
                      said = fault.what();
                    }
                  }).join();
@@ -196,6 +224,98 @@ TEST(Face, a_world_in_use_says_so) {
              },
              0});
   EXPECT_NE(said.find("in use"), std::string::npos) << said;
+}
+
+// What the functions that read a world say of it, as one text.
+std::string read_all(const kerf::World& world, const std::string& folder) {
+  const std::vector<double> from{0.25, 1, 0.3, 0.75, -2, 0.3}, along{0, -2, 0, 0, 1, 0};
+  std::string all = world.hash() + world.graph();
+  for (const kerf::Mesh& piece : world.pieces()) all += piece.name() + std::to_string(piece.area());
+  for (const double d : world.nearest_hits(from, along).distances) all += std::to_string(d);
+  for (const double d : world.all_hits(from, along).distances) all += std::to_string(d);
+  const std::string report = world.report();
+  world.save_scene(folder);
+  world.save_journal(folder + "/world.kerf");
+  return all + report.substr(report.find("\"pieces\""));
+}
+
+TEST(Face, several_threads_read_one_world_at_the_same_time) {
+  kerf::World world;
+  world.add(sheet(20));
+  world.cut(through_the_middle());
+  const std::string folder = testing::TempDir() + "kerf-face-readers";
+  const std::string wanted = read_all(world, folder);
+  std::vector<std::string> read(4);
+  std::vector<std::thread> threads;
+  for (size_t t = 0; t < read.size(); ++t) {
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < 5; ++i) {
+        try {
+          read[t] = read_all(world, folder + std::to_string(t));
+        } catch (const kerf::Failure& fault) {
+          read[t] = fault.what();
+        }
+        if (read[t] != wanted) return;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& text : read) EXPECT_EQ(text, wanted);
+}
+
+TEST(Face, a_world_that_is_read_can_be_read_and_not_changed) {
+  kerf::World world;
+  world.add(sheet(60));
+  const std::string hash = world.hash();
+  int asked = 0;
+  (void)world.pieces({[&](double) {
+                        ++asked;
+                        EXPECT_EQ(world.hash(), hash);
+                        EXPECT_THROW(world.add(sheet(1)), kerf::Busy);
+                        EXPECT_THROW(world.cut(through_the_middle()), kerf::Busy);
+                        return true;
+                      },
+                      0});
+  EXPECT_GT(asked, 0);
+  world.cut(through_the_middle());
+  EXPECT_NE(world.hash(), hash);
+}
+
+TEST(Face, an_empty_world_or_one_without_a_size_gets_a_sentence) {
+  kerf::World empty;
+  const std::string before = empty.hash();
+  EXPECT_THROW(empty.cut(kerf::Stroke{{{0, {0, 1, 0}, {0, -1, 0}}}}), kerf::BadInput);
+  EXPECT_THROW(empty.cut(through_the_middle()), kerf::BadInput);
+  EXPECT_THROW(empty.save_scene(testing::TempDir() + "kerf-face-empty"), kerf::BadInput);
+  EXPECT_THROW(empty.save_journal(testing::TempDir() + "kerf-face-empty.kerf"), kerf::BadInput);
+  EXPECT_EQ(empty.hash(), before);
+  EXPECT_EQ(empty.cut(std::span<const kerf::Stroke>{}).removed_faces, 0u);
+  kerf::World small;
+  small.add(
+      kerf::Mesh(std::vector<double>{0, 0, 0, 1e-200, 0, 0, 0, 0, 1e-200}, std::vector<uint32_t>{0, 1, 2}));
+  EXPECT_THROW(small.cut(kerf::Stroke{{{0, {0, 1, 0}, {0, -1, 0}}}}), kerf::BadInput);
+}
+
+TEST(Face, defaults_of_a_stroke_follow_from_the_meshes_and_not_from_what_is_left_of_them) {
+  kerf::Stroke all = through_the_middle();
+  all.radius = 3;
+  kerf::World world, twice;
+  world.add(sheet(2));
+  world.cut(all);
+  EXPECT_TRUE(world.pieces().empty());
+  EXPECT_THROW(world.save_scene(testing::TempDir() + "kerf-face-empty"), kerf::BadInput);
+  EXPECT_EQ(world.cut(kerf::Stroke{through_the_middle().keys}).removed_faces, 0u);
+  // Strokes that are cut one by one are those that are cut together.
+  kerf::Stroke half = through_the_middle();
+  half.keys.front().origin[0] = half.keys.back().origin[0] = 1;
+  half.radius = 0.6;
+  const std::vector<kerf::Stroke> both{half, kerf::Stroke{through_the_middle().keys}};
+  kerf::World one_by_one;
+  one_by_one.add(sheet(2));
+  for (const kerf::Stroke& stroke : both) one_by_one.cut(stroke);
+  twice.add(sheet(2));
+  twice.cut(both);
+  EXPECT_EQ(one_by_one.hash(), twice.hash());
 }
 
 TEST(Face, bad_input_gets_a_sentence) {
@@ -235,10 +355,12 @@ TEST(Face, bad_input_gets_a_sentence) {
   says(cut([](auto& s, auto&) { s.range = {2, 1}; }), "range");
   says(cut([](auto&, auto& c) { c.target_edge = 0; }), "target_edge");
   says(cut([](auto&, auto& c) { c.target_edge = 1, c.levels = 1; }), "choose one");
-  says(cut([](auto&, auto& c) { c.levels = 99; }), "levels");
+  says(cut([](auto&, auto& c) { c.levels = 99; }), "levels: must be from 0 to 24");
+  says(cut([](auto&, auto& c) { c.levels = std::numeric_limits<int>::max(); }), "levels");
   says(cut([](auto&, auto& c) { c.material = "cheese"; }), "mild-steel");
   says([&] { (void)world.nearest_hits(square, std::vector<double>(9, 0)); }, "directions");
   says([&] { world.cut(through_the_middle(), {}, {{}, 5000}); }, "1024");
+  says([&] { world.add(kerf::Mesh(square, face), "\xff"); }, "UTF-8");
   EXPECT_EQ(kerf_world_hash(nullptr, nullptr), KERF_BAD_INPUT);
   EXPECT_EQ(kerf_mesh_vertex_count(nullptr), 0u);
 }

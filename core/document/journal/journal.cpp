@@ -152,6 +152,18 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
   }
 }
 
+StateMark state_mark(const Document& document) {
+  KERF_ASSERT(!document.execution().in_stroke() && document.waiting() == 0);
+  const World& world = document.world();
+  StateMark mark{document.journal().size(), state_hash(world), 0, {}, moved_bodies(world)};
+  if (!mark.bodies.empty()) {
+    mark.machine = machine_kind();
+    mark.pairs = known_pairs(world);
+    mark.clock = world.clock();
+  }
+  return mark;
+}
+
 bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) {
   const size_t commands = document.journal().size();
   const size_t last = marks.empty() ? 0 : marks.back().commands;
@@ -159,14 +171,7 @@ bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) 
   if (document.execution().in_stroke() || document.waiting() > 0 || marked) return false;
   if (!always && commands < last + kCommandsBetweenMarks) return false;
   document.seal_journal();
-  const World& world = document.world();
-  StateMark mark{commands, state_hash(world), 0, {}, moved_bodies(world)};
-  if (!mark.bodies.empty()) {
-    mark.machine = machine_kind();
-    mark.pairs = known_pairs(world);
-    mark.clock = world.clock();
-  }
-  marks.push_back(std::move(mark));
+  marks.push_back(state_mark(document));
   return true;
 }
 

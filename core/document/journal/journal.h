@@ -56,6 +56,8 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
 
 // A mark is due when the document has applied this many commands since the last mark and no move is queued.
 inline constexpr size_t kCommandsBetweenMarks = 50;
+// The mark of the current state. Precondition: nothing waits, and no stroke is being drawn. O(faces).
+StateMark state_mark(const Document& document);
 // Appends a mark of the current state if one is due; with `always`, if no move is queued and the state is not
 // marked yet. Returns whether it did. A mark seals the journal (see Document::seal_journal). O(faces) if a
 // mark is appended.

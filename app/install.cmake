@@ -1,4 +1,5 @@
-# cmake --install: the program with all that it opens, and the library with its face.
+# cmake --install: the program with all that it opens, and the library with its face. The target `distribution` builds
+# what is installed, and nothing else.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,20 +1,47 @@
 // The Python module: the C++ face of the core with arrays of NumPy. The lock of the interpreter is released
 // while Kerf works, and Ctrl-C ends a call.
-#include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 
+#include "app/python/arguments.h"
 #include "core/kerf.h"
 
 namespace py = pybind11;
 
 namespace {
 
-using kerf::BadInput;
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using namespace kerf::python;
+
+// A path that leads to no file.
+struct MissingFile {
+  std::string path;
+};
+
+// Runs work on a file with the lock of the interpreter released. What it throws because `needed`, the file or
+// the folder to write in, does not exist is a MissingFile.
+template <typename Work>
+auto on_file(const std::string& path, const std::filesystem::path& needed, Work work) {
+  const py::gil_scoped_release unlocked;
+  try {
+    return work();
+  } catch (const kerf::Cancelled&) {
+    throw;
+  } catch (const kerf::Failure&) {
+    std::error_code error;
+    if (std::filesystem::status(needed, error).type() != std::filesystem::file_type::not_found) throw;
+    throw MissingFile{path};
+  }
+}
+
+// The folder in which a path names a file.
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
 
 // The object that a JSON text describes; the text is made with the lock of the interpreter released.
 template <typename Make>
@@ -25,35 +52,6 @@ py::object object_of(Make make) {
     text = make();
   }
   return py::module_::import("json").attr("loads")(text);
-}
-
-// A copy of an array of shape (n, 3), so that the caller may change it while Kerf works.
-std::vector<double> triples(const py::object& from, const char* name) {
-  const auto array = Doubles::ensure(from);
-  if (!array) {
-    PyErr_Clear();
-    throw BadInput(std::string(name) + ": must be an array of numbers of shape (n, 3)");
-  }
-  if (array.ndim() != 2 || array.shape(1) != 3)
-    throw BadInput(std::string(name) + ": must have the shape (n, 3)");
-  return {array.data(), array.data() + array.size()};
-}
-
-std::vector<uint32_t> corner_indices(const py::object& from) {
-  const auto any = py::array::ensure(from);
-  if (!any) PyErr_Clear();
-  if (!any || (any.dtype().kind() != 'i' && any.dtype().kind() != 'u'))
-    throw BadInput("faces: must be an array of whole numbers of shape (m, 3)");
-  if (any.ndim() != 2 || any.shape(1) != 3) throw BadInput("faces: must have the shape (m, 3)");
-  const auto array = py::array_t<int64_t, py::array::c_style | py::array::forcecast>::ensure(any);
-  std::vector<uint32_t> indices(static_cast<size_t>(array.size()));
-  for (size_t i = 0; i < indices.size(); ++i) {
-    const int64_t v = array.data()[i];
-    if (v < 0 || v > int64_t{0xffffffff})
-      throw BadInput("faces: number " + std::to_string(i / 3) + " names vertex " + std::to_string(v));
-    indices[i] = static_cast<uint32_t>(v);
-  }
-  return indices;
 }
 
 // A read-only array of shape (n, 3) that looks at memory of a mesh and keeps it alive.
@@ -82,97 +80,48 @@ py::array_t<T> copied(const std::vector<T>& numbers) {
   return py::array_t<T>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
-// Ends a call at Ctrl-C, and where the caller's function says so.
-kerf::Control control_of(const py::object& progress, unsigned threads) {
-  kerf::Control control;
-  control.threads = threads;
-  control.progress = [progress](double share) {
-    const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (progress.is_none()) return true;
-    const py::object go_on = progress(share);
-    return go_on.is_none() || py::cast<bool>(go_on);
-  };
-  return control;
-}
-
-std::array<double, 3> vector_of(const py::object& from, const char* what) {
-  const auto array = Doubles::ensure(from);
-  if (!array) PyErr_Clear();
-  if (!array || array.size() != 3) throw BadInput(std::string(what) + ": must be three numbers");
-  return {array.data()[0], array.data()[1], array.data()[2]};
-}
-
-double number_of(const py::handle& from, const char* what) {
-  try {
-    return py::cast<double>(py::float_(py::reinterpret_borrow<py::object>(from)));
-  } catch (const py::error_already_set&) {
-    throw BadInput(std::string(what) + ": must be a number");
-  }
-}
-
-kerf::Stroke make_stroke(const py::sequence& keys, const py::object& radius, const py::object& range,
+kerf::Stroke make_stroke(const py::object& keys, const py::object& radius, const py::object& range,
                          const py::object& power) {
   kerf::Stroke stroke;
-  for (const py::handle key : keys) {
-    if (!py::isinstance<py::sequence>(key) || py::len(key) != 3)
-      throw BadInput("keys: each must be (time, origin, direction)");
-    const auto parts = py::reinterpret_borrow<py::sequence>(key);
-    kerf::Key k{};
-    k.time = number_of(parts[0], "keys: a time");
-    const auto origin = vector_of(parts[1], "keys: an origin"),
-               direction = vector_of(parts[2], "keys: a direction");
-    std::copy(origin.begin(), origin.end(), k.origin);
-    std::copy(direction.begin(), direction.end(), k.direction);
-    stroke.keys.push_back(k);
-  }
-  if (!radius.is_none()) {
-    stroke.radius = number_of(radius, "radius");
-    if (!(stroke.radius > 0)) throw BadInput("radius: must be a length in metres greater than zero");
-  }
-  if (!range.is_none()) {
-    if (!py::isinstance<py::sequence>(range) || py::len(range) != 2)
-      throw BadInput("range: must be (least, most)");
-    const auto ends = py::reinterpret_borrow<py::sequence>(range);
-    stroke.range = {number_of(ends[0], "range"), number_of(ends[1], "range")};
-  }
-  if (!power.is_none()) stroke.power = number_of(power, "power");
+  stroke.keys = keys_argument(keys);
+  const auto positive = [](const py::object& given, const char* name, const char* unit) {
+    const double number = number_argument(given, name);
+    if (number > 0) return number;
+    throw py::value_error(std::string(name) + ": must be a number of " + unit + " greater than zero");
+  };
+  if (!radius.is_none()) stroke.radius = positive(radius, "radius", "metres");
+  if (!range.is_none()) stroke.range = range_argument(range);
+  if (!power.is_none()) stroke.power = positive(power, "power", "watts");
   return stroke;
 }
 
-template <typename Value>
-Value choice(const std::string& given, const char* what,
-             std::initializer_list<std::pair<const char*, Value>> offered) {
-  std::string names;
-  for (const auto& [name, value] : offered) {
-    if (given == name) return value;
-    names += (names.empty() ? "" : ", ") + std::string(name);
-  }
-  throw BadInput(std::string(what) + ": \"" + given + "\" is not offered; there is: " + names);
-}
-
-py::dict cut(kerf::World& world, const py::object& strokes, std::optional<double> target_edge,
-             std::optional<double> tolerance, std::optional<int> levels, const std::string& rim,
-             const std::string& scheme, const std::string& model, const std::optional<std::string>& material,
-             const py::object& progress, unsigned threads) {
-  std::vector<kerf::Stroke> list;
-  if (py::isinstance<kerf::Stroke>(strokes)) {
-    list.push_back(py::cast<kerf::Stroke>(strokes));
-  } else {
-    for (const py::handle stroke : strokes) list.push_back(py::cast<kerf::Stroke>(stroke));
-  }
+kerf::CutSettings settings_of(const py::object& target_edge, const py::object& tolerance,
+                              const py::object& levels, const py::object& rim, const py::object& scheme,
+                              const py::object& model, const py::object& material) {
   kerf::CutSettings settings;
-  settings.rim = choice<kerf_rim>(rim, "rim", {{"faces", KERF_RIM_FACES}, {"smooth", KERF_RIM_SMOOTH}});
-  settings.scheme = choice<kerf_scheme>(
+  settings.rim =
+      choice_argument<kerf_rim>(rim, "rim", {{"faces", KERF_RIM_FACES}, {"smooth", KERF_RIM_SMOOTH}});
+  settings.scheme = choice_argument<kerf_scheme>(
       scheme, "scheme",
       {{"longest-edge", KERF_SCHEME_LONGEST_EDGE}, {"one-to-four", KERF_SCHEME_ONE_TO_FOUR}});
-  settings.model = choice<kerf_model>(model, "model",
-                                      {{"geometric", KERF_MODEL_GEOMETRIC}, {"thermal", KERF_MODEL_THERMAL}});
-  settings.target_edge = target_edge;
-  settings.tolerance = tolerance;
-  settings.levels = levels;
-  settings.material = material.value_or("");
-  const kerf::Control control = control_of(progress, threads);
+  settings.model = choice_argument<kerf_model>(
+      model, "model", {{"geometric", KERF_MODEL_GEOMETRIC}, {"thermal", KERF_MODEL_THERMAL}});
+  settings.target_edge = optional_argument(target_edge, number_argument, "target_edge");
+  settings.tolerance = optional_argument(tolerance, number_argument, "tolerance");
+  settings.levels = optional_argument(levels, whole_argument, "levels");
+  if (!material.is_none()) settings.material = text_argument(material, "material");
+  return settings;
+}
+
+py::dict cut(kerf::World& world, const py::object& strokes, const py::object& target_edge,
+             const py::object& tolerance, const py::object& levels, const py::object& rim,
+             const py::object& scheme, const py::object& model, const py::object& material,
+             const py::object& progress, const py::object& threads) {
+  const std::vector<kerf::Stroke> list = strokes_argument(strokes);
+  const kerf::CutSettings settings =
+      settings_of(target_edge, tolerance, levels, rim, scheme, model, material);
+  const kerf::Control control =
+      control_argument(progress, static_cast<unsigned>(whole_argument(threads, "threads")));
   kerf::CutResult result{};
   {
     const py::gil_scoped_release unlocked;
@@ -197,14 +146,10 @@ HitArrays arrays_of(const kerf::Hits& hits) {
 template <typename Ask>
 HitArrays ask_rays(const py::object& origins, const py::object& directions, const py::object& range,
                    Ask ask) {
-  const std::vector<double> from = triples(origins, "origins"), along = triples(directions, "directions");
+  const std::vector<double> from = triples_argument(origins, "origins"),
+                            along = triples_argument(directions, "directions");
   std::array<double, 2> within{0, std::numeric_limits<double>::max()};
-  if (!range.is_none()) {
-    if (!py::isinstance<py::sequence>(range) || py::len(range) != 2)
-      throw BadInput("range: must be (least, most)");
-    const auto ends = py::reinterpret_borrow<py::sequence>(range);
-    within = {number_of(ends[0], "range"), number_of(ends[1], "range")};
-  }
+  if (!range.is_none()) within = range_argument(range);
   kerf::Hits hits;
   {
     const py::gil_scoped_release unlocked;
@@ -221,8 +166,8 @@ py::array_t<double> numbers(const double (&values)[kCount]) {
 void add_mesh(py::module_& m) {
   py::class_<kerf::Mesh>(m, "Mesh", "A triangle mesh, or a piece of one, which never changes.")
       .def(py::init([](const py::object& vertices, const py::object& faces) {
-             const std::vector<double> positions = triples(vertices, "vertices");
-             const std::vector<uint32_t> corners = corner_indices(faces);
+             const std::vector<double> positions = triples_argument(vertices, "vertices");
+             const std::vector<uint32_t> corners = faces_argument(faces);
              return kerf::Mesh(positions, corners);
            }),
            py::arg("vertices"), py::arg("faces"),
@@ -260,17 +205,22 @@ void add_mesh(py::module_& m) {
           },
           "(position, orientation) of the body: metres, and a quaternion w, x, y, z. Vertices are in the "
           "world already.")
-      .def("write", &kerf::Mesh::write, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-           "Writes it as .obj, .ply, .stl, .off, .glb or .gltf, whole or not at all.")
+      .def(
+          "write",
+          [](const kerf::Mesh& mesh, const py::object& path) {
+            const std::string file = path_argument(path);
+            on_file(file, folder_of(file), [&] { mesh.write(file); });
+          },
+          py::arg("path"), "Writes it as .obj, .ply, .stl, .off, .glb or .gltf, whole or not at all.")
       .def("__repr__", [](const kerf::Mesh& mesh) {
         return "<kerf.Mesh of " + std::to_string(mesh.faces().size() / 3) + " faces>";
       });
   m.def(
       "read",
-      [](const std::string& path) {
-        const kerf::Control control = control_of(py::none(), 0);
-        const py::gil_scoped_release unlocked;
-        return kerf::Mesh::read(path, control);
+      [](const py::object& path) {
+        const std::string file = path_argument(path);
+        const kerf::Control control = control_argument(py::none(), 0);
+        return on_file(file, file, [&] { return kerf::Mesh::read(file, control); });
       },
       py::arg("path"), "Reads an OBJ, PLY, STL, OFF or glTF file.");
 }
@@ -297,35 +247,38 @@ void add_world(py::module_& m) {
       .def(py::init<>())
       .def_static(
           "open",
-          [](const std::string& path) {
-            const kerf::Control control = control_of(py::none(), 0);
-            const py::gil_scoped_release unlocked;
-            return std::make_unique<kerf::World>(path, control);
+          [](const py::object& path) {
+            const std::string file = path_argument(path);
+            const kerf::Control control = control_argument(py::none(), 0);
+            return on_file(file, file, [&] { return std::make_unique<kerf::World>(file, control); });
           },
           py::arg("path"),
           "Opens a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.")
       .def(
           "add",
-          [](kerf::World& world, const kerf::Mesh& mesh, const std::string& name) {
-            const kerf::Control control = control_of(py::none(), 0);
+          [](kerf::World& world, const py::object& mesh, const py::object& name) {
+            const kerf::Mesh added = instance_argument<kerf::Mesh>(mesh, "mesh", "kerf.Mesh");
+            const std::string text = text_argument(name, "name");
+            const kerf::Control control = control_argument(py::none(), 0);
             const py::gil_scoped_release unlocked;
-            world.add(mesh, name, control);
+            world.add(added, text, control);
           },
           py::arg("mesh"), py::arg("name") = "mesh",
           "Adds a copy of a mesh as a body, a sheet of 1 mm of mild steel.")
       .def("cut", &cut, py::arg("strokes"), py::kw_only(), py::arg("target_edge") = py::none(),
            py::arg("tolerance") = py::none(), py::arg("levels") = py::none(), py::arg("rim") = "faces",
            py::arg("scheme") = "longest-edge", py::arg("model") = "geometric",
-           py::arg("material") = py::none(), py::arg("progress") = py::none(), py::arg("threads") = 0u,
+           py::arg("material") = py::none(), py::arg("progress") = py::none(), py::arg("threads") = 0,
            "Cuts all bodies with a Stroke or a list of them, all or nothing. The resolution is one of "
            "target_edge (m), "
-           "tolerance (m) and levels. progress(share) may return False to stop. Returns removed_faces, "
+           "tolerance (m) and levels. progress(share) is called at most fifty times a second and may return "
+           "False to stop. Returns removed_faces, "
            "removed_area "
            "(m^2) and seconds.")
       .def_property_readonly(
           "pieces",
           [](const kerf::World& world) {
-            const kerf::Control control = control_of(py::none(), 0);
+            const kerf::Control control = control_argument(py::none(), 0);
             const py::gil_scoped_release unlocked;
             return world.pieces(control);
           },
@@ -334,7 +287,7 @@ void add_world(py::module_& m) {
           "nearest_hits",
           [](const kerf::World& world, const py::object& origins, const py::object& directions,
              const py::object& range) {
-            const kerf::Control control = control_of(py::none(), 0);
+            const kerf::Control control = control_argument(py::none(), 0);
             return ask_rays(origins, directions, range,
                             [&](const auto& from, const auto& along, const auto& within) {
                               return world.nearest_hits(from, along, within, control);
@@ -346,7 +299,7 @@ void add_world(py::module_& m) {
           "all_hits",
           [](const kerf::World& world, const py::object& origins, const py::object& directions,
              const py::object& range) {
-            const kerf::Control control = control_of(py::none(), 0);
+            const kerf::Control control = control_argument(py::none(), 0);
             return ask_rays(origins, directions, range,
                             [&](const auto& from, const auto& along, const auto& within) {
                               return world.all_hits(from, along, within, control);
@@ -354,12 +307,23 @@ void add_world(py::module_& m) {
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
           "All surfaces that each ray crosses, nearest first.")
-      .def("save_scene", &kerf::World::save_scene, py::arg("folder"),
-           py::call_guard<py::gil_scoped_release>(),
-           "Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.")
-      .def("save_journal", &kerf::World::save_journal, py::arg("path"),
-           py::call_guard<py::gil_scoped_release>(),
-           "Writes the journal (.kerf) of the cuts, and beside it the meshes that were added.")
+      .def(
+          "save_scene",
+          [](const kerf::World& world, const py::object& folder) {
+            const std::string to = path_argument(folder);
+            const py::gil_scoped_release unlocked;
+            world.save_scene(to);
+          },
+          py::arg("folder"),
+          "Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.")
+      .def(
+          "save_journal",
+          [](const kerf::World& world, const py::object& path) {
+            const std::string file = path_argument(path);
+            on_file(file, folder_of(file), [&] { world.save_journal(file); });
+          },
+          py::arg("path"),
+          "Writes the journal (.kerf) of the cuts, and beside it the meshes that were added.")
       .def(
           "report", [](const kerf::World& world) { return object_of([&] { return world.report(); }); },
           "The report of all cuts so far, with the keys of the report.json of `kerf cut`.")
@@ -367,8 +331,55 @@ void add_world(py::module_& m) {
           "graph", [](const kerf::World& world) { return object_of([&] { return world.graph(); }); },
           "The component graph of the faces, as `kerf inspect --graph` writes it.")
       .def_property_readonly(
-          "hash", [](const kerf::World& world) { return world.hash(); },
+          "hash",
+          [](const kerf::World& world) {
+            const py::gil_scoped_release unlocked;
+            return world.hash();
+          },
           "Sixteen hexadecimal digits; those of `kerf cut` for the same meshes and strokes.");
+}
+
+// The exceptions of the module, which live as long as the interpreter.
+struct Exceptions {
+  PyObject *error, *cancelled, *busy, *file_not_found;
+};
+
+// A class of exceptions of the module; `bases` is one class or a tuple of them.
+PyObject* add_exception(py::module_& m, const char* name, const char* meaning, const py::handle& bases) {
+  PyObject* made =
+      PyErr_NewExceptionWithDoc(("kerf." + std::string(name)).c_str(), meaning, bases.ptr(), nullptr);
+  if (made == nullptr) throw py::error_already_set();
+  m.attr(name) = py::handle(made);
+  return made;
+}
+
+void add_exceptions(py::module_& m) {
+  static Exceptions classes{};
+  classes.error =
+      add_exception(m, "Error", "A call that could not be done; it has changed nothing.", PyExc_RuntimeError);
+  classes.cancelled =
+      add_exception(m, "Cancelled", "A call that its progress function stopped.", classes.error);
+  classes.busy =
+      add_exception(m, "Busy", "A call that cannot run while another one uses the world.", classes.error);
+  const py::tuple bases = py::make_tuple(py::handle(PyExc_FileNotFoundError), py::handle(PyExc_ValueError));
+  classes.file_not_found = add_exception(m, "FileNotFound", "A path that leads to no file.", bases);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const MissingFile& missing) {
+      const auto path = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(missing.path.c_str()));
+      const py::tuple values = py::make_tuple(ENOENT, std::strerror(ENOENT), path);
+      PyErr_SetObject(classes.file_not_found, values.ptr());
+    } catch (const kerf::BadInput& fault) {
+      PyErr_SetString(PyExc_ValueError, fault.what());
+    } catch (const kerf::Cancelled& fault) {
+      PyErr_SetString(classes.cancelled, fault.what());
+    } catch (const kerf::Busy& fault) {
+      PyErr_SetString(classes.busy, fault.what());
+    } catch (const kerf::Failure& fault) {
+      PyErr_SetString(classes.error, fault.what());
+    }
+  });
 }
 
 }  // namespace
@@ -376,16 +387,10 @@ void add_world(py::module_& m) {
 PYBIND11_MODULE(_kerf, m) {
   m.doc() = "Kerf: a laser drills through any triangle mesh.";
   m.attr("__version__") = kerf_version();
-  py::register_exception_translator([](std::exception_ptr thrown) {
-    try {
-      if (thrown) std::rethrow_exception(thrown);
-    } catch (const kerf::BadInput& fault) {
-      PyErr_SetString(PyExc_ValueError, fault.what());
-    } catch (const kerf::Failure& fault) {
-      PyErr_SetString(PyExc_RuntimeError, fault.what());
-    }
-  });
+  m.attr("__name__") = "kerf";  // the module that exports the classes, for their names
+  add_exceptions(m);
   add_mesh(m);
   add_stroke(m);
   add_world(m);
+  m.attr("__name__") = "kerf._kerf";
 }

@@ -65,7 +65,7 @@ def check_outside_programs(prefix, folder):
 def check_python(prefix, folder):
     site = os.path.join(prefix, 'lib/python3/dist-packages')
     if not os.path.isdir(os.path.join(site, 'kerf')):
-        print('the Python module was not built: pybind11 is missing')
+        print('the Python module was not built')
         return
     environment = {**os.environ, 'PYTHONPATH': site, 'PYTHONDONTWRITEBYTECODE': '1'}
     for example in ('tune_resolution.py', 'rays_against_brute_force.py'):

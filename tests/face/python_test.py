@@ -1,9 +1,13 @@
 """The Python module: arrays, exceptions, the lock of the interpreter and Ctrl-C: python_test.py MESH"""
 import _thread
+import errno
 import os
+import pathlib
+import pickle
 import sys
 import tempfile
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -42,14 +46,120 @@ class Module(unittest.TestCase):
         for bad in (lambda: kerf.Mesh(v[:, :2], f), lambda: kerf.Mesh(np.full_like(v, np.nan), f),
                     lambda: kerf.Mesh(v, f + len(v)), lambda: kerf.Mesh(v, f.astype(int) - 1), lambda: kerf.Mesh(v[:0], f[:0]),
                     lambda: kerf.Mesh(v, f.astype(float)), lambda: kerf.Mesh('a', f), lambda: kerf.Mesh(v, None),
-                    lambda: kerf.read('no-such.obj'), lambda: kerf.Stroke([()]), lambda: kerf.Stroke([(0, (0, 0), (0, 1, 0))]),
+                    lambda: kerf.Stroke([()]), lambda: kerf.Stroke([(0, (0, 0), (0, 1, 0))]),
                     lambda: kerf.Stroke([('x', (0, 0, 0), (0, 1, 0))]), lambda: kerf.Stroke([], radius=float('nan')),
                     lambda: self.world.cut(kerf.Stroke([])), lambda: self.world.cut(slot(self.mesh), rim='round'),
                     lambda: self.world.cut(slot(self.mesh), target_edge=-1.0), lambda: self.world.nearest_hits(v[:, :2], v),
-                    lambda: self.world.all_hits(v, v[:3]), lambda: self.world.nearest_hits(v, 0 * v)):
+                    lambda: self.world.all_hits(v, v[:3]), lambda: self.world.nearest_hits(v, 0 * v),
+                    lambda: kerf.World().cut(slot(self.mesh)), lambda: kerf.Stroke([], radius=-1),
+                    lambda: kerf.Stroke([], power=0), lambda: kerf.Stroke([], range=(1,)), lambda: kerf.read('a\0b'),
+                    lambda: self.world.add(self.mesh, name='a\0b'), lambda: self.world.add(self.mesh, name='\udcff'),
+                    lambda: self.world.cut(slot(self.mesh), threads=-1),
+                    lambda: self.world.cut(slot(self.mesh), threads=10**30),
+                    lambda: self.world.cut(slot(self.mesh), target_edge=10**400),
+                    lambda: self.world.cut(slot(self.mesh), material='cheese')):
             with self.assertRaises(ValueError) as raised:
                 bad()
             self.assertGreater(len(str(raised.exception)), 10)
+        for levels in (-1, 25, 10**30, -10**30):
+            with self.assertRaisesRegex(ValueError, '^levels: must be from 0 to 24$'):
+                self.world.cut(slot(self.mesh), levels=levels)
+
+    def test_an_argument_of_the_wrong_type_is_a_type_error_that_names_it(self):
+        cut, stroke = self.world.cut, slot(self.mesh)
+        for word, bad in (('strokes', lambda: cut(5)), ('strokes: number 1', lambda: cut([stroke, 'x'])),
+                          ('mesh', lambda: self.world.add(5)), ('mesh', lambda: self.world.add(None)),
+                          ('name', lambda: self.world.add(self.mesh, name=b'x')), ('radius', lambda: kerf.Stroke([], radius='0.1')),
+                          ('range', lambda: kerf.Stroke([], range=('0', 1))), ('keys', lambda: kerf.Stroke(5)),
+                          ('PathLike', lambda: kerf.read(5)), ('PathLike', lambda: kerf.World.open(None)),
+                          ('PathLike', lambda: self.world.save_journal(5)), ('PathLike', lambda: self.mesh.write(None)),
+                          ('PathLike', lambda: self.world.save_scene(1.5)), ('levels', lambda: cut(stroke, levels=2.5)),
+                          ('levels', lambda: cut(stroke, levels='2')), ('threads', lambda: cut(stroke, threads=None)),
+                          ('target_edge', lambda: cut(stroke, target_edge='1')), ('rim', lambda: cut(stroke, rim=1)),
+                          ('material', lambda: cut(stroke, material=1)), ('progress', lambda: cut(stroke, progress=1)),
+                          ('raduis', lambda: kerf.Stroke([], raduis=1)), ('resolution', lambda: cut(stroke, resolution=1))):
+            with self.assertRaises(TypeError) as raised:
+                bad()
+            said = str(raised.exception)
+            self.assertIn(word, said)
+            for foreign in ('PYBIND', 'C++', 'kerf::', 'std::', '_kerf'):
+                self.assertNotIn(foreign, said)
+
+    def test_an_error_of_the_progress_function_is_that_of_the_call(self):
+        class Neither:
+            def __bool__(self):
+                raise LookupError('neither')
+        before = self.world.hash
+        with self.assertRaises(LookupError):
+            self.world.cut(slot(self.mesh), progress=lambda share: Neither())
+        with self.assertRaises(ZeroDivisionError):
+            self.world.cut(slot(self.mesh), progress=lambda share: 1 / 0)
+        self.assertEqual(self.world.hash, before)
+
+    def test_paths_may_be_of_pathlib_or_bytes_and_a_missing_one_is_told_as_python_does(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            self.mesh.write(folder / 'ball.ply')
+            self.assertEqual(len(kerf.read(folder / 'ball.ply').faces), len(self.mesh.faces))
+            self.assertEqual(len(kerf.read(os.fsencode(folder / 'ball.ply')).faces), len(self.mesh.faces))
+            self.world.cut(slot(self.mesh))
+            self.world.save_journal(folder / 'cut.kerf')
+            self.world.save_scene(folder / 'scene')
+            self.assertEqual(kerf.World.open(folder / 'cut.kerf').hash, self.world.hash)
+            areas = [sum(p.area for p in w.pieces) for w in (self.world, kerf.World.open(folder / 'scene/scene.json'))]
+            self.assertAlmostEqual(*areas)
+            missing = folder / 'no' / 'such.obj'
+            for bad in (lambda: kerf.read(missing), lambda: kerf.World.open(missing), lambda: self.mesh.write(missing),
+                        lambda: self.world.save_journal(missing)):
+                with self.assertRaises(FileNotFoundError) as raised:
+                    bad()
+                self.assertEqual((raised.exception.errno, raised.exception.filename), (errno.ENOENT, str(missing)))
+            with self.assertRaises(ValueError):  # bad input, as any other file that cannot be read
+                kerf.read(missing)
+            with self.assertRaises(ValueError) as raised:
+                kerf.read(folder)
+            self.assertNotIsInstance(raised.exception, FileNotFoundError)
+            with self.assertRaises(kerf.Error):
+                self.mesh.write('/proc/ball.ply')
+
+    def test_exceptions_travel_between_processes(self):
+        for kind in (kerf.Error, kerf.Cancelled, kerf.Busy):
+            self.assertTrue(issubclass(kind, RuntimeError) and issubclass(kind, kerf.Error))
+            self.assertIs(type(pickle.loads(pickle.dumps(kind('said')))), kind)
+        with self.assertRaises(FileNotFoundError) as raised:
+            kerf.read('no-such.obj')
+        self.assertEqual(pickle.loads(pickle.dumps(raised.exception)).filename, 'no-such.obj')
+
+    def test_threads_read_one_world_at_the_same_time(self):
+        self.world.cut(slot(self.mesh))
+        v = np.array(self.mesh.vertices)
+        along = np.full_like(v, -1)
+
+        def read():
+            return (self.world.hash, [p.area for p in self.world.pieces], self.world.report()['pieces'], self.world.graph(),
+                    self.world.nearest_hits(2 * v, along).distance.tolist(), self.world.all_hits(2 * v, along).first.tolist())
+        wanted, results = read(), []
+
+        def ask():
+            try:
+                results.append(all(read() == wanted for _ in range(4)))
+            except kerf.Error as fault:
+                results.append(fault)
+        threads = [threading.Thread(target=ask) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(results, [True] * 4)
+
+    def test_progress_takes_the_lock_at_most_fifty_times_a_second(self):
+        shares = []
+        begin = time.monotonic()
+        for k in range(8):
+            self.world.cut(slot(self.mesh), levels=k // 4 + 4, threads=1, progress=shares.append)
+        most = 8 + 50 * (time.monotonic() - begin)
+        self.assertLessEqual(len(shares), most)
+        self.assertGreaterEqual(len(shares), 8)  # at least once a call
 
     def test_a_report_balances_and_a_journal_leads_to_the_same_state(self):
         result = self.world.cut(slot(self.mesh))
@@ -71,7 +181,7 @@ class Module(unittest.TestCase):
                 def ask():
                     try:
                         said.append(self.world.hash)
-                    except RuntimeError as fault:
+                    except kerf.Busy as fault:
                         said.append(str(fault))
                 thread = threading.Thread(target=ask)
                 thread.start()
@@ -86,12 +196,11 @@ class Module(unittest.TestCase):
 
         def interrupt(share):
             asked.append(share)
-            if len(asked) == 3:
-                _thread.interrupt_main()
+            _thread.interrupt_main()
         with self.assertRaises(KeyboardInterrupt):
             self.world.cut(slot(self.mesh), progress=interrupt)
         self.assertEqual(self.world.hash, before)
-        with self.assertRaises(RuntimeError):
+        with self.assertRaises(kerf.Cancelled):
             self.world.cut(slot(self.mesh), progress=lambda share: False)
         self.assertEqual(self.world.hash, before)
 

@@ -1,4 +1,5 @@
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
+from os import PathLike
 from typing import Any, Literal
 
 import numpy as np
@@ -6,7 +7,21 @@ import numpy.typing as npt
 
 __version__: str
 
-def read(path: str) -> Mesh:
+_Path = str | bytes | PathLike[str] | PathLike[bytes]
+
+class Error(RuntimeError):
+    """A call that could not be done; it has changed nothing."""
+
+class Cancelled(Error):
+    """A call that its progress function stopped."""
+
+class Busy(Error):
+    """A call that cannot run while another one uses the world."""
+
+class FileNotFound(FileNotFoundError, ValueError):
+    """A path that leads to no file."""
+
+def read(path: _Path) -> Mesh:
     """Reads an OBJ, PLY, STL, OFF or glTF file."""
 
 class Mesh:
@@ -36,14 +51,14 @@ class Mesh:
     def boundary_edges(self) -> int: ...
     @property
     def placement(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]: ...
-    def write(self, path: str) -> None: ...
+    def write(self, path: _Path) -> None: ...
 
 class Stroke:
     """A stroke of the laser: keys are (time in s, origin in m, direction)."""
 
     def __init__(
         self,
-        keys: Sequence[tuple[float, npt.ArrayLike, npt.ArrayLike]],
+        keys: Iterable[tuple[float, npt.ArrayLike, npt.ArrayLike]],
         radius: float | None = ...,
         range: tuple[float, float] | None = ...,
         power: float | None = ...,
@@ -60,11 +75,11 @@ class World:
 
     def __init__(self) -> None: ...
     @staticmethod
-    def open(path: str) -> World: ...
+    def open(path: _Path) -> World: ...
     def add(self, mesh: Mesh, name: str = ...) -> None: ...
     def cut(
         self,
-        strokes: Stroke | Sequence[Stroke],
+        strokes: Stroke | Iterable[Stroke],
         *,
         target_edge: float | None = ...,
         tolerance: float | None = ...,
@@ -73,7 +88,7 @@ class World:
         scheme: Literal["longest-edge", "one-to-four"] = ...,
         model: Literal["geometric", "thermal"] = ...,
         material: str | None = ...,
-        progress: Callable[[float], bool | None] | None = ...,
+        progress: Callable[[float], object] | None = ...,
         threads: int = ...,
     ) -> dict[str, Any]: ...
     @property
@@ -84,8 +99,8 @@ class World:
     def all_hits(
         self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, range: tuple[float, float] | None = ...
     ) -> Hits: ...
-    def save_scene(self, folder: str) -> None: ...
-    def save_journal(self, path: str) -> None: ...
+    def save_scene(self, folder: _Path) -> None: ...
+    def save_journal(self, path: _Path) -> None: ...
     def report(self) -> dict[str, Any]: ...
     def graph(self) -> dict[str, Any]: ...
     @property

@@ -1,0 +1,167 @@
+#include "app/python/arguments.h"
+
+#include <algorithm>
+#include <chrono>
+#include <climits>
+
+namespace kerf::python {
+
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+std::string type_of(const py::handle& given) { return Py_TYPE(given.ptr())->tp_name; }
+
+// Throws the error of the interpreter if there is one.
+void throw_if_raised() {
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+}
+
+std::array<double, 3> vector_of(const py::handle& given, const std::string& name) {
+  const auto array = Doubles::ensure(given);
+  if (!array) PyErr_Clear();
+  if (!array || array.ndim() != 1 || array.size() != 3)
+    throw py::value_error(name + " must be three numbers");
+  return {array.data()[0], array.data()[1], array.data()[2]};
+}
+
+// A sequence of so many members, or an empty object.
+py::sequence sequence_of(const py::handle& given, size_t members) {
+  const bool is_one = py::isinstance<py::sequence>(given) && !py::isinstance<py::str>(given);
+  if (!is_one || py::len(given) != members) return py::reinterpret_steal<py::sequence>(py::handle());
+  return py::reinterpret_borrow<py::sequence>(given);
+}
+
+}  // namespace
+
+std::string path_argument(const py::handle& given) {
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(given.ptr(), &bytes) == 0) throw py::error_already_set();
+  return py::reinterpret_steal<py::bytes>(bytes);
+}
+
+std::string text_argument(const py::handle& given, const char* name) {
+  if (!py::isinstance<py::str>(given))
+    throw py::type_error(std::string(name) + ": must be a str, not " + type_of(given));
+  Py_ssize_t size = 0;
+  const char* text = PyUnicode_AsUTF8AndSize(given.ptr(), &size);
+  throw_if_raised();
+  const std::string copy(text, static_cast<size_t>(size));
+  if (copy.find('\0') != std::string::npos)
+    throw py::value_error(std::string(name) + ": must not contain a null character");
+  return copy;
+}
+
+double number_argument(const py::handle& given, const std::string& name) {
+  const double number = PyFloat_AsDouble(given.ptr());
+  if (number != -1 || PyErr_Occurred() == nullptr) return number;
+  const bool is_too_large = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+  PyErr_Clear();
+  if (is_too_large) throw py::value_error(name + ": is too large for a float");
+  throw py::type_error(name + ": must be a number, not " + type_of(given));
+}
+
+int whole_argument(const py::handle& given, const char* name) {
+  const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
+  if (!index) {
+    PyErr_Clear();
+    throw py::type_error(std::string(name) + ": must be an int, not " + type_of(given));
+  }
+  int overflow = 0;
+  const long number = PyLong_AsLongAndOverflow(index.ptr(), &overflow);
+  if (overflow != 0) return overflow < 0 ? INT_MIN : INT_MAX;
+  return static_cast<int>(std::clamp<long>(number, INT_MIN, INT_MAX));
+}
+
+std::vector<double> triples_argument(const py::handle& given, const char* name) {
+  const auto array = Doubles::ensure(given);
+  if (!array) {
+    PyErr_Clear();
+    throw py::value_error(std::string(name) + ": must be an array of numbers of shape (n, 3)");
+  }
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    throw py::value_error(std::string(name) + ": must have the shape (n, 3)");
+  return {array.data(), array.data() + array.size()};
+}
+
+std::vector<uint32_t> faces_argument(const py::handle& given) {
+  const auto any = py::array::ensure(given);
+  if (!any) PyErr_Clear();
+  if (!any || (any.dtype().kind() != 'i' && any.dtype().kind() != 'u'))
+    throw py::value_error("faces: must be an array of whole numbers of shape (m, 3)");
+  if (any.ndim() != 2 || any.shape(1) != 3) throw py::value_error("faces: must have the shape (m, 3)");
+  const auto array = py::array_t<int64_t, py::array::c_style | py::array::forcecast>::ensure(any);
+  std::vector<uint32_t> indices(static_cast<size_t>(array.size()));
+  for (size_t i = 0; i < indices.size(); ++i) {
+    const int64_t v = array.data()[i];
+    if (v < 0 || v > int64_t{0xffffffff})
+      throw py::value_error("faces: number " + std::to_string(i / 3) + " names vertex " + std::to_string(v));
+    indices[i] = static_cast<uint32_t>(v);
+  }
+  return indices;
+}
+
+std::array<double, 2> range_argument(const py::handle& given) {
+  const py::sequence ends = sequence_of(given, 2);
+  if (!ends) throw py::value_error("range: must be (min, max)");
+  return {number_argument(ends[0], "range"), number_argument(ends[1], "range")};
+}
+
+std::vector<Key> keys_argument(const py::handle& given) {
+  if (!py::isinstance<py::iterable>(given))
+    throw py::type_error("keys: must be a sequence of (time, origin, direction), not " + type_of(given));
+  std::vector<Key> keys;
+  for (const py::handle member : given) {
+    const std::string where = "keys: number " + std::to_string(keys.size());
+    const py::sequence parts = sequence_of(member, 3);
+    if (!parts) throw py::value_error(where + " must be (time, origin, direction)");
+    Key key{};
+    key.time = PyFloat_AsDouble(py::object(parts[0]).ptr());
+    if (PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      throw py::value_error(where + ": the time must be a number");
+    }
+    const auto origin = vector_of(parts[1], where + ": the origin");
+    const auto direction = vector_of(parts[2], where + ": the direction");
+    std::copy(origin.begin(), origin.end(), key.origin);
+    std::copy(direction.begin(), direction.end(), key.direction);
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+std::vector<Stroke> strokes_argument(const py::handle& given) {
+  if (py::isinstance<Stroke>(given)) return {given.cast<const Stroke&>()};
+  if (!py::isinstance<py::iterable>(given))
+    throw py::type_error("strokes: must be a kerf.Stroke or a sequence of them, not " + type_of(given));
+  std::vector<Stroke> strokes;
+  for (const py::handle stroke : given) {
+    const std::string name = "strokes: number " + std::to_string(strokes.size());
+    strokes.push_back(instance_argument<Stroke>(stroke, name.c_str(), "kerf.Stroke"));
+  }
+  return strokes;
+}
+
+Control control_argument(const py::object& progress, unsigned threads) {
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kBetween{20};
+  if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+    throw py::type_error("progress: must be callable, not " + type_of(progress));
+  Control control;
+  control.threads = threads;
+  control.progress = [progress, next = Clock::time_point::min()](double share) mutable {
+    if (Clock::now() < next) return true;
+    const py::gil_scoped_acquire lock;
+    next = Clock::now() + kBetween;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (progress.is_none()) return true;
+    const py::object result = progress(share);
+    if (result.is_none()) return true;
+    const int go_on = PyObject_IsTrue(result.ptr());
+    if (go_on < 0) throw py::error_already_set();
+    return go_on != 0;
+  };
+  return control;
+}
+
+}  // namespace kerf::python

@@ -33,6 +33,7 @@ bool CollapseRules::keeps_topology(uint32_t v, uint32_t to, const Ring& ring) {
   }
   if (between != 2 || left_ == kNoIndex || right_ == kNoIndex || left_ == right_) return false;
   if (ring.sides.size() < 3) return false;
+  if (is_hub(to)) return keeps_topology_of_hub(to, ring);
   // No other vertex is beside both ends, and no face with the same corners as a changed one is there.
   const auto is_third = [&](uint32_t w) { return mark_[w] == stamp_ && w != left_ && w != right_; };
   bool kept = true;
@@ -42,6 +43,25 @@ bool CollapseRules::keeps_topology(uint32_t v, uint32_t to, const Ring& ring) {
     if (mark_[side.from] == stamp_ && mark_[side.to] == stamp_) kept = false;
   });
   return kept;
+}
+
+// As for other vertices, but by the rings of those around the vertex.
+bool CollapseRules::keeps_topology_of_hub(uint32_t to, const Ring& ring) const {
+  const auto has_face = [&](uint32_t w, auto wanted) {
+    bool found = false;
+    surface_.for_each_face(w, [&](const FlatSurface::Opposite& side) { found = found || wanted(side); });
+    return found;
+  };
+  const auto has = [](const FlatSurface::Opposite& side, uint32_t w) {
+    return side.from == w || side.to == w;
+  };
+  for (const uint32_t w : ring.vertices) {
+    if (w == to || w == left_ || w == right_) continue;
+    if (is_hub(w) || has_face(w, [&](const auto& side) { return has(side, to); })) return false;
+  }
+  if (is_hub(left_) && is_hub(right_)) return false;
+  const uint32_t a = is_hub(left_) ? right_ : left_, b = is_hub(left_) ? left_ : right_;
+  return !has_face(a, [&](const auto& side) { return has(side, to) && has(side, b); });
 }
 
 // A new edge between two vertices that other sheets share could coincide with an edge of those.

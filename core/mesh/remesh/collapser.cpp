@@ -74,6 +74,7 @@ bool Collapser::run_round(const Limits& limits) {
     queue_.pop();
     if (next.error != queued_[next.vertex]) continue;  // it was queued again since
     queued_[next.vertex] = kNever;
+    if (!may_go(next.vertex)) continue;  // it became a hub
     rules_.look_at(next.vertex, ring_);
     const Choice best = best_choice(next.vertex);
     if (best.to == kNoIndex) continue;

@@ -62,7 +62,7 @@ class Collapser {
     }
   };
 
-  bool may_go(uint32_t v) const { return surface_.in_use(v) && !sheets_.locked[v]; }
+  bool may_go(uint32_t v) const { return surface_.in_use(v) && !sheets_.locked[v] && !rules_.is_hub(v); }
   void sum_quadrics();
   void queue_all();
   void enqueue(uint32_t v, double error);

@@ -11,23 +11,32 @@ FlatSurface::FlatSurface(std::vector<Vec3> points, std::vector<std::array<uint32
     : points_(std::move(points)),
       corners_(std::move(corners)),
       next_(3 * corners_.size()),
-      first_(points_.size(), kNoIndex) {
+      previous_(next_.size()),
+      first_(points_.size(), kNoIndex),
+      valence_(points_.size(), 0) {
   for (uint32_t c = 0; c < next_.size(); ++c) {
-    uint32_t& first = first_[corners_[c / 3][c % 3]];
-    if (first == kNoIndex) {
-      first = next_[c] = c;
+    const uint32_t v = corners_[c / 3][c % 3];
+    ++valence_[v];
+    if (first_[v] == kNoIndex) {
+      first_[v] = next_[c] = previous_[c] = c;
     } else {
-      next_[c] = std::exchange(next_[first], c);
+      const uint32_t after = next_[first_[v]];
+      link(first_[v], c);
+      link(c, after);
     }
   }
 }
 
+void FlatSurface::link(uint32_t corner, uint32_t after) {
+  next_[corner] = after;
+  previous_[after] = corner;
+}
+
 void FlatSurface::unlink(uint32_t corner) {
-  uint32_t before = corner;
-  while (next_[before] != corner) before = next_[before];
-  uint32_t& first = first_[corners_[corner / 3][corner % 3]];
-  next_[before] = next_[corner];
-  first = before == corner ? kNoIndex : before;
+  const uint32_t before = previous_[corner], v = corners_[corner / 3][corner % 3];
+  link(before, next_[corner]);
+  first_[v] = before == corner ? kNoIndex : before;
+  --valence_[v];
 }
 
 void FlatSurface::collapse(uint32_t from, uint32_t to) {
@@ -53,8 +62,11 @@ void FlatSurface::collapse(uint32_t from, uint32_t to) {
   if (first_[to] == kNoIndex) {
     first_[to] = first;
   } else {
-    std::swap(next_[first], next_[first_[to]]);
+    const uint32_t after = next_[first], after_to = next_[first_[to]];
+    link(first, after_to);
+    link(first_[to], after);
   }
+  valence_[to] += std::exchange(valence_[from], 0);
 }
 
 }  // namespace kerf

@@ -12,7 +12,7 @@ namespace kerf {
 
 // Triangles over vertices in flat arrays, from which half-edge collapses take vertices. Corner 3 f + i is
 // corner i of face f; the corners at one vertex are a ring of links in no particular order, so that two rings
-// are joined in constant time.
+// are joined, and a corner leaves its ring, in constant time.
 class FlatSurface {
  public:
   // A side of a face that lies opposite to a vertex; from, to and the vertex are counter-clockwise.
@@ -29,6 +29,7 @@ class FlatSurface {
   const std::array<uint32_t, 3>& corners(uint32_t f) const { return corners_[f]; }
   bool has(uint32_t f) const { return corners_[f][0] != kNoIndex; }
   bool in_use(uint32_t v) const { return first_[v] != kNoIndex; }
+  uint32_t faces_at(uint32_t v) const { return valence_[v]; }
 
   // Calls see(Opposite) for each face at a vertex.
   template <typename F>
@@ -44,16 +45,18 @@ class FlatSurface {
   }
 
   // Moves all faces at `from` to `to`, but for the two that have both as corners, which go. Precondition:
-  // there are two such faces and more at `from`.
+  // there are two such faces and more at `from`. Linear in the faces at `from`.
   void collapse(uint32_t from, uint32_t to);
 
  private:
+  void link(uint32_t corner, uint32_t after);
   void unlink(uint32_t corner);
 
   std::vector<Vec3> points_;
   std::vector<std::array<uint32_t, 3>> corners_;  // by face; kNoIndex where it is gone
-  std::vector<uint32_t> next_;                    // by corner: the next one at the same vertex
+  std::vector<uint32_t> next_, previous_;         // by corner: the one after and before it at its vertex
   std::vector<uint32_t> first_;                   // by vertex: any corner; kNoIndex where there is none
+  std::vector<uint32_t> valence_;                 // by vertex: faces
 };
 
 }  // namespace kerf

@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/base/angle.h"
 #include "core/mesh/load_mesh.h"
 #include "core/mesh/longest_edge.h"
 #include "core/mesh/openmesh/decimate.h"
@@ -137,6 +138,41 @@ TEST_P(Simplify, faces_that_must_stay_do) {
     const auto& corners = made.triangles[static_cast<size_t>(at - made.origins.begin())];
     const Triangle t = mesh.triangle(f);
     for (const uint32_t v : corners) EXPECT_NE(std::find(t.begin(), t.end(), made.positions[v]), t.end());
+  }
+}
+
+// Two cones on one base, and the same flat, whose rim is a boundary. What is around the vertices of many
+// faces goes before them.
+TEST_P(Simplify, vertices_of_many_faces_do_not_hold_up_those_around_them) {
+  const int around = 3000;
+  for (const bool is_flat : {false, true}) {
+    Soup soup;
+    soup.positions = {{0, 1, 0}, {0, -1, 0}};
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * kPi * i / around;
+      soup.positions.emplace_back(std::cos(angle), 0, std::sin(angle));
+    }
+    if (is_flat) {
+      soup.positions[0].y = 0;
+      for (int i = 0; i < around; ++i)
+        soup.positions.push_back(2.0 * soup.positions[static_cast<size_t>(i) + 2]);
+    }
+    const auto ring = [&](int i, int k) { return static_cast<uint32_t>(2 + around * k + i % around); };
+    for (int i = 0; i < around; ++i) {
+      soup.triangles.push_back({0, ring(i + 1, 0), ring(i, 0)});
+      if (is_flat) {
+        soup.triangles.push_back({ring(i, 0), ring(i + 1, 0), ring(i + 1, 1)});
+        soup.triangles.push_back({ring(i, 0), ring(i + 1, 1), ring(i, 1)});
+      } else {
+        soup.triangles.push_back({1, ring(i, 0), ring(i + 1, 0)});
+      }
+    }
+    const Mesh mesh = build(soup).mesh;
+    const Mesh made = mesh_of(simplified(mesh, {.faces = 100}), mesh);
+    expect_same_topology(mesh, made);
+    // The flat rim stays, and with it about as many faces as it has vertices.
+    EXPECT_LE(made.live_faces(), is_flat ? static_cast<uint32_t>(around) + 8 : 100u);
+    if (is_flat) EXPECT_NEAR(count_numbers(made).area, count_numbers(mesh).area, 1e-9);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
@@ -129,6 +131,7 @@ class Crossings {
   const OutlinePiece& piece_;
 };
 
+// Parts of a piece, as shares of its length.
 struct Share {
   double from, to;
 };
@@ -144,77 +147,252 @@ void append_covered(const OutlinePiece& piece, const DiscMove& move, double radi
   }
 }
 
-// Appends what is left of a piece.
-void append_uncovered(const OutlinePiece& piece, std::vector<Share>& covered, double least,
-                      std::vector<OutlinePiece>& out) {
-  std::sort(covered.begin(), covered.end(), [](const Share& a, const Share& b) { return a.from < b.from; });
-  double reached = 0;
-  const auto add = [&](double to) {
-    if ((to - reached) * piece.length > least) out.push_back(part_of(piece, reached, to));
-  };
-  for (const Share& c : covered) {
-    add(c.from);
-    reached = std::max(reached, c.to);
-  }
-  add(1);
-}
-
-struct Box {
-  Vec2 low, high;
-  bool meets(const Box& o) const {
-    return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y;
-  }
+// Everything within `apart` metres of a line.
+struct Band {
+  DiscMove line;
+  double apart = 0;
 };
 
-// The pieces of the outline in no order. Of two regions, the later one leaves to the earlier one what they
-// have in common.
-Resumable<std::vector<OutlinePiece>> pieces_of_outline(std::span<const DiscMove> moves, double radius) {
-  std::vector<Box> boxes;
-  for (const DiscMove& m : moves)
-    boxes.push_back(
-        {glm::min(m.from, m.to) - Vec2(1.01 * radius), glm::max(m.from, m.to) + Vec2(1.01 * radius)});
-  std::vector<OutlinePiece> pieces, sides;
-  std::vector<Share> covered;
-  std::vector<uint32_t> near;
-  for (uint32_t i = 0; i < moves.size(); ++i) {
-    near.clear();
-    for (uint32_t k = 0; k < moves.size(); ++k) {
-      if (k != i && boxes[i].meets(boxes[k])) near.push_back(k);
+bool cross(const DiscMove& a, const DiscMove& b) {
+  const auto splits = [](const DiscMove& m, const DiscMove& other) {
+    return cross2(m.to - m.from, other.from - m.from) * cross2(m.to - m.from, other.to - m.from) < 0;
+  };
+  return splits(a, b) && splits(b, a);
+}
+
+// No more than the distance of any point of one band from one of the other.
+double least_distance(const Band& a, const Band& b) {
+  if (cross(a.line, b.line)) return 0;
+  const double least2 =
+      std::min({squared_distance(a.line.from, b.line), squared_distance(a.line.to, b.line),
+                squared_distance(b.line.from, a.line), squared_distance(b.line.to, a.line)});
+  return std::sqrt(least2) - a.apart - b.apart;
+}
+
+// Consecutive moves, halved again and again, each part with the band in which it lies. Paths bend slowly, so
+// that the bands are narrow.
+class MoveTree {
+ public:
+  struct Node {
+    uint32_t first, end;  // moves
+    uint32_t halves = 0;  // the first of two nodes; 0 for a single move
+    Band band;
+  };
+
+  // O(n log n).
+  explicit MoveTree(std::span<const DiscMove> moves) {
+    nodes_.push_back({0, static_cast<uint32_t>(moves.size()), 0, {}});
+    for (uint32_t i = 0; i < nodes_.size(); ++i) {
+      Node& node = nodes_[i];
+      const auto [first, end] = std::pair(node.first, node.end);
+      node.band.line = {moves[first].from, moves[end - 1].to};
+      double apart2 = 0;
+      for (const DiscMove& m : moves.subspan(first, end - first)) {
+        for (const Vec2 p : {m.from, m.to}) apart2 = std::max(apart2, squared_distance(p, node.band.line));
+      }
+      node.band.apart = std::sqrt(apart2);
+      if (end - first == 1) continue;
+      node.halves = static_cast<uint32_t>(nodes_.size());
+      const uint32_t middle = first + (end - first) / 2;
+      nodes_.push_back({first, middle, 0, {}});
+      nodes_.push_back({middle, end, 0, {}});
     }
+  }
+  const Node& operator[](uint32_t i) const { return nodes_[i]; }
+
+ private:
+  std::vector<Node> nodes_;
+};
+
+// What no region covers of a piece so far.
+class Uncovered {
+ public:
+  // Parts of no more than `least` metres do not count.
+  Uncovered(const OutlinePiece& piece, double least) : piece_(piece), least_(least) { keep({0, 1}); }
+
+  bool empty() const { return parts_.empty(); }
+  const std::vector<Share>& parts() const { return parts_; }  // ascending
+
+  // No more than the distance of what is uncovered from the band.
+  double distance(const Band& band) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Band& own : bands_) least = std::min(least, least_distance(own, band));
+    return least;
+  }
+
+  // Returns whether it lost anything.
+  bool cover(std::span<const Share> covered) {
+    const std::vector<Share> before = std::exchange(parts_, {});
+    bands_.clear();
+    bool lost = false;
+    for (const Share& part : before) {
+      double reached = part.from;
+      for (const Share& c : covered) {  // ascending and apart
+        if (c.to <= reached || c.from >= part.to) continue;
+        lost = true;
+        if (c.from > reached) keep({reached, c.from});
+        reached = std::max(reached, c.to);
+      }
+      if (reached < part.to) keep({reached, part.to});
+    }
+    return lost;
+  }
+
+ private:
+  void keep(Share part) {
+    if (!((part.to - part.from) * piece_.length > least_)) return;
+    parts_.push_back(part);
+    // A short arc lies near its chord.
+    constexpr double kShortArc = kPi / 4;
+    const double turn = piece_.turn * (part.to - part.from),
+                 count = std::max(1.0, std::ceil(turn / kShortArc));
+    Vec2 from = piece_.at(part.from);
+    for (double i = 1; i <= count; ++i) {
+      const Vec2 to = piece_.at(part.from + (part.to - part.from) * (i / count));
+      const double apart =
+          piece_.radius > 0 ? piece_.radius - glm::length(0.5 * (from + to) - piece_.centre) : 0;
+      bands_.push_back({{from, to}, std::max(apart, 0.0)});
+      from = to;
+    }
+  }
+
+  const OutlinePiece& piece_;
+  double least_;
+  std::vector<Share> parts_;
+  std::vector<Band> bands_;  // in which the parts lie
+};
+
+// Takes from a side of a region what the others cover.
+class Coverage {
+ public:
+  Coverage(std::span<const DiscMove> moves, double radius) : moves_(moves), radius_(radius), tree_(moves) {}
+
+  // Appends what is left of a side. Of two regions, the later one leaves to the earlier one what they have in
+  // common. Moves before and after cover most of it as a rule; of the others, those are computed that come
+  // near enough to what is left then.
+  void append_uncovered(const OutlinePiece& side, std::vector<OutlinePiece>& out) {
+    const uint32_t own = side.side / 4;
+    Uncovered left(side, kLeastPiece * radius_);
+    if (own + 1 < moves_.size()) cover(left, side, own + 1);
+    if (own > 0) cover(left, side, own - 1);
+    cover_by_others(left, side, own);
+    for (const Share& part : left.parts()) out.push_back(part_of(side, part.from, part.to));
+  }
+
+  size_t work = 0;  // moves and bands that were looked at
+
+ private:
+  // A region that is farther away, relative to the radius, covers nothing; it exceeds kDepth and roundings.
+  static constexpr double kFarther = 1e-8;
+
+  bool cover(Uncovered& left, const OutlinePiece& side, uint32_t move) {
+    covered_.clear();
+    append_covered(side, moves_[move], radius_ * (move < side.side / 4 ? 1 + kDepth : 1 - kDepth), covered_);
+    ++work;
+    return left.cover(covered_);
+  }
+
+  bool is_far(double distance) const { return distance > (1 + kFarther) * radius_; }
+
+  void cover_by_others(Uncovered& left, const OutlinePiece& side, uint32_t own) {
+    uint32_t times = 0;  // that something was covered
+    waiting_.assign(1, {0, left.distance(tree_[0].band), 0});
+    while (!waiting_.empty() && !left.empty()) {
+      Waiting at = waiting_.back();
+      waiting_.pop_back();
+      const MoveTree::Node& node = tree_[at.node];
+      if (at.times != times) at.distance = left.distance(node.band);
+      ++work;
+      if (is_far(at.distance)) continue;
+      if (node.halves == 0) {
+        if (node.first + 1 < own || node.first > own + 1) times += cover(left, side, node.first);
+        continue;
+      }
+      Waiting nearer{node.halves, left.distance(tree_[node.halves].band), times};
+      Waiting farther{node.halves + 1, left.distance(tree_[node.halves + 1].band), times};
+      if (farther.distance < nearer.distance) std::swap(nearer, farther);
+      waiting_.push_back(farther);
+      waiting_.push_back(nearer);
+    }
+  }
+
+  struct Waiting {
+    uint32_t node;
+    double distance;
+    uint32_t times;  // at which the distance was measured
+  };
+
+  std::span<const DiscMove> moves_;
+  double radius_;
+  MoveTree tree_;
+  std::vector<Share> covered_;
+  std::vector<Waiting> waiting_;
+};
+
+// The pieces of the outline in no order.
+Resumable<std::vector<OutlinePiece>> pieces_of_outline(std::span<const DiscMove> moves, double radius) {
+  std::vector<OutlinePiece> pieces, sides;
+  if (moves.empty()) co_return pieces;
+  Coverage coverage(moves, radius);
+  co_await worked(moves.size());
+  for (uint32_t i = 0; i < moves.size(); ++i) {
     sides.clear();
     append_sides(moves[i], radius, i, sides);
-    for (const OutlinePiece& side : sides) {
-      covered.clear();
-      for (const uint32_t k : near)
-        append_covered(side, moves[k], radius * (k < i ? 1 + kDepth : 1 - kDepth), covered);
-      append_uncovered(side, covered, kLeastPiece * radius, pieces);
-    }
-    co_await worked(4 + moves.size() / 64 + 2 * near.size());
+    for (const OutlinePiece& side : sides) coverage.append_uncovered(side, pieces);
+    co_await worked(4 + std::exchange(coverage.work, 0) / 2);
   }
   co_return pieces;
 }
 
-// Chains pieces, each to the one that starts nearest to its end.
-std::vector<OutlineCurve> chain(const std::vector<OutlinePiece>& pieces, double radius) {
-  std::vector<uint32_t> order(pieces.size());
-  for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](uint32_t a, uint32_t b) { return pieces[a].from.x < pieces[b].from.x; });
-  const auto after = [&](const OutlinePiece& p) {
-    const double reach = kLargestGap * radius;
-    auto at = std::lower_bound(order.begin(), order.end(), p.to.x - reach,
-                               [&](uint32_t i, double x) { return pieces[i].from.x < x; });
-    uint32_t best = std::numeric_limits<uint32_t>::max();
-    double nearest = reach;
-    for (; at != order.end() && pieces[*at].from.x <= p.to.x + reach; ++at) {
-      const double d = glm::length(pieces[*at].from - p.to);
-      if (d < nearest) {
+// Finds the piece that starts nearest to a point, and no farther than kLargestGap.
+class Starts {
+ public:
+  Starts(const std::vector<OutlinePiece>& pieces, double radius)
+      : pieces_(pieces), reach_(kLargestGap * radius) {
+    std::vector<uint32_t> order(pieces.size());
+    for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(),
+              [&](uint32_t a, uint32_t b) { return pieces[a].from.x < pieces[b].from.x; });
+    for (uint32_t i = 0; i < order.size(); ++i) cells_.push_back({cell(pieces[order[i]].from), i, order[i]});
+    std::sort(cells_.begin(), cells_.end());
+  }
+
+  // kNoPiece if there is none. Of several, the leftmost.
+  uint32_t nearest(Vec2 p) const {
+    const Cell at = cell(p);
+    InCell best{{}, kNoPiece, kNoPiece};
+    double nearest = reach_;
+    for (const double x : {at[0] - 1, at[0], at[0] + 1}) {
+      auto c = std::lower_bound(cells_.begin(), cells_.end(), InCell{{x, at[1] - 1}, 0, 0});
+      for (; c != cells_.end() && c->cell[0] == x && c->cell[1] <= at[1] + 1; ++c) {
+        const double d = glm::length(pieces_[c->piece].from - p);
+        if (!(d < nearest || (d == nearest && d < reach_ && c->rank < best.rank))) continue;
         nearest = d;
-        best = *at;
+        best = *c;
       }
     }
-    return best;
+    return best.piece;
+  }
+
+  static constexpr uint32_t kNoPiece = std::numeric_limits<uint32_t>::max();
+
+ private:
+  using Cell = std::array<double, 2>;  // of a grid as wide as the reach
+  struct InCell {
+    Cell cell;
+    uint32_t rank, piece;
+    bool operator<(const InCell& o) const { return std::tie(cell, rank) < std::tie(o.cell, o.rank); }
   };
+  Cell cell(Vec2 p) const { return {std::floor(p.x / reach_), std::floor(p.y / reach_)}; }
+
+  const std::vector<OutlinePiece>& pieces_;
+  double reach_;
+  std::vector<InCell> cells_;  // ascending
+};
+
+// Chains pieces, each to the one that starts nearest to its end.
+std::vector<OutlineCurve> chain(const std::vector<OutlinePiece>& pieces, double radius) {
+  const Starts starts(pieces, radius);
   std::vector<OutlineCurve> curves;
   std::vector<bool> used(pieces.size());
   for (uint32_t first = 0; first < pieces.size(); ++first) {
@@ -225,7 +403,7 @@ std::vector<OutlineCurve> chain(const std::vector<OutlinePiece>& pieces, double 
       used[i] = true;
       curve.pieces.push_back(pieces[i]);
       curve.length += pieces[i].length;
-      i = after(pieces[i]);
+      i = starts.nearest(pieces[i].to);
     }
     if (i != first) return {};
     curves.push_back(std::move(curve));

@@ -37,7 +37,8 @@ struct OutlineCurve {
 // The boundary of the union of the regions that discs of one radius (m, > 0) sweep: of each side of each
 // region, what no other region covers, chained to closed curves. What several of them have in common belongs
 // to the first one. Features smaller than 1e-4 radii are lost. Returns no curve where the chain does not
-// close. O(n^2) boxes are compared, and the intersections of those that meet computed.
+// close. O(n log n) for n moves along paths that bend slowly compared with the radius, however many of them
+// lie within it.
 Resumable<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius);
 
 }  // namespace kerf

@@ -298,5 +298,42 @@ TEST(Outline, of_lines_that_are_apart_has_a_curve_for_each) {
   for (const OutlineCurve& c : curves) EXPECT_NEAR(enclosed_area(c), kPi * 0.01 + 0.2, 1e-12);
 }
 
+size_t parts_of_work(const DiscMoves& moves, double radius) {
+  auto outline = outline_of(moves, radius);
+  size_t parts = 1;
+  while (!outline.go_on()) ++parts;
+  EXPECT_FALSE(outline.take().empty());
+  return parts;
+}
+
+// The number of moves that lie within a radius of each other grows with that of all.
+TEST(Outline, of_four_times_as_many_moves_on_the_same_way_takes_about_four_times_the_work) {
+  const auto on_circle = [](int count) { return circle_of_points({2, -1}, 0.3, count); };
+  const auto on_lines = [](int count) {
+    std::vector<Vec2> points;
+    for (int i = 0; i <= count; ++i) points.push_back({std::abs(1 - 4.0 * i / count), 0.7});
+    return points;
+  };
+  const auto at_random = [](int count) {
+    Random random(1);
+    std::vector<Vec2> points;
+    for (int i = 0; i <= count; ++i) points.push_back({random.uniform(0, 0.02), random.uniform(0, 0.02)});
+    return points;
+  };
+  const auto parts = [](const std::vector<Vec2>& points) {
+    DiscMoves moves;
+    append_path(moves, points);
+    return parts_of_work(moves, 0.05);
+  };
+  const auto expect_growth = [&](const auto& way) {
+    const size_t one = parts(way(4000)), four = parts(way(16000));
+    EXPECT_LT(four, 6 * one);
+    std::printf("%zu and %zu parts of work\n", one, four);
+  };
+  expect_growth(on_circle);
+  expect_growth(on_lines);
+  expect_growth(at_random);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "core/base/assert.h"
 
@@ -52,6 +55,7 @@ class Propagation {
     KERF_ASSERT(mesh_.is_live(f));
     path_.clear();
     sides_.clear();
+    first_ = indexed_ = out_.size();
     step_onto(f);
     while (!path_.empty()) {
       Step& step = path_.back();
@@ -87,16 +91,47 @@ class Propagation {
   }
 
   // The rank of the longest edge of the face examined next. If that face was bisected further along the path
-  // in the meantime, one of the latest replacements contains the part that has the edge.
+  // in the meantime, one of its parts has the edge, as a rule one of the latest.
   EdgeRank rank_at(Mesh::Side& side) {
-    const auto has_edge = [&](FaceId f) { return f.valid() && mesh_.has_side(f, side.from, side.to); };
-    for (size_t i = out_.size(); !has_edge(side.face); --i) {
-      KERF_ASSERT(i > 0);
-      const auto& born = out_[i - 1].born;
-      const auto part = std::find_if(born.begin(), born.begin() + 2, has_edge);
-      if (part != born.begin() + 2) side.face = *part;
-    }
+    if (!has(side.face, side)) side.face = latest_part_with(side);
+    KERF_ASSERT(side.face.valid());
     return longest_edge(mesh_, side.face).rank;
+  }
+
+  bool has(FaceId f, const Mesh::Side& side) const { return mesh_.has_side(f, side.from, side.to); }
+
+  FaceId latest_part_with(const Mesh::Side& side) {
+    constexpr size_t kLatest = 8;
+    for (size_t i = out_.size(); i > first_ && i + kLatest > out_.size(); --i) {
+      for (const FaceId f : {out_[i - 1].born[0], out_[i - 1].born[1]}) {
+        if (has(f, side)) return f;
+      }
+    }
+    return part_with(side, side.face);
+  }
+
+  // The part of a face, whose slot one of them has, that has the side; none if no part has it.
+  FaceId part_with(const Mesh::Side& side, FaceId f) {
+    if (has(f, side)) return f;
+    index_splits();
+    const auto latest = latest_.find(f.index);
+    for (size_t i = latest == latest_.end() ? 0 : latest->second; i > 0; i = before_[i - 1]) {
+      const FaceId found = part_with(side, out_[first_ + i - 1].born[1]);
+      if (found.valid()) return found;
+    }
+    return FaceId();
+  }
+
+  // Numbers what was split since the path began, so that in a ring of many faces each part is found at once.
+  void index_splits() {
+    if (indexed_ == first_) {
+      latest_.clear();
+      before_.clear();
+    }
+    for (; indexed_ < out_.size(); ++indexed_) {
+      size_t& latest = latest_[out_[indexed_].gone[0].index];
+      before_.push_back(std::exchange(latest, indexed_ - first_ + 1));
+    }
   }
 
   void split(const Step& step) {
@@ -118,6 +153,9 @@ class Propagation {
   std::vector<Step> path_;
   std::vector<Mesh::Side> sides_;
   std::vector<Mesh::FaceSplit> splits_;
+  size_t first_ = 0, indexed_ = 0;  // of out_: since the path began, and up to where they are numbered
+  std::unordered_map<uint32_t, size_t> latest_;  // by slot: the number of its latest split; never iterated
+  std::vector<size_t> before_;  // by number, from 1: that of the split of the slot before it; 0 if none
 };
 
 }  // namespace

@@ -8,6 +8,28 @@ namespace kerf {
 
 namespace {
 
+// How far a face reaches out of the volume of a move, whichever ray of the beam is nearest.
+double overshoot(const BodyStep& step, const Triangle& t) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SweptCylinder& part : step.beam) least = std::min(least, part.overshoot(t));
+  return least;
+}
+
+bool is_fine_enough(const BodyStep& step, const CutSettings& settings, const Triangle& element, FaceId f) {
+  const Resolution& r = settings.resolution;
+  const int level = step.mesh().data(f).halvings / 2;
+  if (level >= Resolution::kLargestDepth) return true;
+  switch (r.rule) {
+    case Resolution::Rule::kDepth:
+      return level >= r.depth;
+    case Resolution::Rule::kTargetEdge:
+      return longest_edge2(element) <= r.target_edge * r.target_edge;
+    case Resolution::Rule::kTolerance:
+      return overshoot(step, element) <= r.tolerance;
+  }
+  return true;
+}
+
 // Looks at faces that the beam may touch, and splits those that are too coarse. A face that lies within the
 // beam is removed whole by the geometric model, and needs no splitting.
 class Refinement {
@@ -35,33 +57,11 @@ class Refinement {
     const Mesh& mesh = step_.mesh();
     const OneToFour& refinement = step_.body().refinement;
     const Triangle face = mesh.triangle(f), element = refinement.triangle(mesh, f);
-    if (fine_enough(f, element)) return false;
+    if (is_fine_enough(step_, settings_, element, f)) return false;
     const auto touched = [&](const SweptCylinder& part) { return part.touches(face); };
     const auto within = [&](const SweptCylinder& part) { return part.contains(element); };
     return std::any_of(step_.beam.begin(), step_.beam.end(), touched) &&
            (settings_.model == Model::kThermal || std::none_of(step_.beam.begin(), step_.beam.end(), within));
-  }
-
-  bool fine_enough(FaceId f, const Triangle& element) const {
-    const Resolution& r = settings_.resolution;
-    const int level = step_.mesh().data(f).halvings / 2;
-    if (level >= Resolution::kLargestDepth) return true;
-    switch (r.rule) {
-      case Resolution::Rule::kDepth:
-        return level >= r.depth;
-      case Resolution::Rule::kTargetEdge:
-        return longest_edge2(element) <= r.target_edge * r.target_edge;
-      case Resolution::Rule::kTolerance:
-        return overshoot(element) <= r.tolerance;
-    }
-    return true;
-  }
-
-  // How far the face reaches out of the volume of this move, whichever ray of the beam is nearest.
-  double overshoot(const Triangle& t) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const SweptCylinder& part : step_.beam) least = std::min(least, part.overshoot(t));
-    return least;
   }
 
   BodyStep& step_;
@@ -83,6 +83,10 @@ Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings,
   move.has_split = true;
   update_tree(step);
   return done;
+}
+
+bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f) {
+  return is_fine_enough(step, settings, step.body().refinement.triangle(step.mesh(), f), f);
 }
 
 Error too_many_faces(const CutSettings& settings) {

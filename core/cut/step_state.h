@@ -33,6 +33,9 @@ void hit(BodyStep& step, std::vector<FaceId>& faces);
 // Processes the next kFacesTogether faces of move.to_split. Fails if settings.most_faces is exceeded or
 // `progress` stops it.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
+// Whether the resolution lets a face stay as it is under the beam of the move. Precondition: the face is
+// live.
+bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f);
 // Removes the next kFacesTogether faces of move.hit; with `only_within` only those that lie entirely within
 // the beam of the move. With `keeps_beside` their neighbours are listed in move.beside.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside);

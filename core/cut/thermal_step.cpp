@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
@@ -19,6 +20,8 @@ constexpr double kSpacingsASample = 0.8;
 // The parts of a move of one radius, and of one that takes the time radius^2 / diffusivity.
 constexpr double kPartsARadius = 4, kPartsADiffusionTime = 16;
 constexpr double kMostParts = 4096;  // of a move
+// Faces at which rays wait are split up to so many times as far from the axis.
+constexpr double kBeyondRays = 1.01;
 
 Pose between(const BeamMove& move, double t) {
   if (t <= 0) return move.from;
@@ -40,9 +43,10 @@ class ThermalMoves {
         settings_(settings),
         progress_(progress),
         face_(size_of_faces(settings)),
-        burn_(world, settings, burned_, face_) {
+        burn_(world, settings, burned_, face_,
+              [this](size_t b, FaceId f) { return is_fine_enough(steps_[b], settings_, f); }) {
     for (const BodyId id : cuttable(world)) {
-      burned_.push_back({id, {}, {}, 0});
+      burned_.push_back({id, {}, {}, 0, {}});
       steps_.emplace_back(id, world.body(id));
     }
   }
@@ -103,7 +107,13 @@ class ThermalMoves {
       if (const Status refined = refine_reached(part); !refined) return refined;
     }
     emit(part, most_samples);
-    const double depth = remove_gone();
+    double depth = remove_gone();
+    while (burn_.any_waiting()) {
+      const Result<bool> splits = refine_coarse(part);
+      if (!splits) return splits.error();
+      burn_.emit_waiting(*splits);
+      depth = std::max(depth, remove_gone());
+    }
     if (meets) {
       met_s_ += part.seconds;
       depth_s_ += depth * part.seconds;
@@ -137,6 +147,27 @@ class ThermalMoves {
       }
     }
     return Done{};
+  }
+
+  // Splits the faces at which rays wait. Returns whether there were any to split.
+  Result<bool> refine_coarse(const BeamMove& part) {
+    Laser wide = settings_.laser;
+    wide.pattern = Pattern::kVolume;
+    wide.radius = kBeyondRays * std::max(wide.radius, burn_.waiting_within());
+    bool splits = false;
+    for (size_t b = 0; b < steps_.size(); ++b) {
+      sweep(steps_[b], wide, part);
+      UnfinishedMove move;
+      move.to_split = std::exchange(burned_[b].coarse, {});
+      std::erase_if(move.to_split, [&](FaceId f) { return !steps_[b].mesh().is_live(f); });
+      taken_ += move.to_split.size();
+      while (!move.to_split.empty()) {
+        if (const Status refined = refine(steps_[b], move, settings_, progress_); !refined)
+          return refined.error();
+      }
+      splits = splits || move.has_split;
+    }
+    return splits;
   }
 
   bool is_behind_reach(const Triangle& t, const Pose& beam) const {

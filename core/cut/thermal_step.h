@@ -19,8 +19,9 @@ namespace kerf {
 // of removal are removed with it; after each part heat flows for the duration of the part (let_heat_flow),
 // and after each move separated pieces get their labels.
 //
-// A face wider than the kerf (two radii), which is there only if the resolution forbids to split it, is
-// removed for as much energy as a strip of it as wide as the kerf needs (scales_removal).
+// A ray that has the energy for a face wider than the kerf (two radii) waits while the face can be split: the
+// parts that are gone are removed, the face is split, and the ray goes on. If the resolution forbids to split
+// it, it is removed for as much energy as a strip of it as wide as the kerf needs (scales_removal).
 //
 // Fails like cut_step. A move without a duration emits nothing. The result does not depend on the division
 // into steps.

@@ -17,7 +17,7 @@ class BurnOfTwoSheets : public testing::Test {
     settings_.laser.radius = 0.001;
     settings_.laser.range = {0, 10};
     settings_.laser.pattern = Pattern::kVolume;
-    for (const BodyId id : world_.ids()) bodies_.push_back({id, {}, {}, 0});
+    for (const BodyId id : world_.ids()) bodies_.push_back({id, {}, {}, 0, {}});
   }
   double heat_in(size_t b) {
     const Body& body = world_.body(bodies_[b].id);
@@ -32,7 +32,7 @@ class BurnOfTwoSheets : public testing::Test {
 };
 
 TEST_F(BurnOfTwoSheets, goes_on_behind_faces_that_are_gone) {
-  Burn burn(world_, settings_, bodies_, 1);
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return true; });
   const Pose pose{Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)};
   burn.emit(pose, 1e-3);
   EXPECT_GT(heat_in(0), 0);

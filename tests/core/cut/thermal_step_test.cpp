@@ -240,6 +240,23 @@ TEST(ThermalStep, scales_the_energy_of_removal_where_faces_may_not_be_split) {
 
 // Published speeds for stainless steel under nitrogen and for acrylic, with the presets, whose absorptivity
 // is one for each class of material.
+// Faces that are wide and behind others, or beside what is split, take all the energy that a ray has left.
+TEST(ThermalStep, takes_no_more_than_it_has_the_energy_for_whatever_the_power) {
+  for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
+    World world = world_of(moved(brick({10, 0.2, 10}), {-5.1, 0, -4.7}, 1));
+    CutSettings settings = thermal(0.002, 1e12);
+    settings.resolution.scheme = scheme;
+    const BeamMove move = drill(0.1);
+    const auto cut = cut_whole(world, settings, {&move, 1});
+    ASSERT_TRUE(cut.ok());
+    const double needed = cut->delta.removed_mass * enthalpy_of_removal(Substance{});
+    EXPECT_GT(needed, 0);
+    EXPECT_LE(needed, world.energy().absorbed * (1 + 1e-9));
+    EXPECT_LT(cut->delta.removed_area, 2 * 0.02 * 0.02);
+    expect_closed_ledger(world, 1e-9);
+  }
+}
+
 TEST(ThermalStep, cuts_stainless_steel_and_acrylic_at_published_speeds_within_30_percent) {
   const auto materials = load_materials(checkout() / "assets" / "materials.json");
   ASSERT_TRUE(materials.ok()) << materials.error().message;

@@ -25,6 +25,12 @@ Status Beginning::save(const Document& document, const std::filesystem::path& fi
         "scene instead");
   if (document.world().ids().empty() && document.journal().empty())
     return bad_input("the world has no mesh; add one before its journal is saved");
+  // Where the journal cannot be, its meshes must not be either.
+  std::error_code error;
+  const auto type = std::filesystem::status(file, error).type();
+  if (!file.has_filename() ||
+      (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found))
+    return bad_input("path: must be the name of a file");
   SceneDescription scene = scene_;
   scene.strokes.clear();  // which are commands of the document
   for (const auto& [mesh, name] : added_) {

@@ -5,6 +5,7 @@
 #include <cfenv>
 #include <clocale>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <thread>
 
@@ -94,6 +95,15 @@ TEST(Face, a_journal_that_is_saved_leads_to_the_same_state_and_a_report_balances
   world.cut(through_the_middle(), copper);
   EXPECT_THROW(world.save_journal(file), kerf::BadInput);
   EXPECT_THROW(opened.save_journal("/proc/no-such/journal.kerf"), kerf::Failure);
+  const std::filesystem::path folder = testing::TempDir() + "kerf-face-no-journal";
+  std::filesystem::create_directories(folder);
+  std::filesystem::create_directories(folder / "folder.kerf");
+  for (const char* name : {"", "folder.kerf"}) {
+    EXPECT_THROW(opened.save_journal((folder / name).string()), kerf::BadInput);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1) << name;
+  }
+  EXPECT_THROW(opened.save_journal(""), kerf::BadInput);
+  EXPECT_THROW(opened.save_journal("/dev/null"), kerf::BadInput);
 }
 
 TEST(Face, a_material_of_the_first_cut_is_a_part_of_the_journal) {

@@ -1,8 +1,7 @@
 #include <unistd.h>
 
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "tests/fuzz/library/session.h"
 
@@ -12,27 +11,35 @@ namespace {
 namespace fs = std::filesystem;
 
 // A folder of this process, on a disk of memory where there is one, which the session works in.
-const fs::path& folder() {
-  static const fs::path made = [] {
+class Folder {
+ public:
+  Folder() {
     const fs::path memory = "/dev/shm";
     const fs::path base = fs::is_directory(memory) ? memory : fs::temp_directory_path();
-    const fs::path own = base / ("kerf-fuzz-library-" + std::to_string(::getpid()));
-    std::atexit([] { fs::remove_all(folder()); });
-    return own;
-  }();
-  return made;
-}
+    path_ = base / ("kerf-fuzz-library-" + std::to_string(::getpid()));
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const fs::path& emptied() const {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+    return path_;
+  }
+
+ private:
+  fs::path path_;
+};
 
 }  // namespace
 }  // namespace kerf::fuzz
 
 // Calls functions of kerf_c.h in the order and with the arguments that the bytes say.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {  // NOLINT: libFuzzer's name
-  const std::filesystem::path& folder = kerf::fuzz::folder();
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  static const kerf::fuzz::Folder folder;
   kerf::fuzz::ByteSource bytes(data, size);
-  kerf::fuzz::Session session(bytes, folder);
+  kerf::fuzz::Session session(bytes, folder.emptied());
   while (!bytes.empty()) session.act();
   return 0;
 }

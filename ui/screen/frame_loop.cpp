@@ -48,7 +48,7 @@ bool FrameLoop::wait(Screen& screen) {
   const double left = kFrameSeconds - seconds_since(frame_began_);
   if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
   window_.wait(std::max(0.0, screen.least_frame() - seconds_since(frame_began_)));
-  while (!screen.moving() && !window_.take_activity() && !stop_.came()) {
+  while (!screen.moving() && !gui_.input_waits() && !window_.take_activity() && !stop_.came()) {
     screen.rest();
     const bool settling = seconds_since(last_event_) < kSettleSeconds;
     window_.wait(settling ? kSettleWait : kIdleWait);
@@ -63,6 +63,10 @@ bool FrameLoop::wait(Screen& screen) {
 }
 
 bool FrameLoop::follow(EventScript& script, Screen& screen) {
+  if (gui_.input_waits()) {  // for the frames of the step that was taken last
+    script.pass_frame();
+    return true;
+  }
   const bool moving = screen.moving();
   if (!moving) screen.rest();
   const auto next = script.begin_frame(moving, [&](const std::string& what) { return screen.answer(what); });
@@ -73,9 +77,7 @@ bool FrameLoop::follow(EventScript& script, Screen& screen) {
 void FrameLoop::frame(Screen& screen) {
   const Clock::time_point began = Clock::now();
   gui_.dress(screen.look());
-  const Input input = take_input();
-  gui_.begin_frame(input.events);
-  screen.hear(input);
+  screen.hear(take_input(screen));
   screen.advance();
   screen.draw();
   gui_.end_frame();
@@ -89,9 +91,10 @@ void FrameLoop::frame(Screen& screen) {
   }
 }
 
-Input FrameLoop::take_input() {
+// Begins the frame of the panels, too.
+Input FrameLoop::take_input(const Screen& screen) {
   Input input;
-  input.events = window_.take_events();
+  input.events = gui_.begin_frame(screen.keyboard_hold());
   input.drops = window_.take_drops();
   input.close = window_.take_close();
   return input;

@@ -43,7 +43,7 @@ class FrameLoop {
   bool wait(Screen& screen);
   bool follow(EventScript& script, Screen& screen);
   void frame(Screen& screen);
-  Input take_input();
+  Input take_input(const Screen& screen);
 
   Window& window_;
   Gui& gui_;

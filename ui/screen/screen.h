@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/window/gui_input.h"
 #include "ui/window/gui_look.h"
 #include "ui/window/window.h"
 
@@ -29,6 +30,8 @@ class Screen {
  public:
   virtual ~Screen() = default;
 
+  // Whether keys and characters wait, and do not reach the next frame.
+  virtual KeyboardHold keyboard_hold() const { return KeyboardHold::kNone; }
   // The look of the panels in the next frame.
   virtual GuiLook look() const = 0;
   // Processes user input.

@@ -13,7 +13,7 @@
 
 namespace kerf {
 
-// The callbacks of GLFW. They are set before those of ImGui, which call on to them.
+// The callbacks of GLFW. ImGui's backend has none: it is fed from the queue of events.
 struct DesktopWindow::Callbacks {
   static DesktopWindow& of(GLFWwindow* w) {
     return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(w));
@@ -43,12 +43,18 @@ struct DesktopWindow::Callbacks {
     const auto kind = action == GLFW_PRESS ? InputEvent::Kind::kPress : InputEvent::Kind::kRelease;
     put(w, {kind, pointer(w), button, mods});
   }
-  static void scroll(GLFWwindow* w, double, double y) {
-    put(w, {InputEvent::Kind::kWheel, pointer(w), 0, 0, y});
+  static void scroll(GLFWwindow* w, double x, double y) {
+    put(w, {.kind = InputEvent::Kind::kWheel, .at = pointer(w), .wheel = y, .wheel_aside = x});
   }
   static void key(GLFWwindow* w, int key, int, int action, int mods) {
-    if (action != GLFW_RELEASE)
-      put(w, {InputEvent::Kind::kKey, pointer(w), key, mods, 0, action == GLFW_REPEAT});
+    const auto kind = action == GLFW_RELEASE ? InputEvent::Kind::kKeyUp : InputEvent::Kind::kKey;
+    put(w, {kind, pointer(w), key, mods, 0, action == GLFW_REPEAT});
+  }
+  static void character(GLFWwindow* w, unsigned character) {
+    put(w, {.kind = InputEvent::Kind::kText, .at = pointer(w), .character = character});
+  }
+  static void enter(GLFWwindow* w, int entered) {
+    if (of(w).has_gui_) ImGui_ImplGlfw_CursorEnterCallback(w, entered);
     of(w).activity_ = true;
   }
   static void drop(GLFWwindow* w, int count, const char** files) {
@@ -68,6 +74,8 @@ DesktopWindow::DesktopWindow(GLFWwindow* window) : window_(window) {
   glfwSetMouseButtonCallback(window, Callbacks::button);
   glfwSetScrollCallback(window, Callbacks::scroll);
   glfwSetKeyCallback(window, Callbacks::key);
+  glfwSetCharCallback(window, Callbacks::character);
+  glfwSetCursorEnterCallback(window, Callbacks::enter);
   glfwSetDropCallback(window, Callbacks::drop);
   glfwSetWindowRefreshCallback(window, Callbacks::wake<>);
   glfwSetFramebufferSizeCallback(window, Callbacks::wake<int, int>);
@@ -176,9 +184,15 @@ double DesktopWindow::Clock::seconds() const { return glfwGetTime(); }
 // ImGui
 // --------------------------------------------------------------------------------------------------------
 
-void DesktopWindow::attach_gui() { ImGui_ImplGlfw_InitForOpenGL(window_, true); }
+void DesktopWindow::attach_gui() {
+  ImGui_ImplGlfw_InitForOpenGL(window_, false);
+  has_gui_ = true;
+}
 
-void DesktopWindow::detach_gui() { ImGui_ImplGlfw_Shutdown(); }
+void DesktopWindow::detach_gui() {
+  has_gui_ = false;
+  ImGui_ImplGlfw_Shutdown();
+}
 
 void DesktopWindow::begin_gui_frame() { ImGui_ImplGlfw_NewFrame(); }
 

@@ -50,7 +50,7 @@ class DesktopWindow final : public Window {
   Clock clock_;
   std::vector<InputEvent> events_;
   std::vector<std::filesystem::path> drops_;
-  bool activity_ = true;
+  bool activity_ = true, has_gui_ = false;
   Vec2 pointer_{0};      // where the last event saw it
   double listened_ = 0;  // s, when the last call of wait() ended
 };

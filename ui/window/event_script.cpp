@@ -38,7 +38,7 @@ std::optional<std::string> EventScript::next_line() {
 Result<bool> EventScript::begin_frame(bool moving, const Answer& answer) {
   KERF_ASSERT(answer);
   if (goes_on_waiting(moving)) {
-    draw_frame();
+    pass_frame();
     return true;
   }
   while (const auto line = next_line()) {
@@ -49,7 +49,7 @@ Result<bool> EventScript::begin_frame(bool moving, const Answer& answer) {
     const auto next = take(step.begin().key(), JsonValue(step, where)[step.begin().key()], answer);
     if (!next) return next.error();
     if (*next == Next::kStep) continue;
-    draw_frame();
+    pass_frame();
     return true;
   }
   return false;
@@ -63,8 +63,6 @@ bool EventScript::goes_on_waiting(bool moving) {
   ++still_;
   return true;
 }
-
-void EventScript::draw_frame() { seconds_ += frame_seconds_; }
 
 Result<EventScript::Next> EventScript::take(const std::string& name, const JsonValue& value,
                                             const Answer& answer) {

@@ -15,7 +15,8 @@ namespace kerf {
 
 // Input of a window from a file (`kerf --events FILE`), so that a session repeats to the bit: tests and
 // reports of faults are written in it. Each line is a step, a JSON object with one key. After each of the
-// first group a frame is drawn; between two frames a fixed time passes.
+// first group a frame is drawn, or several where one cannot show all of its input (see gui_input.h); between
+// two frames a fixed time passes.
 //
 //   {"move": [X, Y]}              the pointer, in pixels from the upper left corner
 //   {"press": "left"}             a button of the mouse: left, right or middle
@@ -57,6 +58,8 @@ class EventScript {
   // one; at the end of the script there is none. Fails at a line that is wrong. Precondition: `answer` can be
   // called.
   Result<bool> begin_frame(bool moving, const Answer& answer);
+  // Goes on to another frame of the step that was taken last.
+  void pass_frame() { seconds_ += frame_seconds_; }
 
   VirtualInput& input() { return input_; }
   const VirtualInput& input() const { return input_; }
@@ -76,7 +79,6 @@ class EventScript {
   Status hear_together(const JsonValue& steps);
   Status take_picture(const JsonValue& value) const;
   Status print_answer(const JsonValue& value, const Answer& answer) const;
-  void draw_frame();
 
   std::unique_ptr<std::istream> own_steps_;  // null: standard input
   std::string name_;

@@ -3,7 +3,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <algorithm>
 
 #include <backends/imgui_impl_opengl3.h>
 
@@ -14,23 +13,12 @@ namespace kerf {
 namespace {
 constexpr float kDoubleClickSeconds = 0.3f;
 
-// Whether the left button was pressed twice at about one place. ImGui takes all presses of a frame for one.
-bool has_double_click(std::span<const InputEvent> events, double most_pixels) {
-  std::optional<Vec2> first;
-  for (const InputEvent& event : events) {
-    if (event.kind != InputEvent::Kind::kPress || event.button != GLFW_MOUSE_BUTTON_LEFT) continue;
-    if (first && glm::length(event.at - *first) <= most_pixels) return true;
-    first = event.at;
-  }
-  return false;
-}
-
-// The pointer may have left where a button was pressed before the frame began, and what is hovered hears of a
-// press.
-void point_at_press(std::span<const InputEvent> events) {
-  const auto press = std::ranges::find(events, InputEvent::Kind::kPress, &InputEvent::kind);
-  if (press == events.end()) return;
-  ImGui::GetIO().MousePos = {static_cast<float>(press->at.x), static_cast<float>(press->at.y)};
+// Whether the next frame gives the focus to a text field, by Tab or because the last frame asked for it. A
+// field that has it already may ask for it in each frame.
+bool is_focus_about_to_move() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (!context.NavMoveSubmitted || (context.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) == 0) return false;
+  return (context.NavMoveFlags & ImGuiNavMoveFlags_FocusApi) == 0 || !is_text_field_active();
 }
 
 // Whether the last frame left out the item that the mouse holds (see keep_active_item).
@@ -75,21 +63,22 @@ void Gui::dress(const GuiLook& look) {
   look_ = look;
 }
 
-void Gui::begin_frame(std::span<const InputEvent> events) {
+std::vector<InputEvent> Gui::begin_frame(KeyboardHold hold) {
   KERF_ASSERT(!ImGui::GetCurrentContext()->WithinFrameScope);
   ImGui_ImplOpenGL3_NewFrame();
   window_.begin_gui_frame();
+  input_.add(window_.take_events());
+  if (hold == KeyboardHold::kNone && is_focus_about_to_move()) hold = KeyboardHold::kForFocus;
+  std::vector<InputEvent> events = input_.take_frame(is_text_field_active(), hold);
+  ImGuiIO& io = ImGui::GetIO();
+  input_.feed(events, io);
   // ImGui takes the time of a click from the frame that sees it. A press, its release and the next press are
   // seen by three frames at least, so that slow frames would keep two quick clicks apart.
-  ImGuiIO& io = ImGui::GetIO();
   io.MouseDoubleClickTime = kDoubleClickSeconds + last_frame_seconds_ + io.DeltaTime;
   last_frame_seconds_ = io.DeltaTime;
-  point_at_press(events);
   hold_release(events);
-  ImGui::NewFrame();
-  if (!has_double_click(events, io.MouseDoubleClickMaxDist)) return;
-  io.MouseClickedCount[ImGuiMouseButton_Left] = 2;
-  io.MouseDoubleClicked[ImGuiMouseButton_Left] = true;
+  begin_gui_frame_with_keys(events);
+  return events;
 }
 
 // The first frame that draws the item again shows it where the button was released; the frame after that, the

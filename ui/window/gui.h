@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "ui/window/gui_input.h"
 #include "ui/window/theme.h"
 #include "ui/window/window.h"
 
@@ -24,9 +25,11 @@ class Gui {
   // Changes the look; costs nothing if it is the current one. Precondition: called between frames.
   void dress(const GuiLook& look);
 
-  // `events` are those that the window received since the last frame. Each frame that begins ends before the
-  // next one.
-  void begin_frame(std::span<const InputEvent> events);
+  // Begins a frame and returns its events: those that the window received and that one frame can show in
+  // their order (see GuiInput). Each frame that begins ends before the next one.
+  std::vector<InputEvent> begin_frame(KeyboardHold hold);
+  // Whether events wait for the next frame.
+  bool input_waits() const { return input_.waits(); }
   // Draws the panels over the content of the window.
   void end_frame();
 
@@ -34,6 +37,7 @@ class Gui {
   void hold_release(std::span<const InputEvent> events);
 
   Window& window_;
+  GuiInput input_;
   std::optional<GuiLook> look_;
   std::optional<Vec2>
       released_;  // where the left button was released while the item that it holds was hidden

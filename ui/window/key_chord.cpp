@@ -72,4 +72,6 @@ std::optional<KeyChord> parse_chord(std::string_view text) {
   return std::nullopt;
 }
 
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
 }  // namespace kerf

@@ -19,4 +19,7 @@ std::string chord_text(const KeyChord& chord);
 // The chord of such a text; nothing where it names none. The inverse of chord_text().
 std::optional<KeyChord> parse_chord(std::string_view text);
 
+// Whether the key (GLFW_KEY_*) is Shift, Ctrl, Alt or Super.
+bool is_modifier(int key);
+
 }  // namespace kerf

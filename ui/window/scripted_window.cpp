@@ -76,22 +76,13 @@ void ScriptedWindow::attach_gui() { name_keys(ImGui::GetIO()); }
 
 void ScriptedWindow::begin_gui_frame() {
   (script_.draws() ? glDisable : glEnable)(GL_RASTERIZER_DISCARD);
-  VirtualInput& input = script_.input();
+  const VirtualInput& input = script_.input();
   if (std::exchange(surface_, size()) != size())
     context_.resize_surface(static_cast<int>(size().x), static_cast<int>(size().y));
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(size().x), static_cast<float>(size().y)};
   io.DeltaTime = static_cast<float>(script_.frame_seconds());
   io.MousePos = {static_cast<float>(input.pointer().x), static_cast<float>(input.pointer().y)};
-  for (int button = 0; button < 3; ++button)
-    io.MouseDown[button] = input.buttons().contains(button) || input.heard().pressed.contains(button);
-  input.heard().pressed.clear();
-  io.MouseWheel += static_cast<float>(std::exchange(input.heard().wheel, 0));
-  for (int key = 0; key <= GLFW_KEY_LAST; ++key) io.KeysDown[key] = input.keys().contains(key);
-  io.KeyCtrl = (input.mods() & GLFW_MOD_CONTROL) != 0;
-  io.KeyShift = (input.mods() & GLFW_MOD_SHIFT) != 0;
-  io.KeyAlt = (input.mods() & GLFW_MOD_ALT) != 0;
-  io.AddInputCharactersUTF8(std::exchange(input.heard().text, {}).c_str());
 }
 
 }  // namespace kerf

@@ -1,6 +1,8 @@
 #include "ui/window/virtual_input.h"
 
 #include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <array>
 #include <optional>
@@ -63,14 +65,13 @@ int VirtualInput::mods() const {
   return mods;
 }
 
-void VirtualInput::put(InputEvent::Kind kind, int button, double wheel) {
+InputEvent& VirtualInput::put(InputEvent::Kind kind, int button) {
   InputEvent event;
   event.kind = kind;
   event.at = pointer_;
   event.button = button;
   event.mods = mods();
-  event.wheel = wheel;
-  heard_.events.push_back(event);
+  return heard_.events.emplace_back(event);
 }
 
 Status VirtualInput::move(const JsonValue& value) {
@@ -89,7 +90,6 @@ Status VirtualInput::hold_button(const JsonValue& value, bool down) {
   if (down == buttons_.contains(*button)) return Done{};
   if (down) {
     buttons_.insert(*button);
-    heard_.pressed.insert(*button);
   } else {
     buttons_.erase(*button);
   }
@@ -105,8 +105,8 @@ Status VirtualInput::hold_key(const JsonValue& value, bool down) {
   if (down) {
     keys_.insert(*key);
     put(InputEvent::Kind::kKey, *key);
-  } else {
-    keys_.erase(*key);
+  } else if (keys_.erase(*key) > 0) {
+    put(InputEvent::Kind::kKeyUp, *key);
   }
   return Done{};
 }
@@ -114,15 +114,19 @@ Status VirtualInput::hold_key(const JsonValue& value, bool down) {
 Status VirtualInput::turn_wheel(const JsonValue& value) {
   const auto notches = value.number();
   if (!notches) return notches.error();
-  heard_.wheel += *notches;
-  put(InputEvent::Kind::kWheel, 0, *notches);
+  put(InputEvent::Kind::kWheel).wheel = *notches;
   return Done{};
 }
 
 Status VirtualInput::type(const JsonValue& value) {
   const auto text = value.text();
   if (!text) return text.error();
-  heard_.text += *text;
+  const char* end = text->data() + text->size();
+  for (const char* at = text->data(); at < end;) {
+    unsigned character = 0;
+    at += ImTextCharFromUtf8(&character, at, end);
+    put(InputEvent::Kind::kText).character = character;
+  }
   return Done{};
 }
 

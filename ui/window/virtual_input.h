@@ -17,9 +17,6 @@ class VirtualInput {
   struct Heard {
     std::vector<InputEvent> events;
     std::vector<std::filesystem::path> drops;
-    std::string text;
-    double wheel = 0;
-    std::set<int> pressed;  // buttons of the mouse, which may be released again
     bool close = false;
   };
 
@@ -47,7 +44,7 @@ class VirtualInput {
   Status resize(const JsonValue& value);
   Status focus(const JsonValue& value);
   Status close(const JsonValue& value);
-  void put(InputEvent::Kind kind, int button = 0, double wheel = 0);
+  InputEvent& put(InputEvent::Kind kind, int button = 0);
 
   Heard heard_;
   Vec2 size_, pointer_{0};

@@ -55,10 +55,11 @@ class Window {
   // Whether what is drawn in this frame is seen by anyone.
   virtual bool draws() const { return true; }
 
-  // Connects the current ImGui context with the window's input and clock, and ends that.
+  // Connects the current ImGui context with the window, and ends that.
   virtual void attach_gui() = 0;
   virtual void detach_gui() = 0;
-  // Tells ImGui the size of the window, the time since the last frame, and the input that came since.
+  // Tells ImGui the size of the window, the time since the last frame and where the pointer is. All other
+  // input comes from the events (see gui_input.h).
   virtual void begin_gui_frame() = 0;
 };
 

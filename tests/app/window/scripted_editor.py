@@ -12,7 +12,7 @@ WIDTH, HEIGHT, UI_SCALE = 896, 560, 0.7
 FRAME, RESTING_FRAME = 0.05, 0.25  # s between two frames, and where a test only waits for sparks to die down
 KEYS = {"ctrl": "Ctrl", "shift": "Shift", "alt": "Alt", "Shift_L": "Shift", "Return": "Enter", "Escape": "Esc",
         "BackSpace": "Backspace", "Delete": "Del", "space": "Space", "comma": ",", "period": ".", "minus": "-",
-        "slash": "/", "bracketright": "]", "bracketleft": "[", "KP_5": "Num 5"}
+        "slash": "/", " ": "Space", "bracketright": "]", "bracketleft": "[", "KP_5": "Num 5"}
 
 
 class ScriptedEditor(EditorDriver):
@@ -73,6 +73,17 @@ class ScriptedEditor(EditorDriver):
         self.move_to(*path[0])
         self.send({"together": [{"press": "left"}, *({"move": place} for place in path), {"release": "left"}]})
         self.pointer = list(path[-1])
+
+    def press_at_once(self, *parts):
+        """Presses and releases keys within one frame: a tuple is a chord, as ("ctrl", "o"), and a text is typed."""
+        steps = []
+        for part in parts:
+            for keys in [part] if isinstance(part, tuple) else [(c,) for c in part]:
+                names = [KEYS.get(key, key.upper() if len(key) == 1 else key) for key in keys]
+                steps += [{"key_down": name} for name in names if name != "_"]
+                steps += [] if isinstance(part, tuple) else [{"type": keys[0]}]
+                steps += [{"key_up": name} for name in reversed(names) if name != "_"]
+        self.send({"together": steps})
 
     def wait_until_heard(self, of_what):
         pass  # each step is heard by the frame after it

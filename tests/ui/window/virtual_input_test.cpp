@@ -31,16 +31,19 @@ TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
   ASSERT_TRUE(hear(input, R"({"release": "right"})"));
   EXPECT_EQ(input.mods(), GLFW_MOD_SHIFT);
   EXPECT_TRUE(input.buttons().empty());
-  EXPECT_EQ(input.heard().events.back().kind, InputEvent::Kind::kRelease);
+  const std::vector<InputEvent>& events = input.heard().events;
+  EXPECT_EQ(events.back().kind, InputEvent::Kind::kRelease);
+  EXPECT_EQ(events[events.size() - 2].kind, InputEvent::Kind::kKeyUp);
+  EXPECT_EQ(events[events.size() - 2].button, GLFW_KEY_LEFT_CONTROL);
 }
 
-TEST(VirtualInput, says_that_a_button_was_pressed_though_it_was_released_at_once) {
+TEST(VirtualInput, reports_each_change_of_a_button_or_a_key_once) {
   VirtualInput input({640, 480});
   ASSERT_TRUE(hear(input, R"({"press": "left"})"));
   ASSERT_TRUE(hear(input, R"({"press": "left"})"));  // is down already
   ASSERT_TRUE(hear(input, R"({"release": "left"})"));
   ASSERT_TRUE(hear(input, R"({"release": "left"})"));
-  EXPECT_EQ(input.heard().pressed, std::set<int>{GLFW_MOUSE_BUTTON_LEFT});
+  ASSERT_TRUE(hear(input, R"({"key_up": "Z"})"));  // is up already
   EXPECT_EQ(input.heard().events.size(), 2u);
   EXPECT_TRUE(input.buttons().empty());
 }
@@ -57,14 +60,17 @@ TEST(VirtualInput, names_keys_as_menus_write_them) {
   }
 }
 
-TEST(VirtualInput, adds_up_the_wheel_and_the_text_of_a_frame) {
+TEST(VirtualInput, reports_the_wheel_and_the_characters_of_a_text_in_their_order) {
   VirtualInput input({640, 480});
-  for (const char* step : {R"({"wheel": 2})", R"({"wheel": -0.5})", R"({"type": "ab"})", R"({"type": "c"})",
-                           R"({"drop": ["one.obj", "two.stl"]})", R"({"close": true})"})
+  for (const char* step : {R"({"wheel": 2})", R"({"wheel": -0.5})", R"({"type": "a\u00e9"})",
+                           R"({"type": "c"})", R"({"drop": ["one.obj", "two.stl"]})", R"({"close": true})"})
     ASSERT_TRUE(hear(input, step)) << step;
-  EXPECT_EQ(input.heard().wheel, 1.5);
-  EXPECT_EQ(input.heard().events.size(), 2u);
-  EXPECT_EQ(input.heard().text, "abc");
+  const std::vector<InputEvent>& events = input.heard().events;
+  ASSERT_EQ(events.size(), 5u);
+  EXPECT_EQ(events[0].wheel + events[1].wheel, 1.5);
+  EXPECT_EQ(events[2].character, 'a');
+  EXPECT_EQ(events[3].character, 0xe9u);
+  EXPECT_EQ(events[4].character, 'c');
   EXPECT_EQ(input.heard().drops.size(), 2u);
   EXPECT_TRUE(input.heard().close);
 }

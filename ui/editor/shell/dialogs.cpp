@@ -8,6 +8,7 @@
 #include "ui/editor/shell/settings_page.h"
 #include "ui/editor/shell/shortcut_sheet.h"
 #include "ui/editor/shell/tab_bar.h"
+#include "ui/window/gui_input.h"
 
 namespace kerf {
 
@@ -35,6 +36,7 @@ class Dialogs : public Feature {
     shortcuts_shown_ = on_.messages_shown = false;
     return shown;
   }
+  bool awaits_focus() const override { return on_.browser.open || palette_.open; }
   void draw_windows() override;
   void mark(Landmarks& landmarks) const override {
     if (on_.browser.open) landmarks.mark("browser", {on_.pointer, Vec2(1)});
@@ -93,7 +95,7 @@ bool Dialogs::takes(const InputEvent& event, bool) {
     browser_key(on_.browser, event.button);
   } else if (palette_.open) {
     palette_key(palette_, event.button);
-  } else if (page_.shown && !ImGui::GetIO().WantTextInput) {
+  } else if (page_.shown && !is_text_field_active()) {
     settings_page_key(page_, on_.settings, catalogue_.usual, event.button, event.mods);
   } else {
     return false;

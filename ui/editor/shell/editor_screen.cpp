@@ -140,6 +140,13 @@ double EditorScreen::least_frame() const {
 // Hearing
 // --------------------------------------------------------------------------------------------------------
 
+KeyboardHold EditorScreen::keyboard_hold() const {
+  if (thread_.busy()) return KeyboardHold::kForWork;
+  const bool opens = std::any_of(features_.begin(), features_.end(),
+                                 [](const auto& feature) { return feature->awaits_focus(); });
+  return opens && !is_text_field_active() ? KeyboardHold::kForFocus : KeyboardHold::kNone;
+}
+
 void EditorScreen::hear(const Input& input) {
   if (thread_.busy()) {
     if (busy_.hear(input, thread_)) on_.quit();
@@ -149,15 +156,25 @@ void EditorScreen::hear(const Input& input) {
   catalogue_.bind(on_.settings, on_.view.shortcuts);
   std::vector<InputEvent> events = busy_.take_heard();
   events.insert(events.end(), input.events.begin(), input.events.end());
-  for (const InputEvent& event : events) {
-    if (event.kind != InputEvent::Kind::kKey) {
-      hear_pointer(event);
-    } else {
-      hear_key(event);
-    }
-  }
+  for (const InputEvent& event : events) hear_event(event);
   if (!input.drops.empty()) on_.open(input.drops);
   if (input.close) on_.quit();
+}
+
+// Releases of keys and characters are the business of ImGui alone.
+void EditorScreen::hear_event(const InputEvent& event) {
+  switch (event.kind) {
+    case InputEvent::Kind::kMove:
+    case InputEvent::Kind::kPress:
+    case InputEvent::Kind::kRelease:
+    case InputEvent::Kind::kWheel:
+      return hear_pointer(event);
+    case InputEvent::Kind::kKey:
+      return hear_key(event);
+    case InputEvent::Kind::kKeyUp:
+    case InputEvent::Kind::kText:
+      break;
+  }
 }
 
 void EditorScreen::hear_pointer(const InputEvent& event) {
@@ -175,7 +192,7 @@ void EditorScreen::hear_pointer(const InputEvent& event) {
 void EditorScreen::hear_key(const InputEvent& event) {
   const bool taken = std::any_of(features_.begin(), features_.end(),
                                  [&](const auto& feature) { return feature->takes(event, false); });
-  if (taken || ImGui::GetIO().WantTextInput || event.again) return;
+  if (taken || is_text_field_active() || event.again) return;
   if (event.button == GLFW_KEY_ESCAPE) return is_popup_open() ? close_popups() : escape();
   run_shortcut(catalogue_.actions, event.button, event.mods, on_.message);
 }

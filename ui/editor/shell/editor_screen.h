@@ -36,6 +36,7 @@ class EditorScreen : public Screen {
   // A report of the session. Tests of the window read it.
   nlohmann::ordered_json report() const;
 
+  KeyboardHold keyboard_hold() const override;
   GuiLook look() const override;
   void hear(const Input& input) override;
   void advance() override;
@@ -54,6 +55,7 @@ class EditorScreen : public Screen {
   void come_back(const GuiLook& look, const std::filesystem::path& scene);
 
  private:
+  void hear_event(const InputEvent& event);
   void hear_pointer(const InputEvent& event);
   void hear_key(const InputEvent& event);
   void escape();

@@ -58,6 +58,9 @@ class Feature {
   // choice.
   virtual bool stop() { return false; }
   virtual bool let_go() { return false; }
+  // Whether it has opened something with a text field that has to have the keyboard: until it has, what is
+  // typed waits.
+  virtual bool awaits_focus() const { return false; }
   // What the left button does at the moment, for the status bar; null: nothing to tell of.
   virtual const char* hint() const { return nullptr; }
 

@@ -19,6 +19,8 @@ std::optional<InputEvent> HeldPress::begun_by(const InputEvent& event) {
       break;
     case InputEvent::Kind::kWheel:
     case InputEvent::Kind::kKey:
+    case InputEvent::Kind::kKeyUp:
+    case InputEvent::Kind::kText:
       break;
   }
   return std::nullopt;

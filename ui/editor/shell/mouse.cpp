@@ -42,6 +42,8 @@ void hear_mouse(Workspace& on, const Features& features, const InputEvent& event
       if (on.over_picture && !(on.held && on.held->cuts())) zoom(on, event.wheel);
       break;
     case InputEvent::Kind::kKey:
+    case InputEvent::Kind::kKeyUp:
+    case InputEvent::Kind::kText:
       break;
   }
   if (on.held && on.held->over()) on.held.reset();

@@ -11,6 +11,7 @@
 #include "core/base/assert.h"
 #include "ui/editor/shell/bindings.h"
 #include "ui/window/centred_window.h"
+#include "ui/window/key_chord.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/property.h"
@@ -28,8 +29,6 @@ std::vector<UserAction> bindable(std::span<const UserAction> usual, const Bindin
   std::erase_if(actions, [](const UserAction& action) { return action.items != nullptr; });
   return actions;
 }
-
-bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
 void stop_waiting(SettingsPage& page) {
   page.waits_for.clear();

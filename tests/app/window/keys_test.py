@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""The command palette, by the keyboard alone."""
+"""The command palette by the keyboard alone, keys within one frame, and the settings of keys."""
+import json
+import os
 import unittest
 
 from editor_window import SPHERE, WindowTest, real_input
@@ -59,6 +61,54 @@ class PaletteTest(WindowTest):
         report = editor.quit()
         self.assertTrue(report["view"]["wire"])
         self.assertEqual(report["strokes"], 0)
+
+
+class QuickKeysTest(WindowTest):
+    """Keys that are pressed and released within one frame, and text that comes with the key that opens a field."""
+
+    def test_a_path_that_is_typed_with_the_key_that_opens_the_browser_opens_its_file_and_runs_no_shortcut(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.5, 0.5)
+        copy = os.path.join(self.folder, "wire-bridge.json")
+        with open(SPHERE) as source, open(copy, "w") as file:
+            described = json.load(source)
+            described["bodies"][0]["mesh"] = os.path.join(os.path.dirname(SPHERE), described["bodies"][0]["mesh"])
+            json.dump(described, file)
+        editor.press_at_once(("ctrl", "o"), copy, ("Return",))
+        editor.wait_for_title("wire-bridge.json - Kerf")
+        report = editor.quit()
+        self.assertEqual((report["view"]["wire"], report["view"]["boxes"], report["undo_depth"]), (False, False, 0))
+
+    def test_enter_on_an_empty_name_opens_nothing_and_an_arrow_chooses(self):
+        self.open(SPHERE).quit()
+        self.set(folder=self.folder)
+        with open(os.path.join(self.folder, "a.json"), "w") as file:
+            file.write("{}")
+        editor = self.open_again(SPHERE)
+        editor.press_at_once(("ctrl", "o"), ("Return",))
+        editor.settle()
+        self.assertIn("browser", editor.landmarks()["parts"])
+        editor.press_at_once("no such name", ("Return",))
+        editor.settle()
+        self.assertIn("browser", editor.landmarks()["parts"])
+        editor.press("Escape")
+        editor.press_at_once(("ctrl", "o"), "a.js", ("Return",))
+        editor.settle()
+        self.assertNotIn("browser", editor.landmarks()["parts"])
+        editor.press_at_once(("ctrl", "p"), ("Return",))
+        editor.settle()
+        self.assertIn("palette", editor.landmarks()["parts"])
+        editor.press_at_once("wire", ("Return",))
+        report = editor.quit()
+        self.assertTrue(report["view"]["wire"])
+        self.assertTrue(any("a.json" in message for message in report["messages"]), report["messages"])
+
+    def test_the_question_about_unsaved_work_takes_the_letter_that_came_with_the_key(self):
+        editor = self.open(SPHERE)
+        editor.drag([(0.32, 0.5), (0.68, 0.5)])
+        editor.press_at_once(("ctrl", "q"), ("d",))
+        self.assertTrue(editor.has_ended(20))
+        self.assertEqual(editor.report()["undo_depth"], 1)
 
 
 class SettingsTest(WindowTest):

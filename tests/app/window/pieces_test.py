@@ -244,6 +244,46 @@ class Pieces(WindowTest):
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["strokes"]), (1, 0))
 
+    def rename_by_f2(self, hide):
+        """Where `hide` has put the list out of sight, F2, a name and Enter, all within a frame."""
+        self.open(SPHERE).quit()
+        self.write_settings({"panels": {title: title != "Graph" for title in self.settings()["panels"]}})
+        editor = self.open_again(SPHERE)
+        editor.press("k")
+        editor.click(0.5, 0.53)
+        hide(editor)
+        self.assertNotIn("piece sphere", editor.landmarks()["parts"])
+        editor.press_at_once(("F2",), "wing d p c", ("Return",))
+        editor.settle()
+        editor.part("piece wing d p c")
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["strokes"], report["time"]["playing"]), (1, 0, False))
+        self.assertFalse(report["view"]["shadow_counts"])
+
+    def test_f2_brings_the_list_into_view_from_another_tab(self):
+        self.rename_by_f2(lambda editor: editor.do("alt", "2"))
+
+    def test_f2_brings_the_list_into_view_where_the_column_is_hidden(self):
+        self.rename_by_f2(lambda editor: editor.do("F4"))
+
+    def test_f2_brings_the_list_into_view_where_its_panel_is_folded(self):
+        self.rename_by_f2(lambda editor: editor.click("Pieces", 0.5, 0.5))
+
+    def test_f2_brings_the_list_into_view_where_it_is_scrolled_away(self):
+        self.rename_by_f2(lambda editor: None)  # the panels above it fill the column
+
+    def test_a_name_whose_list_is_hidden_meanwhile_is_taken_and_no_field_opens_later(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Pieces")
+        editor = self.open_again(SPHERE)
+        self.double_click_for(editor, "new name", "piece sphere", 0.2, 0.5)
+        editor.type("ball")
+        editor.click("tab Look", 0.5, 0.5)
+        editor.click("tab Cut", 0.5, 0.5)
+        editor.part("piece ball")
+        self.assertNotIn("new name", editor.landmarks()["parts"])
+        self.assertEqual(editor.quit()["undo_depth"], 1)
+
     def test_a_smaller_window_keeps_panels_and_picture_apart(self):
         editor = self.open()
         editor.resize(800, 600)

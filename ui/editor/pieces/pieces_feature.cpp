@@ -70,12 +70,16 @@ class PiecesFeature : public Feature {
                : nullptr;
   }
 
+  bool awaits_focus() const override { return list_.awaits_focus(); }
+  void draw_windows() override { list_.end_hidden_edit(on_); }
+
   void follow(const Delta&) override { isolation_.follow(); }
   void forget() override {
     on_.view.look.pieces.clear();
     on_.view.numbers = PieceNumbers();
     on_.view.spread = 0;
     isolation_.forget();
+    list_.forget_rename();
   }
   void report(nlohmann::ordered_json& report) const override {
     report["pieces_chosen"] = chosen_pieces(on_.view.look.pieces);
@@ -286,7 +290,7 @@ void PiecesFeature::ask_to_show() {
 
 void PiecesFeature::rename_chosen() {
   KERF_ASSERT(chosen_pieces(on_.view.look.pieces) == 1);
-  on_.panels.show(kPiecesPanel);
+  on_.panels.reveal(kPiecesPanel);
   list_.rename(*first_chosen(on_.view.look.pieces));
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/document/history/specks.h"
 #include "ui/editor/pieces/piece_switches.h"
 #include "ui/editor/shared/files/file_frames.h"
@@ -21,7 +22,8 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kRowsInSight = 8;  // that are seen at once
+constexpr size_t kRowsInSight = 8;   // that are seen at once
+constexpr int kMaxUnseenFrames = 6;  // until the field of a name is in view
 
 void draw_swatch(const Vec3& c) {
   const float side = 0.8f * ImGui::GetFontSize();
@@ -109,7 +111,9 @@ void choose_only(ViewState& view, const std::vector<PieceRow>& rows) {
 
 void PiecesList::begin_rename(const PieceRow& row) {
   renamed_ = row.id;
-  take_focus_ = true;
+  old_name_ = row.name;
+  take_focus_ = field_drawn_ = true;
+  unseen_frames_ = 0;
   new_name_.fill('\0');
   std::memcpy(new_name_.data(), row.name.data(), std::min(row.name.size(), new_name_.size() - 1));
 }
@@ -127,7 +131,8 @@ void PiecesList::begin_asked_rename(const SortedPieces& sorted) {
 }
 
 // The field of the name, in place of the name. Whatever ends the edit but Esc renames the piece.
-void PiecesList::edit_name(WorldChanges& changes, const PieceRow& row) {
+void PiecesList::edit_name(WorldChanges& changes) {
+  field_drawn_ = true;
   if (take_focus_) ImGui::SetKeyboardFocusHere();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(2, 0));
   ImGui::SetNextItemWidth(-1);
@@ -138,10 +143,30 @@ void PiecesList::edit_name(WorldChanges& changes, const PieceRow& row) {
   if (ImGui::IsItemActive()) mark_last_item("new name");
   const bool over = entered || (!take_focus_ && !ImGui::IsItemActive());
   take_focus_ = take_focus_ && !ImGui::IsItemActive();
-  if (!over) return;
-  renamed_.reset();
+  if (over) take_new_name(changes);
+}
+
+void PiecesList::take_new_name(WorldChanges& changes) {
+  KERF_ASSERT(renamed_);
+  const PieceId piece = *std::exchange(renamed_, std::nullopt);
+  take_focus_ = false;
   const std::string name = new_name_.data();
-  if (!name.empty() && name != row.name) changes.ask(RenamePiece{row.id, name});
+  if (!name.empty() && name != old_name_) changes.ask(RenamePiece{piece, name});
+}
+
+void PiecesList::forget_rename() {
+  asked_.reset();
+  renamed_.reset();
+  take_focus_ = false;
+}
+
+void PiecesList::end_hidden_edit(Workspace& on) {
+  const bool drawn = std::exchange(field_drawn_, false);
+  if (!asked_ && !renamed_) return;
+  if (renamed_ && !take_focus_ && !drawn) return take_new_name(on.changes);
+  if (!awaits_focus() || ++unseen_frames_ <= kMaxUnseenFrames) return;
+  forget_rename();
+  on.message.say("There is no room for the list of pieces: make the window larger to rename one.", true);
 }
 
 void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook& look) {
@@ -186,7 +211,7 @@ void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_folded) {
   if (is_folded) ImGui::Indent();
   draw_swatch(swatch_colour(on, row));
   if (renamed_ == row.id) {
-    edit_name(on.changes, row);
+    edit_name(on.changes);
   } else {
     draw_name(view, row, look);
   }

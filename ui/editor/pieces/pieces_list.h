@@ -17,7 +17,16 @@ class PiecesList {
 
   void draw(Workspace& on, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen);
   // The next draw() begins to edit the name of this piece.
-  void rename(const PieceId& piece) { asked_ = piece; }
+  void rename(const PieceId& piece) {
+    asked_ = piece;
+    unseen_frames_ = 0;
+  }
+  // Another document is open.
+  void forget_rename();
+  // Whether a name is about to be edited, and its field does not have the keyboard yet.
+  bool awaits_focus() const { return asked_ || (renamed_ && take_focus_); }
+  // To be called once a frame when all panels are drawn: ends the edit of a name whose field was not drawn.
+  void end_hidden_edit(Workspace& on);
 
  private:
   void draw_rows(Workspace& on, const SortedPieces& sorted, const HideChosen& hide_chosen);
@@ -27,12 +36,16 @@ class PiecesList {
   void draw_switches(WorldChanges& changes, const PieceRow& row, bool hidden);
   void begin_rename(const PieceRow& row);
   void begin_asked_rename(const SortedPieces& sorted);
-  void edit_name(WorldChanges& changes, const PieceRow& row);
+  void edit_name(WorldChanges& changes);
+  void take_new_name(WorldChanges& changes);
 
   std::optional<PieceId> asked_;
   bool specks_unfolded_ = false;
   std::optional<PieceId> renamed_;    // whose name is being edited
+  std::string old_name_;              // of the piece
   bool take_focus_ = false;           // the field of the name is new
+  bool field_drawn_ = false;          // in this frame
+  int unseen_frames_ = 0;             // in which the field was to come into view and did not
   std::array<char, 128> new_name_{};  // as edited so far
 };
 

@@ -45,10 +45,15 @@ class RulerFeature : public Feature {
 
   void forget() override {
     first_.reset();
+    renamed_.reset();
     list_.read(head_entry(on_.work.scene, kRulerKey));
   }
 
+  bool awaits_focus() const override { return renamed_ && take_focus_; }
   void draw_marks(ImDrawList& list) override;
+  void draw_windows() override {
+    if (!std::exchange(field_drawn_, false)) renamed_.reset();
+  }
   void mark(Landmarks& landmarks) const override;
   void report(nlohmann::ordered_json& report) const override { report[kRulerKey] = list_.to_json(); }
 
@@ -89,6 +94,8 @@ class RulerFeature : public Feature {
   RulerList list_;
   std::optional<Vec3> first_;      // m, the end that was clicked, of a distance that waits for the other
   std::optional<size_t> renamed_;  // the mark whose name is being edited
+  bool take_focus_ = false;        // the field of the name is new
+  bool field_drawn_ = false;       // in this frame
   std::array<char, 96> new_name_{};
 };
 
@@ -198,6 +205,7 @@ void RulerFeature::draw_row(size_t mark) {
     edit_name(mark);
   } else if (ImGui::Selectable((name + "###name").c_str())) {
     renamed_ = mark;
+    take_focus_ = field_drawn_ = true;
     new_name_.fill('\0');
     std::memcpy(new_name_.data(), name.data(), std::min(name.size(), new_name_.size() - 1));
   }
@@ -217,12 +225,17 @@ void RulerFeature::draw_row(size_t mark) {
 
 // Enter takes the name; whatever else ends the edit leaves it as it was.
 void RulerFeature::edit_name(size_t mark) {
-  ImGui::SetKeyboardFocusHere();
+  field_drawn_ = true;
+  if (take_focus_) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   const bool entered =
       ImGui::InputText("##name", new_name_.data(), new_name_.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  if (!entered && !ImGui::IsItemDeactivated()) return;
+  if (take_focus_) {
+    take_focus_ = !ImGui::IsItemActive();
+    return;
+  }
+  if (!entered && ImGui::IsItemActive()) return;
   renamed_.reset();
   const std::string name = new_name_.data();
   if (!entered || name.empty() || name == list_.marks()[mark].name) return;

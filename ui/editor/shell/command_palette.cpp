@@ -70,16 +70,6 @@ bool draw_row(const UserAction& action, size_t place, bool at_cursor) {
   return clicked;
 }
 
-// Text that is typed before the field has the focus belongs to it too.
-void take_early_text(CommandPalette& palette) {
-  ImVector<ImWchar>& characters = ImGui::GetIO().InputQueueCharacters;
-  size_t end = std::strlen(palette.typed.data());
-  for (const ImWchar c : characters) {
-    if (c >= ' ' && c < 127 && end + 1 < palette.typed.size()) palette.typed[end++] = static_cast<char>(c);
-  }
-  characters.resize(0);
-}
-
 // A field that gets the focus selects its text, and the next letter would replace it.
 int select_nothing(ImGuiInputTextCallbackData* data) {
   if (static_cast<const CommandPalette*>(data->UserData)->begins)
@@ -88,13 +78,13 @@ int select_nothing(ImGuiInputTextCallbackData* data) {
 }
 
 void draw_field(CommandPalette& palette) {
-  if (palette.begins) take_early_text(palette);
   if (palette.begins || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   if (ImGui::InputTextWithHint("##typed", "What do you want to do? Type parts of its name",
                                palette.typed.data(), palette.typed.size(), ImGuiInputTextFlags_CallbackAlways,
                                select_nothing, &palette)) {
     palette.cursor = 0;
+    palette.is_chosen = palette.typed.front() != '\0';
     palette.show_cursor = true;
   }
   if (ImGui::IsItemActive()) palette.begins = false;
@@ -104,7 +94,7 @@ void move_cursor(CommandPalette& palette, int steps, size_t count) {
   const auto last = static_cast<std::ptrdiff_t>(count) - 1;
   const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(palette.cursor) + steps;
   palette.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(to, 0, std::max<std::ptrdiff_t>(last, 0)));
-  if (steps != 0) palette.show_cursor = true;
+  if (steps != 0) palette.show_cursor = palette.is_chosen = true;
 }
 
 // The list of matches. Returns the place of the row that was clicked.
@@ -116,7 +106,7 @@ std::optional<size_t> draw_matches(CommandPalette& palette, std::span<const User
   if (ImGui::BeginChild("matches", {0, rows * row})) {
     if (found.empty()) ImGui::TextDisabled("No action has such a name");
     for (size_t place = 0; place < found.size(); ++place) {
-      const bool at_cursor = place == palette.cursor;
+      const bool at_cursor = palette.is_chosen && place == palette.cursor;
       if (draw_row(actions[found[place]], place, at_cursor)) clicked = place;
       if (at_cursor && std::exchange(palette.show_cursor, false)) ImGui::SetScrollHereY();
       if (at_cursor) palette.show_cursor = false;
@@ -126,12 +116,13 @@ std::optional<size_t> draw_matches(CommandPalette& palette, std::span<const User
   return clicked;
 }
 
-void draw_explanation(std::span<const UserAction> actions, const std::vector<size_t>& found, size_t cursor) {
+void draw_explanation(std::span<const UserAction> actions, const std::vector<size_t>& found,
+                      const CommandPalette& palette) {
   ImGui::Separator();
   const ImVec2 at = ImGui::GetCursorPos();
   ImGui::PushTextWrapPos(0);
-  if (cursor < found.size()) {
-    const UserAction& action = actions[found[cursor]];
+  if (palette.is_chosen && palette.cursor < found.size()) {
+    const UserAction& action = actions[found[palette.cursor]];
     const char* why_not = action.objection();
     ImGui::TextDisabled("%s", why_not != nullptr ? why_not : action.tip.c_str());
   }
@@ -152,14 +143,16 @@ const UserAction* draw_window(CommandPalette& palette, std::span<const UserActio
   const CommandPalette::Keys keys = std::exchange(palette.keys, {});
   move_cursor(palette, keys.steps, found.size());
   std::optional<size_t> chosen = draw_matches(palette, actions, found);
-  draw_explanation(actions, found, palette.cursor);
+  draw_explanation(actions, found, palette);
   if (keys.escape) {
     close(palette);
     return nullptr;
   }
-  if (keys.enter) chosen = palette.cursor;
+  if (keys.enter && palette.is_chosen) chosen = palette.cursor;
+  if (keys.enter && !palette.is_chosen) palette.begins = true;  // the field has lost the focus
   if (!chosen || *chosen >= found.size()) return nullptr;
   palette.cursor = *chosen;
+  palette.is_chosen = true;
   const UserAction& action = actions[found[*chosen]];
   if (action.objection() != nullptr) {
     palette.begins = true;  // Enter has ended the typing

@@ -12,7 +12,8 @@ namespace kerf {
 struct CommandPalette {
   bool open = false;
   std::array<char, 96> typed{};
-  size_t cursor = 0;  // in the list of matches
+  size_t cursor = 0;       // in the list of matches
+  bool is_chosen = false;  // by what was typed, or by the arrows: Enter runs it
 
   // Keys that came since the window was drawn last.
   struct Keys {
@@ -37,7 +38,8 @@ std::vector<UserAction> nameable_actions(std::span<const UserAction> actions);
 std::vector<size_t> find_actions(std::span<const UserAction> actions, const char* typed);
 
 // Draws the palette where it is open, around (x, y), the middle of its upper edge in screen coordinates.
-// Enter and a click run an action and close it; an action that cannot be done says why in its row instead.
+// A click, and Enter on what was typed or chosen by the arrows, run an action and close it; an action that
+// cannot be done says why in its row instead.
 void draw_palette(CommandPalette& palette, std::span<const UserAction> actions, float x, float y);
 
 }  // namespace kerf

@@ -46,6 +46,12 @@ void draw_parts(std::span<const Panel> parts) {
 // Whether the header was drawn folded in the last frame.
 bool was_folded(const char* title) { return ImGui::GetStateStorage()->GetInt(ImGui::GetID(title), 1) == 0; }
 
+// What was drawn below `top` (screen coordinates), unless all of it is in sight.
+void bring_into_view(float top) {
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  if (top < at.y || ImGui::GetCursorScreenPos().y > at.y + size.y) ImGui::SetScrollFromPosY(top - at.y, 0);
+}
+
 // The header of a panel, and the panel where it is unfolded here. A header in the column of a panel that is
 // drawn elsewhere shows and folds it there. A panel that is unfolded by something else than its header
 // scrolls into view.
@@ -54,6 +60,8 @@ void draw_foldable(std::span<const Panel> parts, PanelPlaces& places, Dock here)
   const bool is_here = places.dock_of(title) == here, was = places.is_unfolded(title);
   ImGui::PushID(title);
   const bool comes = is_here && was && was_folded(title);
+  const bool revealed = is_here && was && places.take_revealed(title);
+  const float top = ImGui::GetCursorScreenPos().y;
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
   ImGui::SetNextItemOpen(was, ImGuiCond_Always);
   const float right = ImGui::GetContentRegionMax().x;
@@ -65,6 +73,7 @@ void draw_foldable(std::span<const Panel> parts, PanelPlaces& places, Dock here)
   if (!unfolded && was) places.fold(title);
   draw_dock_button(title, right, places);
   if (unfolded && is_here) draw_parts(parts);
+  if (revealed) bring_into_view(top);
   ImGui::PopID();
 }
 

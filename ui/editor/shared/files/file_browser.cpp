@@ -43,6 +43,7 @@ void enter_folder(FileBrowser& b, const fs::path& folder) {
   b.folder = error ? folder : whole;
   b.entries = list_folder(b.folder, b.fault);
   b.cursor = 0;
+  b.is_chosen = false;
   b.replace.clear();
   b.show_cursor = true;
   b.take_focus = true;
@@ -122,7 +123,7 @@ void accept(FileBrowser& b) {
     return;
   }
   const std::vector<size_t> left = left_by_filter(b);
-  if (b.cursor >= left.size()) return;
+  if (!b.is_chosen || b.cursor >= left.size()) return;
   const FileBrowser::Entry entry = b.entries[left[b.cursor]];
   choose_entry(b, entry);
 }
@@ -165,7 +166,7 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   constexpr ImGuiSelectableFlags kRow = ImGuiSelectableFlags_SpanAllColumns |
                                         ImGuiSelectableFlags_AllowDoubleClick |
                                         ImGuiSelectableFlags_DontClosePopups;
-  const bool clicked = ImGui::Selectable(label.c_str(), b.cursor == place, kRow);
+  const bool clicked = ImGui::Selectable(label.c_str(), b.is_chosen && b.cursor == place, kRow);
   const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (b.cursor == place && b.show_cursor) ImGui::SetScrollHereY();
   ImGui::PopID();
@@ -173,6 +174,7 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   if (!entry.folder) draw_size(entry.bytes);
   if (!clicked) return;
   b.cursor = place;
+  b.is_chosen = true;
   if (!opens(b) && !entry.folder) set_name(b, entry.name);
   if (!twice) return;
   const FileBrowser::Entry chosen = entry;
@@ -212,20 +214,20 @@ void draw_name(FileBrowser& b) {
   if (ImGui::InputTextWithHint("##name", b.wish.hint, b.name.data(), b.name.size(),
                                ImGuiInputTextFlags_AutoSelectAll)) {
     b.cursor = 0;
+    b.is_chosen = b.name.front() != '\0';
     b.replace.clear();
     b.fault.clear();
   }
-  FileBrowser::Keys keys = std::exchange(b.keys, {});
-  // Before the field listens, what was typed is lost: Enter would choose something else than was meant.
-  keys.enter = keys.enter && (ImGui::IsItemActive() || ImGui::IsItemDeactivated());
+  const FileBrowser::Keys keys = std::exchange(b.keys, {});
   if (keys.escape) b.open = false;
   if (keys.backspace && was_empty) enter_folder(b, b.folder.parent_path());
   const auto count = static_cast<std::ptrdiff_t>(left_by_filter(b).size());
   std::ptrdiff_t at = static_cast<std::ptrdiff_t>(b.cursor) + keys.steps;
+  if (!b.is_chosen && keys.steps > 0) --at;  // the first step chooses the first
   if (keys.first) at = 0;
   if (keys.last) at = count;
   b.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(at, 0, std::max<std::ptrdiff_t>(count - 1, 0)));
-  if (keys.steps != 0 || keys.first || keys.last) b.show_cursor = true;
+  if (keys.steps != 0 || keys.first || keys.last) b.show_cursor = b.is_chosen = true;
   if (keys.enter) {
     b.take_focus = true;
     accept(b);

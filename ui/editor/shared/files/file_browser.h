@@ -37,6 +37,7 @@ struct FileBrowser {
   std::vector<Entry> entries;     // of the folder, folders first, by name
   std::array<char, 1024> name{};  // a filter or a path to open; the name to write to
   size_t cursor = 0;              // in what the filter leaves
+  bool is_chosen = false;         // the cursor, by a filter, by keys or by a click: Enter takes the entry
   std::string fault;              // why the folder cannot be shown, or the file not be written
   std::filesystem::path replace;  // a file that is there already; choosing it once more replaces it
 

@@ -52,6 +52,17 @@ void PanelPlaces::show(const std::string& title) {
   if (dock_of(title) == Dock::kColumn) show_tab(tab_of(title));
 }
 
+void PanelPlaces::reveal(const std::string& title) {
+  show(title);
+  revealed_ = title;
+}
+
+bool PanelPlaces::take_revealed(const std::string& title) {
+  if (revealed_ != title) return false;
+  revealed_.clear();
+  return true;
+}
+
 void PanelPlaces::fold(const std::string& title) { settings_.panels[title] = false; }
 
 void PanelPlaces::dock(const std::string& title, Dock dock) {

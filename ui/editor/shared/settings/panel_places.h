@@ -31,6 +31,10 @@ class PanelPlaces {
   bool shows(const std::string& title) const;
   // Unfolds it and brings it to the front.
   void show(const std::string& title);
+  // Shows it, and scrolls it into view when it is drawn next.
+  void reveal(const std::string& title);
+  // Whether reveal() was called with it and the panel is not in view yet; once.
+  bool take_revealed(const std::string& title);
   void fold(const std::string& title);
   // Shows it in another place.
   void dock(const std::string& title, Dock dock);
@@ -39,6 +43,7 @@ class PanelPlaces {
 
  private:
   Settings& settings_;
+  std::string revealed_;  // the title, until it is drawn
   struct Known {
     std::string title;
     Tab tab;

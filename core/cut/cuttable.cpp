@@ -2,15 +2,29 @@
 
 #include <algorithm>
 
+#include "core/tree/touched_walk.h"
+
 namespace kerf {
 
 namespace {
 
+constexpr size_t kMaxParts = 2000;  // of a move, more than a drag across the viewport has
+
 bool meets(const Body& body, const SweptCylinder& beam) {
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    if (body.mesh.is_live(FaceId(f)) && beam.touches(body.mesh.triangle(FaceId(f)))) return true;
-  }
-  return false;
+  return !trace_touched(body.tree, body.mesh, beam).touched.empty();
+}
+
+bool meets(const Body& body, const Laser& laser, const BeamMove& move) {
+  const BeamMove seen{body.placement.to_body(move.from), body.placement.to_body(move.to), move.seconds};
+  return std::ranges::any_of(sweep_beam(laser, seen),
+                             [&](const SweptCylinder& part) { return meets(body, part); });
+}
+
+// The distance (m) from the beam's origin within which there is anything to cut.
+double reach(const World& world, const Laser& laser, const Vec3& origin) {
+  const World::Bounds bounds = world.bounds();
+  const Vec3 far = glm::max(glm::abs(bounds.min - origin), glm::abs(bounds.max - origin));
+  return std::min(laser.range.high, glm::length(far));
 }
 
 }  // namespace
@@ -21,13 +35,18 @@ std::vector<BodyId> cuttable(const World& world) {
   return ids;
 }
 
-bool meets_anything(const World& world, const Laser& laser, const Pose& pose) {
+bool meets_anything(const World& world, const Laser& laser, const BeamMove& move) {
+  const double far = reach(world, laser, move.from.origin);
+  if (subdivisions(move, laser.radius, far) > kMaxParts) return true;
+  const std::vector<BeamMove> parts = subdivide(move, laser.radius, far);
   return std::ranges::any_of(cuttable(world), [&](BodyId id) {
-    const Body& body = world.body(id);
-    const Pose seen = body.placement.to_body(pose);
-    return std::ranges::any_of(sweep_beam(laser, {seen, seen}),
-                               [&](const SweptCylinder& part) { return meets(body, part); });
+    return std::ranges::any_of(parts,
+                               [&](const BeamMove& part) { return meets(world.body(id), laser, part); });
   });
+}
+
+bool meets_anything(const World& world, const Laser& laser, const Pose& pose) {
+  return meets_anything(world, laser, {pose, pose, 0});
 }
 
 }  // namespace kerf

@@ -1,7 +1,7 @@
 """What is hot cools down, is undone with its stroke, and can be held."""
 import unittest
 
-from editor_window import ACROSS, SPHERE, WindowTest, real_input
+from editor_window import ACROSS, SPHERE, WindowTest
 
 
 class Heat(WindowTest):
@@ -51,28 +51,27 @@ class Heat(WindowTest):
         self.assertEqual(report["undo_depth"], 1)
         self.assertTrue(report["messages"][-1].startswith("Undone: Pin"), report["messages"])
 
-    @real_input
     def test_escape_ends_a_slow_stroke_where_the_beam_is_and_undo_takes_it_back(self):
+        """A stroke of 20 s in one frame, of which some milliseconds are cut before Esc and the keys after it come."""
         self.heat_held = True
         editor = self.open(SPHERE)
         self.choose_thermal_model(editor)
         begin, end = editor.place(ACROSS[0]), editor.place(ACROSS[1])
         editor.move_to(*begin)
         editor.settle()
-        editor.hold(1)
-        for share in (0, 0.25, 0.5, 0.75, 1):
-            editor.move_to(*(round(a + share * (b - a)) for a, b in zip(begin, end)))
-            editor.pause(0.1)
-        editor.release(1)
-        editor.pause(2)
+        way = [[round(a + share * (b - a)) for a, b in zip(begin, end)] for share in (0, 0.25, 0.5, 0.75, 1)]
+        editor.send({"frame": 20})
+        editor.draw_at_once(way)
+        editor.send({"frame": 0.001})
         self.assertTrue(editor.landmarks()["busy"])
-        editor.do("Escape")
-        editor.do("ctrl", "z")
-        editor.do("ctrl", "shift", "z")
+        editor.press_at_once(("Escape",), ("ctrl", "z"), ("ctrl", "shift", "z"))
+        editor.settle()
         report = editor.quit()
         said = [text.split(":")[0] for text in report["messages"][-3:]]
         self.assertEqual(said, ["Stopped", "Undone", "Done again"])
         self.assertEqual((report["undo_depth"], report["strokes"]), (1, 1))
+        power = 2000  # W, of the laser
+        self.assertLess(report["heat"]["emitted"], 0.5 * 20 * power)
 
     def test_held_heat_stays(self):
         self.heat_held = True

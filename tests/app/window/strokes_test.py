@@ -27,6 +27,17 @@ class Strokes(WindowTest):
         report = editor.quit()
         self.assertEqual((report["strokes"], report["faces_removed"], report["pieces"]), (0, 0, 1))
 
+    def test_a_stroke_that_meets_nothing_is_said_to_miss_and_is_no_step(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        editor.do("ctrl", "z")
+        editor.drag([(0.05, 0.1), (0.2, 0.08)])
+        report = editor.ask("report")
+        self.assertEqual((report["undo_depth"], report["strokes"]), (0, 0))
+        self.assertTrue(report["messages"][-1].startswith("Missed"), report["messages"])
+        editor.do("ctrl", "shift", "z")  # what can be done again still can
+        self.assertEqual(editor.quit()["undo_depth"], 1)
+
     @real_input
     def test_a_slit_follows_the_pointer_also_where_it_moves_within_a_slow_frame(self):
         self.assert_slit_follows_pointer(self.open())

@@ -135,7 +135,7 @@ class LaserFeature : public Feature {
 
   std::unique_ptr<Interaction> claim(const Press& press) override;
   bool stop() override {
-    const bool at_work = progress_.can_stop();
+    const bool at_work = can_stop();
     if (at_work) on_.changes.ask("Stop cutting", [this] { stop_cutting(); });
     return cancel_stroke(on_) || at_work;
   }
@@ -146,7 +146,9 @@ class LaserFeature : public Feature {
 
   void advance(double) override {
     if (on_.beam.cutting()) on_.view.picture_old = true;
-    if (!on_.changes.is_pending()) on_.beam.go_on(on_.work.document, on_.clock->seconds());
+    if (on_.changes.is_pending()) return;
+    on_.beam.follow_time(on_.work.document, on_.plays);
+    on_.beam.go_on(on_.work.document, on_.clock->seconds());
   }
   void follow_queue(double seconds) override;
   bool moving() const override { return sparks_.moving() || on_.changes.can_cut() || on_.beam.emits(); }
@@ -164,6 +166,7 @@ class LaserFeature : public Feature {
   }
 
  private:
+  bool can_stop() const;
   void draw_resolution();
   void draw_ring(ImDrawList& list) const;
   UserAction recut_action();
@@ -199,6 +202,13 @@ std::unique_ptr<Interaction> LaserFeature::claim(const Press& press) {
   on_.cut_once = true;
   on_.message.say("");
   return stroke;
+}
+
+// A stroke that was drawn to its end stops at once, one that is being drawn when its cut lags behind.
+bool LaserFeature::can_stop() const {
+  const Execution& execution = on_.work.document.execution();
+  if (on_.beam.cutting()) return progress_.can_stop();
+  return !on_.holds_back() && execution.beam_waits() && execution.moves_wait();
 }
 
 UserAction LaserFeature::recut_action() {

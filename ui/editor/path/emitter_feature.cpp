@@ -180,7 +180,7 @@ void EmitterFeature::follow_switch(double now) {
   } else if (on) {
     beam.carry_to(on_.work.document, emitter_.pose(), now);
   } else if (emitter_.drawing) {
-    beam.release(on_.work.document);
+    cancel_stroke(on_);
   }
   emitter_.drawing = on;
 }

@@ -26,7 +26,7 @@ std::vector<std::filesystem::path> Workspace::not_taken(std::vector<std::filesys
 
 bool cancel_stroke(Workspace& on) {
   if (!on.beam.cutting()) return false;
-  on.beam.release(on.work.document);
+  if (on.beam.release(on.work.document)) on.message.say("Missed: the beam met nothing.");
   return true;
 }
 

@@ -161,7 +161,7 @@ void WorldChanges::step_through_history(bool back) {
 void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
   KERF_ASSERT(!pending_);
   on_.message.say("");
-  said_later_.clear();
+  if (!said_later_.empty()) on_.message.note(std::exchange(said_later_, ""), false);
   if (quick) return show_outcome(what(on_.work.document, nullptr), {}, said);
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;

@@ -32,5 +32,23 @@ TEST(LaserFeature, the_last_stroke_can_be_cut_again_and_where_there_is_none_it_s
   EXPECT_EQ(why_no_recut(*laser), nullptr);
 }
 
+TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_moves_wait) {
+  Workspace on;
+  World world;
+  world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
+  on.work.document = Document(std::move(world));
+  const auto laser = laser_feature(on);
+  EXPECT_FALSE(laser->stop());
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  on.work.document.apply(BeginStroke{settings, {{-0.5, 0, 5}, {0, 0, -1}}});
+  on.work.document.apply(MoveStroke{{{0.5, 0, 5}, {0, 0, -1}}, 1});
+  on.work.document.apply(EndStroke{});
+  EXPECT_TRUE(laser->stop());  // in the frame in which the button was released
+  EXPECT_TRUE(on.changes.is_asked());
+  while (on.work.document.waiting() > 0) ASSERT_TRUE(on.work.document.step(8).ok());
+  EXPECT_FALSE(laser->stop());
+}
+
 }  // namespace
 }  // namespace kerf

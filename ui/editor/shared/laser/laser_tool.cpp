@@ -72,7 +72,7 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   pointer_ = pointer;
   pose_ = aim(view, pointer);
   begin(document, controls.settings(diagonal), heard);
-  held_ = BeginStroke{settings_, pose_};
+  held_ = {BeginStroke{settings_, pose_}};
   if (hit) begin_held(document);
 }
 
@@ -95,8 +95,8 @@ void LaserTool::fire(Document& document, const Pose& pose, double distance, cons
   emitter_ = distance;
   pose_ = pose;
   begin(document, settings, heard);
-  held_.reset();
-  document.apply(BeginStroke{settings_, pose_});
+  held_ = {BeginStroke{settings_, pose_}};
+  if (time_passes_ || meets_anything(document.world(), settings_.laser, pose_)) begin_held(document);
 }
 
 void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
@@ -105,25 +105,41 @@ void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
     release(document);
     return fire(document, pose, emitter_, settings_, heard);
   }
-  pose_ = pose;
+  move_to(document, pose, heard);
+}
+
+// The beam is drawn at once where it meets nothing.
+void LaserTool::move_to(Document& document, const Pose& pose, double heard) {
+  const Pose before = std::exchange(pose_, pose);
   told_ = std::max(told_, heard - began_);
-  document.apply(MoveStroke{pose_, told_});
+  const MoveStroke move{pose_, told_};
+  if (held_.empty()) {
+    document.apply(move);
+    return;
+  }
+  held_.emplace_back(move);
+  if (time_passes_ || meets_anything(document.world(), settings_.laser, BeamMove{before, pose_, 0}))
+    return begin_held(document);
+  if (!document.execution().beam_waits()) beam_ = pose_;
 }
 
 void LaserTool::begin_held(Document& document) {
-  if (held_) document.apply(*std::exchange(held_, std::nullopt));
+  for (const Command& command : std::exchange(held_, {})) document.apply(command);
+}
+
+void LaserTool::follow_time(Document& document, bool passes) {
+  time_passes_ = passes;
+  if (passes && has_moved()) begin_held(document);
 }
 
 void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard) {
   if (!cutting_) return;
   const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
-  if (glm::length(moved) < (held_ ? kClickReach : kLeastMove)) return;
+  const bool is_click = !held_.empty() && !has_moved();
+  if (glm::length(moved) < (is_click ? kClickReach : kLeastMove)) return;
   pointer_ = pointer;
-  pose_ = aim(view, pointer);
   KERF_ASSERT(heard >= began_);
-  begin_held(document);
-  told_ = std::max(told_, heard - began_);
-  document.apply(MoveStroke{pose_, told_});
+  move_to(document, aim(view, pointer), heard);
 }
 
 void LaserTool::go_on(Document& document, double heard) {
@@ -132,12 +148,14 @@ void LaserTool::go_on(Document& document, double heard) {
   document.apply(MoveStroke{pose_, told_});
 }
 
-void LaserTool::release(Document& document) {
-  if (!cutting_) return;
+bool LaserTool::release(Document& document) {
+  if (!cutting_) return false;
   cutting_ = false;
-  if (held_ && meets_anything(document.world(), held_->settings.laser, held_->pose)) begin_held(document);
-  if (!held_) document.apply(EndStroke{});
-  held_.reset();
+  // The ray of the pointer met nothing, but the beam may touch a body with its edge.
+  if (!held_.empty() && meets_anything(document.world(), settings_.laser, pose_)) begin_held(document);
+  const bool missed = !std::exchange(held_, {}).empty();
+  if (!missed) document.apply(EndStroke{});
+  return missed;
 }
 
 void LaserTool::find_strike(const Document& document) {

@@ -18,9 +18,9 @@ class LaserTool {
  public:
   // x and y of the pointer as in CameraView::ray; `pixel` is the size of a pixel in y. `heard` is when the
   // pointer was there, in seconds of a clock that never goes back: poses of the stroke carry it.
-  // A press beside everything begins a stroke only when the pointer has moved further than within a click, or
-  // on release if the beam touches a body with its edge, so that a click on nothing leaves no step in the
-  // history.
+  // The document learns of a stroke when its beam meets a body, so that one that meets nothing leaves no step
+  // in the history and no command in the journal. While time passes, bodies may move into the beam: then a
+  // stroke begins when the pointer has moved further than within a click.
   void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
              double heard);
   void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard);
@@ -33,11 +33,14 @@ class LaserTool {
   // A beam of the thermal model that is held still goes on emitting: to be called once a frame with the
   // present time. Does nothing while moves wait; the next call makes up for the time.
   void go_on(Document& document, double heard);
-  void release(Document& document);
+  // Returns whether a stroke has ended that met nothing.
+  bool release(Document& document);
+  // Says whether bodies move by themselves at the moment. To be called once a frame.
+  void follow_time(Document& document, bool passes);
 
   bool cutting() const { return cutting_; }
   // Whether the beam heats what it is held on.
-  bool emits() const { return cutting_ && !held_ && settings_.model == Model::kThermal; }
+  bool emits() const { return cutting_ && held_.empty() && settings_.model == Model::kThermal; }
 
   // A stroke that was drawn earlier, or elsewhere, is cut again: the beam is drawn as its settings say, from
   // about `emitter` metres away. Does nothing while a stroke is drawn.
@@ -54,22 +57,25 @@ class LaserTool {
   double distance_of_emitter(const World& world, const CameraView& view) const;
   Pose aim(const CameraView& view, Vec2 pointer) const;
   void begin(const Document& document, const CutSettings& settings, double heard);
+  void move_to(Document& document, const Pose& pose, double heard);
+  bool has_moved() const { return held_.size() > 1; }
   void begin_held(Document& document);
 
   bool cutting_ = false;
-  std::optional<BeginStroke> held_;  // the beginning that the document does not know of yet
-  double began_ = 0;                 // s of the clock of `heard`, when the stroke began
-  double told_ = 0;                  // s since then, at the last pose that the document was told
-  double focus_ = 1;                 // m along the pointer's ray
-  double emitter_ = 1;               // m from the point aimed at back to the emitter
-  double reach_ = 1;                 // m along the beam
-  double radius_ = 0.01;             // m
-  double overshoot_ = 0.01;          // m, how far beside the beam the rim of what it burns may be
-  Vec2 pointer_{0};                  // of the last pose
-  CutSettings settings_;             // of the stroke
-  Pose pose_;                        // that the pointer asks for
-  Pose beam_;                        // that the cut has reached
-  std::optional<double> strike_;     // m along the beam
+  std::vector<Command> held_;     // of the stroke, while it has met nothing and the document has none of them
+  bool time_passes_ = false;      // bodies move by themselves
+  double began_ = 0;              // s of the clock of `heard`, when the stroke began
+  double told_ = 0;               // s since then, at the last pose that the document was told
+  double focus_ = 1;              // m along the pointer's ray
+  double emitter_ = 1;            // m from the point aimed at back to the emitter
+  double reach_ = 1;              // m along the beam
+  double radius_ = 0.01;          // m
+  double overshoot_ = 0.01;       // m, how far beside the beam the rim of what it burns may be
+  Vec2 pointer_{0};               // of the last pose
+  CutSettings settings_;          // of the stroke
+  Pose pose_;                     // that the pointer asks for
+  Pose beam_;                     // that the cut has reached
+  std::optional<double> strike_;  // m along the beam
 };
 
 }  // namespace kerf

@@ -66,21 +66,52 @@ TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose)
   EXPECT_GT(document.history().removed_faces(), 0u);
 }
 
-TEST_F(LaserToolTest, a_drag_over_an_empty_world_has_a_beam_in_any_view) {
+TEST_F(LaserToolTest, a_drag_over_an_empty_world_has_a_beam_in_any_view_and_misses) {
   document = Document(World());
   for (const CameraView& from : {view, view.pulled(CameraView::kFarAway)}) {
     tool.press(document, from, {-0.2, 0}, controls, 7);
     tool.move(document, from, {0.2, 0}, 2.0 / 700, 7.5);
-    tool.release(document);
-    step();
-    for (const Command& command : document.journal()) {
-      const auto* begin = std::get_if<BeginStroke>(&command);
-      if (begin == nullptr) continue;
-      EXPECT_NEAR(glm::length(begin->pose.direction), 1, 1e-12);
-      EXPECT_TRUE(std::isfinite(glm::length(begin->pose.origin)));
-    }
-    EXPECT_FALSE(document.journal().empty());
+    const auto beam = tool.picture(document);
+    ASSERT_TRUE(beam);
+    EXPECT_TRUE(std::isfinite(glm::length(beam->from)) && std::isfinite(glm::length(beam->to)));
+    EXPECT_TRUE(tool.release(document));
+    EXPECT_TRUE(document.journal().empty());
   }
+}
+
+TEST_F(LaserToolTest, a_drag_that_meets_nothing_leaves_the_history_and_what_can_be_redone) {
+  tool.press(document, view, {-0.2, 0}, controls, 7);
+  EXPECT_FALSE(tool.release(document));
+  step();
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  const size_t commands = document.journal().size();
+  tool.press(document, view, {-0.9, 0.9}, controls, 8);
+  for (const double x : {-0.5, 0.0, 0.5, 0.9}) tool.move(document, view, {x, 0.9}, 2.0 / 700, 8.5 + x);
+  EXPECT_TRUE(tool.picture(document));
+  EXPECT_TRUE(tool.release(document));
+  EXPECT_EQ(document.journal().size(), commands);
+  EXPECT_EQ(document.history().size(), 1u);  // can be redone
+  EXPECT_FALSE(tool.cutting());
+}
+
+TEST_F(LaserToolTest, a_drag_that_crosses_a_body_between_two_events_cuts_it) {
+  tool.press(document, view, {-0.9, 0}, controls, 7);
+  tool.move(document, view, {0.9, 0}, 2.0 / 700, 7.5);
+  EXPECT_FALSE(tool.release(document));
+  step();
+  EXPECT_EQ(document.history().size(), 1u);
+  EXPECT_GT(document.history().removed_faces(), 0u);
+}
+
+TEST_F(LaserToolTest, a_drag_beside_everything_is_a_stroke_while_bodies_may_move_into_it) {
+  tool.press(document, view, {-0.9, 0.9}, controls, 7);
+  tool.move(document, view, {0.9, 0.9}, 2.0 / 700, 7.5);
+  EXPECT_TRUE(document.journal().empty());
+  tool.follow_time(document, true);
+  EXPECT_EQ(document.journal().size(), 2u);
+  tool.move(document, view, {-0.9, 0.9}, 2.0 / 700, 8);
+  EXPECT_FALSE(tool.release(document));
+  EXPECT_EQ(document.journal().size(), 4u);
 }
 
 TEST_F(LaserToolTest, a_move_of_less_than_half_a_pixel_is_dropped) {

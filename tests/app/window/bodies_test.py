@@ -26,6 +26,20 @@ class Bodies(WindowTest):
         editor.press("space")
         editor.settle()
 
+    def test_the_ground_that_the_first_play_sets_has_no_row_of_its_own_in_the_history(self):
+        self.open(SPHERE).quit()
+        self.only_panel("History")
+        editor = self.open_again(SPHERE)
+        self.play(editor)
+        editor.pause(0.2)
+        self.stop(editor)
+        parts = editor.landmarks()["parts"]
+        self.assertEqual([row for row in range(4) if f"history row {row}" in parts], [0, 2])
+        editor.do("ctrl", "z")
+        report = editor.quit()
+        self.assertEqual(report["undo_depth"], 0)
+        self.assertIsNone(report["time"]["ground"])
+
     @real_input
     def test_pieces_fall_while_time_plays_and_stand_still_when_it_pauses(self):
         editor = self.cut_sphere()

@@ -24,8 +24,10 @@ class HistoryPanel {
 
  private:
   void draw_list(WorldChanges& changes, const Document& document, FileUnit unit);
+  void list_rows(const StepGroups& groups, const History& history);
 
-  size_t shown_ = 0;  // the position that the list was scrolled to
+  std::vector<size_t> rows_;  // positions of the history
+  size_t shown_ = 0;          // the position that the list was scrolled to
 };
 
 constexpr size_t kMostRows = 10;
@@ -115,23 +117,34 @@ void draw_window(Document& document, Settings& settings) {
   end_properties();
 }
 
+// The steps of some groups share a row, unless the work stands between them.
+void HistoryPanel::list_rows(const StepGroups& groups, const History& history) {
+  rows_.clear();
+  for (size_t position = 0; position <= history.size(); ++position) {
+    if (groups.has_row(position) || position == history.position()) rows_.push_back(position);
+  }
+}
+
 void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, FileUnit unit) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const History& history = document.history();
-  const float height = height_of_rows(std::min(history.size() + 1, kMostRows));
+  list_rows(changes.groups(), history);
+  const float height = height_of_rows(std::min(rows_.size(), kMostRows));
   if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
   ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
   const auto removed = [unit](const HistoryStep& step) { return removed_text(step, unit); };
   ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(history, removed));
   ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(history, weight_text));
-  draw_rows_in_sight(history.size() + 1, [&](size_t position) {
+  draw_rows_in_sight(rows_.size(), [&](size_t row) {
+    const size_t position = rows_[row];
     if (draw_step(history, position, unit))
       changes.ask("Travel", [&changes, position] { changes.travel_to(position); });
   });
   if (shown_ != history.position()) {
     shown_ = history.position();
-    scroll_to_row(history.position(), height);
+    const auto row = std::lower_bound(rows_.begin(), rows_.end(), history.position());
+    scroll_to_row(static_cast<size_t>(row - rows_.begin()), height);
   }
   ImGui::EndTable();
 }

@@ -68,7 +68,7 @@ bool TimeFlow::begin() {
   position_ = document.history().position();
   // The user has done nothing in between: one undo takes the ground away, too.
   if (before_ground_ && position_ == *before_ground_ + 2)
-    on_.changes.groups().add(*before_ground_, document, "Play");
+    on_.changes.groups().add(*before_ground_, document, "Play", true);
   before_ground_.reset();
   return begun_ = true;
 }

@@ -25,10 +25,15 @@ void StepGroups::follow(const Document& document) {
   commands_ = journal.size();
 }
 
-void StepGroups::add(size_t from, const Document& document, std::string name) {
+void StepGroups::add(size_t from, const Document& document, std::string name, bool is_one_row) {
   follow(document);
   const size_t to = document.history().position();
-  if (to > from + 1) groups_.push_back({from, to, std::move(name)});
+  if (to > from + 1) groups_.push_back({from, to, std::move(name), is_one_row});
+}
+
+bool StepGroups::has_row(size_t position) const {
+  return std::none_of(groups_.begin(), groups_.end(),
+                      [&](const Group& g) { return g.is_one_row && g.from < position && position < g.to; });
 }
 
 const StepGroups::Group* StepGroups::at(const Document& document, bool back) const {

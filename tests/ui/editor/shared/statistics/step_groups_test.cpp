@@ -33,6 +33,20 @@ class StepGroupsTest : public testing::Test {
   StepGroups groups;
 };
 
+TEST_F(StepGroupsTest,
+       a_group_of_one_row_hides_the_positions_between_its_ends_until_a_step_of_it_is_dropped) {
+  hide_all_at_once(true);
+  hide(false, 0, 2);
+  groups.add(3, document, "Play", true);
+  std::vector<bool> rows;
+  for (size_t position = 0; position <= 5; ++position) rows.push_back(groups.has_row(position));
+  EXPECT_EQ(rows, (std::vector<bool>{true, true, true, true, false, true}));
+  ASSERT_TRUE(document.travel(4).ok());
+  hide(false, 2, 3);
+  groups.follow(document);
+  EXPECT_TRUE(groups.has_row(4));
+}
+
 TEST_F(StepGroupsTest, groups_are_undone_and_redone_one_after_the_other) {
   hide_all_at_once(true);
   hide_all_at_once(false);

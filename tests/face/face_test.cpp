@@ -181,10 +181,10 @@ TEST(Face, a_cut_that_is_stopped_or_fails_changes_nothing) {
   kerf::World world;
   world.add(sheet(2));
   std::string before = world.hash();
-  kerf::Stroke drill = through_the_middle(), wide = drill;
-  drill.keys.resize(1);
+  kerf::Stroke wide = through_the_middle(), drill = wide;
   wide.radius = 0.03;
-  const std::vector<kerf::Stroke> both{drill, wide};
+  drill.keys = {{0, {0.9, 1, 0.9}, {0, -1, 0}}};
+  const std::vector<kerf::Stroke> both{wide, drill};
   int calls = 0;
   for (int wanted = 0;; ++wanted) {  // stopped within and between steps
     calls = 0;

@@ -82,7 +82,7 @@ INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
 TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
 # What outsiders include is installed as it lies: the standard library and each other alone.
 FACE = {'core/kerf.h', 'core/kerf_c.h'}
-FACE_USERS = ('core/face/', 'app/python/', 'app/examples/', 'tests/face/')
+FACE_USERS = ('core/face/', 'app/python/', 'app/examples/', 'tests/face/', 'tests/fuzz/library/')
 PRIVATE_TO_MESH = {'core/mesh/half_edges.h', 'core/mesh/kernel.h', 'core/mesh/rings.h'}
 # OpenMesh's headers are slow to compile and their types belong to one folder; the benchmark compares with its kernel.
 OPENMESH_USERS = ('core/mesh/openmesh/', 'tests/bench/')

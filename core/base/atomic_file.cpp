@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <tuple>
@@ -18,47 +17,6 @@ namespace {
 Error write_error(const std::filesystem::path& path, int code) {
   const std::string reason = std::generic_category().message(code);
   return failed("cannot write " + path.string() + ": " + reason + ".");
-}
-
-// Not every file system can flush; one that says so has nothing to lose.
-int flush(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
-
-using Produce = std::function<void(const ByteSink&)>;
-
-// An open file, closed at the latest with its scope.
-class OpenFile {
- public:
-  explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-
-  int descriptor() const { return descriptor_; }
-  // The error number, or 0.
-  int fill(const Produce& produce) const {
-    int code = 0;
-    produce([&](std::string_view bytes) { return (code = write_all(descriptor_, bytes)) == 0; });
-    return code != 0 ? code : flush(descriptor_);
-  }
-  int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
-
- private:
-  int descriptor_;
-};
-
-// Fills and closes a file. The error number, or 0.
-int write_and_close(OpenFile& file, const Produce& produce) {
-  const int code = file.fill(produce), closing = file.close();
-  return code != 0 ? code : closing;
-}
-
-Status write_in_place(const std::filesystem::path& path, const Produce& produce) {
-  OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  const int code = file.descriptor() < 0 ? errno : write_and_close(file, produce);
-  if (code != 0) return write_error(path, code);
-  return Done{};
 }
 
 // The path of a new hidden file beside the target, and its descriptor; the file has the permissions that the
@@ -74,37 +32,6 @@ std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& t
   }
 }
 
-// Removes a file with its scope, unless it was kept.
-class Removal {
- public:
-  explicit Removal(std::filesystem::path path) : path_(std::move(path)) {}
-  Removal(const Removal&) = delete;
-  Removal& operator=(const Removal&) = delete;
-  ~Removal() {
-    if (!kept_) ::unlink(path_.c_str());
-  }
-  void keep() { kept_ = true; }
-
- private:
-  std::filesystem::path path_;
-  bool kept_ = false;
-};
-
-Status replace(const std::filesystem::path& path, const Produce& produce, std::optional<mode_t> mode) {
-  const auto [beside, descriptor] = open_beside(path);
-  if (descriptor < 0) return write_error(path, errno);
-  OpenFile file(descriptor);
-  Removal removal(beside);
-  // A user who may write a file but does not own it cannot give its permissions to another file; writing goes
-  // on without them.
-  if (mode) std::ignore = ::fchmod(descriptor, *mode);
-  int code = write_and_close(file, produce);
-  if (code == 0 && ::rename(beside.c_str(), path.c_str()) != 0) code = errno;
-  if (code != 0) return write_error(path, code);
-  removal.keep();
-  return Done{};
-}
-
 }  // namespace
 
 // One write takes 1 GiB at most, because the kernel takes no more than 2 GiB.
@@ -118,19 +45,87 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
+// Not every file system can flush; one that says so has nothing to lose.
+int flush_file(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
+
+// A folder that may be written to, but not read, cannot be opened, and so not be flushed either.
+int flush_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return errno == EACCES ? 0 : errno;
+  const int code = flush_file(descriptor);
+  ::close(descriptor);
+  return code;
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      beside_(std::exchange(other.beside_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!beside_.empty()) ::unlink(beside_.c_str());
+}
+
+Result<AtomicFile> AtomicFile::open(const std::filesystem::path& path) {
+  if (!path.has_filename()) return write_error(path, path.empty() ? ENOENT : EISDIR);
+  struct stat there {};
+  const bool exists = ::stat(path.c_str(), &there) == 0;
+  if (exists && S_ISDIR(there.st_mode)) return write_error(path, EISDIR);
+  AtomicFile file;
+  file.path_ = file.target_ = path;
+  if (exists && !S_ISREG(there.st_mode)) {
+    file.descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file.descriptor_ < 0) return write_error(path, errno);
+    return file;
+  }
+  std::error_code unresolved;
+  const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
+  if (exists && !unresolved) file.target_ = target;
+  const auto [beside, descriptor] = open_beside(file.target_);
+  if (descriptor < 0) return write_error(path, errno);
+  file.beside_ = beside;
+  file.descriptor_ = descriptor;
+  // A user who may write a file but does not own it cannot give its permissions to another file; writing goes
+  // on without them.
+  if (exists) std::ignore = ::fchmod(descriptor, there.st_mode & 07777);
+  return file;
+}
+
+Status AtomicFile::append(std::string_view bytes) {
+  const int code = write_all(descriptor_, bytes);
+  if (code != 0) return write_error(path_, code);
+  return Done{};
+}
+
+Status AtomicFile::commit() {
+  int code = flush_file(descriptor_);
+  if (::close(std::exchange(descriptor_, -1)) != 0 && code == 0) code = errno;
+  if (code == 0 && !beside_.empty()) {
+    if (::rename(beside_.c_str(), target_.c_str()) != 0) return write_error(path_, errno);
+    beside_.clear();
+    code = flush_folder_of(target_);
+  }
+  if (code != 0) return write_error(path_, code);
+  return Done{};
+}
+
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
   return write_file_atomically(path, [&](const ByteSink& sink) { sink(bytes); });
 }
 
-Status write_file_atomically(const std::filesystem::path& path, const Produce& produce) {
-  if (!path.has_filename()) return write_error(path, path.empty() ? ENOENT : EISDIR);
-  struct stat there {};
-  if (::stat(path.c_str(), &there) != 0) return replace(path, produce, std::nullopt);
-  if (S_ISDIR(there.st_mode)) return write_error(path, EISDIR);
-  if (!S_ISREG(there.st_mode)) return write_in_place(path, produce);
-  std::error_code unresolved;
-  const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
-  return replace(unresolved ? path : target, produce, there.st_mode & 07777);
+Status write_file_atomically(const std::filesystem::path& path,
+                             const std::function<void(const ByteSink&)>& produce) {
+  auto file = AtomicFile::open(path);
+  if (!file) return file.error();
+  Status written = Done{};
+  produce([&](std::string_view bytes) {
+    written = file->append(bytes);
+    return written.ok();
+  });
+  return written ? file->commit() : written;
 }
 
 }  // namespace kerf

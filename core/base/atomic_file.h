@@ -9,10 +9,34 @@
 
 namespace kerf {
 
-// Writes a whole file or leaves the previous contents untouched: the bytes go to a temporary file in the
-// target's directory, which is flushed to the disk and renamed over the target. A symbolic link is followed,
-// and a replaced file keeps its permissions. A device or a pipe (/dev/stdout) is written to directly. On
-// failure the temporary file is removed, and the error is one sentence that names the target.
+// A file that is written in parts, and appears whole or not at all: the bytes go to a temporary file in the
+// target's directory, which commit() flushes to the disk and renames over the target; then it flushes the
+// directory, so that a loss of power does not bring the previous file back. A symbolic link is followed, and
+// a replaced file keeps its permissions. A device or a pipe (/dev/stdout) is written to directly. Each error
+// is one sentence that names the target.
+class AtomicFile {
+ public:
+  // Makes the temporary file. Fails if the target is a directory or cannot be written.
+  static Result<AtomicFile> open(const std::filesystem::path& path);
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  // Without a commit(), the temporary file is removed and the target is as it was.
+  ~AtomicFile();
+
+  Status append(std::string_view bytes);
+  // To be called once, after the last append(). If the directory cannot be flushed, the file is written
+  // nevertheless.
+  Status commit();
+
+ private:
+  AtomicFile() = default;
+
+  std::filesystem::path path_, target_;  // as named; with links followed
+  std::filesystem::path beside_;         // the temporary file; empty where there is none
+  int descriptor_ = -1;
+};
+
+// Writes a whole file like that or leaves the previous contents untouched.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 // Writes a file like that from bytes that come in parts. `produce` hands the parts to the sink and returns
@@ -20,7 +44,10 @@ Status write_file_atomically(const std::filesystem::path& path, std::string_view
 Status write_file_atomically(const std::filesystem::path& path,
                              const std::function<void(const ByteSink&)>& produce);
 
-// Writes all of the bytes to an open file. Returns the error number, or 0.
+// Each returns the error number, or 0: writes all of the bytes to an open file; waits until an open file is
+// on the disk; and until the names in the folder of a file are.
 int write_all(int file, std::string_view bytes);
+int flush_file(int file);
+int flush_folder_of(const std::filesystem::path& file);
 
 }  // namespace kerf

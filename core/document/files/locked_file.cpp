@@ -84,11 +84,15 @@ Result<LockedFile> LockedFile::create(const std::filesystem::path& path, std::st
   if (descriptor < 0) return file_error(path, "cannot be made", code);
   LockedFile file(path, new Handle{descriptor});
   if (code == 0) code = write_all(descriptor, bytes);
+  if (code == 0) code = flush_file(descriptor);
   if (code == 0) code = give_name(nameless, path);
   ::unlink(nameless.c_str());
+  if (code == 0) {
+    code = flush_folder_of(path);
+    if (code != 0) ::unlink(path.c_str());
+  }
   if (code != 0) return file_error(path, "cannot be written", code);
   file.handle_->size = static_cast<off_t>(bytes.size());
-  file.handle_->appended = true;
   return file;
 }
 

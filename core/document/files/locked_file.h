@@ -12,7 +12,8 @@ namespace kerf {
 // file.
 class LockedFile {
  public:
-  // Creates a file, which appears under its name atomically, locked and with these bytes. Fails if it exists.
+  // Creates a file, which appears under its name atomically, locked and with these bytes, and is on the disk
+  // then. Fails if it exists.
   static Result<LockedFile> create(const std::filesystem::path& path, std::string_view bytes);
   // Opens and locks an existing file. Fails if another program has locked it.
   static Result<LockedFile> open(const std::filesystem::path& path);

@@ -129,10 +129,8 @@ class PlayRun {
   Status load() {
     ProgressLine line("loading the match");
     const Progress progress = line.progress();
-    std::vector<std::string> unknown_keys;
-    auto rules = load_rules(arguments_.rules, &progress, &unknown_keys);
+    auto rules = load_rules(arguments_.rules, &progress);
     if (!rules) return error_or_stopped(rules.error());
-    for (const std::string& key : unknown_keys) warn(key);
     setup_.rules = std::move(*rules);
     return Done{};
   }

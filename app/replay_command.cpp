@@ -79,7 +79,7 @@ Status replay_match(const std::filesystem::path& file, const std::optional<uint6
   const auto recording = read_recording(file);
   if (!recording) return recording.error();
   if (!recording->damage.empty()) warn(recording->damage);
-  auto rules = load_rules(recording->rules, nullptr, nullptr, recording->player);
+  auto rules = load_rules(recording->rules, nullptr, recording->player);
   if (!rules) return rules.error();
   const auto files = hash_of_files(recording->rules, (*rules)->description);
   if (!files) return files.error();

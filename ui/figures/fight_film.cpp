@@ -30,7 +30,7 @@ std::optional<MatchMoment> best_moment(const MatchSetup& setup, const std::vecto
 Status film_fight(const std::filesystem::path& file, const FilmFormat& format, const Progress& progress) {
   const auto recording = read_recording(file);
   if (!recording) return recording.error();
-  auto rules = load_rules(recording->rules, nullptr, nullptr, recording->player);
+  auto rules = load_rules(recording->rules, nullptr, recording->player);
   if (!rules) return rules.error();
   if (recording->controls.empty())
     return bad_input(file.string() + ": the match has no tick that could be filmed");

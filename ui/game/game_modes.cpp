@@ -8,7 +8,7 @@ namespace {
 
 Result<std::shared_ptr<const Rules>> load(const char* rules, OwnVehicle vehicle) {
   const std::string name = kVehicleNames[static_cast<size_t>(vehicle)];
-  return load_rules(assets_folder() / "games" / rules, nullptr, nullptr,
+  return load_rules(assets_folder() / "games" / rules, nullptr,
                     assets_folder() / "vehicles" / (name + ".json"));
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/unit_vector.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json_text.h"
+#include "core/document/text/nearest_name.h"
 
 namespace kerf {
 
@@ -23,7 +24,7 @@ void fields_of(Fields& f, C& command, const std::optional<BeamAt>& beam) {
   f.text("do", name);
   if constexpr (!std::is_empty_v<C>) describe(f, command);
   if constexpr (std::is_same_v<C, MoveStroke>) check_follows(f, command, beam);
-  f.no_others(std::string("\"") + C::kName + "\" has no such key in this version of Kerf");
+  f.end();
 }
 
 template <typename C>
@@ -45,6 +46,11 @@ auto reader_of(std::variant<Kinds...>*, const std::string& name) {
   return found;
 }
 
+template <typename... Kinds>
+std::vector<std::string> names_of(std::variant<Kinds...>*) {
+  return {Kinds::kName...};
+}
+
 }  // namespace
 
 Result<std::string> command_text(const Command& command, const std::filesystem::path& folder) {
@@ -61,7 +67,9 @@ Result<Command> parse_command(const JsonValue& value, const std::filesystem::pat
   const auto name = value["do"].text();
   if (!name) return name.error();
   const auto read = reader_of(static_cast<Command*>(nullptr), *name);
-  if (read == nullptr) return value["do"].wrong("is no command that this version has");
+  if (read == nullptr)
+    return value["do"].wrong("\"" + *name + "\" is no command that this version has" +
+                             nearest_name_hint(*name, names_of(static_cast<Command*>(nullptr))));
   return read(value, folder, beam);
 }
 

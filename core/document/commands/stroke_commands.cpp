@@ -55,7 +55,6 @@ static void describe(Fields& f, CutSettings& s) {
   f.number("duty", s.laser.duty, kPositiveShare, 1);
   f.choice("assist", s.laser.assist, kAssists, Assist::kNone);
   f.whole("most-faces", s.most_faces, 1, uint64_t{1} << 32, CutSettings::kMostFaces);
-  f.no_others("is not a setting that this version has");
 }
 
 std::string BeginStroke::words(FileUnit unit) const {

@@ -48,6 +48,9 @@ void describe(Fields& f, Material& material) {
 }
 
 static void describe(Fields& f, std::vector<Material>& materials) {
+  std::string units, note;  // for people
+  f.text("units", units, kOptional);
+  f.text("note", note, kOptional);
   f.elements("materials", "materials", kNeeded, materials, [&](size_t i, Fields& of_material) {
     describe(of_material, materials[i]);
     const std::span before(materials.data(), i);

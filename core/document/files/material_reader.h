@@ -12,7 +12,8 @@ class Fields;
 
 // Reads a table of materials (assets/materials.json), in its order:
 //
-//   {"materials": [{"name", "title", "removed_by": "melting" or "ablation", "wavelength", "density",
+//   {"units", "note": texts for people,
+//    "materials": [{"name", "title", "removed_by": "melting" or "ablation", "wavelength", "density",
 //                   "heat_solid", "heat_liquid", "conductivity", "transition", "latent", "emissivity",
 //                   "absorptivity_fibre", "absorptivity_co2"}, ...]}
 //

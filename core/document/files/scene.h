@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -44,11 +45,13 @@ struct SceneBody {
   Sheet sheet;
   Solidity solid = Solidity::kSheet;
   std::vector<SceneJoint> joints;
-  std::string others = "{}";  // JSON: keys that this version does not know
 };
 
 // The body for a single mesh file, with the name of the file and an identity placement.
 SceneBody body_of_file(const std::filesystem::path& mesh);
+
+// Keys of a scene whose values the editor alone reads and writes.
+inline constexpr std::array kEditorKeys{"emitter", "path", "rulers", "shown"};
 
 // The content of a scene file or of the head of a journal, without the meshes: {"version": 1, "bodies":
 // [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z],
@@ -63,7 +66,7 @@ struct SceneDescription {
   std::vector<Light> lights;        // up to kMostLights; if empty, the default key light
   std::string show;                 // default of `render --show`, in its syntax
   std::vector<StrokePath> strokes;  // cut when the scene is opened
-  std::string others = "{}";        // JSON: keys that this version does not know
+  std::string others = "{}";        // JSON: the values of kEditorKeys
 };
 
 // A scene with its meshes loaded: the world has one body for each body of the description, in the same order.

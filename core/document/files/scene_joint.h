@@ -27,7 +27,6 @@ struct SceneJoint {
   // m, the distance from its point up to which the faces of a part carry the joint. If it is not given, all
   // faces of the part do that hang together with the nearest one.
   std::optional<double> radius;
-  std::string others = "{}";  // JSON: keys that this version does not know
 };
 
 // The joint for a body as loaded, which has the id `id`. Fails if the mesh names no such part, if none of its

@@ -116,7 +116,6 @@ void describe(Fields& f, SceneJoint& joint) {
   limits_field(f, joint);
   near_field(f, joint);
   f.number("radius", joint.radius, kPositive);
-  f.others(joint.others);
 }
 
 void describe(Fields& f, Paint& paint) {
@@ -156,7 +155,6 @@ void describe(Fields& f, SceneBody& body) {
   scene_sheet_fields(f, body.sheet);
   solid_field(f, body.solid);
   f.list("joints", "joints", body.joints, kOptional);
-  f.others(body.others);
 }
 
 void describe(Fields& f, SceneDescription& scene) {
@@ -172,7 +170,7 @@ void describe(Fields& f, SceneDescription& scene) {
         "show", [&](const JsonValue& value) { return read_names(value, scene.show); },
         [&] { return names_json(scene.show); });
   f.list("strokes", "strokes", scene.strokes, kOptional);
-  f.others(scene.others);
+  f.kept(kEditorKeys, scene.others);
 }
 
 Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder) {

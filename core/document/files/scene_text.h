@@ -12,8 +12,8 @@ class Fields;
 // The version of the scene format.
 inline constexpr uint64_t kSceneVersion = 1;
 
-// Parses the JSON of a scene file. Relative mesh paths refer to `folder`. Unknown keys are kept. The error
-// names the first wrong value by its JSON pointer.
+// Parses the JSON of a scene file. Relative mesh paths refer to `folder`. The error names the first wrong
+// value, or the first unknown key, by its JSON pointer.
 Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder);
 
 // The JSON of a scene for a file in `folder`, with meshes named as path_text() does. Texts that are not UTF-8

@@ -9,6 +9,7 @@
 #include "core/base/unit_vector.h"
 #include "core/document/text/json_text.h"
 #include "core/document/text/json_value.h"
+#include "core/document/text/nearest_name.h"
 
 namespace kerf {
 
@@ -32,9 +33,7 @@ std::string span_text(const NumberRange& range) {
 Result<double> number_within(const JsonValue& value, const NumberRange& range) {
   const auto number = value.number();
   if (!number || range.contains(*number)) return number;
-  if (range.positive && *number <= 0) return value.wrong("must be greater than zero");
-  if (range.least == kPositiveShare.least) return value.wrong("must be at most " + number_text(range.most));
-  return value.wrong("must be " + span_text(range));
+  return value.wrong(out_of_limits(*number, range));
 }
 
 Result<uint64_t> whole_within(const JsonValue& value, uint64_t least, uint64_t most) {
@@ -86,6 +85,20 @@ Result<uint64_t> index_of(const JsonValue& value, std::span<const char* const> n
 constexpr auto kAsItIs = [](const auto& x) { return x; };
 
 }  // namespace
+
+std::string limits_text(const NumberRange& range) {
+  if (range.least == kFinite.least && range.most == kFinite.most) return "any number";
+  if (range.least == kPositive.least && range.most == kPositive.most) return "greater than zero";
+  if (range.least == kPositiveShare.least) return "greater than zero, at most " + number_text(range.most);
+  return span_text(range);
+}
+
+std::string out_of_limits(double number, const NumberRange& range) {
+  if (!std::isfinite(number)) return "must be a finite number";
+  if (range.positive && number <= 0) return "must be greater than zero";
+  if (range.least == kPositiveShare.least) return "must be at most " + number_text(range.most);
+  return "must be " + span_text(range);
+}
 
 Fields::Fields(const JsonValue& in, Pass& pass) : in_(&in), pass_(pass) { note(in.object()); }
 
@@ -216,7 +229,7 @@ void Fields::member(const char* key, Presence presence, const std::function<void
     const JsonValue value = (*in_)[key];
     Fields fields(value, pass_);
     visit(fields);
-    fields.tell_of_unknown();
+    fields.end();
   }
 }
 
@@ -238,7 +251,7 @@ void Fields::each(const char* key, const char* of_what, Presence presence, size_
       const JsonValue element = list[i];
       Fields fields(element, pass_);
       visit(i, fields);
-      fields.tell_of_unknown();
+      fields.end();
     }
   }
 }
@@ -258,7 +271,7 @@ void Fields::named(const char* key, const std::vector<std::string>& names,
       const JsonValue object = objects[item.key()];
       Fields fields(object, pass_);
       if (good()) visit(item.key(), fields);
-      fields.tell_of_unknown();
+      fields.end();
     }
   }
 }
@@ -280,54 +293,44 @@ void Fields::check(bool holds, const char* key, const std::string& wrong) {
   note((key != nullptr && has(key) ? (*in_)[key] : *in_).wrong(wrong));
 }
 
-nlohmann::json Fields::unknown() const {
-  nlohmann::json rest = nlohmann::json::object();
-  for (const auto& item : in_->json().items()) {
-    if (std::find(keys_.begin(), keys_.end(), item.key()) == keys_.end()) rest[item.key()] = item.value();
-  }
-  return rest;
-}
-
-void Fields::tell_of_unknown() const {
-  if (!good() || pass_.unknown_keys == nullptr) return;
-  const nlohmann::json rest = unknown();
-  for (const auto& item : rest.items())
-    pass_.unknown_keys->push_back((*in_)[item.key()].wrong("is no key that Kerf knows here").message);
-}
-
-void Fields::others(std::string& json) {
+void Fields::kept(std::span<const char* const> keys, std::string& json) {
   if (!reading()) {
-    const Json kept = Json::parse(json, nullptr, false);
-    if (kept.is_object()) out_->update(kept);
-  } else if (good()) {
-    json = unknown().dump();
+    const Json entries = Json::parse(json, nullptr, false);
+    if (entries.is_object()) out_->update(entries);
+    return;
   }
+  nlohmann::json entries = nlohmann::json::object();
+  for (const char* const key : keys) {
+    if (take(key, false)) entries[key] = (*in_)[key].json();
+  }
+  if (good()) json = entries.dump();
 }
 
-void Fields::no_others(const std::string& wrong) {
+void Fields::end() {
   if (!reading() || !good()) return;
-  const nlohmann::json rest = unknown();
-  check(rest.empty(), rest.empty() ? nullptr : rest.begin().key().c_str(), wrong);
+  for (const auto& item : in_->json().items()) {
+    if (std::find(keys_.begin(), keys_.end(), item.key()) != keys_.end()) continue;
+    return note((*in_)[item.key()].wrong("is no key that this version has here" +
+                                         nearest_name_hint(item.key(), keys_)));
+  }
 }
 
 Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,
-                        const std::function<void(Fields&)>& visit, std::vector<std::string>* unknown_keys) {
+                        const std::function<void(Fields&)>& visit) {
   const auto json = parse_json(text, where);
   if (!json) return json.error();
   const JsonValue root(*json, where);
   Fields::Pass pass{folder};
-  pass.unknown_keys = unknown_keys;
   Fields fields(root, pass);
   visit(fields);
-  fields.tell_of_unknown();
+  fields.end();
   return pass.status;
 }
 
-Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit,
-                        std::vector<std::string>* unknown_keys) {
+Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit) {
   const auto text = read_text_file(file);
   if (!text) return text.error();
-  return read_text_fields(*text, file.string(), file.parent_path(), visit, unknown_keys);
+  return read_text_fields(*text, file.string(), file.parent_path(), visit);
 }
 
 Json visited_json(const std::filesystem::path& folder, const std::function<void(Fields&)>& visit) {

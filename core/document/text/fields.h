@@ -50,6 +50,11 @@ class Missing {
   bool written_ = true;
 };
 
+// The limits of a range in words, "from 1e-09 to 1000 m" or "greater than zero", and what a number must be
+// that the range does not contain.
+std::string limits_text(const NumberRange& range);
+std::string out_of_limits(double number, const NumberRange& range);
+
 // Which vectors a field may have; all are finite.
 enum class VectorRule { kAny, kUnit, kNotZero, kNearby };  // nearby: within 100 km of the origin
 
@@ -64,15 +69,15 @@ enum class VectorRule { kAny, kUnit, kNotZero, kNearby };  // nearby: within 100
 // A line has the key, the member, what is allowed, and what a missing key means. The table of a type that one
 // file alone knows is static and not in an unnamed namespace, where it would not be found by its argument.
 // After the first error nothing more is read; read_fields() returns it, with the file and the JSON pointer of
-// the wrong value. On writing, the keys are in the order of the table.
+// the wrong value. A key that the table does not have is an error, which names the nearest one that it has;
+// so the table visits each key whatever the others are (see present()). On writing, the keys are in the order
+// of the table.
 class Fields {
  public:
   // What the fields of a file share.
   struct Pass {
     const std::filesystem::path& folder;  // of the file, to which its paths are relative
     Status status = Done{};
-    // What gets a sentence for each key that no table has, such as a misspelt one; null: nothing.
-    std::vector<std::string>* unknown_keys = nullptr;
   };
   // To read from `in`, which must outlive the fields; fails where it is no object.
   Fields(const JsonValue& in, Pass& pass);
@@ -173,19 +178,16 @@ class Fields {
   void version(const char* key, uint64_t& version, uint64_t newest, Presence presence = kNeeded);
   // Refuses the value of a key while reading, or the object where the key is null or missing.
   void check(bool holds, const char* key, const std::string& wrong);
-  // At the end of a table: keeps the keys that it does not have, as JSON; or refuses them.
-  void others(std::string& json);
-  void no_others(const std::string& wrong);
-
-  // At the end of an object: tells of its unknown keys, where that is wanted.
-  void tell_of_unknown() const;
+  // Keeps the values of these keys as JSON, an object.
+  void kept(std::span<const char* const> keys, std::string& json);
+  // At the end of an object: refuses the keys that were not visited.
+  void end();
 
   bool good() const { return pass_.status.ok(); }
 
  private:
   bool has(const char* key) const;
   bool take(const char* key, bool needed);
-  nlohmann::json unknown() const;
   void note(const Status& status) {
     if (good() && !status) pass_.status = status;
   }
@@ -212,21 +214,17 @@ Status read_fields(const JsonValue& value, const std::filesystem::path& folder, 
   Fields::Pass pass{folder};
   Fields fields(value, pass);
   describe(fields, x);
+  fields.end();
   return pass.status;
 }
 
-// Reads a text of JSON, or a file. `where` is the name of the text in errors. `unknown_keys`: see
-// Fields::Pass.
+// Reads a text of JSON, or a file. `where` is the name of the text in errors.
 Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,
-                        const std::function<void(Fields&)>& visit,
-                        std::vector<std::string>* unknown_keys = nullptr);
-Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit,
-                        std::vector<std::string>* unknown_keys = nullptr);
+                        const std::function<void(Fields&)>& visit);
+Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit);
 template <typename T>
-Result<T> read_described(const std::filesystem::path& file, T x = {},
-                         std::vector<std::string>* unknown_keys = nullptr) {
-  const Status status = read_file_fields(
-      file, [&](Fields& f) { describe(f, x); }, unknown_keys);
+Result<T> read_described(const std::filesystem::path& file, T x = {}) {
+  const Status status = read_file_fields(file, [&](Fields& f) { describe(f, x); });
   if (!status) return status.error();
   return x;
 }

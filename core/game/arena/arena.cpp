@@ -71,11 +71,10 @@ static void describe(Fields& f, ArenaDescription& arena) {
           "a start is outside the \"size\" of the arena");
 }
 
-Result<ArenaDescription> read_arena(const std::filesystem::path& file,
-                                    std::vector<std::string>* unknown_keys) {
+Result<ArenaDescription> read_arena(const std::filesystem::path& file) {
   ArenaDescription arena;
   arena.name = file.stem().string();
-  return read_described(file, std::move(arena), unknown_keys);
+  return read_described(file, std::move(arena));
 }
 
 Placement Start::placement() const { return {position, turn_about({0, 1, 0}, heading)}; }

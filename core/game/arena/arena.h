@@ -46,9 +46,7 @@ struct ArenaDescription {
 //
 // A body may have its placement in an object "pose", and a "heading" in degrees instead of an orientation.
 // Only "starts" is required. Bad input otherwise, with the file and the JSON pointer. Meshes are not read.
-// `unknown_keys`: see Fields::Pass.
-Result<ArenaDescription> read_arena(const std::filesystem::path& file,
-                                    std::vector<std::string>* unknown_keys = nullptr);
+Result<ArenaDescription> read_arena(const std::filesystem::path& file);
 
 // An arena with its meshes loaded. What is cuttable sleeps until something touches it; the rest is pinned.
 struct Arena {

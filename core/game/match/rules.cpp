@@ -54,13 +54,11 @@ Status check_starts(const std::filesystem::path& file, const RulesDescription& r
 // Loads vehicles, each file once.
 class Garage {
  public:
-  explicit Garage(std::vector<std::string>* unknown_keys) : unknown_keys_(unknown_keys) {}
-
   Result<std::shared_ptr<const VehicleModel>> vehicle(const std::filesystem::path& file,
                                                       const Progress* progress) {
     const auto known = models_.find(file.lexically_normal());
     if (known != models_.end()) return known->second;
-    auto description = read_vehicle(file, unknown_keys_);
+    auto description = read_vehicle(file);
     if (!description) return description.error();
     auto model = load_vehicle(std::move(*description), progress);
     if (!model) return model.error();
@@ -69,7 +67,6 @@ class Garage {
   }
 
  private:
-  std::vector<std::string>* unknown_keys_;
   std::map<std::filesystem::path, std::shared_ptr<const VehicleModel>> models_;
 };
 
@@ -141,18 +138,16 @@ static void describe(Fields& f, RulesDescription& rules) {
       nullptr, kOptional);
 }
 
-Result<RulesDescription> read_rules(const std::filesystem::path& file,
-                                    std::vector<std::string>* unknown_keys) {
+Result<RulesDescription> read_rules(const std::filesystem::path& file) {
   RulesDescription rules;
   rules.name = file.stem().string();
   rules.skills = default_skills();
-  return read_described(file, std::move(rules), unknown_keys);
+  return read_described(file, std::move(rules));
 }
 
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file, const Progress* progress,
-                                                std::vector<std::string>* unknown_keys,
                                                 const std::filesystem::path& player_file) {
-  auto description = read_rules(file, unknown_keys);
+  auto description = read_rules(file);
   if (!description) return description.error();
   if (!player_file.empty()) description->player = player_file;
   auto rules = std::make_shared<Rules>();
@@ -164,13 +159,13 @@ Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& fil
   for (const auto& wave : what.waves) vehicles += wave.size();
   ProgressShares shares(progress);
   const Progress of_arena = shares.next(0.2);
-  auto arena_description = read_arena(what.arena, unknown_keys);
+  auto arena_description = read_arena(what.arena);
   if (!arena_description) return arena_description.error();
   if (const Status placed = check_starts(file, what, *arena_description); !placed) return placed.error();
   auto arena = load_arena(std::move(*arena_description), &of_arena);
   if (!arena) return arena.error();
   rules->arena = std::move(*arena);
-  Garage garage(unknown_keys);
+  Garage garage;
   const auto next = [&](const std::filesystem::path& name) {
     const Progress loading = shares.next(0.8 / static_cast<double>(vehicles));
     return garage.vehicle(name, &loading);

@@ -72,9 +72,8 @@ struct RulesDescription {
 //
 // Errors of aim are in degrees. "recharge_per_second_driving", at 8 m/s or more, is "recharge_per_second"
 // where it is not given. Required are "arena", "player" and "waves". Bad input otherwise, with the file and
-// the JSON pointer. The other files are not read. `unknown_keys`: see Fields::Pass.
-Result<RulesDescription> read_rules(const std::filesystem::path& file,
-                                    std::vector<std::string>* unknown_keys = nullptr);
+// the JSON pointer. The other files are not read.
+Result<RulesDescription> read_rules(const std::filesystem::path& file);
 
 // Rules with all that they name loaded. It does not change during a match and may be used for many.
 struct Rules {
@@ -90,10 +89,8 @@ struct Rules {
 // Reads and loads the arena and the vehicles, each file once. The player drives the vehicle of the file
 // `player` where that is not empty, and that of the rules otherwise. Fails like read_arena, load_arena,
 // read_vehicle and load_vehicle, and if the arena has too few starts for a wave. `progress` may be null.
-// `unknown_keys` of all these files: see Fields::Pass.
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file,
                                                 const Progress* progress = nullptr,
-                                                std::vector<std::string>* unknown_keys = nullptr,
                                                 const std::filesystem::path& player = {});
 
 }  // namespace kerf

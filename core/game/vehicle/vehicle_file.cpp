@@ -65,11 +65,10 @@ static void describe(Fields& f, VehicleDescription& vehicle) {
   f.object("engine", vehicle.engine, kOptional);
 }
 
-Result<VehicleDescription> read_vehicle(const std::filesystem::path& file,
-                                        std::vector<std::string>* unknown_keys) {
+Result<VehicleDescription> read_vehicle(const std::filesystem::path& file) {
   VehicleDescription vehicle;
   vehicle.name = file.stem().string();
-  return read_described(file, std::move(vehicle), unknown_keys);
+  return read_described(file, std::move(vehicle));
 }
 
 }  // namespace kerf

@@ -77,8 +77,7 @@ struct VehicleDescription {
 //
 // Required are "mesh", "wheels" and "turret", and of these the parts, mounts, hubs, radii, pivots and the
 // muzzle. Bad input otherwise: the message names the file and the JSON pointer of the first wrong value. The
-// mesh is not read. `unknown_keys`: see Fields::Pass.
-Result<VehicleDescription> read_vehicle(const std::filesystem::path& file,
-                                        std::vector<std::string>* unknown_keys = nullptr);
+// mesh is not read.
+Result<VehicleDescription> read_vehicle(const std::filesystem::path& file);
 
 }  // namespace kerf

@@ -33,7 +33,8 @@ static void describe(Fields& f, Lamp& lamp) {
   f.filled_text("name", lamp.name, kOptional);
   f.vector("at", lamp.at, VectorRule::kNearby, kOptional);
   f.list("parts", "lamps", lamp.parts, kOptional);
-  f.others(lamp.others);
+  constexpr std::array kKept{"weight"};
+  f.kept(kKept, lamp.others);
 }
 
 namespace test {
@@ -72,7 +73,7 @@ TEST(Fields, are_written_in_the_order_of_the_table_and_without_what_missing_keys
       R"("parts":[{"power":5.0,"age":1.0,"count":3,"name":"lamp","at":[0.0,0.0,0.0]}]})");
 }
 
-TEST(Fields, that_are_not_known_are_kept) {
+TEST(Fields, that_are_kept_are_not_looked_into) {
   Lamp lamp;
   ASSERT_TRUE(read(R"({"power": 60, "weight": [1, 2], "age": 3})", lamp).ok());
   EXPECT_EQ(lamp.others, R"({"weight":[1,2]})");
@@ -103,6 +104,18 @@ TEST(Fields, say_the_file_the_place_and_what_was_expected) {
             "lamp.json: /parts/1: must be an object");
   EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 0}, 7]})"),
             "lamp.json: /parts/0/power: must be from 1 to 1000 W");
+}
+
+TEST(Fields, that_do_not_exist_are_refused_wherever_they_are_and_the_nearest_is_named) {
+  const auto unknown = [](const std::string& pointer, const std::string& nearest) {
+    return "lamp.json: " + pointer + ": is no key that this version has here; the nearest that there is: \"" +
+           nearest + '"';
+  };
+  EXPECT_EQ(error_of(R"({"power": 5, "hieght": 1})"), unknown("/hieght", "height"));
+  EXPECT_EQ(error_of(R"({"power": 5, "Count": 1})"), unknown("/Count", "count"));
+  EXPECT_EQ(error_of(R"({"power": 5, "nam": "x"})"), unknown("/nam", "name"));
+  EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 5}, {"power": 5, "shades": 1}]})"),
+            unknown("/parts/1/shades", "shade"));
 }
 
 TEST(Fields, of_a_newer_version_are_refused_as_such) {

@@ -60,23 +60,22 @@ TEST_F(RulesOfAssets, have_no_more_enemies_in_a_wave_than_the_arena_has_starts) 
       << rules.error().message;
 }
 
-TEST_F(RulesOfAssets, tell_of_keys_that_nobody_knows_wherever_they_are) {
-  test::write_text(folder_ / "arena.json", R"({"starts": {"player": {"position": [0, 0, 0], "haeding": 3},
-    "enemies": [{"position": [0, 0, 20]}]}})");
-  test::write_text(folder_ / "rules.json", R"({"arena": "arena.json", "player": )" + vehicle("buggy") +
-                                               R"(, "waves": [], "times": {"macth": 3}, "naem": "x"})");
-  std::vector<std::string> unknown;
-  ASSERT_TRUE(load_rules(folder_ / "rules.json", nullptr, &unknown));
-  ASSERT_EQ(unknown.size(), 3u);
-  EXPECT_NE(unknown[0].find("/times/macth"), std::string::npos);
-  EXPECT_NE(unknown[1].find("/naem"), std::string::npos);
-  EXPECT_NE(unknown[2].find("/starts/player/haeding"), std::string::npos);
-}
-
-TEST_F(RulesOfAssets, of_the_game_have_no_unknown_key) {
-  std::vector<std::string> unknown;
-  ASSERT_TRUE(load_rules(test::checkout() / "assets/games/standard.json", nullptr, &unknown));
-  EXPECT_TRUE(unknown.empty()) << unknown.front();
+TEST_F(RulesOfAssets, with_a_key_that_does_not_exist_are_refused_and_so_is_their_arena) {
+  const auto error_with = [&](const std::string& player, const std::string& more) {
+    test::write_text(folder_ / "arena.json", R"({"starts": {"player": {"position": [0, 0, 0])" + player +
+                                                 R"(}, "enemies": [{"position": [0, 0, 20]}]}})");
+    test::write_text(folder_ / "rules.json", R"({"arena": "arena.json", "player": )" + vehicle("buggy") +
+                                                 R"(, "waves": [])" + more + "}");
+    const auto rules = load_rules(folder_ / "rules.json");
+    return rules ? "" : rules.error().message;
+  };
+  EXPECT_EQ(error_with("", ""), "");
+  const std::string file = (folder_ / "rules.json").string();
+  EXPECT_EQ(
+      error_with("", R"(, "times": {"macth": 3})"),
+      file + ": /times/macth: is no key that this version has here; the nearest that there is: \"match\"");
+  EXPECT_NE(error_with("", R"(, "naem": "x")").find("/naem"), std::string::npos);
+  EXPECT_NE(error_with(R"(, "haeding": 3)", "").find("/starts/player/haeding"), std::string::npos);
 }
 
 TEST_F(RulesOfAssets, are_not_loaded_to_the_end_where_that_is_stopped) {

@@ -1,6 +1,10 @@
 #include "ui/editor/shared/files/document_head.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -18,6 +22,7 @@ nlohmann::json head_entry(const SceneDescription& scene, const char* key) {
 }
 
 void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::json& entry) {
+  KERF_ASSERT(std::ranges::any_of(kEditorKeys, [&](std::string_view known) { return known == key; }));
   nlohmann::json head = head_of(scene);
   if (entry.is_null()) {
     head.erase(key);

@@ -1,0 +1,35 @@
+#include "core/document/text/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace kerf {
+namespace {
+
+TEST(NearestName, differs_in_the_fewest_letters) {
+  const std::vector<std::string> names{"radius", "range", "power", "direction", "pulse_rate"};
+  const std::pair<const char*, const char*> nearest[] = {
+      {"raduis", "radius"}, {"Range", "range"},  {"POWER", "power"},          {"dir", "direction"},
+      {"rnage", "range"},   {"powers", "power"}, {"pulserate", "pulse_rate"}, {"angle", "range"},
+      {"", "range"},        {"radius", "radius"}};
+  for (const auto& [name, expected] : nearest) EXPECT_EQ(nearest_name(name, names), expected) << name;
+}
+
+TEST(NearestName, of_equally_near_ones_is_the_first) {
+  const std::vector<std::string> names{"ab", "ac", "ad"};
+  EXPECT_EQ(nearest_name("ae", names), "ab");
+}
+
+TEST(NearestName, of_no_names_is_none) {
+  EXPECT_EQ(nearest_name("a", {}), "");
+  EXPECT_EQ(nearest_name_hint("a", {}), "");
+}
+
+TEST(NearestName, of_a_long_name_is_found_at_once) {
+  const std::vector<std::string> names{"radius", std::string(10'000'000, 'a')};
+  EXPECT_EQ(nearest_name(std::string(10'000'000, 'a'), names), names[1]);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -36,19 +36,24 @@ class CutRun {
     if (const auto s = read_scene_description(); !s) return s;
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = read_material(); !s) return s;
-    if (const auto s = load(); !s) return s;
     const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all,
                               options_.solid};
+    if (const auto s = check_outputs(folder); !s) return s;
+    if (const auto s = load(); !s) return s;
+    if (const auto s = begin_journal(); !s) return s;
     if (const auto s = folder.make(); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
     if (const auto s = settle(); !s) return s;
-    if (const auto s = write_journal(); !s) return s;
+    // If the journal cannot be written, the pieces are.
+    const Status journal = end_journal();
     const StrokePath first = strokes_.empty() ? StrokePath{} : strokes_.front();
     const auto written = folder.write(job_, document_.world(), stroke_settings(options_, first, diagonal_));
     if (!written) return written.error();
     for (const std::string& note : job_.notes) warn(note);
+    if (!job_.missed.empty())
+      warn(missed_text(job_, options_.path.empty() ? options_.meshes.front() : options_.path));
     std::cerr << "kerf: " << cut_summary(job_, strokes_.size(), written->size(), options_.out) << '\n';
-    return Done{};
+    return journal;
   }
 
  private:
@@ -87,6 +92,20 @@ class CutRun {
     std::string names;
     for (const Material& material : *materials) names += (names.empty() ? "" : ", ") + material.name;
     return bad_input("--material: \"" + *options_.material + "\" is unknown; there is: " + names);
+  }
+
+  Status check_outputs(const PiecesFolder& folder) const {
+    InputFiles inputs;
+    for (const std::string& file : options_.meshes) inputs.add(file);
+    inputs.add_meshes(scene_);
+    for (const std::string& file : {options_.path, options_.settings}) inputs.add(file);
+    if (options_.material) inputs.add(assets_folder() / "materials.json");
+    if (const Status free = folder.check("--out", inputs); !free) return free;
+    if (options_.journal.empty()) return Done{};
+    if (folder.may_write(options_.journal))
+      return bad_input("--journal: " + options_.journal +
+                       " is a name of the pieces or of the report: choose another");
+    return inputs.check("--journal", options_.journal);
   }
 
   Status load() {
@@ -129,8 +148,10 @@ class CutRun {
     const double share = 1 / std::max(1.0, static_cast<double>(strokes_.size()));
     for (size_t i = 0; i < strokes_.size(); ++i) {
       const double before = share * static_cast<double>(i);
+      job_.begin_stroke();
       const auto s = cut(strokes_[i], share_of(&cutting, before, before + share));
       if (!s) return error_or_stopped(s.error());
+      job_.end_stroke();
       if (!options_.journal.empty()) mark_state(document_, marks_);
     }
     return Done{};
@@ -192,16 +213,29 @@ class CutRun {
     return Done{};
   }
 
-  Status write_journal() {
+  // Writes the head of the journal, so that a place that cannot be written to is known before the cut.
+  Status begin_journal() {
     if (options_.journal.empty()) return Done{};
-    mark_state(document_, marks_, true);
-    const std::filesystem::path file = options_.journal;
-    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-    const auto head = journal_head(scene_, {}, folder);
+    auto file = AtomicFile::open(options_.journal);
+    if (!file) return file.error();
+    const auto head = journal_head(scene_, {}, journal_folder());
     if (!head) return head.error();
-    const auto lines = journal_lines(document_.journal(), marks_, folder);
+    if (const Status written = file->append(*head); !written) return written;
+    journal_.emplace(std::move(*file));
+    return Done{};
+  }
+
+  Status end_journal() {
+    if (!journal_) return Done{};
+    mark_state(document_, marks_, true);
+    const auto lines = journal_lines(document_.journal(), marks_, journal_folder());
     if (!lines) return lines.error();
-    return write_file_atomically(file, *head + *lines);
+    if (const Status written = journal_->append(*lines); !written) return written;
+    return journal_->commit();
+  }
+
+  std::filesystem::path journal_folder() const {
+    return std::filesystem::absolute(options_.journal).parent_path();
   }
 
   CutOptions options_;
@@ -210,6 +244,7 @@ class CutRun {
   std::optional<Substance> substance_;  // of all bodies
   Document document_;
   std::vector<StateMark> marks_;
+  std::optional<AtomicFile> journal_;
   World::Bounds bounds_;  // as loaded
   double diagonal_ = 0;
   CutJob job_;

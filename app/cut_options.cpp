@@ -5,30 +5,23 @@
 
 #include "app/parse_values.h"
 #include "core/document/files/stroke_settings.h"
+#include "core/document/text/fields.h"
 #include "core/document/text/json_value.h"
+#include "core/document/text/nearest_name.h"
+#include "core/document/text/world_fields.h"
 
 namespace kerf {
 
 namespace {
 
-// The numbers that an option may have, and how an error says so.
-struct Allowed {
-  bool (*has)(double) = [](double x) { return x > 0 && std::isfinite(x); };
-  const char* words;
-};
-constexpr Allowed kLength{.words = "must be a length in metres greater than zero"};
-constexpr Allowed kWatts{.words = "must be a number of watts greater than zero"};
-constexpr Allowed kDensity{.words = "must be a number of kilograms per cubic metre greater than zero"};
-constexpr Allowed kFall{[](double x) { return x > 0 && x <= 3600; },
-                        "must be a number of seconds greater than zero, at most 3600"};
-constexpr Allowed kHeight{[](double x) { return std::isfinite(x); }, "must be a height in metres"};
+constexpr NumberRange kFall{0.001, 3600, "s", true};
 
 using Names = std::vector<std::string>;
 
 // The options that a settings file may hold, too, each once: its key, what is allowed, and its help.
 template <typename Visitor>
 void visit_options(CutOptions& o, Visitor& v) {
-  v.number("radius", o.radius, kLength,
+  v.number("radius", o.radius, kPositive,
            "Radius of the beam in metres (diagonal/400, or what the path file says)");
   v.range("range", o.range, "MIN,MAX: where along the beam it cuts, in metres (0 to 10 diagonals)");
   v.choice("pattern", o.pattern, {"volume", "rays4"}, "volume or rays4 (volume)");
@@ -37,9 +30,9 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.choice("rim", o.rim, {"faces", "smooth"}, "How the rim is left: faces or smooth (faces)");
   v.flag("solid", o.solid,
          "The meshes are solids: walls along the kerf close the pieces (implies --rim smooth)");
-  v.number("target-edge", o.target_edge, kLength,
+  v.number("target-edge", o.target_edge, kPositive,
            "Longest edge under the beam in metres (radius/4; thermal: radius)");
-  v.number("tolerance", o.tolerance, kLength,
+  v.number("tolerance", o.tolerance, kPositive,
            "Instead: how far what is removed may overshoot the beam, in metres");
   v.whole("depth", o.depth, 0, Resolution::kLargestDepth, "Instead: levels under the base face");
   v.whole("steps", o.steps, 1, 1'000'000,
@@ -49,7 +42,7 @@ void visit_options(CutOptions& o, Visitor& v) {
            "the energy that its material needs (geometric)");
   v.text("material", o.material,
          "What the sheets are made of (mild-steel); kerf materials lists what there is");
-  v.number("power", o.power, kWatts, "Of the beam in watts (2000, or what the path file says)");
+  v.number("power", o.power, kPositive, "Of the beam in watts (2000, or what the path file says)");
   v.choice("assist", o.assist, {"none", "oxygen"},
            "The gas that is blown into the cut, for the thermal model: in oxygen mild steel burns (none)");
   v.choice("format", o.format, {"obj", "ply", "stl", "off", "glb", "gltf"},
@@ -58,11 +51,11 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.number("settle", o.settle, kFall,
            "For how many seconds the pieces fall after the last stroke; they are written where "
            "they are then");
-  v.number("ground", o.ground, kHeight,
+  v.number("ground", o.ground, kFinite,
            "With --settle: height of the ground in metres (the lowest point of all meshes)");
-  v.number("thickness", o.thickness, kLength,
+  v.number("thickness", o.thickness, kThickness.range,
            "Thickness of the sheets that the faces stand for, in metres (0.001)");
-  v.number("density", o.density, kDensity, "Density of the sheets in kg/m3 (7850, that of mild steel)");
+  v.number("density", o.density, kDensity.range, "Density of the sheets in kg/m3 (7850, that of mild steel)");
 }
 
 // Offers the options on the command line.
@@ -70,11 +63,15 @@ struct Offer {
   CLI::App& command;
 
   template <typename T>
-  void add(const char* key, T& x, const char* help) {
+  void add(const char* key, T& x, const std::string& help) {
     command.add_option("--" + std::string(key), x, help);
   }
-  void number(const char* key, std::optional<double>& x, Allowed, const char* help) { add(key, x, help); }
-  void whole(const char* key, std::optional<int>& x, int, int, const char* help) { add(key, x, help); }
+  void number(const char* key, std::optional<double>& x, const NumberRange& range, const char* help) {
+    add(key, x, help_with_limits(help, range));
+  }
+  void whole(const char* key, std::optional<int>& x, int least, int most, const char* help) {
+    add(key, x, help_with_limits(help, {static_cast<double>(least), static_cast<double>(most)}));
+  }
   void choice(const char* key, std::optional<std::string>& x, const Names&, const char* help) {
     add(key, x, help);
   }
@@ -98,7 +95,7 @@ struct FileEntry {
     status = found ? Status(Done{}) : Status(found.error());
     if (found && !x) x = *found;
   }
-  void number(const char* option, std::optional<double>& x, Allowed, const char*) {
+  void number(const char* option, std::optional<double>& x, const NumberRange&, const char*) {
     take(option, x, [&] { return value.number(); });
   }
   void whole(const char* option, std::optional<int>& x, int, int, const char*) {
@@ -128,6 +125,18 @@ struct FileEntry {
   }
 };
 
+// Lists the keys.
+struct Keys {
+  std::vector<std::string> all;
+
+  void number(const char* key, auto&, const NumberRange&, const char*) { all.emplace_back(key); }
+  void whole(const char* key, auto&, int, int, const char*) { all.emplace_back(key); }
+  void choice(const char* key, auto&, const Names&, const char*) { all.emplace_back(key); }
+  void text(const char* key, auto&, const char*) { all.emplace_back(key); }
+  void range(const char* key, auto&, const char*) { all.emplace_back(key); }
+  void flag(const char* key, bool&, const char*) { all.emplace_back(key); }
+};
+
 // Checks the values; the first that is wrong is told.
 struct Check {
   Status status = Done{};
@@ -135,8 +144,8 @@ struct Check {
   void expect(bool right, const char* key, const std::string& words) {
     if (status && !right) status = bad_input("--" + std::string(key) + ": " + words);
   }
-  void number(const char* key, const std::optional<double>& x, Allowed allowed, const char*) {
-    expect(!x || allowed.has(*x), key, allowed.words);
+  void number(const char* key, const std::optional<double>& x, const NumberRange& range, const char*) {
+    expect(!x || range.contains(*x), key, x ? out_of_limits(*x, range) : "");
   }
   void whole(const char* key, const std::optional<int>& x, int least, int most, const char*) {
     expect(!x || (*x >= least && *x <= most), key,
@@ -198,10 +207,14 @@ Status merge_settings_file(CutOptions& o) {
   if (const auto object = root.object(); !object) return object;
   // A resolution on the command line replaces that of the file, even if they are of different kinds.
   const bool has_resolution = o.target_edge || o.tolerance || o.depth;
+  Keys keys;
+  visit_options(o, keys);
   for (const auto& item : json->items()) {
     if (has_resolution && is_resolution(item.key())) continue;
     const JsonValue value = root[item.key()];
-    FileEntry entry{item.key(), value, value.wrong("is not a setting that this version has")};
+    FileEntry entry{
+        item.key(), value,
+        value.wrong("is not a setting that this version has" + nearest_name_hint(item.key(), keys.all))};
     visit_options(o, entry);
     if (!entry.status) return entry.status;
   }
@@ -261,8 +274,8 @@ CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, doubl
   if (o.rim == "smooth") resolution.rim = Rim::kSmooth;
   if (o.scheme) resolution.scheme = o.scheme == "one-to-four" ? Scheme::kOneToFour : Scheme::kLongestEdge;
   const double finest = settings.model == Model::kThermal ? settings.laser.radius : settings.laser.radius / 4;
-  resolution.target_edge = o.target_edge.value_or(finest);
-  resolution.tolerance = o.tolerance.value_or(settings.laser.radius / 8);
+  resolution.target_edge = o.target_edge.value_or(positive(finest));
+  resolution.tolerance = o.tolerance.value_or(positive(settings.laser.radius / 8));
   resolution.depth = o.depth.value_or(resolution.depth);
   if (o.tolerance) resolution.rule = Resolution::Rule::kTolerance;
   if (o.depth) resolution.rule = Resolution::Rule::kDepth;

@@ -26,4 +26,16 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const 
   return text + "; " + count(pieces, "piece") + " and report.json are in " + folder;
 }
 
+std::string missed_text(const CutJob& job, const std::string& file) {
+  constexpr size_t kMostNamed = 8;
+  const size_t count = job.missed.size(), named = count > kMostNamed ? kMostNamed - 1 : count;
+  std::string text = file + ": ";
+  for (size_t i = 0; i < named; ++i) {
+    if (i > 0) text += i + 1 == count ? " and " : ", ";
+    text += "/strokes/" + std::to_string(job.missed[i]);
+  }
+  if (named < count) text += " and " + std::to_string(count - named) + " more";
+  return text + " met nothing: no mesh is where the beam goes";
+}
+
 }  // namespace kerf

@@ -10,4 +10,8 @@ namespace kerf {
 // in out".
 std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder);
 
+// Which strokes of a file met nothing: "path.json: /strokes/1 and /strokes/4 met nothing". Precondition:
+// there are some.
+std::string missed_text(const CutJob& job, const std::string& file);
+
 }  // namespace kerf

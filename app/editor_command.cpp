@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/load.h"
 #include "app/parse_values.h"
 #include "core/base/assets.h"
 #include "ui/editor/editor.h"
@@ -21,6 +22,10 @@ Status edit(const EditorArguments& a) {
       return bad_input(file + ": there is no such file, and this version has no such command");
     }
     options.files.emplace_back(file);
+  }
+  for (const auto& [option, file] : {std::pair{"--report", a.report}, {"--landmarks", a.landmarks}}) {
+    if (file.empty()) continue;
+    if (const Status free = inputs_of(a.files).check(option, file); !free) return free;
   }
   if (!a.report.empty()) options.report = a.report;
   if (!a.landmarks.empty()) options.landmarks = a.landmarks;

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
+#include "app/load.h"
 #include "app/parse_values.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
@@ -52,6 +53,31 @@ Status make_films(const std::filesystem::path& folder, const FigureFilms& films,
   return make_film(folder / "shadow", films.shadow, size, film_shadow);
 }
 
+Status check_outputs(const FiguresArguments& a, const std::filesystem::path& list_file,
+                     const FigureList& list) {
+  std::vector<std::string> read{list_file.string()};
+  for (const Figure& figure : list.figures) {
+    for (const std::filesystem::path& file : {figure.scene, figure.match}) read.push_back(file.string());
+  }
+  for (const std::filesystem::path& file :
+       {list.films.cut, list.films.fight, list.films.graph, list.films.shadow})
+    read.push_back(file.string());
+  std::erase(read, "");
+  const InputFiles inputs = inputs_of(read);
+  if (!a.out.empty()) {
+    const auto is_figure = [](std::string_view name) {
+      return name.starts_with("fig") && name.ends_with(".png");
+    };
+    if (const Status free = inputs.check_folder("--out", a.out, is_figure); !free) return free;
+  }
+  if (a.film.empty()) return Done{};
+  for (const char* const film : {"cut", "fight", "graph", "shadow"}) {
+    if (const Status free = check_frames("--film", std::filesystem::path(a.film) / film, inputs); !free)
+      return free;
+  }
+  return Done{};
+}
+
 Status run(const FiguresArguments& a) {
   if (a.out.empty() && a.film.empty())
     return bad_input("--out or --film: name a folder for the figures or for the films");
@@ -60,8 +86,10 @@ Status run(const FiguresArguments& a) {
   if (std::min(size->width, size->height) < kLeastSide)
     return bad_input("--size: a figure with its caption needs at least 64x64 pixels");
   const std::filesystem::path own = assets_folder() / "figures.json";
-  const auto list = read_figures(a.list.empty() ? own : std::filesystem::path(a.list));
+  const std::filesystem::path file = a.list.empty() ? own : std::filesystem::path(a.list);
+  const auto list = read_figures(file);
   if (!list) return list.error();
+  if (const Status free = check_outputs(a, file, *list); !free) return free;
   catch_interrupts();
   if (!a.out.empty()) {
     if (const Status made = make_figures(a, list->figures, *size); !made) return made;

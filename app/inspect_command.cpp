@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/inspect_step.h"
 #include "app/load.h"
+#include "app/parse_values.h"
 #include "app/tell.h"
 #include "core/document/history/piece_origins.h"
 #include "core/document/journal/replay.h"
@@ -105,7 +106,6 @@ Status inspect(const InspectArguments& a) {
   catch_interrupts();
   if (a.graph + a.tree + a.step.has_value() != 1)
     return bad_input("inspect: say what to inspect: --graph, --tree or --step N");
-  if (a.step && *a.step == 0) return bad_input("--step: moves are counted from 1");
   if (const Status written = write_what(a); !written) return written;
   return flush_output();
 }
@@ -124,8 +124,8 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
   command->add_flag("--dot", a->dot, "Write the graph in the language of Graphviz instead of JSON")
       ->needs(graph);
   command->add_flag("--tree", a->tree, "The boxes of the tree after the last cut, and where the beam was");
-  command->add_option("--step", a->step,
-                      "The stages of this move of the beam, counted from 1, with the walk through the tree");
+  add_number(*command, "--step", a->step, {1, 1e9},
+             "The stages of this move of the beam, counted from 1, with the walk through the tree");
   on_call(
       *command, invocation, [a] { return inspect(*a); }, "kerf inspect assets/scenes/figure-09.kerf --graph");
 }

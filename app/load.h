@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/progress_line.h"
+#include "core/document/files/input_files.h"
 #include "core/document/journal/opened_file.h"
 #include "core/mesh/build_mesh.h"
 
@@ -25,5 +26,13 @@ Result<BuiltMesh> load_mesh(const std::filesystem::path& file);
 // Opens any file that Kerf reads, showing a ProgressLine, and warns of a damaged journal. Fails like
 // load_mesh.
 Result<OpenedFile> load_file(const std::filesystem::path& file);
+
+// The files that were read for an opened one: itself and its meshes.
+InputFiles inputs_of(const std::filesystem::path& file, const OpenedFile& opened);
+// Those that opening the file will read, as far as its own text names them.
+InputFiles inputs_of(std::span<const std::string> files);
+
+// Bad input if a frame of a film in a folder (see frame_file) is an input.
+Status check_frames(const std::string& option, const std::filesystem::path& folder, const InputFiles& inputs);
 
 }  // namespace kerf

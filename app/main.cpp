@@ -7,14 +7,19 @@
 #include <string_view>
 
 #include "app/commands.h"
+#include "app/progress_line.h"
 #include "app/version.h"
 #include "core/base/parallel.h"
+#include "core/document/text/nearest_name.h"
+#include "ui/screen/stop_signals.h"
 
 namespace {
 
-// Prints the error on standard error and returns the exit status: 2 for bad input, 1 for any other failure.
+// Prints the error on standard error and returns the exit status: 130 or 143 after Ctrl-C or SIGTERM, 2 for
+// bad input, 1 for any other failure.
 int report_error(const kerf::Error& error) {
   std::cerr << "kerf: " << error.message << '\n';
+  if (kerf::interrupted()) return kerf::interrupt_status();
   return error.code == kerf::ErrorCode::kBadInput ? 2 : 1;
 }
 
@@ -39,6 +44,20 @@ std::string asked_of(const CLI::App& app) {
   return name;
 }
 
+// The error of a command line that cannot be parsed. A misspelt option comes with the nearest one.
+kerf::Error parse_error(const CLI::App& app, const CLI::ParseError& wrong) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  std::vector<std::string> unknown = app.remaining(true), names;
+  std::erase_if(unknown, [](const std::string& word) { return !word.starts_with("--"); });
+  for (const CLI::Option* option : command->get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string hint =
+      unknown.size() == 1 ? kerf::nearest_name_hint(unknown[0].substr(0, unknown[0].find('=')), names) : "";
+  return kerf::bad_input(std::string(wrong.what()) + hint + " (see " + asked_of(app) + " --help)");
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
   app.set_version_flag("--version", kerf::version_text());
@@ -59,12 +78,13 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     return app.exit(asked);
   } catch (const CLI::ParseError& wrong) {
-    return report_error(kerf::bad_input(std::string(wrong.what()) + " (see " + asked_of(app) + " --help)"));
+    return report_error(parse_error(app, wrong));
   }
   const auto threads = threads_of_environment();
   if (!threads) return report_error(threads.error());
   const kerf::Status done = invocation();
-  return done ? 0 : report_error(done.error());
+  if (!done) return report_error(done.error());
+  return kerf::StopSignals::last() != 0 ? kerf::kSignalStatus + kerf::StopSignals::last() : 0;
 }
 
 }  // namespace
@@ -74,6 +94,7 @@ int main(int argc, char** argv) {
   // signal.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+  kerf::let_interrupts_end();
   // A fixed threshold returns large arrays to the system when they are freed; glibc would raise it otherwise.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   // A software renderer frees with each picture what it needs for the next one: that much is kept.

@@ -3,11 +3,26 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/document/text/fields.h"
+
 namespace kerf {
 
 bool parse_number(std::string_view text, double& value) {
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   return fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+std::string check_number(const std::string& text, const NumberRange& range, bool whole) {
+  double number = 0;
+  const std::string kind = whole ? "a whole number " : "a number ";
+  const std::string_view digits = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
+  if (!parse_number(digits, number) || (whole && number != std::floor(number)))
+    return "must be " + kind + limits_text(range);
+  return range.contains(number) ? "" : out_of_limits(number, range);
+}
+
+std::string help_with_limits(const std::string& help, const NumberRange& range) {
+  return help + "; " + limits_text(range);
 }
 
 Result<PixelSize> parse_size(const std::string& text) {

@@ -3,16 +3,95 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <set>
 
 #include "app/progress_line.h"
 #include "core/base/atomic_file.h"
 #include "core/base/parallel.h"
 #include "core/cut/stopwatch.h"
+#include "core/document/journal/save.h"
+#include "core/document/text/json_value.h"
 #include "core/mesh/write_mesh.h"
 
 namespace kerf {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kReport = "report.json";
+
+// Whether a name is that of a piece, piece-NNNN.ENDING.
+bool is_piece_name(std::string_view name) {
+  constexpr std::string_view kStem = "piece-";
+  if (!name.starts_with(kStem)) return false;
+  name.remove_prefix(kStem.size());
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  const auto is_letter = [&](char c) { return ('a' <= c && c <= 'z') || is_digit(c); };
+  const size_t digits =
+      static_cast<size_t>(std::find_if_not(name.begin(), name.end(), is_digit) - name.begin());
+  if (digits < 4 || digits + 1 >= name.size() || name[digits] != '.') return false;
+  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(digits) + 1, name.end(), is_letter);
+}
+
+// The pieces that a report lists; those of a report that cannot be read are none.
+std::set<std::string> listed_pieces(const fs::path& report) {
+  std::set<std::string> names;
+  const auto text = read_text_file(report);
+  if (!text) return names;
+  const auto json = parse_json(*text, report.string());
+  if (!json || !json->is_object() || !json->contains("pieces")) return names;
+  for (const nlohmann::json& piece : (*json)["pieces"]) {
+    if (!piece.is_object() || !piece.contains("file") || !piece["file"].is_string()) continue;
+    const auto name = piece["file"].get<std::string>();
+    if (is_piece_name(name)) names.insert(name);
+  }
+  return names;
+}
+
+// The results of earlier runs in a folder, while a new one is written.
+class EarlierResult {
+ public:
+  explicit EarlierResult(const fs::path& folder)
+      : folder_(folder), report_(folder / kReport), kept_(previous_version(report_)) {
+    pieces_ = listed_pieces(kept_);  // where a run before failed
+    pieces_.merge(listed_pieces(report_));
+  }
+
+  const std::set<std::string>& pieces() const { return pieces_; }
+
+  // Takes the report out of the way.
+  Status begin() const {
+    std::error_code error;
+    if (!fs::exists(report_, error)) return Done{};
+    fs::rename(report_, kept_, error);
+    if (error) return failed("cannot replace " + report_.string() + ": " + error.message());
+    return Done{};
+  }
+
+  // Removes the pieces of a result that did not become whole, except those that replaced earlier ones: the
+  // next run knows them by the report that was kept.
+  void remove_new(const std::vector<WrittenPiece>& written) const {
+    std::error_code error;
+    for (const WrittenPiece& piece : written) {
+      if (!pieces_.contains(piece.file)) fs::remove(folder_ / piece.file, error);
+    }
+  }
+
+  // Removes what the new result does not have.
+  void remove_all_but(const std::vector<WrittenPiece>& written) {
+    for (const WrittenPiece& piece : written) pieces_.erase(piece.file);
+    std::error_code error;
+    for (const std::string& name : pieces_) {
+      if (!fs::is_directory(folder_ / name, error)) fs::remove(folder_ / name, error);
+    }
+    fs::remove(kept_, error);
+  }
+
+ private:
+  fs::path folder_, report_, kept_;
+  std::set<std::string> pieces_;
+};
 
 struct Part {
   Extract extract;
@@ -52,7 +131,7 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   char name[40];
   std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
   const Extract& e = part.extract;
-  const auto file = std::filesystem::path(folder.path) / name;
+  const auto file = fs::path(folder.path) / name;
   const std::string stem = file.stem().string();
   const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
   if (const auto s = write_mesh(view, file, *mesh_format(folder.format)); !s) return s.error();
@@ -70,8 +149,8 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   return piece;
 }
 
-// Writes several pieces at a time.
-Result<std::vector<WrittenPiece>> write_pieces(const World& world, const PiecesFolder& folder) {
+// Writes several pieces at a time. Returns those that were written, and fails if these are not all.
+Status write_pieces(const World& world, const PiecesFolder& folder, std::vector<WrittenPiece>& written) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
   const bool moved = any_has_moved(world);
   std::vector<std::optional<Result<WrittenPiece>>> results(parts.size());
@@ -79,37 +158,57 @@ Result<std::vector<WrittenPiece>> write_pieces(const World& world, const PiecesF
   const Progress progress = line.progress();
   for_each_range(parts.size(), 1, &progress,
                  [&](size_t i, size_t) { results[i] = write_piece(parts[i], i, folder, moved); });
-  std::vector<WrittenPiece> written;
+  Status status = Done{};
   for (const auto& result : results) {
-    if (result && !*result) return result->error();
-    if (result) written.push_back(**result);
+    if (result && *result) written.push_back(**result);
+    if (result && !*result && status) status = result->error();
   }
-  if (written.size() == parts.size()) return written;
-  return failed("stopped; of " + std::to_string(parts.size()) + " pieces " + std::to_string(written.size()) +
-                " are written, and no report");
+  if (!status || written.size() == parts.size()) return status;
+  return failed("stopped before all pieces were written; there is no report");
 }
 
 }  // namespace
 
+Status PiecesFolder::check(const std::string& option, const InputFiles& inputs) const {
+  const std::set<std::string> earlier = EarlierResult(path).pieces();
+  return inputs.check_folder(option, path, [&](std::string_view name) {
+    return name == kReport || earlier.contains(std::string(name)) ||
+           (is_piece_name(name) && fs::path(name).extension() == "." + format);
+  });
+}
+
+bool PiecesFolder::may_write(const fs::path& file) const {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path, error), error);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  const std::string name = whole.filename().string();
+  return whole.parent_path() == folder && (name == kReport || is_piece_name(name));
+}
+
 Status PiecesFolder::make() const {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
+  fs::create_directories(path, error);
   if (error) return failed(path + ": the folder cannot be made: " + error.message());
   return Done{};
 }
 
 Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& world,
                                                       const CutSettings& settings) const {
-  auto written = [&] {
+  EarlierResult earlier(path);
+  if (const Status begun = earlier.begin(); !begun) return begun.error();
+  std::vector<WrittenPiece> written;
+  const Status saved = [&] {
     const Stopwatch watch(job.save_s);
-    return write_pieces(world, *this);
+    return write_pieces(world, *this, written);
   }();
-  if (!written) return written.error();
+  if (!saved) earlier.remove_new(written);
+  if (!saved) return saved.error();
   nlohmann::ordered_json how = settings_json(settings, format, split_all);
   if (solid) how["solid"] = true;
-  const auto report = cut_report(job, world, how, *written);
-  const auto file = std::filesystem::path(path) / "report.json";
+  const auto report = cut_report(job, world, how, written);
+  const auto file = fs::path(path) / kReport;
   if (const auto s = write_file_atomically(file, report.dump(2) + "\n"); !s) return s.error();
+  earlier.remove_all_but(written);
   return written;
 }
 

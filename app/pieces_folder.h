@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/document/files/cut_report.h"
+#include "core/document/files/input_files.h"
 
 namespace kerf {
 
@@ -13,11 +14,19 @@ struct PiecesFolder {
   bool split_all = false;  // every connected component is a piece
   bool solid = false;      // all bodies were made solid, which the report's settings say
 
+  // Bad input if a file that write() may replace or remove is an input. `option` names the folder in errors.
+  Status check(const std::string& option, const InputFiles& inputs) const;
+  // Whether write() may write a file of this path.
+  bool may_write(const std::filesystem::path& file) const;
   // Creates the folder. Fails if it cannot be created or used.
   Status make() const;
   // Writes the pieces as piece-0000 and so on, largest area first, then report.json with the statistics of
-  // the job. Returns the pieces. Shows a ProgressLine. Every file is written whole or not at all; after a
-  // failure or Ctrl-C there is no report.
+  // the job. Returns the pieces. Shows a ProgressLine. Every file is written whole or not at all.
+  //
+  // The folder tells of one run. The report of an earlier run becomes report.json~ before the first piece is
+  // written, so that after a failure or Ctrl-C there is no report. Once the new files are whole, pieces of
+  // earlier runs are removed, i.e. files named piece-NNNN.* that report.json~ lists and the new report does
+  // not, and then report.json~ itself.
   Result<std::vector<WrittenPiece>> write(CutJob& job, const World& world, const CutSettings& settings) const;
 };
 

@@ -10,6 +10,7 @@
 #include "app/tell.h"
 #include "core/base/assets.h"
 #include "core/base/atomic_file.h"
+#include "core/document/files/input_files.h"
 #include "core/document/text/hash_text.h"
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
@@ -89,6 +90,7 @@ class PlayRun {
     catch_interrupts();
     if (const Status s = check(); !s) return s;
     if (const Status s = load(); !s) return s;
+    if (const Status s = check_outputs(); !s) return s;
     if (!arguments_.headless) return play_in_window();
     Match match(setup_);
     if (const Status s = play(match); !s) return s;
@@ -112,8 +114,6 @@ class PlayRun {
     if (!difficulty) return bad_input("--difficulty: must be \"easy\", \"normal\" or \"hard\"");
     setup_.difficulty = *difficulty;
     setup_.seed = arguments_.seed;
-    if (!std::isfinite(arguments_.seconds) || arguments_.seconds < 0 || arguments_.seconds > 36'000)
-      return bad_input("--seconds: must be from 0 to 36000");
     for (const auto& [option, file] :
          {std::pair{"--record", arguments_.record}, {"--report", arguments_.report}}) {
       if (file.empty()) continue;
@@ -123,6 +123,18 @@ class PlayRun {
     }
     starts_ = arguments_.rules.empty() && arguments_.driver.empty() && arguments_.seconds == 0;
     if (arguments_.rules.empty()) arguments_.rules = (assets_folder() / "games" / "standard.json").string();
+    return Done{};
+  }
+
+  Status check_outputs() const {
+    const auto files = files_of_match(setup_.rules->file, setup_.rules->description);
+    if (!files) return files.error();
+    const InputFiles inputs = input_files(*files);
+    for (const auto& [option, file] : {std::pair{"--record", arguments_.record},
+                                       {"--report", arguments_.report},
+                                       {"--landmarks", arguments_.landmarks}}) {
+      if (const Status free = inputs.check(option, file); !free) return free;
+    }
     return Done{};
   }
 
@@ -233,11 +245,9 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
       "Who drives: bot, or still for a car that does nothing; you in a window, if it is not given");
   command->add_option("--difficulty", a->difficulty,
                       "easy, normal or hard (in a window as it was last set there, otherwise normal)");
-  command->add_option("--seed", a->seed, "The seed of everything that is random (1)")
-      ->check([](const std::string& text) {
-        return std::string(text.starts_with('-') ? "must be a whole number that is not negative" : "");
-      });
-  command->add_option("--seconds", a->seconds, "Ends the match after so many seconds of its own time");
+  add_number(*command, "--seed", a->seed, {0, kMostSeed}, "The seed of everything that is random (1)");
+  add_number(*command, "--seconds", a->seconds, {0, kMostSeconds},
+             "Ends the match after so many seconds of its own time; 0: it goes on");
   command->add_flag("--headless", a->headless, "Without a window, as fast as it goes");
   command->add_option("--report", a->report, "A JSON file for what came of the match");
   command->add_option("--record", a->record, "A file (.kerf) from which kerf replay plays the match again");

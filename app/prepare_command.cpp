@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -5,8 +6,10 @@
 
 #include "app/commands.h"
 #include "app/load.h"
+#include "app/parse_values.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
+#include "core/document/files/input_files.h"
 #include "core/mesh/openmesh/smooth.h"
 #include "core/mesh/openmesh/subdivide.h"
 #include "core/mesh/remesh/simplify.h"
@@ -35,15 +38,10 @@ Status check(const PrepareOptions& o) {
   if (o.faces && o.error) return bad_input("--simplify-error: cannot be given together with --simplify");
   if (!o.faces && !o.error && !o.subdivide && !o.smooth)
     return bad_input("nothing is to be done: give --simplify, --simplify-error, --subdivide or --smooth");
-  if (o.faces && *o.faces < 1) return bad_input("--simplify: must be a number of faces, at least 1");
-  if (o.error && !(*o.error > 0 && std::isfinite(*o.error)))
-    return bad_input("--simplify-error: must be a length in metres greater than zero");
   if (o.subdivide && !subdivision_named(*o.subdivide)) {
     return bad_input("--subdivide: \"" + *o.subdivide +
                      "\" is not offered by this version; there is: loop, sqrt3, midpoint");
   }
-  if (o.smooth && !(*o.smooth >= 1 && *o.smooth <= int{kMostSmoothing}))
-    return bad_input("--smooth: must be a whole number from 1 to " + std::to_string(kMostSmoothing));
   if (!mesh_format(std::filesystem::path(o.out).extension().string()))
     return bad_input("--out: " + o.out + " must end in .obj, .ply, .stl, .off, .glb or .gltf");
   return Done{};
@@ -57,6 +55,10 @@ class PrepareRun {
   Status run() {
     catch_interrupts();
     if (const auto s = check(options_); !s) return s;
+    if (const auto s =
+            input_files(std::array{std::filesystem::path(options_.mesh)}).check("--out", options_.out);
+        !s)
+      return s;
     auto built = load_mesh(options_.mesh);
     if (!built) return built.error();
     tell(built->report);
@@ -153,15 +155,15 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
                    "The file to write; its ending says the format: obj, ply, stl, off, glb or "
                    "gltf")
       ->required();
-  command->add_option("--simplify", o->faces, "To at most so many faces");
-  command->add_option("--simplify-error", o->error,
-                      "Instead: as few as keep the old and the new surface within about this distance of "
-                      "each other, in metres");
+  add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "To at most so many faces");
+  add_number(*command, "--simplify-error", o->error, kPositive,
+             "Instead: as few as keep the old and the new surface within about this distance of each other, "
+             "in metres");
   command->add_option(
       "--subdivide", o->subdivide,
       "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
-  command->add_option("--smooth", o->smooth,
-                      "How often vertices move half the way to their neighbours' middle");
+  add_number(*command, "--smooth", o->smooth, {1, kMostSmoothing},
+             "How often vertices move half the way to their neighbours' middle");
   on_call(
       *command, invocation, [o] { return PrepareRun(*o).run(); },
       "kerf prepare assets/meshes/knot.obj --simplify 2000 --out light.obj");

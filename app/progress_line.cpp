@@ -22,17 +22,20 @@ volatile std::sig_atomic_t interrupt_seen = 0;
 }  // namespace
 
 void catch_interrupts() {
-  const auto remember = [](int) { interrupt_seen = 1; };
+  const auto remember = [](int signal) { interrupt_seen = signal; };
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
 }
 
 void let_interrupts_end() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  const auto end = [](int signal) { ::_exit(kSignalStatus + signal); };
+  std::signal(SIGINT, end);
+  std::signal(SIGTERM, end);
 }
 
 bool interrupted() { return interrupt_seen != 0; }
+
+int interrupt_status() { return interrupted() ? kSignalStatus + interrupt_seen : 0; }
 
 ProgressLine::ProgressLine(std::string work)
     : work_(std::move(work)),

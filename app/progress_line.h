@@ -8,12 +8,18 @@
 
 namespace kerf {
 
+// What shells add to the number of a signal that ended a program: 130 for Ctrl-C, 143 for SIGTERM.
+inline constexpr int kSignalStatus = 128;
+
 // From this call on Ctrl-C and SIGTERM set a flag instead of ending the program. Long computations check the
 // flag and stop.
 void catch_interrupts();
 // Whether the flag is set.
 bool interrupted();
-// Lets both signals end the program again, for work that does not check the flag.
+// The exit status of a program that such a signal ended, 130 or 143; 0 where the flag is not set.
+int interrupt_status();
+// From this call on both signals end the program at once with that status, for work that does not check the
+// flag.
 void let_interrupts_end();
 
 // Shows the progress of a long computation and lets Ctrl-C stop it (see catch_interrupts). It is one line on

@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/load.h"
+#include "app/parse_values.h"
 #include "app/picture_arguments.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
@@ -71,16 +72,22 @@ Status judge(const std::string& file, uint64_t hash, const Recording& recording,
 }
 
 // Plays the recording of a match again, prints the hash of its end, and holds it against the one that was
-// recorded and, if given, an expected one. Films it if `film` is given. Fails if the hash differs from
-// either, unless another kind of machine or an earlier version of Kerf explains that it differs from the
-// recorded one, and for bad input.
+// recorded and, if given, an expected one. Films it if `film` is given. Fails if lines had to be left out, if
+// the hash differs from either, unless another kind of machine or an earlier version of Kerf explains that it
+// differs from the recorded one, and for bad input.
 Status replay_match(const std::filesystem::path& file, const std::optional<uint64_t>& expected,
                     const std::optional<MatchFilm::Options>& film) {
   const auto recording = read_recording(file);
   if (!recording) return recording.error();
-  if (!recording->damage.empty()) warn(recording->damage);
+  if (recording->torn) warn(recording->damage);
   auto rules = load_rules(recording->rules, nullptr, recording->player);
   if (!rules) return rules.error();
+  if (film) {
+    auto inputs = files_of_match(recording->rules, (*rules)->description);
+    if (!inputs) return inputs.error();
+    inputs->push_back(file);
+    if (const Status free = check_frames("--frames", film->folder, input_files(*inputs)); !free) return free;
+  }
   const auto files = hash_of_files(recording->rules, (*rules)->description);
   if (!files) return files.error();
   if (*files != recording->files && !is_of_earlier_version(*recording))
@@ -91,6 +98,7 @@ Status replay_match(const std::filesystem::path& file, const std::optional<uint6
   if (const Status played = play(match, *recording, film); !played) return played;
   const uint64_t hash = state_hash(match.world());
   std::cout << hash_text(hash) << '\n';
+  if (!recording->damage.empty() && !recording->torn) return failed(recording->damage);
   return judge(file.string(), hash, *recording, expected);
 }
 
@@ -103,8 +111,9 @@ class ReplayRun {
     catch_interrupts();
     if (const auto s = check_arguments(); !s) return s;
     if (is_recording(arguments_.journal)) return run_match();
-    if (const auto s = load(); !s) return s;
     const PiecesFolder folder{arguments_.out};
+    if (const auto s = load(); !s) return s;
+    if (const auto s = check_outputs(folder); !s) return s;
     if (!folder.path.empty()) {
       if (const auto s = folder.make(); !s) return s;
     }
@@ -114,6 +123,7 @@ class ReplayRun {
     if (const auto s = run_queue(replay, document); !s) return s;
     const uint64_t hash = state_hash(document.world());
     std::cout << hash_text(hash) << '\n';
+    note_missed();
     if (!folder.path.empty()) {
       if (const auto s = folder.write(job_, document.world(), first_settings()); !s) return s.error();
     }
@@ -128,9 +138,6 @@ class ReplayRun {
       expected_ = parse_hash(arguments_.expect);
       if (!expected_) return bad_input("--expect: must be sixteen hexadecimal digits, like 0123456789abcdef");
     }
-    const double fps = arguments_.frames_per_second;
-    if (!(fps >= 1 && fps <= 1000))
-      return bad_input("--fps: must be a number of frames a second from 1 to 1000");
     return Done{};
   }
 
@@ -147,14 +154,29 @@ class ReplayRun {
     return replay_match(arguments_.journal, expected_, film);
   }
 
+  Status check_outputs(const PiecesFolder& folder) const {
+    const InputFiles inputs = inputs_of(arguments_.journal, work_);
+    if (!folder.path.empty()) {
+      if (const Status free = folder.check("--out", inputs); !free) return free;
+    }
+    return arguments_.frames.empty() ? Status(Done{}) : check_frames("--frames", arguments_.frames, inputs);
+  }
+
   Status load() {
     const Stopwatch watch(job_.load_s);
     auto work = load_showing_progress<OpenedFile>(arguments_.journal, open_journal);
     if (const Status s = unpack(std::move(work), work_); !s) return s;
-    if (!work_.journal.damage.empty()) warn(work_.journal.damage);
+    if (work_.journal.torn) warn(work_.journal.damage);
     const World& world = work_.scene.world;
     for (const BodyId id : world.ids()) job_.note_loaded(world.body(id).loaded);
     job_.input_min_angle = smallest_angle(world);
+    lasting_ = lasting_commands(work_.journal.commands);
+    size_t strokes = 0;
+    for (size_t i = 0; i < lasting_.size(); ++i) {
+      strokes += lasting_[i] && std::holds_alternative<BeginStroke>(work_.journal.commands[i]);
+      strokes_.push_back(strokes);
+    }
+    met_.assign(strokes, false);
     return Done{};
   }
 
@@ -168,7 +190,6 @@ class ReplayRun {
     auto film = Film::begin(work_.scene, {*picture, arguments_.frames_per_second, arguments_.frames});
     if (!film) return film.error();
     film_.emplace(std::move(*film));
-    lasting_ = lasting_commands(work_.journal.commands);
     return Done{};
   }
 
@@ -190,6 +211,9 @@ class ReplayRun {
     if (interrupted()) return stopped();
     if (step) {
       ++job_.steps;
+      const size_t stroke = replay.applied() > 0 ? strokes_[replay.applied() - 1] : 0;
+      if (stroke > 0 && (step->delta.removed_faces > 0 || step->statistics.met_s > 0))
+        met_[stroke - 1] = true;
       job_.note_bite(*step, document.world(),
                      std::chrono::duration<double>(Clock::now() - step_began_).count());
     } else {
@@ -198,6 +222,12 @@ class ReplayRun {
     const Status filmed = film(replay, document, step ? &*step : nullptr);
     step_began_ = Clock::now();
     return filmed;
+  }
+
+  void note_missed() {
+    for (size_t i = 0; i < met_.size(); ++i) {
+      if (!met_[i]) job_.missed.push_back(i);
+    }
   }
 
   // The film leaves out what was undone and strokes that were cut again.
@@ -222,6 +252,7 @@ class ReplayRun {
            (replay.cut_otherwise() ? "; a stroke that was drawn while they moved has cut otherwise here"
                                    : ""));
     }
+    if (!work_.journal.damage.empty() && !work_.journal.torn) return failed(work_.journal.damage);
     if (const auto& d = replay.difference()) {
       return failed(arguments_.journal + ": line " + std::to_string(d->mark.line) + ": " + place_of(d->mark) +
                     " the state is " + hash_text(d->hash) + " and not " + hash_text(d->mark.hash) +
@@ -245,7 +276,9 @@ class ReplayRun {
   OpenedFile work_;
   CutJob job_;
   std::optional<Film> film_;
-  std::vector<bool> lasting_;  // by command of the journal, while filming
+  std::vector<bool> lasting_;    // by command of the journal
+  std::vector<size_t> strokes_;  // the number of strokes that last, up to and with each command
+  std::vector<bool> met_;        // by stroke that lasts: it met something
   Clock::time_point step_began_;
 };
 
@@ -262,7 +295,8 @@ void add_replay_command(CLI::App& app, Invocation& invocation) {
                                      "A folder for a film in numbered PNGs: the beam goes at a steady speed, "
                                      "across the diagonal of all meshes in four seconds; what was undone is "
                                      "left out");
-  command->add_option("--fps", a->frames_per_second, "Frames a second of the film (30)")->needs(frames);
+  add_number(*command, "--fps", a->frames_per_second, {1, 1000}, "Frames a second of the film (30)")
+      ->needs(frames);
   a->picture.add_to(*command);
   on_call(
       *command, invocation, [a] { return ReplayRun(*a).run(); }, "kerf replay assets/scenes/figure-08.kerf");

@@ -163,6 +163,7 @@ Result<std::vector<std::vector<Command>>> commands_of(std::span<const kerf_strok
 
 Status cut_one(Document& document, std::span<const Command> stroke, const Progress& progress, CutJob& job) {
   using Clock = std::chrono::steady_clock;
+  job.begin_stroke();
   for (const Command& command : stroke) {
     document.apply(command);
     job.steps += std::holds_alternative<MoveStroke>(command);
@@ -176,7 +177,9 @@ Status cut_one(Document& document, std::span<const Command> stroke, const Progre
     began = Clock::now();
     return Done{};
   };
-  return run_queue(document, how);
+  const Status cut = run_queue(document, how);
+  if (cut) job.end_stroke();
+  return cut;
 }
 
 // All strokes or none.

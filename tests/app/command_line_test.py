@@ -296,7 +296,7 @@ class CommandLine(unittest.TestCase):
         time.sleep(1)
         process.send_signal(signal.SIGINT)
         message = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 1, message)
+        self.assertEqual(process.returncode, 130, message)
         self.assertIn("stopped", message)
         self.assertEqual([name for name in os.listdir(self.folder.name) if name.startswith("a.")], [])
 
@@ -311,6 +311,40 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.said = done.stderr
         return json.loads(self.read("out/report.json"))
+
+    def test_strokes_that_meet_nothing_are_said_and_reported(self):
+        far = {"keys": [{"t": 0, "origin": [99, 1, 99], "direction": [0, -1, 0]}]}
+        self.write("some.json", json.dumps({"strokes": [far, *ACROSS["strokes"], far]}))
+        done = self.run_here("cut", "plate.obj", "--path", "some.json", "--out", "out", "--journal", "some.kerf")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.splitlines()[0], "kerf: warning: some.json: /strokes/0 and /strokes/2 met nothing: "
+                                                      "no mesh is where the beam goes")
+        self.assertEqual(json.loads(self.read("out/report.json"))["missed"], [0, 2])
+        done = self.run_here("replay", "some.kerf", "--out", "again")
+        self.assertEqual(json.loads(self.read("again/report.json"))["missed"], [0, 2])
+        self.assertEqual(self.cut()["missed"], [])
+
+    def test_a_misspelt_key_or_option_is_refused_with_the_nearest_one(self):
+        stroke, key = ACROSS["strokes"][0], ACROSS["strokes"][0]["keys"][0]
+        for path, pointer, nearest in (({**ACROSS, "stroke": 1}, "/stroke", "strokes"),
+                                       ({"strokes": [{**stroke, "laser": {"raduis": 1}}]}, "/strokes/0/laser/raduis", "radius"),
+                                       ({"strokes": [{**stroke, "laser": {"Range": [0, 1]}}]}, "/strokes/0/laser/Range", "range"),
+                                       ({"strokes": [{"keys": [{**key, "dir": 1}]}]}, "/strokes/0/keys/0/dir", "direction")):
+            self.write("path.json", json.dumps(path))
+            done = self.run_here("cut", "plate.obj", "--out", "o", "--path", "path.json")
+            self.assert_refused(done, 2, f"path.json: {pointer}: ", f'"{nearest}"')
+        for scene, pointer, nearest in (({"shows": ["wire"]}, "/shows", "show"), ({"pants": {}}, "/pants", "paints"),
+                                        ({"bodies": [{"mesh": "plate.obj", "thicknes": 1}]}, "/bodies/0/thicknes", "thickness"),
+                                        ({"bodies": [{"mesh": "plate.obj", "soild": True}]}, "/bodies/0/soild", "solid"),
+                                        ({"paints": {"a": {"color": "#123456"}}}, "/paints/a/color", "colour"),
+                                        ({"lights": [{"direction": [0, 1, 0], "intesity": 1}]}, "/lights/0/intesity", "intensity"),
+                                        ({"view": {"eye": [0, 0, 1], "target": [0, 0, 0], "up": "y"}}, "/view/up", "eye")):
+            self.write("scene.json", json.dumps({"bodies": [{"mesh": "plate.obj"}], **scene}))
+            self.assert_refused(self.run_here("cut", "scene.json", "--out", "o"), 2, f"scene.json: {pointer}: ", f'"{nearest}"')
+        self.write("settings.json", json.dumps({"thicknes": 1}))
+        done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "settings.json")
+        self.assert_refused(done, 2, "/thicknes", '"thickness"')
+        self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--raduis=1"), 2, "--raduis", '"--radius"')
 
     def test_a_beam_that_gets_part_of_the_way_through_is_not_said_to_have_met_nothing(self):
         report = self.thermal(5)
@@ -358,7 +392,7 @@ class CommandLine(unittest.TestCase):
         wait_for_folder(os.path.join(self.folder.name, "out"))
         process.send_signal(signal.SIGINT)
         message = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 1, message)
+        self.assertEqual(process.returncode, 130, message)
         self.assertIn("stopped", message)
         self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), [])
 
@@ -517,6 +551,12 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("replay", "torn.kerf")
         self.assertEqual(done.returncode, 0)
         self.assertEqual(done.stderr, "kerf: warning: torn.kerf: line 5: the last line is torn and was left out\n")
+        lines = journal.splitlines(keepends=True)
+        for damage in ("no JSON\n", '{"do": "explode"}\n', '{"do": "move", "origin": [0, 0, 0]}\n'):
+            self.write("middle.kerf", "".join(lines[:2] + [damage] + lines[2:]))
+            done = self.run_here("replay", "middle.kerf")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertRegex(done.stderr, r"^kerf: middle.kerf: line 3: .*; from this line on the journal was left out\n$")
         self.write("head.kerf", journal[:40])
         self.assert_refused(self.run_here("replay", "head.kerf"), 2, "head.kerf: line 1")
 

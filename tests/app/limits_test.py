@@ -55,10 +55,11 @@ class Limits(unittest.TestCase):
     @unittest.skipIf(SANITIZED, "the sanitizers want more address space")
     def test_a_mesh_that_memory_is_not_enough_for_is_refused(self):
         large = os.path.join(self.folder, "large.obj")
-        made = self.run_kerf("prepare", SPHERE, "--subdivide", "midpoint", "--out", "large.obj")
-        for _ in range(3):
+        finer = SPHERE
+        for name in ("a.obj", "b.obj", "c.obj", "large.obj"):
+            made = self.run_kerf("prepare", finer, "--subdivide", "midpoint", "--out", name)
             self.assertEqual(made.returncode, 0, made.stderr)
-            made = self.run_kerf("prepare", large, "--subdivide", "midpoint", "--out", "large.obj")
+            finer = name
         done = self.run_kerf("cut", large, "--out", "out", limit="ulimit -v 160000", KERF_THREADS="1")
         self.assert_one_sentence(done, "large.obj", "memory")
 

@@ -1,5 +1,6 @@
 #include "core/document/text/fields.h"
 #include "ui/figures/figure.h"
+#include "ui/render/view/spread.h"
 
 namespace kerf {
 
@@ -19,7 +20,7 @@ static void describe(Fields& f, Figure& figure) {
           "must have one of \"scene\", \"match\" and \"diagram\"");
   f.check(figure.diagram.empty() || figure.diagram == "one-to-four", "diagram", "must be \"one-to-four\"");
   f.whole("tick", figure.tick, 0, 10'000'000, kOptional);
-  f.number("spread", figure.spread, {0, 100}, kOptional);
+  f.number("spread", figure.spread, kSpread, kOptional);
   f.number("mark_scale", figure.mark_scale, {0.1, 10}, kOptional);
   f.flag("beam", figure.beam, kOptional);
   f.list("rulers", "rulers", figure.rulers, kOptional);

@@ -1,10 +1,7 @@
 #include "ui/screen/frame_loop.h"
 
 #include <algorithm>
-#include <csignal>
 #include <thread>
-
-#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -16,25 +13,9 @@ constexpr double kFrameSeconds = 1.0 / 60;  // no frame begins sooner after the 
 constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
 constexpr double kSettleWait = 0.12, kIdleWait = 0.5;
 
-volatile std::sig_atomic_t stop_came = 0;  // a handler can reach nothing else
-void remember(int) { stop_came = 1; }
-
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
 }  // namespace
-
-StopSignals::StopSignals()
-    : old_interrupt_(std::signal(SIGINT, remember)), old_terminate_(std::signal(SIGTERM, remember)) {
-  KERF_ASSERT(old_interrupt_ != remember && old_terminate_ != remember);
-  stop_came = 0;
-}
-
-StopSignals::~StopSignals() {
-  std::signal(SIGINT, old_interrupt_);
-  std::signal(SIGTERM, old_terminate_);
-}
-
-bool StopSignals::came() const { return stop_came != 0; }
 
 bool FrameLoop::run(Screen& screen) {
   while (!screen.over() && wait(screen)) frame(screen);

@@ -3,26 +3,11 @@
 #include <chrono>
 
 #include "ui/screen/screen.h"
+#include "ui/screen/stop_signals.h"
 #include "ui/window/event_script.h"
 #include "ui/window/gui.h"
 
 namespace kerf {
-
-// While this object exists, SIGINT and SIGTERM set a flag instead of ending the program. Precondition: there
-// is only one such object at a time.
-class StopSignals {
- public:
-  StopSignals();
-  ~StopSignals();
-  StopSignals(const StopSignals&) = delete;
-  StopSignals& operator=(const StopSignals&) = delete;
-  // Whether one of the signals came.
-  bool came() const;
-
- private:
-  using Handler = void (*)(int);
-  Handler old_interrupt_, old_terminate_;
-};
 
 // Runs screens in a window: waits until there is something to draw, passes user input on, and shows frames,
 // at most sixty per second, or those that a script asks for.

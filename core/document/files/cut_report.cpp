@@ -112,6 +112,17 @@ void CutJob::note_bite(const StepResult& bite, const World& world, double second
   if (bite.delta.removed_faces > 0) step_s.push_back(seconds);
 }
 
+void CutJob::begin_stroke() {
+  faces_before_stroke = removed_faces;
+  met_before_stroke_s = statistics.met_s;
+}
+
+void CutJob::end_stroke() {
+  if (removed_faces == faces_before_stroke && statistics.met_s == met_before_stroke_s)
+    missed.push_back(strokes);
+  ++strokes;
+}
+
 nlohmann::ordered_json settings_json(const CutSettings& s, const std::string& format, bool split_all) {
   const Resolution& resolution = s.resolution;
   nlohmann::ordered_json json = {
@@ -211,7 +222,8 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
       {"min_angle_deg",
        {{"input", job.input_min_angle}, {"output", faces > 0 ? degrees(extremes.largest_cosine) : 0.0}}},
       {"max_level", extremes.deepest_level},
-      {"steps", job.steps}};
+      {"steps", job.steps},
+      {"missed", job.missed}};
   add_solid(report, job, any_solid);
   add_energy(report, job, world);
   report["timing_ms"] = timing(job);

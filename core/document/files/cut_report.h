@@ -17,6 +17,9 @@ struct CutJob {
   void note_loaded(const MeshReport& mesh);
   // Adds the result of one call of Document::step, which took `seconds` and left this world.
   void note_bite(const StepResult& bite, const World& world, double seconds);
+  // To be called around each stroke, so that those are known that met nothing.
+  void begin_stroke();
+  void end_stroke();
   // How much of the thickness the beam got through where it did not cut, from 0 to 1.
   double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
@@ -26,7 +29,11 @@ struct CutJob {
   double removed_area = 0;  // m^2
   SolidChange solid;
   std::vector<std::string> notes;  // on bodies that were left open, each once
-  size_t steps = 0;                // number of moves of the beam, as requested
+  size_t strokes = 0;              // that were cut
+  std::vector<size_t> missed;      // those that met nothing, by index, ascending
+  size_t faces_before_stroke = 0;  // removed_faces and met_s when the last stroke began
+  double met_before_stroke_s = 0;
+  size_t steps = 0;  // number of moves of the beam, as requested
   StepStatistics statistics;
   std::vector<double> step_s;  // durations of the calls that removed something
   bool thermal = false;        // the strokes are cut by the thermal model

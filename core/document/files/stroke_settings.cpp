@@ -4,20 +4,23 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/number_range.h"
 
 namespace kerf {
 
+double positive(double length) { return std::clamp(length, kPositive.least, kPositive.most); }
+
 CutSettings default_settings(const StrokePath& stroke, double diagonal) {
   CutSettings settings;
-  settings.laser.radius = stroke.radius.value_or(diagonal / 400);
-  settings.laser.range = stroke.range.value_or(Interval{0, 10 * diagonal});
+  settings.laser.radius = stroke.radius.value_or(positive(diagonal / 400));
+  settings.laser.range = stroke.range.value_or(Interval{0, positive(10 * diagonal)});
   settings.laser.power = stroke.power.value_or(settings.laser.power);
   settings.laser.wavelength = stroke.wavelength.value_or(0);
   settings.laser.focus = stroke.focus;
   settings.laser.pulse_rate = stroke.pulse_rate.value_or(0);
   settings.laser.duty = stroke.duty.value_or(1);
-  settings.resolution.target_edge = settings.laser.radius / 4;
-  settings.resolution.tolerance = settings.laser.radius / 8;
+  settings.resolution.target_edge = positive(settings.laser.radius / 4);
+  settings.resolution.tolerance = positive(settings.laser.radius / 8);
   return settings;
 }
 

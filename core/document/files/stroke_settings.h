@@ -9,6 +9,10 @@
 
 namespace kerf {
 
+// The length, or the nearest one that a journal can hold: one that follows from others may vanish or be
+// infinite.
+double positive(double length);
+
 // The settings of a stroke: those of its file, and where it gives none, defaults that follow from the
 // diagonal D of the bounding box of all meshes (m): radius D/400, range 0 to 10 D, faces down to a quarter of
 // the radius.

@@ -42,6 +42,7 @@ class JournalReader {
       const bool torn = rest_.find('\n') == std::string_view::npos;
       const auto taken = take_line(next_line());
       if (taken) continue;
+      journal_.torn = torn;
       journal_.damage = torn ? where() + ": the last line is torn and was left out"
                              : taken.error().message + "; from this line on the journal was left out";
       break;

@@ -38,11 +38,12 @@ struct Journal {
   std::vector<Command> commands;
   std::vector<StateMark> marks;  // ascending
   std::string damage;            // one sentence on what could not be read, or empty
+  bool torn = false;             // only the last line could not be read, because it is incomplete
 };
 
-// Reads a journal up to its first damaged line. An incomplete last line, and everything from the first
-// invalid line on, is left out, and `damage` says which line and why. Bad input if the file or its first line
-// cannot be read. The mesh files are not read.
+// Reads a journal up to its first damaged line. An incomplete last line (`torn`), and everything from the
+// first invalid line on, is left out, and `damage` says which line and why. Bad input if the file or its
+// first line cannot be read. The mesh files are not read.
 Result<Journal> read_journal(const std::filesystem::path& file);
 
 // The text of a journal. `folder` is the folder of the journal file; if it is empty, meshes are named by

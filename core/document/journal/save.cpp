@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/document/files/extract.h"
+#include "core/document/files/input_files.h"
 #include "core/document/files/path_text.h"
 #include "core/document/files/scene_text.h"
 #include "core/document/text/json_text.h"
@@ -55,6 +56,10 @@ Status save_file(const fs::path& file, std::string_view bytes) {
 
 Status save_journal(const fs::path& file, const SceneDescription& scene, std::span<const Command> commands,
                     std::span<const StateMark> marks) {
+  InputFiles inputs;
+  inputs.add_meshes(scene);
+  inputs.add_meshes(commands);
+  if (const Status free = inputs.check("journal", file); !free) return free;
   const fs::path folder = folder_of(file);
   const auto head = journal_head(scene, {}, folder);
   if (!head) return head.error();
@@ -64,6 +69,9 @@ Status save_journal(const fs::path& file, const SceneDescription& scene, std::sp
 }
 
 Status save_scene(const fs::path& file, const SceneDescription& scene) {
+  InputFiles inputs;
+  inputs.add_meshes(scene);
+  if (const Status free = inputs.check("scene", file); !free) return free;
   SceneDescription without_hashes = scene;
   for (SceneBody& body : without_hashes.bodies) body.hash.reset();
   const auto text = dump_json(scene_json(without_hashes, folder_of(file)), 2);

@@ -11,11 +11,12 @@ std::filesystem::path previous_version(const std::filesystem::path& file);
 // version and replaces an earlier one. A symbolic link is followed. On failure the file is unchanged.
 Status save_file(const std::filesystem::path& file, std::string_view bytes);
 
-// Writes a journal with save_file. Precondition: the meshes of the scene have hashes (see note_hashes).
+// Writes a journal with save_file. Bad input if the file is a mesh that the journal names. Precondition: the
+// meshes of the scene have hashes (see note_hashes).
 Status save_journal(const std::filesystem::path& file, const SceneDescription& scene,
                     std::span<const Command> commands, std::span<const StateMark> marks);
 
-// Writes a scene (.json) with save_file, without commands and hashes.
+// Writes a scene (.json) with save_file, without commands and hashes. Bad input if the file is a mesh of it.
 Status save_scene(const std::filesystem::path& file, const SceneDescription& scene);
 
 // Writes a path file (.json) with save_file. It is read back as the same strokes to the bit.

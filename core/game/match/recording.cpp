@@ -17,8 +17,7 @@ namespace kerf {
 namespace {
 
 constexpr const char* kNames[] = {"easy", "normal", "hard"};
-constexpr uint64_t kMostSeed = 1'000'000'000'000'000'000;
-constexpr size_t kMostTicks = 36'000 * kTicksPerSecond;
+constexpr size_t kMostTicks = kMostSeconds * kTicksPerSecond;
 
 // The controls of `ticks` equal ticks.
 nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
@@ -128,7 +127,8 @@ Result<std::string> recording_text(const Recording& recording, const std::filesy
   return text;
 }
 
-Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const RulesDescription& rules) {
+Result<std::vector<std::filesystem::path>> files_of_match(const std::filesystem::path& rules_file,
+                                                          const RulesDescription& rules) {
   std::vector<std::filesystem::path> vehicles{rules.player};
   for (const auto& wave : rules.waves) vehicles.insert(vehicles.end(), wave.begin(), wave.end());
   vehicles.insert(vehicles.end(), rules.spawns.begin(), rules.spawns.end());
@@ -151,8 +151,14 @@ Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const Ru
   std::vector<std::filesystem::path> files{rules_file, rules.arena};
   files.insert(files.end(), vehicles.begin(), vehicles.end());
   files.insert(files.end(), meshes.begin(), meshes.end());
+  return files;
+}
+
+Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const RulesDescription& rules) {
+  const auto files = files_of_match(rules_file, rules);
+  if (!files) return files.error();
   uint64_t all = 0;
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : *files) {
     const auto hash = file_hash(file);
     if (!hash) return hash.error();
     all = hash_combine(all, *hash);
@@ -180,6 +186,7 @@ Result<Recording> read_recording(const std::filesystem::path& file) {
                                            [&](Fields& f) { describe_line(f, number, recording); });
     if (!parsed && number == 1) return parsed.error();
     if (!parsed || end == std::string::npos) {
+      recording.torn = end == std::string::npos;
       recording.damage = where + " is damaged, and the match is read up to there";
       return recording;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +13,10 @@ namespace kerf {
 // The version of the matches: raised whenever the same inputs lead to another world than before. Recordings
 // of earlier versions are read, and end otherwise than they say.
 inline constexpr size_t kMatchVersion = 4;
+
+// Limits of the seed and of the duration [s] of a match that can be recorded.
+inline constexpr uint64_t kMostSeed = 1'000'000'000'000'000'000;
+inline constexpr size_t kMostSeconds = 36'000;
 
 // A match as its file holds it, one JSON object a line:
 //
@@ -33,6 +38,7 @@ struct Recording {
   std::optional<uint64_t> hash;
   std::string machine;  // on which it was made (see machine_kind); empty without a hash
   std::string damage;   // one sentence on what could not be read, or empty
+  bool torn = false;    // only the last line could not be read, because it is incomplete
   size_t version = kMatchVersion;
 };
 
@@ -46,7 +52,10 @@ Result<Recording> read_recording(const std::filesystem::path& file);
 // The text of a recording for a file in `folder`. Bad input if the path of the rules is not UTF-8.
 Result<std::string> recording_text(const Recording& recording, const std::filesystem::path& folder);
 
-// The hash of the files that a match is made of. Fails if one cannot be read.
+// The files that a match is made of: the rules, and all that they name. Fails if one cannot be read.
+Result<std::vector<std::filesystem::path>> files_of_match(const std::filesystem::path& rules_file,
+                                                          const RulesDescription& rules);
+// The hash of these files.
 Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const RulesDescription& rules);
 
 const char* name_of(Difficulty difficulty);

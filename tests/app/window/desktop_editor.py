@@ -147,10 +147,10 @@ class DesktopEditor(EditorDriver):
         self.kerf.kill()
         self.close()
 
-    def report(self):
+    def report(self, expected=0):
         status = self.kerf.wait(timeout=30 * PATIENCE)
         errors = self.kerf.stderr.read()
-        if status != 0:
+        if status != expected:
             raise AssertionError(f"the editor ended with {status}: {errors}")
         with open(self.report_file) as file:
             return json.load(file)

@@ -252,14 +252,14 @@ class Files(WindowTest):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.kerf.send_signal(signal.SIGTERM)
-        self.assertEqual(editor.report()["strokes"], 1)
+        self.assertEqual(editor.report(143)["strokes"], 1)
         self.assertEqual(len(self.unsaved()), 1)
 
     @real_input
     def test_sigterm_ends_it_with_its_report(self):
         editor = self.open()
         editor.kerf.send_signal(signal.SIGTERM)
-        self.assertEqual(editor.report()["strokes"], 0)
+        self.assertEqual(editor.report(143)["strokes"], 0)
 
 
 if __name__ == "__main__":

@@ -252,7 +252,8 @@ void PathFeature::choose_file_to_save() {
               [this](const std::filesystem::path& file) {
                 save(file);
                 return "";
-              }},
+              },
+          .inputs = [this] { return inputs_of(on_.work); }},
          on_.settings.folder, name.empty() ? "path.json" : name);
 }
 

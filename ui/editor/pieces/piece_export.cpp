@@ -30,7 +30,8 @@ void PieceExport::choose_file() {
                   if (!f.mtl.empty()) files.push_back(f.mtl);
                 }
                 return files;
-              }},
+              },
+          .inputs = [this] { return inputs_of(on_.work); }},
          on_.settings.folder, suggested_name());
 }
 

@@ -250,7 +250,8 @@ void RulerFeature::choose_file_to_export() {
           .verb = "Export",
           .hint = "Name; the ending is .csv",
           .endings = {".csv"},
-          .take = [this](const std::filesystem::path& file) { return export_to(file); }},
+          .take = [this](const std::filesystem::path& file) { return export_to(file); },
+          .inputs = [this] { return inputs_of(on_.work); }},
          on_.settings.folder, "distances.csv");
 }
 

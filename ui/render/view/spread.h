@@ -5,6 +5,9 @@
 
 namespace kerf {
 
+// What an option and a file may ask for.
+inline constexpr NumberRange kSpread{0, 100};
+
 // Sets the offset of every piece to `spread` (>= 0) times the vector from the centre of the world's bounds to
 // the piece's centre of area, and drops looks that are plain then. Loose parts go with the nearest piece (see
 // PieceGroups). If the spread is not 0, it costs as much as group_pieces() for each body.

@@ -80,6 +80,13 @@ std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file)
 
 void choose_file(FileBrowser& b, const fs::path& file) {
   const std::vector<fs::path> there = to_be_replaced(b, file);
+  for (const fs::path& replaced : there) {
+    if (!b.wish.inputs) break;
+    const Status free = b.wish.inputs().check(b.wish.verb, replaced);
+    if (free) continue;
+    b.fault = free.error().message;
+    return;
+  }
   if (!there.empty() && b.replace != file) {
     b.replace = file;
     b.fault = there.front().filename().string() +

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/files/input_files.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/shared/files/folder_list.h"
 
@@ -24,6 +25,8 @@ struct FileWish {
   std::function<std::string(const std::filesystem::path&)> take;
   // For an export of meshes: the files that one under this name writes.
   std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> writes = {};
+  // For a file that is written: the files that must not be replaced.
+  std::function<InputFiles()> inputs = {};
 };
 
 // The window in which a file is chosen: folders, a filter by name, all of it by keyboard too.

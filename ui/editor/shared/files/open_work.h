@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/files/input_files.h"
 #include "core/document/files/scene.h"
 #include "core/document/history/document.h"
 #include "core/document/journal/journal.h"
@@ -28,5 +29,13 @@ struct OpenWork {
 
   static constexpr size_t kNothing = static_cast<size_t>(-1);
 };
+
+// The files that the document was read from, and its meshes.
+inline InputFiles inputs_of(const OpenWork& work) {
+  InputFiles inputs = input_files(work.files);
+  inputs.add_meshes(work.scene);
+  inputs.add_meshes(work.document.journal());
+  return inputs;
+}
 
 }  // namespace kerf

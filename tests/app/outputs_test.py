@@ -1,0 +1,177 @@
+"""What commands write: an output folder tells of one run, and no input is overwritten. `outputs_test.py KERF`."""
+import glob
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERF = os.path.abspath(sys.argv.pop(1))
+PLATE = "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n"
+
+
+def stroke(x):
+    return {"laser": {"radius": 0.02, "range": [0, 5]},
+            "keys": [{"t": 0, "origin": [x, 1, -0.7], "direction": [0, -1, 0]},
+                     {"t": 1, "origin": [x, 1, 0.7], "direction": [0, -1, 0]}]}
+
+
+class Outputs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.write("plate.obj", PLATE)
+        self.write("thrice.json", json.dumps({"strokes": [stroke(-0.2), stroke(0), stroke(0.2)]}))
+        self.write("once.json", json.dumps({"strokes": [stroke(0.1)]}))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def kerf(self, *args, limit="true"):
+        command = ["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *args]
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=120)
+
+    def cut(self, *args):
+        done = self.kerf("cut", *args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def files(self, folder="out"):
+        return sorted(os.listdir(self.path(folder)))
+
+    def assert_one_run(self, *others):
+        listed = [piece["file"] for piece in json.loads(self.read("out/report.json"))["pieces"]]
+        self.assertEqual(self.files(), sorted([*listed, "report.json", *others]))
+
+    def assert_refused_and_unchanged(self, args, *words):
+        before = {name: self.read(name) for name in glob.glob("**", root_dir=self.folder, recursive=True)
+                  if os.path.isfile(self.path(name))}
+        done = self.kerf(*args)
+        self.assertEqual(done.returncode, 2, (args, done.stderr))
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        for name, content in before.items():
+            self.assertEqual(self.read(name), content, name)
+
+    def test_a_folder_tells_of_its_last_run_alone_and_keeps_the_files_of_others(self):
+        self.cut("plate.obj", "--path", "thrice.json", "--out", "out")
+        self.write("out/mine.txt", "mine")
+        self.write("out/piece-0009.obj", "mine too: no report lists it")
+        others = ["mine.txt", "piece-0009.obj"]
+        for options in (["--path", "once.json"], ["--format", "ply"], ["--path", "thrice.json", "--format", "stl"], []):
+            self.cut("plate.obj", "--out", "out", *options)
+            self.assert_one_run(*others)
+
+    def test_only_names_of_pieces_are_removed_whatever_a_report_lists(self):
+        os.mkdir(self.path("out"))
+        names = ["../plate.obj", "mine.txt", "piece-1.obj", "piece-0001", "piece-0001.obj~", "piece-00a1.obj", "report.json"]
+        for name in ("mine.txt", "piece-1.obj", "piece-0001", "piece-0001.obj~", "piece-00a1.obj"):
+            self.write("out/" + name, "mine")
+        self.write("out/report.json", json.dumps({"pieces": [{"file": name} for name in names] + [7, {"file": 8}]}))
+        self.cut("plate.obj", "--out", "out")
+        self.assert_one_run("mine.txt", "piece-1.obj", "piece-0001", "piece-0001.obj~", "piece-00a1.obj")
+        self.assertEqual(self.read("plate.obj").decode(), PLATE)
+
+    def test_a_run_that_fails_leaves_no_report_and_the_next_one_removes_what_both_wrote(self):
+        self.write("fine.json", json.dumps({"strokes": [{**stroke(0), "laser": {"radius": 0.01}}]}))
+        self.cut("plate.obj", "--path", "thrice.json", "--out", "out", "--depth", "1")
+        pieces = self.files()
+        # A piece of the fine cut is larger than a file may be, as on a full disk.
+        done = self.kerf("cut", "plate.obj", "--path", "fine.json", "--target-edge", "0.001", "--out", "out",
+                         limit="ulimit -f 20")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertNotIn("report.json", self.files())
+        self.assertEqual([name for name in self.files() if name.startswith("piece-")], pieces[:-1])
+        self.cut("plate.obj", "--out", "out")
+        self.assert_one_run()
+
+    def test_a_mesh_in_the_folder_of_the_result_is_no_input(self):
+        self.cut("plate.obj", "--path", "once.json", "--out", "out")
+        for options in ([], ["--format", "ply"], ["--journal", "out.kerf"]):
+            self.assert_refused_and_unchanged(["cut", "out/piece-0000.obj", "--out", "out", *options], "--out", "input")
+        os.remove(self.path("out/report.json"))
+        self.cut("out/piece-0000.obj", "--out", "out", "--format", "ply")
+
+    def test_an_input_is_known_by_its_file_and_not_by_its_name(self):
+        os.mkdir(self.path("out"))
+        for make in (os.symlink, os.link):
+            make(self.path("plate.obj"), self.path("out/piece-0000.obj"))
+            self.assert_refused_and_unchanged(["cut", "plate.obj", "--out", "out"], "plate.obj")
+            os.remove(self.path("out/piece-0000.obj"))
+            make(self.path("plate.obj"), self.path("j.kerf"))
+            self.assert_refused_and_unchanged(["cut", "plate.obj", "--out", "out", "--journal", "j.kerf"], "--journal")
+            os.remove(self.path("j.kerf"))
+        self.assert_refused_and_unchanged(["cut", "plate.obj", "--out", "out", "--journal", "out/../plate.obj"], "--journal")
+
+    def test_no_command_overwrites_what_it_reads(self):
+        self.write("scene.json", json.dumps({"bodies": [{"mesh": "plate.obj"}]}))
+        self.write("set.json", "{}")
+        self.cut("plate.obj", "--path", "once.json", "--out", "other", "--journal", "j.kerf")
+        cut = ["cut", "scene.json", "--path", "once.json", "--settings", "set.json", "--out", "out", "--journal"]
+        for name in ("plate.obj", "scene.json", "once.json", "set.json"):
+            self.assert_refused_and_unchanged([*cut, name], "--journal", name)
+        for name in ("out/report.json", "out/piece-0001.obj", "./out/piece-12345.ply"):
+            self.assert_refused_and_unchanged([*cut, name], "--journal", name)
+        self.assert_refused_and_unchanged(["prepare", "plate.obj", "--smooth", "1", "--out", "plate.obj"], "--out")
+        os.mkdir(self.path("again"))
+        os.symlink(self.path("plate.obj"), self.path("again/piece-0000.obj"))
+        self.assert_refused_and_unchanged(["replay", "j.kerf", "--out", "again"], "--out", "plate.obj")
+        os.symlink(self.path("j.kerf"), self.path("again/frame-00000.png"))
+        self.assert_refused_and_unchanged(["replay", "j.kerf", "--frames", "again"], "--frames", "j.kerf")
+        for name, file in (("plate.obj", "plate.obj"), ("scene.json", "plate.obj"), ("j.kerf", "plate.obj"), ("j.kerf", "j.kerf")):
+            os.symlink(self.path(file), self.path("p.png"))
+            self.assert_refused_and_unchanged(["render", name, "--out", "p.png"], "--out", file)
+            self.assert_refused_and_unchanged([name, "--report", file], "--report", file)
+            os.remove(self.path("p.png"))
+
+    def test_a_match_is_not_written_over_its_rules(self):
+        rules = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
+        shutil.copytree(rules, self.path("assets"), ignore=shutil.ignore_patterns("pictures", "shaders", "*.py"))
+        play = ["play", "assets/games/trial.json", "--headless", "--driver", "still", "--seconds", "1"]
+        for file in ("assets/games/trial.json", "assets/arenas/yard.json", "assets/meshes/yard.obj"):
+            for option in ("--report", "--record"):
+                self.assert_refused_and_unchanged([*play, option, file], option, file)
+
+    def test_the_buffers_of_a_gltf_file_are_inputs(self):
+        self.cut("plate.obj", "--format", "gltf", "--out", "g")
+        gltf = json.loads(self.read("g/piece-0000.gltf"))
+        self.write("a b.bin", "x")
+        gltf["buffers"][0]["uri"] = "a%20b.bin"
+        self.write("g.gltf", json.dumps(gltf))
+        self.assert_refused_and_unchanged(["cut", "g.gltf", "--out", "out", "--journal", "a b.bin"], "--journal", "a b.bin")
+
+    def test_a_journal_that_cannot_be_begun_is_known_before_the_cut(self):
+        os.mkdir(self.path("folder"))
+        for journal in ("/dev/full", "folder", "nowhere/j.kerf"):
+            done = self.kerf("cut", "plate.obj", "--path", "once.json", "--out", "out", "--journal", journal)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(journal, done.stderr)
+            self.assertFalse(os.path.exists(self.path("out")))
+
+    def test_a_journal_that_cannot_be_ended_costs_no_piece(self):
+        strokes = [stroke(-0.4 + 0.001 * (i % 800)) for i in range(400)]
+        self.write("many.json", json.dumps({"strokes": strokes}))
+        self.write("j.kerf", "what was there\n")
+        done = self.kerf("cut", "plate.obj", "--path", "many.json", "--depth", "0", "--out", "out", "--journal", "j.kerf",
+                         limit="ulimit -f 100")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("cannot write j.kerf", done.stderr)
+        self.assert_one_run()
+        self.assertEqual(self.read("j.kerf"), b"what was there\n")
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith(".tmp")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,31 @@
+#include "ui/screen/stop_signals.h"
+
+#include <csignal>
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+namespace {
+
+volatile std::sig_atomic_t stop_came = 0;  // a handler can reach nothing else
+void remember(int signal) { stop_came = signal; }
+
+}  // namespace
+
+StopSignals::StopSignals()
+    : old_interrupt_(std::signal(SIGINT, remember)), old_terminate_(std::signal(SIGTERM, remember)) {
+  KERF_ASSERT(old_interrupt_ != remember && old_terminate_ != remember);
+  stop_came = 0;
+}
+
+StopSignals::~StopSignals() {
+  std::signal(SIGINT, old_interrupt_);
+  std::signal(SIGTERM, old_terminate_);
+}
+
+bool StopSignals::came() const { return stop_came != 0; }
+
+int StopSignals::last() { return stop_came; }
+
+}  // namespace kerf

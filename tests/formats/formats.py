@@ -2,7 +2,7 @@
 """Fails on a format of a number in a widget that the compiler does not check.
 
 formats.py ROOT prints `file:line: why` for each breach below ROOT/ui and exits with 1 if there is one. Widgets for
-numbers take their format as a plain pointer; it has to come from RealFormat, WholeFormat or format_of_text (see
+numbers take their format as a plain pointer; it has to come from RealFormat or WholeFormat (see
 ui/window/number_format.h).
 """
 import os

@@ -11,6 +11,7 @@
 #include "ui/render/view/view_switches.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
+#include "ui/window/slider.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -23,9 +24,10 @@ void dim_match() {
 }
 
 void slider(const char* label, double& value, double low, double high, const RealFormat& format) {
-  float x = static_cast<float>(value);
-  if (ImGui::SliderFloat(label, &x, static_cast<float>(low), static_cast<float>(high), format.c_str()))
-    value = std::clamp(static_cast<double>(x), low, high);
+  const std::string id = std::string("##") + label;
+  real_slider({label, id.c_str(), label}, value, low, high, format);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::TextUnformatted(label);
 }
 
 template <typename Enum, size_t n>

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <deque>
 #include <string>
+#include <utility>
 
 namespace kerf {
 
@@ -23,9 +24,16 @@ struct Message {
   static constexpr size_t kMostLogged = 200;
 
   void say(std::string sentence, bool error = false) {
+    if (sentence.empty() && std::exchange(outlives_next_, false)) return;
     text = std::move(sentence);
     is_error = error;
     if (!text.empty()) note(text, error);
+  }
+
+  // Shows a sentence about what was entered, which the change that follows from it does not clear.
+  void say_before_change(std::string sentence) {
+    say(std::move(sentence));
+    outlives_next_ = true;
   }
 
   // Writes a sentence to the log without showing it.
@@ -33,6 +41,9 @@ struct Message {
     log.push_back({std::time(nullptr), std::move(sentence), error});
     if (log.size() > kMostLogged) log.pop_front();
   }
+
+ private:
+  bool outlives_next_ = false;
 };
 
 }  // namespace kerf

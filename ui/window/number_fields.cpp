@@ -1,65 +1,126 @@
 #include "ui/window/number_fields.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "core/base/count_text.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
 namespace kerf {
 
-std::optional<size_t> count_in(std::string text) {
-  constexpr double kMostTyped = 1e15;
-  std::erase(text, ' ');
-  char* end = nullptr;
-  const double number = std::round(std::strtod(text.c_str(), &end));
-  if (text.empty() || *end != '\0' || !(number >= 1 && number <= kMostTyped)) return std::nullopt;
-  return static_cast<size_t>(number);
+namespace {
+
+// Of the window, as the context of ImGui is.
+Message*& entry_message() {
+  static Message* message = nullptr;
+  return message;
 }
 
-bool NumberFields::field(double& value, const std::string& format, const char* meaning) {
-  double shown = value;
-  const bool changed =
-      ImGui::InputScalar("##field", ImGuiDataType_Double, &shown, nullptr, nullptr, format.c_str());
-  // Without a change the text is the value as it was, which may be typed again.
-  if (changed || ImGui::IsItemActive()) typed_ = shown;
-  const bool entered = ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed_);
-  if (entered) value = typed_;
-  tooltip(meaning);
-  return entered;
+float room_in_field() { return ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x; }
+
+// The tooltip of the last item, with all of a text that it shows shortened.
+void explain(const std::string& shown, const std::string& fitted, const char* meaning) {
+  tooltip(fitted == shown ? meaning : (shown + '\n' + meaning).c_str());
 }
 
-bool NumberFields::count(const char* name, size_t& value, const char* meaning) {
-  property(name);
-  std::array<char, 32> text{};
-  const std::string shown = grouped(value);
+// The unit as it is read: also what the format shows.
+NumberUnit read_unit(const NumberEntry& entry) {
+  NumberUnit unit = entry.unit;
+  if (const std::string own = entry.format.unit(); !own.empty()) unit.name = own;
+  return unit;
+}
+
+}  // namespace
+
+void report_entries_to(Message* message) { entry_message() = message; }
+
+std::string NumberEntry::shown(double value) const { return number_text(value, format, scale) + unit.name; }
+
+std::optional<double> NumberEntry::entered(std::string_view text, double present) const {
+  Message* message = entry_message();
+  const auto refuse = [&](const std::string& reason) {
+    if (message != nullptr)
+      message->say(std::string(name) + " stays " + shown(present) + ": " + reason, true);
+    return std::nullopt;
+  };
+  const Result<double> value = evaluate_number(text, read_unit(*this));
+  if (!value) return refuse(value.error().message);
+  if (range.positive && !(*value > 0)) return refuse("it must be more than 0");
+  if (range.contains(*value)) return *value;
+  const bool low = *value < range.least;
+  const double limited = low ? range.least : range.most;
+  if (message != nullptr)
+    message->say_before_change(std::string(name) + " is limited to " + shown(limited) + ", the " +
+                               (low ? "least" : "most") + " that it can be");
+  return limited;
+}
+
+std::optional<std::string> EditedText::draw(const char* id, const std::string& shown,
+                                            const std::string& fitted) {
+  std::array<char, std::tuple_size_v<decltype(typed_)>> text{};
   std::copy_n(shown.begin(), std::min(shown.size(), text.size() - 1), text.begin());
-  ImGui::PushID(name);
-  if (ImGui::InputText("##field", text.data(), text.size())) typed_text_ = text;
-  const bool edited = ImGui::IsItemDeactivatedAfterEdit();
-  mark_last_item(name);
-  tooltip(meaning);
-  ImGui::PopID();
-  const std::optional<size_t> typed = edited ? count_in(typed_text_.data()) : std::nullopt;
+  const bool shortened = fitted != shown && ImGui::GetActiveID() != ImGui::GetID(id);
+  if (shortened) ImGui::PushStyleColor(ImGuiCol_Text, 0);  // only hidden, so that it can be edited
+  const bool changed = ImGui::InputText(id, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
+  if (shortened) ImGui::PopStyleColor();
+  if (ImGui::IsItemActivated()) begun_ = shown;
+  if (changed) typed_ = text;
+  const bool entered = ImGui::IsItemDeactivatedAfterEdit() && begun_ != typed_.data();
+  if (shortened) {
+    const ImVec2 at = ImGui::GetItemRectMin(), padding = ImGui::GetStyle().FramePadding;
+    ImGui::GetWindowDrawList()->AddText({at.x + padding.x, at.y + padding.y},
+                                        ImGui::GetColorU32(ImGuiCol_Text), fitted.c_str());
+  }
+  return entered ? std::optional<std::string>(typed_.data()) : std::nullopt;
+}
+
+bool NumberFields::field(double& value, const NumberEntry& entry, const char* meaning) {
+  const std::string shown = entry.shown(value);
+  const std::string fitted =
+      fitted_number(value, entry.format, entry.unit.name, entry.scale, room_in_field());
+  const std::optional<std::string> text = text_.draw("##field", shown, fitted);
+  explain(shown, fitted, meaning);
+  const std::optional<double> typed = text ? entry.entered(*text, value) : std::nullopt;
   if (typed) value = *typed;
   return typed.has_value();
 }
 
-bool NumberFields::vector(const char* name, Vec3& values, const RealFormat& format, const char* meaning) {
+bool NumberFields::count(const char* name, size_t& value, const char* meaning, size_t least, size_t most) {
+  property(name);
+  const std::string shown = grouped(value);
+  const std::string fitted = fitted_text(shown, room_in_field());
+  ImGui::PushID(name);
+  const std::optional<std::string> text = text_.draw("##field", shown, fitted);
+  mark_last_item(name);
+  explain(shown, fitted, meaning);
+  ImGui::PopID();
+  if (!text) return false;
+  const NumberRange range{static_cast<double>(least), static_cast<double>(most)};
+  const NumberEntry entry{name, RealFormat("%.0f"), {}, range};
+  const std::optional<double> typed = entry.entered(*text, static_cast<double>(value));
+  if (typed) value = static_cast<size_t>(std::round(*typed));
+  return typed.has_value();
+}
+
+bool NumberFields::vector(const char* name, Vec3& values, const RealFormat& format, const char* meaning,
+                          const NumberUnit& unit, double scale) {
   property(name);
   bool entered = false;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  const double size = std::max(scale, glm::length(values));
   ImGui::PushID(name);
   for (int i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
     ImGui::PushID(i);
-    entered = field(values[i], format.c_str(), meaning) || entered;
+    entered = field(values[i], {name, format, unit, kFinite, size}, meaning) || entered;
     mark_last_item(name, i);
     ImGui::PopID();
   }
@@ -68,10 +129,10 @@ bool NumberFields::vector(const char* name, Vec3& values, const RealFormat& form
 }
 
 bool NumberFields::number(const char* name, double& value, const RealFormat& format, const char* meaning,
-                          std::string_view unit) {
+                          const NumberUnit& unit, const NumberRange& range) {
   property(name);
   ImGui::PushID(name);
-  const bool entered = field(value, format.with(unit), meaning);
+  const bool entered = field(value, {name, format, unit, range}, meaning);
   mark_last_item(name);
   ImGui::PopID();
   return entered;

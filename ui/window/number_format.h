@@ -11,8 +11,8 @@ namespace kerf {
 class NumberFormat {
  public:
   const char* c_str() const { return text_; }
-  // The format followed by a text that is shown as it is.
-  std::string with(std::string_view after) const;
+  // The text after the number, as it is shown: "MB" of "%.1f MB", without the space.
+  std::string unit() const;
 
  protected:
   consteval NumberFormat(const char* text, std::string_view conversions) : text_(text) {
@@ -46,8 +46,5 @@ struct RealFormat : NumberFormat {
 struct WholeFormat : NumberFormat {
   consteval WholeFormat(const char* text) : NumberFormat(text, "d") {}
 };
-
-// The format of a widget that shows a text in place of its number.
-std::string format_of_text(std::string_view text);
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/imgui_vector.h"
 
 namespace kerf {
@@ -54,7 +55,7 @@ void property(const char* label) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
+  draw_fitted_text(label);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
 }
@@ -84,8 +85,7 @@ void tooltip(const char* text, const std::optional<TipPicture>& picture) {
 void figure_row(const char* name, const std::string& value, const char* meaning) {
   property(name);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(value.c_str());
-  tooltip(meaning);
+  draw_fitted_text(value, meaning);
 }
 
 }  // namespace kerf

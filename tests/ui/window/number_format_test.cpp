@@ -7,15 +7,12 @@
 namespace kerf {
 namespace {
 
-TEST(NumberFormat, is_followed_by_a_text_as_it_is) {
-  EXPECT_STREQ(RealFormat("%.3g %%").c_str(), "%.3g %%");
-  EXPECT_EQ(RealFormat("%.3g ").with("% of mm"), "%.3g %% of mm");
-  EXPECT_EQ(WholeFormat("%d").with(""), "%d");
-}
-
-TEST(NumberFormat, of_a_text_shows_the_text) {
-  EXPECT_EQ(format_of_text("12 % of 40"), "12 %% of 40");
-  EXPECT_EQ(format_of_text(""), "");
+TEST(NumberFormat, knows_the_unit_behind_its_number) {
+  EXPECT_EQ(RealFormat("%.1f MB").unit(), "MB");
+  EXPECT_EQ(RealFormat("%.4g J/(kg K)").unit(), "J/(kg K)");
+  EXPECT_EQ(RealFormat("%.0f %%").unit(), "%");
+  EXPECT_EQ(RealFormat("%.4g ").unit(), "");
+  EXPECT_EQ(RealFormat("%g").unit(), "");
 }
 
 TEST(TextOf, takes_several_values) {

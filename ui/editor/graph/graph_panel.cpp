@@ -13,10 +13,11 @@
 #include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/render/bodies/pick.h"
 #include "ui/render/view/view_switches.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
-#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -36,7 +37,7 @@ void placing_row(GraphState& graph) {
   const bool positioned = graph.cannot_unroll() && graph.removed() > 0;
   const char* shown =
       positioned ? "By position: it does not run around" : kPlacings.at(static_cast<size_t>(graph.placing()));
-  if (ImGui::BeginCombo("##placing", shown)) {
+  if (begin_fitted_combo("##placing", shown)) {
     for (size_t i = 0; i < kPlacings.size(); ++i) {
       const auto placing = static_cast<GraphState::Placing>(i);
       if (ImGui::Selectable(kPlacings.at(i), placing == graph.placing())) graph.place(placing);
@@ -61,14 +62,13 @@ void traversal_row(GraphState& graph) {
   ImGui::SameLine();
   int marked = static_cast<int>(graph.marked());
   ImGui::SetNextItemWidth(-1);
-  const std::string shown = format_of_text(count_text(graph.marked(), "face"));
-  if (ImGui::SliderInt("##marked", &marked, 0, static_cast<int>(graph.reached()), shown.c_str(),
-                       ImGuiSliderFlags_AlwaysClamp)) {
+  if (whole_slider({"Traversal", "##marked",
+                    "How many faces the search has marked. A click on a single face starts it from there."},
+                   marked, 0, static_cast<int>(graph.reached()), count_text(graph.marked(), "face"))) {
     graph.play(false);
     graph.set_marked(static_cast<size_t>(marked));
   }
   mark_last_item("graph slider");
-  tooltip("How many faces the search has marked. A click on a single face starts it from there.");
 }
 
 // A line below the last slider for each removal that closed a loop.
@@ -95,20 +95,18 @@ void removals_row(GraphState& graph, const ViewState& view) {
   const auto& closings = graph.closings();
   const auto closed = std::upper_bound(closings.begin(), closings.end(), graph.removals()) - closings.begin();
   const std::string shown =
-      format_of_text(grouped(graph.removals()) + ", " + grouped(static_cast<size_t>(closed)) +
-                     (closed == 1 ? " loop closed" : " loops closed"));
-  if (ImGui::SliderInt("##removals", &removals, 0, static_cast<int>(graph.removed()), shown.c_str(),
-                       ImGuiSliderFlags_AlwaysClamp))
-    graph.set_removals(static_cast<size_t>(removals));
-  mark_last_item("graph removals");
-  mark_closings(graph);
+      grouped(graph.removals()) + ", " + count_text(static_cast<size_t>(closed), "loop");
   const std::string meaning = with_shortcut(
       view,
       "How many faces the stroke had removed. A tick is the moment at which a removal closed a loop of "
       "removed "
       "faces, which is when Kerf searches. The picture shows the loops while it shows the component graph.",
       action_name(view_switch(SwitchId::kGraph)));
-  tooltip(meaning.c_str());
+  if (whole_slider({"Removals", "##removals", meaning.c_str()}, removals, 0,
+                   static_cast<int>(graph.removed()), shown))
+    graph.set_removals(static_cast<size_t>(removals));
+  mark_last_item("graph removals");
+  mark_closings(graph);
 }
 
 std::string verdict(const GraphState& graph) {

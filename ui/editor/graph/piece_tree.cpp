@@ -8,6 +8,7 @@
 #include "core/joints/loaded_part.h"
 #include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/statistics/step_words.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -108,7 +109,8 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   }
   list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(document.world(), view, id));
   ImGui::SetCursorScreenPos({x + 0.8f * em, at.y});
-  if (ImGui::Selectable(body.name_of(id.label).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns)) {
+  if (ImGui::Selectable(fitted_label(body.name_of(id.label), ImGui::GetContentRegionAvail().x).c_str(),
+                        chosen, ImGuiSelectableFlags_SpanAllColumns)) {
     choose_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);
     view.picture_old = true;
   }

@@ -8,9 +8,10 @@
 #include "ui/editor/shared/files/file_frames.h"
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/statistics/step_words.h"
-#include "ui/window/number_format.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -68,8 +69,8 @@ bool draw_row(size_t now, size_t position, const Row& row) {
   const bool undone = position > now;
   if (position == now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  const bool clicked =
-      ImGui::Selectable(row.name.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
+  const std::string label = fitted_label(row.name, ImGui::GetContentRegionAvail().x);
+  const bool clicked = ImGui::Selectable(label.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
   mark_last_item("history row", static_cast<int>(position));
   const char* meaning = position == now ? "This is where the work is now."
                         : undone        ? "Was taken back. A click does it again, with all before it."
@@ -102,14 +103,14 @@ void draw_window(Document& document, Settings& settings) {
   if (!begin_properties("window")) return;
   property("Memory");
   int megabytes = settings.history_megabytes;
-  if (ImGui::SliderInt("##window", &megabytes, Settings::kLeastHistory, Settings::kMostHistory,
-                       WholeFormat("%d MB").c_str(),
-                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
+  constexpr const char* kMeaning =
+      "How much memory going back at once may take. Older steps come back by replay, which takes longer.";
+  if (whole_slider({"Memory", "##window", kMeaning, true}, megabytes, Settings::kLeastHistory,
+                   Settings::kMostHistory, grouped(static_cast<size_t>(megabytes)) + " MB",
+                   {Quantity::kPlain, 1, " MB"})) {
     settings.history_megabytes = megabytes;
     document.set_window(settings.history_bytes());
   }
-  tooltip(
-      "How much memory going back at once may take. Older steps come back by replay, which takes longer.");
   property("Held");
   ImGui::TextUnformatted(
       text_of("%.1f MB", static_cast<double>(document.history().bytes()) / (1 << 20)).c_str());

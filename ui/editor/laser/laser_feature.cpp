@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/base/angle.h"
@@ -22,16 +23,14 @@
 #include "ui/editor/shared/picture/axes_gizmo.h"
 #include "ui/render/bodies/pick.h"
 #include "ui/window/imgui_vector.h"
-#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
 namespace {
-
-constexpr ImGuiSliderFlags kLogarithmic = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 bool radius_row(LaserControls& laser, FileUnit file_unit) {
   property("Radius");
@@ -40,16 +39,13 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
   double shown = laser.radius / unit.metres;
   const double low = laser.default_radius / LaserControls::kRadiusSpan / unit.metres;
   const double high = laser.default_radius * LaserControls::kRadiusSpan / unit.metres;
-  const std::string format = RealFormat("%.3g ").with(unit.name);
-  if (ImGui::SliderScalar("##radius", ImGuiDataType_Double, &shown, &low, &high, format.c_str(),
-                          kLogarithmic)) {
+  constexpr const char* kMeaning =
+      "Half the width of the cut. Ctrl+click to type a number, right click for the default. The last stroke "
+      "follows while \"as the slider moves\" is on in the Resolution panel.";
+  if (real_slider({"Radius", "##radius", kMeaning, true}, shown, low, high, "%.3g ", length_unit(unit.name)))
     laser.radius = shown * unit.metres;
-  }
   mark_last_item("radius");
   reset_item(laser.radius, laser.default_radius);
-  tooltip(
-      "Half the width of the cut. Ctrl+click to type a number, right click for the default. The last stroke "
-      "follows while \"as the slider moves\" is on in the Resolution panel.");
   return laser.radius != before;
 }
 
@@ -152,6 +148,9 @@ class LaserFeature : public Feature {
   }
   void follow_queue(double seconds) override;
   bool moving() const override { return sparks_.moving() || on_.changes.can_cut() || on_.beam.emits(); }
+  void report(nlohmann::ordered_json& report) const override {
+    report["laser"] = {{"radius", on_.laser.radius}, {"power", on_.laser.power}};
+  }
   void forget() override {
     on_.beam = LaserTool();
     on_.cut_once = false;

@@ -12,9 +12,10 @@
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/picture/shadow_methods.h"
 #include "ui/screen/shadow_statistics.h"
-#include "ui/window/number_format.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
@@ -31,7 +32,7 @@ bool method_row(const char* label, const char* id, ShadowMethod& method) {
   const auto found = std::find_if(all.begin(), all.end(), is);
   KERF_ASSERT(found != all.end());
   const MethodWords& now = *found;
-  if (ImGui::BeginCombo(id, now.name)) {
+  if (begin_fitted_combo(id, now.name)) {
     for (const MethodWords& m : all) {
       if (ImGui::Selectable(m.name, m.method == method)) {
         changed = m.method != method;
@@ -46,13 +47,9 @@ bool method_row(const char* label, const char* id, ShadowMethod& method) {
   return changed;
 }
 
-bool slider(const char* label, const char* id, double& value, double low, double high,
-            const RealFormat& format, const char* meaning, ImGuiSliderFlags flags) {
-  property(label);
-  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
-                                           flags | ImGuiSliderFlags_AlwaysClamp);
-  tooltip(meaning);
-  return changed;
+bool slider_row(const Slider& slider, double& value, double low, double high, const RealFormat& format) {
+  property(slider.name);
+  return real_slider(slider, value, low, high, format);
 }
 
 bool shadow_rows(ViewState& view) {
@@ -63,10 +60,12 @@ bool shadow_rows(ViewState& view) {
   draw_switch(view, SwitchId::kShadows, "");
   changed |= method_row("Method", "##method", shadow.method);
   if (shadow.method != ShadowMethod::kRobust) {
-    changed |=
-        slider("Reach", "##reach", shadow.extrusion, kLeastReach, kMostReach, "%.2g sizes of the world",
-               "How far the paper's volumes are extruded; what lies beyond gets no shadow.",
-               ImGuiSliderFlags_Logarithmic);
+    changed |= slider_row(
+        {"Reach", "##reach",
+         "How far the paper's volumes are extruded, in sizes of the world; what lies beyond gets no "
+         "shadow.",
+         true},
+        shadow.extrusion, kLeastReach, kMostReach, "%.2g sizes");
   }
   property("");
   changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
@@ -82,7 +81,7 @@ bool compare_rows(ViewState& view, const ShadowStatistics& statistics) {
   draw_switch(view, SwitchId::kCompare, "two methods");
   if (!view.look.show.shadow_compare) return false;
   bool changed = method_row("with", "##beside", shadow.beside);
-  changed |= slider("Split", "##split", shadow.split, 0, 1, "%.2f", "Where the two meet.", 0);
+  changed |= slider_row({"Split", "##split", "Where the two meet."}, shadow.split, 0, 1, "%.2f");
   property("");
   ImGui::TextUnformatted(statistics.differing ? text_of("%zu pixels differ", *statistics.differing).c_str()
                                               : "counting the pixels that differ");
@@ -123,17 +122,17 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
     light.colour = Vec3(shown * shown);
     changed = true;
   }
-  changed |=
-      slider("Intensity", "##intensity", light.intensity, kLeastIntensity, kMostIntensity, "%.3g",
-             "What arrives on a surface that faces it; of a lamp at a distance of one size of the world.",
-             ImGuiSliderFlags_Logarithmic);
+  changed |= slider_row(
+      {"Intensity", "##intensity",
+       "What arrives on a surface that faces it; of a lamp at a distance of one size of the world.", true},
+      light.intensity, kLeastIntensity, kMostIntensity, "%.3g");
   return changed;
 }
 
 bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
   property("Preset");
   bool changed = false;
-  if (ImGui::BeginCombo("##preset", "Choose")) {
+  if (begin_fitted_combo("##preset", "Choose")) {
     for (const LightPreset& preset : light_presets()) {
       if (ImGui::Selectable(preset.name)) {
         look.lights = lights_of(preset, bounds, up);

@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/heat/cut_remedies.h"
 
 #include "ui/editor/shared/files/file_frames.h"
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/landmarks.h"
-#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
@@ -20,7 +21,6 @@ namespace {
 
 constexpr double kMostRadii = 100;  // that heat can be wide
 constexpr double kSlanted = 1.05;   // from which on a slant is told
-constexpr ImGuiSliderFlags kPowerSlider = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 std::string energy_label(double joules) {
   return joules >= 1000 ? text_of("%.3g kJ", joules / 1000) : text_of("%.3g J", joules);
@@ -114,16 +114,16 @@ void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
   const LengthUnit in = label_unit(default_heat_width(laser.radius), unit);
   if (length_field(fields_, "Heat beside", width, in,
                    "How far from the rim the cut leaves heat: at the melting point on the rim, less with the "
-                   "distance. 0 leaves none. A negative number is for what suits the radius."))
-    laser.heat_width = width >= 0 ? std::optional(std::min(width, kMostRadii * laser.radius)) : std::nullopt;
+                   "distance. 0 leaves none. A negative number is for what suits the radius.",
+                   "", {std::numeric_limits<double>::lowest(), kMostRadii * laser.radius}))
+    laser.heat_width = width >= 0 ? std::optional(width) : std::nullopt;
 }
 
 void LaserHeatRows::draw_thermal(LaserControls& laser) {
   property("Power");
-  ImGui::SliderScalar("##power", ImGuiDataType_Double, &laser.power, &LaserControls::kLeastPower,
-                      &LaserControls::kMostPower, RealFormat("%.4g W").c_str(), kPowerSlider);
+  real_slider({"Power", "##power", "Of the beam while it is on. Ctrl+click to type a number.", true},
+              laser.power, LaserControls::kLeastPower, LaserControls::kMostPower, "%.4g W", kWatts);
   mark_last_item("laser power");
-  tooltip("Of the beam while it is on. Ctrl+click to type a number.");
   property("Oxygen");
   ImGui::Checkbox("##oxygen", &laser.oxygen);
   mark_last_item("oxygen");

@@ -14,6 +14,7 @@
 #include "ui/editor/material/stroke_watch.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/pieces/piece_set.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_fields.h"
@@ -59,11 +60,15 @@ std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view)
   return PieceId{bodies.front(), 0};
 }
 
-// What is typed is limited to what a journal can hold.
+// What is typed is limited to what a journal can hold. Lengths are saved in metres.
 template <typename Owner>
 bool MaterialPanel::number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner) {
   double shown = owner.*field.member / field.scale;
-  if (!fields_.number(field.label, shown, format, field.meaning)) return false;
+  const bool is_length = std::string_view(field.range.unit) == "m";
+  const NumberUnit unit{is_length ? Quantity::kLength : Quantity::kPlain, field.scale};
+  const NumberRange range{field.range.least / field.scale, field.range.most / field.scale};
+  if (!fields_.number(field.label, shown, format, field.meaning, is_length ? unit : NumberUnit(), range))
+    return false;
   owner.*field.member = std::clamp(shown * field.scale, field.range.least, field.range.most);
   return true;
 }
@@ -79,7 +84,7 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
   const auto own = std::find_if(materials->begin(), materials->end(),
                                 [&](const Material& m) { return is_of(sheet.substance, m.substance); });
   bool changed = false;
-  if (ImGui::BeginCombo("##material", own != materials->end() ? own->title.c_str() : "Of its own")) {
+  if (begin_fitted_combo("##material", own != materials->end() ? own->title : "Of its own")) {
     for (const Material& material : *materials) {
       if (!ImGui::Selectable(material.title.c_str(), material.substance == sheet.substance)) continue;
       changed = material.substance != sheet.substance;
@@ -135,8 +140,9 @@ MaterialChange MaterialPanel::draw(const Workspace& on) {
   const std::string of = chosen == 0   ? std::string("All pieces")
                          : chosen == 1 ? body.name_of(piece->label)
                                        : std::to_string(chosen) + " chosen pieces";
-  ImGui::TextDisabled("%s", of.c_str());
-  tooltip("Changes are for the chosen pieces, or for all of them if none is chosen.");
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  draw_fitted_text(of, "Changes are for the chosen pieces, or for all of them if none is chosen.");
+  ImGui::PopStyleColor();
   Sheet sheet = body.sheet;
   bool changed = false;
   if (begin_properties("sheet")) {

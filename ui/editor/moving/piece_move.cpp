@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "ui/editor/shared/picture/gizmo.h"
+#include "ui/window/number_text.h"
 
 namespace kerf {
 
@@ -60,12 +60,6 @@ bool edit_amount(std::string& typed, int key) {
 std::optional<PieceMove::Axis> axis_of(int key) {
   if (key < GLFW_KEY_X || key > GLFW_KEY_Z) return std::nullopt;
   return static_cast<PieceMove::Axis>(key - GLFW_KEY_X);
-}
-
-std::string number_text(double number) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", number);
-  return text.data();
 }
 
 }  // namespace
@@ -170,11 +164,13 @@ std::string PieceMove::words(const char* unit) const {
   if (!axis.empty()) text += (moves ? " along" : " about") + axis;
   text += ": ";
   if (!typed_.empty()) return text + typed_ + (moves ? std::string(" ") + unit : " degrees");
-  if (!moves) return text + number_text(angle() / kDegree) + " degrees";
+  constexpr double kHalfTurn = 180;
+  if (!moves) return text + number_text(angle() / kDegree, "%.4g", kHalfTurn) + " degrees";
   const Vec3 by = shift();
+  const auto shown = [&](double way) { return number_text(way, "%.4g", glm::length(by)); };
   const std::string end = std::string(" ") + unit + (snap_ && snap_->vertex ? ", to a vertex" : "");
-  if (axis_) return text + number_text(by[static_cast<int>(*axis_)]) + end;
-  return text + number_text(by.x) + ", " + number_text(by.y) + ", " + number_text(by.z) + end;
+  if (axis_) return text + shown(by[static_cast<int>(*axis_)]) + end;
+  return text + shown(by.x) + ", " + shown(by.y) + ", " + shown(by.z) + end;
 }
 
 }  // namespace kerf

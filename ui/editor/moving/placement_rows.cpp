@@ -7,6 +7,7 @@
 
 #include "core/base/angle.h"
 #include "ui/editor/moving/moving.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/window/property.h"
 
@@ -15,6 +16,7 @@ namespace kerf {
 namespace {
 
 constexpr double kRadiansOfDegree = kPi / 180;
+constexpr double kHalfTurn = 180;  // degrees
 
 // Angles are shown without the rounding of sines and cosines, and without a sign at zero.
 double tidy(double degrees) { return std::round(degrees * 1e9) / 1e9 + 0.0; }
@@ -36,7 +38,7 @@ std::optional<Command> PlacementRows::draw(const World& world, const ViewState& 
   const char* why_not = why_no_move(view.look.pieces);
   std::optional<Command> command;
   if (why_not == nullptr) {
-    command = draw_fields(world, *first_chosen(view.look.pieces));
+    command = draw_fields(world, view, *first_chosen(view.look.pieces));
   } else {
     draw_empty(why_not);
   }
@@ -44,16 +46,19 @@ std::optional<Command> PlacementRows::draw(const World& world, const ViewState& 
   return command;
 }
 
-std::optional<Command> PlacementRows::draw_fields(const World& world, const PieceId& piece) {
+std::optional<Command> PlacementRows::draw_fields(const World& world, const ViewState& view,
+                                                  const PieceId& piece) {
   const Body& body = world.body(piece.body);
   Placement to = body.placement;
   const Vec3 before = pivot_of(body, piece.label), centre_in_body = to.to_body(before);
   Vec3 centre = before, angles = angles_of(to.orientation);
   if (fields_.vector("Centre", centre, "%.5g",
-                     "X, Y and Z of the chosen piece's centre of area, in the unit of the file."))
+                     "X, Y and Z of the chosen piece's centre of area, in the unit of the file.",
+                     file_unit(view.frame.unit), world.loaded_bounds().diagonal()))
     to.position += centre - before;
   if (fields_.vector("Rotation", angles, "%.4g",
-                     "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.")) {
+                     "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.", kDegrees,
+                     kHalfTurn)) {
     to.orientation = orientation_of(angles);
     to.position = before - to.orientation * centre_in_body;
   }

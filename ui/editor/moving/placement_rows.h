@@ -20,7 +20,7 @@ class PlacementRows {
   std::optional<Command> draw(const World& world, const ViewState& view);
 
  private:
-  std::optional<Command> draw_fields(const World& world, const PieceId& piece);
+  std::optional<Command> draw_fields(const World& world, const ViewState& view, const PieceId& piece);
   void draw_empty(const char* why);
 
   NumberFields fields_;

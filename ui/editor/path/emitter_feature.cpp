@@ -134,9 +134,13 @@ void EmitterFeature::draw_rows() {
   if (!begin_properties("emitter")) return;
   draw_pace();
   Vec3 at = emitter_.at(), target = emitter_.target();
-  if (fields_.vector("Stands at", at, "%.5g", "X, Y and Z of the emitter, in the unit of the file."))
+  const NumberUnit unit = file_unit(on_.view.frame.unit);
+  const double size = on_.world().loaded_bounds().diagonal();
+  if (fields_.vector("Stands at", at, "%.5g", "X, Y and Z of the emitter, in the unit of the file.", unit,
+                     size))
     emitter_.stand_at(at);
-  if (fields_.vector("Aims at", target, "%.5g", "X, Y and Z of what it aims at, in the unit of the file."))
+  if (fields_.vector("Aims at", target, "%.5g", "X, Y and Z of what it aims at, in the unit of the file.",
+                     unit, size))
     emitter_.aim_at(target);
   end_properties();
   if (removed) emitter_.remove();
@@ -154,7 +158,8 @@ void EmitterFeature::draw_pace() {
   double pace = emitter_.pace.per_second();
   if (fields_.number("Pace", pace, "%.3g shots/s",
                      "How many shots are fired a second, from 0.1 to 60. A shot waits until the last one is "
-                     "cut."))
+                     "cut.",
+                     {}, {FirePace::kSlowest, FirePace::kFastest}))
     emitter_.pace.set(pace);
 }
 

@@ -14,31 +14,25 @@ namespace kerf {
 
 namespace {
 
-void number_row(const char* name, int& number, const char* meaning) {
-  property(name);
-  ImGui::PushID(name);
-  ImGui::InputInt("##number", &number, 1, 5);
-  ImGui::PopID();
-  mark_last_item(name);
-  tooltip(meaning);
-  number = std::clamp(number, 1, HolePattern::kMostInALine);
+void number_row(NumberFields& fields, const char* name, int& number, const char* meaning) {
+  auto count = static_cast<size_t>(number);
+  if (fields.count(name, count, meaning, 1, HolePattern::kMostInALine)) number = static_cast<int>(count);
 }
 
 void length_row(NumberFields& fields, const char* name, double& length, FileUnit unit, const char* meaning) {
-  double typed = length;
-  if (length_field(fields, name, typed, label_unit(length, unit), meaning) && typed > 0) length = typed;
+  length_field(fields, name, length, label_unit(length, unit), meaning, "", kPositive);
 }
 
 }  // namespace
 
 void HoleForm::draw_grid(FileUnit unit) {
-  number_row("Rows", pattern_.rows, "How many rows of holes there are.");
-  number_row("Columns", pattern_.columns, "How many holes there are in each row.");
+  number_row(fields_, "Rows", pattern_.rows, "How many rows of holes there are.");
+  number_row(fields_, "Columns", pattern_.columns, "How many holes there are in each row.");
   length_row(fields_, "Spacing", pattern_.spacing, unit, "Between the middles of neighbouring holes.");
 }
 
 void HoleForm::draw_circle(FileUnit unit) {
-  number_row("Holes", pattern_.count, "How many holes there are on the circle.");
+  number_row(fields_, "Holes", pattern_.count, "How many holes there are on the circle.");
   length_row(fields_, "Circle radius", pattern_.circle_radius, unit,
              "Of the circle on which the middles of the holes lie.");
 }

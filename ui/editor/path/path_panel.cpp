@@ -7,6 +7,7 @@
 #include "core/document/files/stroke_settings.h"
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/panels/shortcut_text.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -82,7 +83,7 @@ void PathPanel::draw_speed(PathWork& path, FileUnit unit) {
           ? "Of the origin of the beam: the mean of the times in the file. A speed that is typed replaces "
             "these times."
           : "Of the origin of the beam.";
-  if (!length_field(fields_, "Speed", speed, label_unit(speed, unit), meaning, "/s") || !(speed > 0)) return;
+  if (!length_field(fields_, "Speed", speed, label_unit(speed, unit), meaning, "/s", kPositive)) return;
   path.begin_edit();
   path.set_speed(speed);
 }
@@ -95,8 +96,8 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
                     drawn.radius
                         ? "Of the stroke of the chosen point."
                         : "Of the stroke of the chosen point: the file gives none, so it is 1/400 of the "
-                          "diagonal of all meshes.") ||
-      !(radius > 0))
+                          "diagonal of all meshes.",
+                    "", kPositive))
     return;
   path.begin_edit();
   path.set_radius(stroke, radius);
@@ -114,7 +115,7 @@ void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World
   end_properties();
 }
 
-void PathPanel::draw_row(PathWork& path, PathPoint point, int number, double unit) {
+void PathPanel::draw_row(PathWork& path, PathPoint point, int number, double unit, double diagonal) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const bool chosen = path.chosen() == point;
@@ -126,7 +127,7 @@ void PathPanel::draw_row(PathWork& path, PathPoint point, int number, double uni
   mark_last_item("path row", number);
   for (int i = 0; i < 3; ++i) {
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(text_of("%.4g", path.target(point)[i] / unit).c_str());
+    draw_fitted_text(number_text(path.target(point)[i] / unit, "%.4g", diagonal / unit));
   }
   if (chosen) ImGui::PopStyleColor();
   ImGui::PopID();
@@ -139,10 +140,12 @@ void PathPanel::draw_list(PathWork& path, const World& world, FileUnit unit) {
   if (points == 0) return;
   const float height = height_of_rows(std::min(points, kMostRows) + 1);
   if (!ImGui::BeginTable("points", 4, kList, {0, height})) return;
-  const LengthUnit shown = label_unit(world.loaded_bounds().diagonal(), unit);
+  const double diagonal = world.loaded_bounds().diagonal();
+  const LengthUnit shown = label_unit(diagonal, unit);
   set_up_columns(shown.name);
-  draw_rows_in_sight(points,
-                     [&](size_t i) { draw_row(path, numbered(path, i), static_cast<int>(i), shown.metres); });
+  draw_rows_in_sight(points, [&](size_t i) {
+    draw_row(path, numbered(path, i), static_cast<int>(i), shown.metres, diagonal);
+  });
   if (path.chosen() && path.chosen() != shown_) {
     shown_ = path.chosen();
     scroll_to_row(number_of(path, *shown_), height);
@@ -150,7 +153,7 @@ void PathPanel::draw_list(PathWork& path, const World& world, FileUnit unit) {
   ImGui::EndTable();
 }
 
-void PathPanel::draw_chosen(PathWork& path, FileUnit unit) {
+void PathPanel::draw_chosen(PathWork& path, const World& world, FileUnit unit) {
   if (!path.chosen() || !begin_properties("point")) return;
   const PathPoint point = *path.chosen();
   Vec3 target = path.target(point), direction = path.pose(point).direction;
@@ -158,16 +161,18 @@ void PathPanel::draw_chosen(PathWork& path, FileUnit unit) {
   bool edited =
       fields_.vector("Aims at", target, "%.5g",
                      "X, Y and Z of the chosen point, in the unit of the file. The origin of its beam "
-                     "moves along.");
+                     "moves along.",
+                     file_unit(unit), world.loaded_bounds().diagonal());
   edited = fields_.vector("Direction", direction, "%.4g",
                           "X, Y and Z of the direction of the beam, of any length.") ||
            edited;
   edited = length_field(fields_, "Distance", distance, label_unit(distance, unit),
                         "From the origin of the beam to the point that it aims at. The beam cuts all that it "
-                        "meets within its range.") ||
+                        "meets within its range.",
+                        "", kPositive) ||
            edited;
   end_properties();
-  if (!edited || direction == Vec3(0) || !(distance > 0)) return;
+  if (!edited || direction == Vec3(0)) return;
   direction = beam_direction(direction);
   path.begin_edit();
   path.set(point, {target - direction * distance, direction}, distance);
@@ -180,7 +185,7 @@ void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState&
   secondary_text(summary(path, view));
   draw_beam(path, at_panel_resolution, world, unit);
   draw_list(path, world, unit);
-  draw_chosen(path, unit);
+  draw_chosen(path, world, unit);
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   mark_last_item("Holes header");
   tooltip("A grid or a circle of holes around the chosen point.");

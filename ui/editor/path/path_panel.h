@@ -26,8 +26,8 @@ class PathPanel {
   void draw_radius(PathWork& path, const World& world, FileUnit unit);
   void draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit);
   void draw_list(PathWork& path, const World& world, FileUnit unit);
-  void draw_row(PathWork& path, PathPoint point, int number, double unit);
-  void draw_chosen(PathWork& path, FileUnit unit);
+  void draw_row(PathWork& path, PathPoint point, int number, double unit, double diagonal);
+  void draw_chosen(PathWork& path, const World& world, FileUnit unit);
 
   NumberFields fields_;
   HoleForm holes_;

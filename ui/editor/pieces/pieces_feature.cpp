@@ -17,9 +17,9 @@
 #include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/selection.h"
 #include "ui/render/view/spread.h"
-#include "ui/window/number_format.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
@@ -248,19 +248,17 @@ void PiecesFeature::draw_buttons() {
 void PiecesFeature::draw_spread(bool one_piece) {
   if (!begin_properties("spread")) return;
   property("Spread");
-  constexpr double kNone = 0;
   double& spread = on_.view.spread;
   ImGui::BeginDisabled(one_piece);
-  const RealFormat format = spread == 0 ? RealFormat("together") : RealFormat("%.2f");
-  if (ImGui::SliderScalar("##spread", ImGuiDataType_Double, &spread, &kNone, &kMostSpread, format.c_str(),
-                          ImGuiSliderFlags_AlwaysClamp)) {
+  const char* meaning = one_piece ? "There is only one piece: cut something off first."
+                                  : "Draws the pieces apart, away from the middle. They stay where they are: "
+                                    "the next cut draws them together again.";
+  if (real_slider({"Spread", "##spread", meaning}, spread, 0, kMostSpread, "%.2f", {},
+                  spread == 0 ? "together" : "")) {
     spread_further(on_.world(), spread, on_.view.look);
     on_.view.picture_old = true;
   }
   ImGui::EndDisabled();
-  tooltip(one_piece ? "There is only one piece: cut something off first."
-                    : "Draws the pieces apart, away from the middle. They stay where they are: the next cut "
-                      "draws them together again.");
   end_properties();
 }
 

@@ -10,6 +10,7 @@
 #include "core/mesh/openmesh/smooth.h"
 #include "ui/editor/prepare/preview_rows.h"
 #include "ui/editor/shared/panels/panel_rows.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -22,7 +23,8 @@ namespace {
 using PrepareTool = Preparation::Tool;
 
 constexpr size_t kMostSubdivisions = 4;
-constexpr double kUsualError = 0.001;  // of the size of the world
+constexpr size_t kMostTyped = 1'000'000'000'000;  // faces
+constexpr double kUsualError = 0.001;             // of the size of the world
 
 // In the order of the tools and of the schemes.
 constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth"};
@@ -60,9 +62,8 @@ Preparation with_numbers(const Preparation& preparation, std::span<const PieceRo
 }
 
 void PreparePanel::draw_times(Preparation& preparation, const char* meaning, size_t most) {
-  double times = static_cast<double>(std::min(preparation.times, most));
-  if (!fields_.number("Times", times, "%.0f", meaning)) return;
-  preparation.times = static_cast<size_t>(std::clamp(std::round(times), 1.0, static_cast<double>(most)));
+  size_t times = std::min(preparation.times, most);
+  if (fields_.count("Times", times, meaning, 1, most)) preparation.times = times;
 }
 
 void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& shown, const World& world,
@@ -70,7 +71,8 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
   switch (shown.tool) {
     case PrepareTool::kSimplifyToFaces: {
       size_t faces = shown.faces;
-      if (fields_.count("Faces", faces, "How many faces are left, of all these pieces together."))
+      if (fields_.count("Faces", faces, "How many faces are left, of all these pieces together.", 1,
+                        kMostTyped))
         preparation.faces = faces;
       break;
     }
@@ -78,7 +80,8 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
       double error = shown.error;
       const LengthUnit shown_unit = label_unit(kUsualError * world.loaded_bounds().diagonal(), unit);
       const char* meaning = "How far the new surface and the old one may be from each other.";
-      if (length_field(fields_, "Error", error, shown_unit, meaning) && error > 0) preparation.error = error;
+      if (length_field(fields_, "Error", error, shown_unit, meaning, "", kPositive))
+        preparation.error = error;
       break;
     }
     case PrepareTool::kSubdivide:
@@ -102,8 +105,10 @@ bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
     ImGui::TextDisabled("Nothing is open.");
     return false;
   }
-  ImGui::TextDisabled("%s", prepared_text(pieces, view.look.pieces).c_str());
-  tooltip("It is for the chosen pieces, or for all of them if none is chosen.");
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  draw_fitted_text(prepared_text(pieces, view.look.pieces),
+                   "It is for the chosen pieces, or for all of them if none is chosen.");
+  ImGui::PopStyleColor();
   if (begin_properties("preparation")) {
     const char* meaning =
         "What is done to the mesh. Boundaries, edges of three faces or more and edges between materials "

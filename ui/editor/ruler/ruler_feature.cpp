@@ -13,6 +13,7 @@
 #include "ui/editor/shared/picture/distance_mark.h"
 #include "ui/editor/shared/picture/first_picture.h"
 #include "ui/editor/shared/surface_point.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/row_button.h"
 
 namespace kerf {
@@ -203,7 +204,7 @@ void RulerFeature::draw_row(size_t mark) {
   const std::string name = list_.marks()[mark].name;
   if (renamed_ == mark) {
     edit_name(mark);
-  } else if (ImGui::Selectable((name + "###name").c_str())) {
+  } else if (ImGui::Selectable(fitted_label(name + "###name", ImGui::GetContentRegionAvail().x).c_str())) {
     renamed_ = mark;
     take_focus_ = field_drawn_ = true;
     new_name_.fill('\0');

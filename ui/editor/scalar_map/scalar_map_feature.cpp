@@ -165,9 +165,9 @@ bool ScalarMapFeature::draw_end(const char* name, double& end, const char* meani
     case FaceQuantity::kRimDistance:
       return length_field(fields_, name, end, label_unit(map_.range().high, on_.view.frame.unit), meaning);
     case FaceQuantity::kLeastAngle:
-      return fields_.number(name, end, "%.1f", meaning, "\u00b0");
+      return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
     case FaceQuantity::kTemperature:
-      return fields_.number(name, end, "%.0f", meaning, " K");
+      return fields_.number(name, end, "%.0f K", meaning);
     case FaceQuantity::kLevel:
       break;
   }

@@ -4,6 +4,7 @@
 
 #include "core/base/assert.h"
 #include "ui/editor/section/section_handles.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/number_fields.h"
 #include "ui/window/property.h"
 
@@ -194,7 +195,8 @@ void SectionFeature::draw_rows() {
   if (shown_section(view.look) == nullptr || !begin_properties("section plane")) return;
   SectionPlane plane = *view.look.section;
   bool typed = fields_.vector("Section", plane.point, "%.5g",
-                              "X, Y and Z of the point that the plane goes through and turns about.");
+                              "X, Y and Z of the point that the plane goes through and turns about.",
+                              file_unit(view.frame.unit), on_.world().loaded_bounds().diagonal());
   typed |= fields_.vector("Normal", plane.normal, "%.4g",
                           "The direction that the plane faces, of any length. What lies on this side is not "
                           "drawn.");

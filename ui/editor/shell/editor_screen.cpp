@@ -15,6 +15,7 @@
 #include "ui/editor/shell/status_bar.h"
 #include "ui/render/view/spread.h"
 #include "ui/window/imgui_vector.h"
+#include "ui/window/number_fields.h"
 #include "ui/window/progress_bar.h"
 
 namespace kerf {
@@ -79,6 +80,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
   };
   on_.landmarks = &landmarks_;
   keep_landmarks(&landmarks_);
+  report_entries_to(&on_.message);
 }
 
 Status EditorScreen::open() {
@@ -105,6 +107,7 @@ void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& s
   on_.view.picture_old = true;
   title_.clear();
   keep_landmarks(&landmarks_);
+  report_entries_to(&on_.message);
   if (!scene.empty()) on_.open({scene});
 }
 
@@ -116,6 +119,7 @@ void EditorScreen::close(bool left_by_user) {
   on_.beam.release(on_.work.document);
   on_.held.reset();
   for (const auto& feature : features_) feature->close(left_by_user);
+  report_entries_to(nullptr);
   save_settings();
 }
 

@@ -13,8 +13,8 @@
 #include "ui/window/centred_window.h"
 #include "ui/window/key_chord.h"
 #include "ui/window/landmarks.h"
-#include "ui/window/number_format.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -59,12 +59,10 @@ void bind_pressed(SettingsPage& page, Settings& settings, std::span<const UserAc
 
 void speed_row(const char* name, double& speed, const char* meaning) {
   property(name);
-  const double low = Settings::kLeastSpeed, high = Settings::kMostSpeed;
-  ImGui::SliderScalar((std::string("##") + name).c_str(), ImGuiDataType_Double, &speed, &low, &high,
-                      RealFormat("%.2f x").c_str(),
-                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  const std::string id = std::string("##") + name;
+  real_slider({name, id.c_str(), meaning, true}, speed, Settings::kLeastSpeed, Settings::kMostSpeed,
+              "%.2f x");
   mark_last_item(name);
-  tooltip(meaning);
 }
 
 void draw_mouse(Settings& settings) {
@@ -87,11 +85,11 @@ void draw_machine(Settings& settings) {
   property("Threads");
   const int most =
       std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMostThreads);
-  ImGui::SliderInt("##Threads", &settings.threads, 0, most,
-                   (settings.threads == 0 ? WholeFormat("all") : WholeFormat("%d")).c_str(),
-                   ImGuiSliderFlags_AlwaysClamp);
+  whole_slider(
+      {"Threads", "##Threads",
+       "How many threads load, measure and save at the same time at most. Cutting always takes one."},
+      settings.threads, 0, most, settings.threads == 0 ? "all" : std::to_string(settings.threads));
   mark_last_item("Threads");
-  tooltip("How many threads load, measure and save at the same time at most. Cutting always takes one.");
   end_properties();
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "ui/editor/shared/files/file_frames.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
@@ -86,13 +87,11 @@ void draw_whole(const std::string& text) {
 // Returns whether it was clicked.
 bool draw_message(const Message& message, float from, float to) {
   ImGui::SameLine(from);
-  ImGui::PushClipRect({from, 0}, {to, ImGui::GetIO().DisplaySize.y}, true);
   ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? colours::text() : colours::secondary());
-  ImGui::TextUnformatted(((message.is_error ? "! " : "") + message.text).c_str());
+  ImGui::TextUnformatted(fitted_text((message.is_error ? "! " : "") + message.text, to - from).c_str());
   mark_last_item("message");
   ImGui::PopStyleColor();
   const bool hovered = ImGui::IsItemHovered();
-  ImGui::PopClipRect();
   if (hovered) draw_whole(message.text);
   return hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }

@@ -12,10 +12,10 @@
 #include "ui/render/passes/stage_pass.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/layout.h"
-#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
@@ -51,13 +51,12 @@ void visited_row(StageLog& stages) {
   const QueryWalk& query = stages.query();
   property("Tested");
   int visited = static_cast<int>(query.visited());
-  const std::string shown =
-      format_of_text(grouped(query.visited()) + " of " + grouped(query.size()) + " boxes");
-  if (ImGui::SliderInt("##visited", &visited, 1, static_cast<int>(query.size()), shown.c_str(),
-                       ImGuiSliderFlags_AlwaysClamp))
+  const std::string shown = grouped(query.visited()) + " of " + grouped(query.size());
+  if (whole_slider({"Tested", "##visited",
+                    "The boxes in the order in which the query tested them; the keys [ and ] go box by box."},
+                   visited, 1, static_cast<int>(query.size()), shown))
     stages.visit(static_cast<size_t>(visited));
   mark_last_item("query slider");
-  tooltip("The boxes in the order in which the query tested them; the keys [ and ] go box by box.");
 }
 
 void drawn_row(StageLog& stages) {

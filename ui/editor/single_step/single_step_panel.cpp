@@ -6,10 +6,11 @@
 
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/panels/shortcut_text.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
-#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -23,10 +24,12 @@ constexpr float kRows = 9;
 bool button(const ViewState& view, const char* label, const char* mark, const char* tip, const char* action,
             const char* why_not, float width) {
   ImGui::BeginDisabled(why_not != nullptr);
-  const bool pressed = ImGui::Button(label, {width, 0});
+  const std::string fitted = fitted_label(label, width - ImGui::GetStyle().FramePadding.x);
+  const bool pressed = ImGui::Button(fitted.c_str(), {width, 0});
   ImGui::EndDisabled();
   mark_last_item(mark);
-  tooltip(why_not != nullptr ? why_not : with_shortcut(view, tip, action).c_str());
+  const std::string text = why_not != nullptr ? why_not : with_shortcut(view, tip, action);
+  tooltip((fitted == label ? text : visible_part(label) + ". " + text).c_str());
   return pressed;
 }
 
@@ -82,14 +85,9 @@ void draw_steps(StageState& stages, const Document& document, const ViewState& v
 void draw_speed(StageWishes& wishes) {
   if (!begin_properties("speed")) return;
   property("Speed");
-  auto speed = static_cast<float>(wishes.per_second);
-  if (ImGui::SliderFloat("##speed", &speed, static_cast<float>(StageWishes::kSlowest),
-                         static_cast<float>(StageWishes::kFastest),
-                         RealFormat("%.1f stages a second").c_str(),
-                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
-    wishes.per_second = speed;
+  real_slider({"Speed", "##speed", "How many stages a second are played.", true}, wishes.per_second,
+              StageWishes::kSlowest, StageWishes::kFastest, "%.1f stages/s");
   mark_last_item("stage speed");
-  tooltip("How many stages a second are played.");
   end_properties();
 }
 
@@ -100,7 +98,7 @@ bool draw_row(size_t stage, const std::string& sentence, size_t done) {
   if (now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (ahead) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   const std::string text = std::to_string(stage) + "  " + sentence;
-  const bool clicked = ImGui::Selectable(text.c_str(), now);
+  const bool clicked = ImGui::Selectable(fitted_text(text, ImGui::GetContentRegionAvail().x).c_str(), now);
   mark_last_item("stage row", static_cast<int>(stage));
   if (now || ahead) ImGui::PopStyleColor();
   tooltip((sentence + (ahead ? " A click executes the stages up to this one."
@@ -156,7 +154,7 @@ void SingleStepPanel::draw(StageState& stages, const Document& document, const V
   if (place.empty()) {
     return secondary_text("Draw a stroke, or start the last one again.");
   }
-  ImGui::TextUnformatted(place.c_str());
+  ImGui::TextWrapped("%s", place.c_str());
   if (!stages.log.told().empty()) draw_list(stages, document);
   if (stages.log.done() > 0) ImGui::TextWrapped("%s", stages.log.told()[stages.log.done() - 1].c_str());
   mark_last_item("stage words");

@@ -22,6 +22,7 @@
 #include "ui/render/bodies/pick.h"
 #include "ui/render/view/drawn_ground.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/number_fields.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -75,7 +76,7 @@ void draw_time(Workspace& on, PlayState& play) {
 
 void draw_speed(PlayState& play) {
   property("Speed");
-  if (ImGui::BeginCombo("##speed", play.speed().name)) {
+  if (begin_fitted_combo("##speed", play.speed().name)) {
     for (size_t i = PlayState::kSpeeds.size(); i-- > 0;) {
       if (ImGui::Selectable(PlayState::kSpeeds.at(i).name, i == play.speed_index)) play.speed_index = i;
     }
@@ -97,9 +98,11 @@ void draw_pin(Workspace& on) {
 
 void draw_statistics(const TickStatistics& statistics) {
   if (statistics.bodies == 0) return;
-  ImGui::TextDisabled("%s bodies, %s awake, %s contacts", grouped(statistics.bodies).c_str(),
-                      grouped(statistics.awake).c_str(), grouped(statistics.contacts).c_str());
-  tooltip("What the last tick in which bodies moved found.");
+  const std::string text = grouped(statistics.bodies) + " bodies, " + grouped(statistics.awake) + " awake, " +
+                           grouped(statistics.contacts) + " contacts";
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  draw_fitted_text(text, "What the last tick in which bodies moved found.");
+  ImGui::PopStyleColor();
 }
 
 void BodiesPanel::draw_surroundings(Workspace& on) {
@@ -116,9 +119,8 @@ void BodiesPanel::draw_surroundings(Workspace& on) {
   around.metre = 1 / metres;
   double value = metres * glm::length(around.gravity);
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
-  if (gravity &&
-      fields_.number("Its value", value, "%.3g m/s\xc2\xb2", "9.81 on the earth, 1.62 on the moon.") &&
-      value > 0) {
+  if (gravity && fields_.number("Its value", value, "%.3g m/s\xc2\xb2",
+                                "9.81 on the earth, 1.62 on the moon.", {}, kPositive)) {
     around.gravity = value / metres * down;
     on.changes.ask(SetSurroundings{around});
   }

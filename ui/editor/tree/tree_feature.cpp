@@ -6,9 +6,10 @@
 
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/panels/shortcut_text.h"
-#include "ui/window/number_format.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
@@ -17,23 +18,26 @@ namespace {
 constexpr int kAllLevels = 64;
 
 // What a row says: what it means, or why it can do nothing.
-void explain(const ViewState& view, const char* meaning) {
-  const std::string off = with_shortcut(view, "The boxes are not shown: switch them on above.",
-                                        action_name(view_switch(SwitchId::kBoxes)));
-  tooltip(view.look.show.aabb ? meaning : off.c_str());
+std::string explanation(const ViewState& view, const char* meaning) {
+  if (view.look.show.aabb) return meaning;
+  return with_shortcut(view, "The boxes are not shown: switch them on above.",
+                       action_name(view_switch(SwitchId::kBoxes)));
 }
+
+void explain(const ViewState& view, const char* meaning) { tooltip(explanation(view, meaning).c_str()); }
 
 void depth_row(ViewState& view, int tree_depth) {
   property("Down to");
   TreeOverlay& tree = view.look.tree;
   const int deepest = std::max(1, tree_depth);
   int depth = std::min(tree.deepest, deepest);
-  const WholeFormat format = depth == deepest ? WholeFormat("%d: all levels") : WholeFormat("level %d");
-  if (ImGui::SliderInt("##depth", &depth, 0, deepest, format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+  const std::string text =
+      depth == deepest ? std::to_string(depth) + ": all" : "level " + std::to_string(depth);
+  const std::string meaning = explanation(view, "Levels of the tree under its root that are drawn.");
+  if (whole_slider({"Down to", "##depth", meaning.c_str()}, depth, 0, deepest, text)) {
     tree.deepest = depth == deepest ? kAllLevels : depth;
     view.picture_old = true;
   }
-  explain(view, "Levels of the tree under its root that are drawn.");
 }
 
 void flag_row(ViewState& view, const char* name, const char* label, bool& flag, const char* meaning) {
@@ -49,7 +53,7 @@ void body_row(ViewState& view, const World& world) {
   const std::vector<BodyId> ids = world.ids();
   const bool one = ids.size() < 2;
   ImGui::BeginDisabled(one);
-  if (ImGui::BeginCombo("##body", only ? world.body(*only).own_name().c_str() : "all bodies")) {
+  if (begin_fitted_combo("##body", only ? world.body(*only).own_name() : "all bodies")) {
     if (ImGui::Selectable("all bodies", !only)) only.reset(), view.picture_old = true;
     for (const BodyId id : ids) {
       ImGui::PushID(static_cast<int>(id.slot));

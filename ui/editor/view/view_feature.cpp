@@ -16,8 +16,8 @@
 #include "ui/editor/view/camera_text.h"
 #include "ui/editor/view/legends.h"
 #include "ui/render/view/view_switches.h"
-#include "ui/window/number_format.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
@@ -37,15 +37,13 @@ void scale_row(Settings& settings, double& wanted) {
   property("Text size");
   constexpr double kLow = Settings::kLeastScale * 100, kHigh = Settings::kMostScale * 100;
   double percent = wanted > 0 ? 100 * wanted : 100 * settings.ui_scale;
-  if (ImGui::SliderScalar("##scale", ImGuiDataType_Double, &percent, &kLow, &kHigh,
-                          RealFormat("%.0f %%").c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+  constexpr const char* kMeaning = "Of the panels and menus, on top of what the display asks for.";
+  if (real_slider({"Text size", "##scale", kMeaning}, percent, kLow, kHigh, "%.0f %%"))
     wanted = std::round(percent / 5) * 0.05;
-  }
   if (ImGui::IsItemDeactivated() && wanted > 0) {
     settings.ui_scale = wanted;
     wanted = 0;
   }
-  tooltip("Of the panels and menus, on top of what the display asks for.");
 }
 
 void DisplayPanel::draw(Settings& settings, const ViewState& view) {

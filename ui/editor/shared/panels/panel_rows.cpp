@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "ui/editor/shared/panels/shortcut_text.h"
+#include "ui/window/fitted_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -79,9 +80,10 @@ bool draw_switch(ViewState& view, SwitchId id, const char* label) {
 }
 
 bool length_field(NumberFields& fields, const char* name, double& length, const LengthUnit& unit,
-                  const char* meaning, const std::string& per) {
+                  const char* meaning, const std::string& per, const NumberRange& range) {
   double shown = length / unit.metres;
-  if (!fields.number(name, shown, "%.4g ", meaning, unit.name + per)) return false;
+  const NumberRange in_unit{range.least / unit.metres, range.most / unit.metres, "", range.positive};
+  if (!fields.number(name, shown, "%.4g ", meaning, length_unit(unit.name, per), in_unit)) return false;
   length = shown * unit.metres;
   return true;
 }
@@ -97,7 +99,7 @@ bool marked_choice_row(const char* label, const char* id, int& choice, std::span
                        const char* landmark, const char* meaning) {
   KERF_ASSERT(static_cast<size_t>(choice) < names.size());
   property(label);
-  if (ImGui::BeginCombo(id, names[static_cast<size_t>(choice)])) {
+  if (begin_fitted_combo(id, names[static_cast<size_t>(choice)])) {
     const bool chosen = choose_in_list(names, choice, landmark);
     ImGui::EndCombo();
     return chosen;

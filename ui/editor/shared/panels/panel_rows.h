@@ -17,10 +17,13 @@ namespace kerf {
 bool draw_switch(ViewState& view, SwitchId id, const char* label = nullptr);
 
 // A row with a field for a length in the numbers of the file, shown and typed in a unit (see label_unit),
-// with the name of this unit and what follows it: "2.75 mm/s" with "/s". Returns whether a number was
-// entered.
+// with the name of this unit and what follows it: "2.75 mm/s" with "/s". The range is one of `length`.
+// Returns whether a number was entered.
 bool length_field(NumberFields& fields, const char* name, double& length, const LengthUnit& unit,
-                  const char* meaning, const std::string& per = "");
+                  const char* meaning, const std::string& per = "", const NumberRange& range = kFinite);
+
+// The unit of fields for coordinates in the numbers of the file, which do not show it.
+inline NumberUnit file_unit(FileUnit unit) { return {Quantity::kLength, metres_per_unit(unit)}; }
 
 // A row in which one of several values is chosen, in its open list by a click or by Up, Down and Enter.
 // `names` are those of the values 0, 1, ..., each ended by a zero. `landmark` is its name in tests and

@@ -6,9 +6,9 @@
 
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/landmarks.h"
-#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
+#include "ui/window/slider.h"
 
 namespace kerf {
 
@@ -42,14 +42,11 @@ bool fraction_row(const char* name, double& fraction, double standard, const Sho
   double halvings = -std::log2(fraction);
   const double low = -std::log2(ResolutionControls::kMostFraction),
                high = -std::log2(ResolutionControls::kLeastFraction);
-  const std::string text = format_of_text(length_label(radius.length * fraction, radius.unit));
+  const std::string text = length_label(radius.length * fraction, radius.unit);
   const double before = fraction;
-  if (ImGui::SliderScalar("##fraction", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
-                          ImGuiSliderFlags_NoInput)) {
+  if (real_slider({name, "##fraction", meaning, false, false}, halvings, low, high, "%.3f", {}, text))
     fraction = std::exp2(-std::round(4 * halvings) / 4);
-  }
   mark_last_item("resolution size");
-  tooltip(meaning);
   const bool reset = reset_item(fraction, standard);
   return reset || fraction != before;
 }
@@ -71,14 +68,12 @@ bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
 bool depth_row(ResolutionControls& to) {
   property("Depth");
   const int before = to.depth;
-  const WholeFormat format = to.depth == 0   ? WholeFormat("0: faces go whole")
-                             : to.depth == 1 ? WholeFormat("%d split")
-                                             : WholeFormat("%d splits");
-  ImGui::SliderInt("##depth", &to.depth, 0, ResolutionControls::kLargestDepth, format.c_str(),
-                   ImGuiSliderFlags_AlwaysClamp);
-  tooltip(
+  const std::string text =
+      to.depth == 0 ? "faces go whole" : count_text(static_cast<size_t>(to.depth), "split");
+  constexpr const char* kMeaning =
       "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "
-      "as in the paper's figure 3.");
+      "as in the paper's figure 3.";
+  whole_slider({"Depth", "##depth", kMeaning}, to.depth, 0, ResolutionControls::kLargestDepth, text);
   return to.depth != before;
 }
 

@@ -1,0 +1,65 @@
+#include "ui/window/fitted_text.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "tests/support/runs.h"
+
+namespace kerf {
+namespace {
+
+// Each character is a pixel wide.
+float characters(std::string_view text) {
+  return static_cast<float>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
+}
+
+TEST(FittedText, ends_in_an_ellipsis_where_it_does_not_fit) {
+  EXPECT_EQ(fitted_text("wheel_front", 11, characters), "wheel_front");
+  EXPECT_EQ(fitted_text("wheel_front", 10, characters), "wheel_f...");
+  EXPECT_EQ(fitted_text("two words", 7, characters), "two...");
+  EXPECT_EQ(fitted_text("wheel", 3, characters), "...");
+  EXPECT_EQ(fitted_text("wheel", 2, characters), "");
+}
+
+TEST(FittedText, is_cut_at_a_whole_character_and_is_as_long_as_fits) {
+  Random random(5);
+  const std::string_view pieces[] = {"a", "\xc2\xb0", "\xe2\x82\xac", "\xf0\x9f\x98\x80"};
+  for (uint64_t i = 0; i < runs(2'000); ++i) {
+    std::string text;
+    const uint64_t length = random.below(20);
+    for (uint64_t n = 0; n < length; ++n) text += pieces[random.below(std::size(pieces))];
+    const auto width = static_cast<float>(random.below(20));
+    const std::string fitted = fitted_text(text, width, characters);
+    if (characters(text) <= width) {
+      EXPECT_EQ(fitted, text);
+      continue;
+    }
+    EXPECT_EQ(characters(fitted), width >= 3 ? width : 0);
+    if (fitted.empty()) continue;
+    const size_t kept = fitted.size() - 3;
+    EXPECT_EQ(fitted.substr(0, kept), text.substr(0, kept));
+    EXPECT_NE(static_cast<unsigned char>(text[kept]) & 0xc0u, 0x80u) << "in the middle of a character";
+  }
+}
+
+TEST(FittedNumber, loses_digits_and_then_its_unit_and_is_never_cut) {
+  const auto fitted = [](double value, const RealFormat& format, float width) {
+    return fitted_number(value, format, "mm", 0, width, characters);
+  };
+  EXPECT_EQ(fitted(0.26874, "%.4g ", 9), "0.2687 mm");
+  EXPECT_EQ(fitted(0.26874, "%.4g ", 8), "0.269 mm");
+  EXPECT_EQ(fitted(0.26874, "%.4g ", 5), "0.269");
+  EXPECT_EQ(fitted(3.062e-17, "%.4g ", 8), "3e-17 mm");
+  EXPECT_EQ(fitted(3.062e-17, "%.4g ", 7), "3.1e-17");
+  EXPECT_EQ(fitted(123456, "%.0f ", 5), "1e5mm");
+  EXPECT_EQ(fitted(-123456, "%.0f ", 2), "...");
+}
+
+TEST(FittedNumber, of_noise_is_zero) {
+  EXPECT_EQ(fitted_number(5.551e-17, "%.4g", "", 1, 9, characters), "0");
+  EXPECT_EQ(fitted_number(-0.0, "%.4g", "", 1, 9, characters), "0");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -3,6 +3,8 @@ uniform vec4 depths;         // xy: depth of the focus over the depth at either 
 uniform vec4 share;          // in lengths from the emitter to the strike: xy at either end, z all of the beam, w its fade
 uniform vec4 core;           // width in pixels at the focus, its least, its largest
 
+uniform float strength;      // of the light, 1 for a beam that is on
+
 out vec4 pixel;
 
 void main() {
@@ -21,5 +23,6 @@ void main() {
   float ends_in = smoothstep(0.0, 0.7, max(along, t));
   if (share.w > 0.0) ends_in *= 1.0 - smoothstep(share.z - share.w, share.z, along);
   vec3 colour = thin * vec3(1.0, 0.96, 0.90) + halo * vec3(1.0, 0.36, 0.12);
+  ends_in *= strength;
   pixel = vec4(colour * ends_in, (thin * 0.5 + halo * 0.3) * ends_in);
 }

@@ -73,6 +73,41 @@ class SingleStep(WindowTest):
         self.assertGreater(report["waiting"], 0)
         self.assertEqual(report["stages"]["done"], 0)
 
+    def test_a_stage_asked_for_while_an_earlier_stroke_is_cut_follows_it(self):
+        editor = self.open_panel("Single step")
+        start, end = editor.place((0.3, 0.4)), editor.place((0.7, 0.6))
+        across = [editor.place((0.3 + 0.01 * i, 0.4 + 0.02 * (i % 10))) for i in range(40)]
+        editor.draw_at_once([start, *across, end])  # many moves, which are not cut within a frame
+        steps = [{"press": "left"}, {"move": list(editor.place((0.6, 0.5)))}, {"release": "left"},
+                 {"key_down": "."}, {"key_up": "."}]
+        editor.send({"together": [{"key_down": "F8"}, {"key_up": "F8"}]})
+        editor.move_to(*editor.place((0.4, 0.5)))
+        editor.send({"together": steps})
+        state = editor.ask("report")
+        self.assertGreater(state["waiting"], 0)
+        editor.settle()
+        report = editor.ask("report")
+        self.assertEqual(report["strokes"], 2)
+        self.assertEqual(report["stages"]["done"], 1, report["stages"])
+        self.assertGreater(report["waiting"], 0)
+
+    def test_a_badge_says_what_single_steps_wait_for(self):
+        editor = self.open_panel("Single step")
+        self.assertFalse(editor.shows("single step badge"))
+        editor.press("F8")
+        self.assertTrue(editor.shows("single step badge"))
+        self.assertEqual(editor.ask("report")["stages"]["state"], "draw a stroke")
+        editor.drag(ACROSS)
+        self.assertEqual(editor.ask("report")["stages"]["state"], "next stage (.)")
+        self.assertTrue(editor.shows("waiting stroke 0"))
+        editor.do("period")
+        self.assertFalse(editor.shows("waiting stroke 0"))
+        editor.do("End")
+        self.assertEqual(editor.ask("report")["stages"]["state"], "the stroke is cut")
+        editor.press("F8")
+        editor.settle()
+        self.assertFalse(editor.shows("single step badge"))
+
     def test_the_slider_of_the_tree_panel_walks_through_the_query_box_by_box(self):
         editor = self.open_panel("Tree")
         editor.drag(ACROSS)

@@ -15,6 +15,7 @@
 #include "ui/editor/laser/beam_sparks.h"
 #include "ui/editor/laser/cut_progress.h"
 #include "ui/editor/laser/hint_box.h"
+#include "ui/editor/laser/waiting_strokes.h"
 #include "ui/editor/shared/files/file_frames.h"
 #include "ui/editor/shared/laser/laser_controls.h"
 #include "ui/editor/shared/panels/panel_rows.h"
@@ -25,8 +26,8 @@
 #include "ui/window/imgui_vector.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
-#include "ui/window/theme.h"
 #include "ui/window/slider.h"
+#include "ui/window/theme.h"
 
 namespace kerf {
 
@@ -147,10 +148,10 @@ class LaserFeature : public Feature {
     on_.beam.go_on(on_.work.document, on_.clock->seconds());
   }
   void follow_queue(double seconds) override;
-  bool moving() const override { return sparks_.moving() || on_.changes.can_cut() || on_.beam.emits(); }
   void report(nlohmann::ordered_json& report) const override {
     report["laser"] = {{"radius", on_.laser.radius}, {"power", on_.laser.power}};
   }
+  bool moving() const override { return sparks_.moving() || on_.changes.can_cut() || on_.beam.emits(); }
   void forget() override {
     on_.beam = LaserTool();
     on_.cut_once = false;
@@ -159,6 +160,7 @@ class LaserFeature : public Feature {
 
   void draw_marks(ImDrawList& list) override {
     draw_ring(list);
+    waiting_.draw(on_.view, list);
     const bool knows_how = on_.cut_once || on_.work.document.history().last_cut();
     if (!on_.view.look.stage && !knows_how && on_.tool == kLaserTool && !on_.opening.loader.busy())
       draw_hint_box(on_.world(), on_.view, on_.view.legends);
@@ -183,6 +185,7 @@ class LaserFeature : public Feature {
   Workspace& on_;
   CutProgress progress_;
   BeamSparks sparks_;
+  WaitingStrokes waiting_;
   bool recut_radius_ = false;  // the recut that was asked for is with the radius that is set now, too
 };
 
@@ -346,7 +349,10 @@ void LaserFeature::follow_queue(double seconds) {
     progress_.follow(on_.work.document, on_.holds_back(), seconds);
     on_.statistics.shown.work = progress_.text();
   }
-  sparks_.advance(std::min(seconds, Workspace::kLongestStep), on_.beam, on_.work.document, on_.view);
+  const bool changed = !on_.changes.is_pending() &&
+                       waiting_.follow(on_.work.document, on_.view.frame.unit, on_.stroke_waits(), seconds);
+  sparks_.advance(std::min(seconds, Workspace::kLongestStep), on_.beam, on_.work.document, waiting_, changed,
+                  on_.view);
 }
 
 // As large as the cut would be where the pointer is.

@@ -216,6 +216,9 @@ void EmitterFeature::draw_marks(ImDrawList& list) {
   list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
   draw_emitter(emitter_, FirstPicture(on_.view), on_.pointer_over_picture(), list);
   list.PopClipRect();
+  if (!emitter_.firing) return;
+  on_.badges.draw(on_.view, Badges::Sign::kMode,
+                  with_shortcut(on_.view, "The emitter fires.", "Fire the emitter"), "emitter badge");
 }
 
 void EmitterFeature::report(nlohmann::ordered_json& report) const {

@@ -12,6 +12,7 @@
 #include "ui/editor/shared/interaction.h"
 #include "ui/editor/shared/laser/laser_controls.h"
 #include "ui/editor/shared/laser/laser_tool.h"
+#include "ui/editor/shared/picture/badges.h"
 #include "ui/editor/shared/picture/view_state.h"
 #include "ui/editor/shared/settings/panel_places.h"
 #include "ui/editor/shared/statistics/statistics.h"
@@ -45,6 +46,7 @@ struct Workspace {
   LaserControls laser;    // with which the next stroke begins
   LaserTool beam;         // the stroke that is drawn
   bool cut_once = false;  // hints are no longer needed
+  Badges badges;          // of modes, in the viewport
 
   std::string tool = "Laser";         // what the left button does, by the name of the action that takes it
   Vec2 pointer{0};                    // screen coordinates
@@ -94,6 +96,10 @@ struct Workspace {
   bool points() const { return over_picture && !held; }
   // The place of the pointer if it is over the picture, else one that no handle is near.
   Vec2 pointer_over_picture() const { return over_picture ? pointer : Vec2(-1); }
+  // Whether the last stroke waits for the user before its first stage.
+  bool stroke_waits() const {
+    return holds_back() && !view.look.stage && work.document.history().last().waiting();
+  }
   // Whether a stroke is drawn by hand, or still being cut.
   bool cutting() const { return (held && held->cuts()) || work.document.execution().beam_waits(); }
   // The sentence why time cannot pass at the moment, or null.

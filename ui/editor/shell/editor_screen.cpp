@@ -288,6 +288,7 @@ void EditorScreen::draw_panels() {
   draw_menu_bar(catalogue_.actions);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(to_im(layout.viewport.at), to_im(layout.viewport.at + layout.viewport.size));
+  on_.badges.begin_frame();
   for (const auto& feature : features_) feature->draw_marks(list);
   if (on_.held) on_.held->draw(list);
   list.PopClipRect();
@@ -309,7 +310,7 @@ void EditorScreen::draw_picture() {
   view.look.tree.palette = on_.settings.palette;
   view.look.by_day = on_.settings.theme == Theme::kLight;
   std::optional<BeamPicture> beam;  // its glare would hide what a stage did
-  if (!view.look.stage) beam = on_.beam.picture(on_.work.document);
+  if (!view.look.stage && !on_.stroke_waits()) beam = on_.beam.picture(on_.work.document);
   const Shot first{on_.shown_world(), view.seen_first(), view.look, beam, layout.first};
   const PictureChange change = view.picture_old ? PictureChange::kAll
                                : view.heat_old  ? PictureChange::kHeat

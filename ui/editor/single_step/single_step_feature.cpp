@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "ui/editor/shared/panels/shortcut_text.h"
 #include "ui/editor/single_step/single_step_panel.h"
 #include "ui/editor/single_step/stage_cut.h"
 #include "ui/editor/single_step/stage_log.h"
@@ -14,8 +15,8 @@
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
-#include "ui/window/theme.h"
 #include "ui/window/slider.h"
+#include "ui/window/theme.h"
 
 namespace kerf {
 
@@ -141,7 +142,9 @@ class SingleStepFeature : public Feature {
   void forget() override { stages_.log.forget(); }
 
   void draw_marks(ImDrawList&) override {
-    if (stages_.wishes.on && stages_.log.done() > 0) draw_stage_caption(stages_.log, on_.view.layout.first);
+    if (!stages_.wishes.on) return;
+    on_.badges.draw(on_.view, Badges::Sign::kMode, "Single steps: " + state_text(), "single step badge");
+    if (stages_.log.done() > 0) draw_stage_caption(stages_.log, on_.view.layout.first);
   }
   void report(nlohmann::ordered_json& report) const override {
     const QueryWalk& query = stages_.log.query();
@@ -150,10 +153,13 @@ class SingleStepFeature : public Feature {
         {"playing", stages_.wishes.playing},
         {"done", stages_.log.done()},
         {"told", stages_.log.told()},
+        {"state", stages_.wishes.on ? state_text() : ""},
         {"query", {{"drawn", query.drawn}, {"visited", query.visited()}, {"boxes", query.size()}}}};
   }
 
  private:
+  // What single steps do at the moment, or wait for.
+  std::string state_text() const;
   const char* why_no_next() const { return why_no_next_stage(stages_, on_.work.document); }
   std::vector<UserAction> beginnings();
   std::vector<UserAction> steps();
@@ -166,6 +172,17 @@ class SingleStepFeature : public Feature {
   StageCut cut_{on_, stages_};
   SingleStepPanel panel_;
 };
+
+std::string SingleStepFeature::state_text() const {
+  if (cut_.waits_for_earlier())
+    return cut_.wants_more() ? "an earlier stroke is cut first, then the next stage"
+                             : "an earlier stroke is cut first";
+  const size_t waiting = on_.work.document.waiting();
+  if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
+  if (waiting > 0 && stages_.wishes.playing) return "playing";
+  if (waiting > 0) return with_shortcut(on_.view, "next stage", "Next stage");
+  return stages_.log.done() > 0 ? "the stroke is cut" : "draw a stroke";
+}
 
 std::vector<UserAction> SingleStepFeature::beginnings() {
   StageWishes& wishes = stages_.wishes;
@@ -187,7 +204,7 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
       UserAction{.name = "Play the stages",
                  .shortcut = "Space",
                  .tip = "In slow motion, or pauses. At the end of the stroke it begins again.",
-                 .run = [this] { play_or_pause(stages_, on_.work.document); },
+                 .run = [this] { cut_.follow(), play_or_pause(stages_, on_.work.document); },
                  .checked = [&wishes] { return wishes.playing; },
                  .why_not = why_no_play,
                  .has_key_when = [&wishes] { return wishes.on; }},
@@ -202,7 +219,11 @@ std::vector<UserAction> SingleStepFeature::steps() {
       UserAction{.name = "Next stage",
                  .shortcut = ".",
                  .tip = "Executes one stage of the stroke.",
-                 .run = [this] { stages_.wishes.go_to(stages_.log.done() + 1); },
+                 .run =
+                     [this] {
+                       cut_.follow();
+                       stages_.wishes.go_to(stages_.log.done() + 1);
+                     },
                  .why_not = why_not,
                  .has_key_when = while_on},
       UserAction{.name = "Stage back",
@@ -213,12 +234,12 @@ std::vector<UserAction> SingleStepFeature::steps() {
       UserAction{.name = "Finish the move",
                  .shortcut = "Shift+.",
                  .tip = "Executes stages until a move of the beam is finished.",
-                 .run = [&wishes] { wishes.run_to_end_of_move(); },
+                 .run = [this] { cut_.follow(), stages_.wishes.run_to_end_of_move(); },
                  .why_not = why_not},
       UserAction{.name = "Finish the stroke",
                  .shortcut = "End",
                  .tip = "Executes all stages that are left.",
-                 .run = [&wishes] { wishes.go_to(StageWishes::kAll); },
+                 .run = [this] { cut_.follow(), stages_.wishes.go_to(StageWishes::kAll); },
                  .why_not = why_not},
   };
 }

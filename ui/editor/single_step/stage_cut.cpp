@@ -22,6 +22,11 @@ bool StageCut::can_go_on() const {
 
 bool StageCut::holds_back() const { return stages_.wishes.on && from_its_start_ && can_go_on(); }
 
+bool StageCut::waits_for_earlier() const {
+  const Document& document = on_.work.document;
+  return stages_.wishes.on && document.waiting() > 0 && !document.execution().next_is_of_last_step();
+}
+
 bool StageCut::must_go_back() const {
   const StageWishes& wishes = stages_.wishes;
   return wishes.start_again || (wishes.stage && *wishes.stage < stages_.log.done());
@@ -49,9 +54,8 @@ void StageCut::advance(double seconds) {
   drop_fulfilled();
 }
 
-// Whether the stages in the log are those of the last stroke.
 void StageCut::follow() {
-  if (key_ == key_now()) return;
+  if (!stages_.wishes.on || key_ == key_now()) return;
   stages_.log.forget();
   key_ = key_now();
   begin();
@@ -66,6 +70,7 @@ void StageCut::begin() {
   const Document& document = on_.work.document;
   from_its_start_ = !can_go_on() || document.history().last().waiting();
   if (!from_its_start_ && document.can_start_again()) wishes.start_again = true;
+  stages_.runs_on = !from_its_start_ && !wishes.start_again;
 }
 
 void StageCut::go_back(size_t stages) {
@@ -105,9 +110,11 @@ void StageCut::go_on() {
   show();
 }
 
+// What is asked for while earlier strokes are cut stays.
 void StageCut::drop_fulfilled() {
   StageWishes& wishes = stages_.wishes;
-  const bool over = !can_go_on() && !on_.work.document.execution().in_stroke();
+  const Document& document = on_.work.document;
+  const bool over = document.waiting() == 0 && !document.execution().in_stroke();
   if (over || (wishes.stage && *wishes.stage <= stages_.log.done())) {
     const bool playing = wishes.playing && !over;
     wishes.stop();

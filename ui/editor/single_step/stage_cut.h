@@ -18,8 +18,16 @@ class StageCut {
   // Executes what the user asked for, at most for a part of a frame; `seconds` have passed since the last
   // frame. Going back in a long stroke becomes a pending change.
   void advance(double seconds);
+  // Finds out whether the stages in the log are those of the last stroke, and begins anew where they are not.
+  // To be called before the user asks for more of them.
+  void follow();
   // Whether the next step of the document waits for the user.
   bool holds_back() const;
+  // Whether the last stroke waits for earlier ones, which are cut without stages. What the user asks for
+  // waits, too.
+  bool waits_for_earlier() const;
+  // Whether more stages are to be executed.
+  bool wants_more() const;
   // Whether more is to be executed in the next frames.
   bool waits() const;
 
@@ -30,12 +38,10 @@ class StageCut {
     friend bool operator==(const Key&, const Key&) = default;
   };
   Key key_now() const;
-  void follow();
   void begin();
   void go_back(size_t stages);
   bool must_go_back() const;
   bool can_go_on() const;
-  bool wants_more() const;
   void go_on();
   void drop_fulfilled();
   bool next();

@@ -28,6 +28,8 @@ const char* why_not_again(const Document& document) {
 
 const char* why_no_next_stage(const StageState& stages, const Document& document) {
   if (!stages.wishes.on) return kOff;
+  if (document.waiting() > 0 && stages.runs_on)
+    return "This stroke is cut to its end: what was before it is no longer remembered.";
   return document.waiting() > 0 ? nullptr : "The stroke is cut. Go back, start again, or draw another one.";
 }
 

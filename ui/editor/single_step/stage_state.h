@@ -43,6 +43,7 @@ struct StageWishes {
 struct StageState {
   StageWishes wishes;
   StageLog log;
+  bool runs_on = false;  // a part of the last stroke was cut without stages, and cannot be taken back
 };
 
 // Plays the stages or pauses; at the end of the stroke, and while single steps are off, it begins again.

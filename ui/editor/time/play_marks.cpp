@@ -25,16 +25,6 @@ std::string words_of(const PlayState& play, const ReachedSpeed& reached, const W
   return "Playing " + speed_text(play, reached) + text_of("  %.1f s", seconds);
 }
 
-// A triangle while time passes, else two bars, in a square of this side.
-void draw_sign(bool playing, ImVec2 at, float side, ImDrawList& list) {
-  if (playing)
-    return list.AddTriangleFilled(at, {at.x, at.y + side}, {at.x + 0.9f * side, at.y + 0.5f * side},
-                                  colours::kPictureText);
-  const float bar = 0.3f * side;
-  for (const float x : {at.x, at.x + side - bar})
-    list.AddRectFilled({x, at.y}, {x + bar, at.y + side}, colours::kPictureText);
-}
-
 // A zigzag between two places, with a dark line under it.
 void draw_coil(Vec2 from, Vec2 to, float em, ImDrawList& list) {
   const Vec2 way = to - from;
@@ -60,21 +50,12 @@ std::string speed_text(const PlayState& play, const ReachedSpeed& reached) {
   return text_of("%.2gx of %s", *reached.of_real_time(), play.speed().name);
 }
 
+// As wide as the longest time to come, so that it stands still.
 void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const World& world,
-                     const ViewState& view) {
-  const std::string text = words_of(play, reached, world);
-  const Area& picture = view.layout.first;
-  const float em = ImGui::GetFontSize(), side = 0.62f * em, gap = 0.5f * em;
-  // As wide as the longest time to come, so that it stands still.
-  const float width = side + gap + std::max(ImGui::CalcTextSize(text.c_str()).x, 9.5f * em);
-  const float left = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * width;
-  const float top = static_cast<float>(picture.at.y) + em;
-  const ImVec2 low{left - 0.7f * em, top - 0.4f * em}, high{left + width + 0.7f * em, top + 1.4f * em};
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled(low, high, colours::kPictureShade, 3);
-  draw_sign(play.playing, {left, top + 0.5f * (ImGui::GetTextLineHeight() - side)}, side, list);
-  list.AddText({left + side + gap, top}, colours::kPictureText, text.c_str());
-  mark_area("play badge", {{low.x, low.y}, {high.x - low.x, high.y - low.y}});
+                     const ViewState& view, Badges& badges) {
+  constexpr float kLeastEms = 9.5f;
+  badges.draw(view, play.playing ? Badges::Sign::kPlaying : Badges::Sign::kPaused,
+              words_of(play, reached, world), "play badge", kLeastEms);
 }
 
 void draw_spring(const Spring& spring, const World& world, const ViewState& view) {

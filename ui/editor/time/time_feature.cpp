@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/document/text/json_value.h"
+#include "core/world/heat_flow.h"
 #include "core/world/spring.h"
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/panels/shortcut_text.h"
@@ -21,8 +22,8 @@
 #include "ui/render/bodies/body_marks.h"
 #include "ui/render/bodies/pick.h"
 #include "ui/render/view/drawn_ground.h"
-#include "ui/window/landmarks.h"
 #include "ui/window/fitted_text.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/number_fields.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -189,7 +190,9 @@ class TimeFeature : public Feature {
   void draw_marks(ImDrawList&) override {
     if (spring_) draw_spring(*spring_, on_.world(), on_.view);
     const bool stands = !play_.playing && !on_.cools && has_played(on_.work.document.history());
-    if (play_.playing || stands) draw_play_badge(play_, reached_, on_.world(), on_.view);
+    if (play_.playing || stands) draw_play_badge(play_, reached_, on_.world(), on_.view, on_.badges);
+    if (on_.settings.heat_held && is_hot(on_.world()))
+      on_.badges.draw(on_.view, Badges::Sign::kMode, "Heat is held", "heat badge");
   }
   void report(nlohmann::ordered_json& report) const override;
 

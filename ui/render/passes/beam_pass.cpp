@@ -49,7 +49,8 @@ void BeamPass::fill_in(FrameUniforms& frame, const FrameSpace& space, const Beam
   const double reach = std::max(kLightReach * beam.radius, kLeastReach * space.unit);
   frame.spot = glm::vec4(space.from_world(beam.strike.value_or(beam.to)), space.length(reach));
   frame.beam = glm::vec4(space.from_world(beam.from), 0);
-  frame.spot_colour = beam.strike ? glm::vec4(5.0f, 2.7f, 1.15f, 0) : glm::vec4(2.5f, 1.35f, 0.6f, 0);
+  const glm::vec4 colour = beam.strike ? glm::vec4(5.0f, 2.7f, 1.15f, 0) : glm::vec4(2.5f, 1.35f, 0.6f, 0);
+  frame.spot_colour = static_cast<float>(beam.strength) * colour;
 }
 
 void BeamPass::draw(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, double near,
@@ -79,6 +80,7 @@ void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, doub
   ribbon_.set("share", glm::vec4(glm::vec2(seen->share * length / std::max(strike, 1e-300)),
                                  static_cast<float>(length / std::max(strike, 1e-300)),
                                  static_cast<float>(fade / std::max(strike, 1e-300))));
+  ribbon_.set("strength", static_cast<float>(beam.strength));
   ribbon_.set("core", glm::vec4(pixels_at_one_metre(view, kCoreOfBeam * beam.radius, height) / view.focus,
                                 kLeastCore * zoom, most, kHalo));
   no_vertices_.draw(GL_TRIANGLE_STRIP, 8);
@@ -91,6 +93,7 @@ void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, const 
   const double pixels = pixels_at_one_metre(view, beam.radius, height) / (view.parallel ? view.focus : depth);
   spot_.use();
   spot_.set("centre", glm::vec4(space.from_world(*beam.strike), 1));
+  spot_.set("strength", static_cast<float>(beam.strength));
   spot_.set("half_width", static_cast<float>(spot_half_width(pixels, height)));
   no_vertices_.draw(GL_TRIANGLE_STRIP, 4);
 }

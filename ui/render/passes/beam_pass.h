@@ -14,6 +14,7 @@ struct BeamPicture {
   std::optional<Vec3> strike;  // where it first meets a surface
   double radius = 0.01;        // m
   bool on_ground = false;      // it ends on the ground, at `to`
+  double strength = 1;         // of its light: less than 1 for one that is not on yet
 };
 
 // The beam with the end that it is seen to have: the ground, a plane at a height (m), if the beam meets it

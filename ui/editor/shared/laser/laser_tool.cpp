@@ -163,7 +163,7 @@ void LaserTool::find_strike(const Document& document) {
 }
 
 std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
-  if (!cutting_ && !document.execution().beam_waits()) return std::nullopt;
+  if (!cutting_ && !document.execution().moves_wait()) return std::nullopt;
   BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * emitter_),
                    std::nullopt, radius_};
   if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;

@@ -49,7 +49,7 @@ class LaserTool {
   void reach(const Pose& pose) { beam_ = pose; }
   // Finds the point where the beam strikes at that pose: the rim of what it has cut, or a surface behind it.
   void find_strike(const Document& document);
-  // The beam to be drawn while it is on, i.e. until the stroke has ended and is completely cut.
+  // The beam to be drawn while it is on, i.e. until the stroke has ended and its last move is cut.
   std::optional<BeamPicture> picture(const Document& document) const;
 
  private:

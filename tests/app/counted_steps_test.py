@@ -1,6 +1,8 @@
-"""Reading a mesh takes time in proportion to its size: valgrind counts the instructions of `kerf info` for a file, and for
-one of twice the size. Beyond those for a single triangle they are then twice as many, or four times as many where a
-reader or the triangulation of a polygon is quadratic."""
+"""Work takes time in proportion to its size: valgrind counts the instructions of `kerf info` for a file, and for one of
+twice the size. Beyond those for a single triangle they are then twice as many, or four times as many where a reader or
+the triangulation of a polygon is quadratic. For `prepare` and `cut` the work is four times as large: what is quadratic
+takes sixteen times as many."""
+import json
 import math
 import os
 import random
@@ -14,6 +16,7 @@ import unittest
 KERF = os.path.abspath(sys.argv.pop(1))
 SIZE = 2500
 LARGEST_GROWTH = 2.7  # n log n grows by 2.2
+LARGEST_GROWTH_OF_FOUR = 6
 
 
 def grid(size):
@@ -56,6 +59,41 @@ def fan_of_sheets(size):
     """So many triangles at one edge."""
     corners = [(math.cos(0.001 * i), math.sin(0.001 * i), 0.5) for i in range(size)]
     return [(0, 0, 0), (0, 0, 1)] + corners, [[0, 1, 2 + i] for i in range(size)]
+
+
+def double_cone(size):
+    """Two vertices with so many triangles each."""
+    ring = [(math.cos(2 * math.pi * i / size), 0, math.sin(2 * math.pi * i / size)) for i in range(size)]
+    faces = [[0, (i + 1) % size + 2, i + 2] for i in range(size)] + [[1, i + 2, (i + 1) % size + 2] for i in range(size)]
+    return [(0, 1, 0), (0, -1, 0)] + ring, faces
+
+
+def hub_in_a_plane(size):
+    """A flat disc with one vertex in its middle, between it and a rim of squares."""
+    at = lambda i, r: (r * math.cos(2 * math.pi * i / size), 0, r * math.sin(2 * math.pi * i / size))
+    rings = [at(i, r) for r in (1, 2, 3) for i in range(size)]
+    faces = [[0, (i + 1) % size + 1, i + 1] for i in range(size)]
+    faces += [[1 + k * size + i, 1 + k * size + (i + 1) % size, 1 + (k + 1) * size + (i + 1) % size,
+               1 + (k + 1) * size + i] for k in (0, 1) for i in range(size)]
+    return [(0, 0, 0)] + rings, faces
+
+
+def boxes(count):
+    """So many boxes in one place."""
+    corners = [(i & 1, i >> 1 & 1, i >> 2 & 1) for i in range(8)]
+    sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return corners * count, [[8 * box + v for v in side] for box in range(count) for side in sides]
+
+
+def stroke(places, radius):
+    """A path file with a beam downwards over these places."""
+    keys = [{"t": i, "origin": [x, 3, z], "direction": [0, -1, 0]} for i, (x, z) in enumerate(places)]
+    return json.dumps({"strokes": [{"laser": {"radius": radius, "range": [0, 5]}, "keys": keys}]}).encode()
+
+
+def circle(keys):
+    angles = [2 * math.pi * i / keys for i in range(keys + 1)]
+    return stroke([(0.5 + 0.3 * math.cos(a), 0.5 + 0.3 * math.sin(a)) for a in angles], 0.05)
 
 
 def numbers(values):
@@ -109,6 +147,11 @@ def stl_as_text(vertices, faces):
     return "\n".join(["solid sheet", *facets, "endsolid sheet"]).encode()
 
 
+def write_file(path, content):
+    with open(path, "wb") as file:
+        file.write(content)
+
+
 class CountedSteps(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -119,11 +162,24 @@ class CountedSteps(unittest.TestCase):
         with tempfile.NamedTemporaryFile(suffix=ending) as file:
             file.write(content)
             file.flush()
-            run = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", KERF, "info",
-                                  file.name], env=dict(os.environ, KERF_THREADS="1"), capture_output=True, text=True)
+            return CountedSteps.instructions_of("info", file.name)
+
+    @staticmethod
+    def instructions_of(*arguments):
+        run = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", KERF, *arguments],
+                             env=dict(os.environ, KERF_THREADS="1"), capture_output=True, text=True)
         if run.returncode != 0:
             raise AssertionError(run.stderr)
         return int(re.search(r"Collected : (\d+)", run.stderr)[1])
+
+    def expect_growth_of_four(self, name, run, size):
+        """`run` gets a folder and a size, and returns the arguments of a command that does work of this size."""
+        def count(n):
+            with tempfile.TemporaryDirectory() as folder:
+                return self.instructions_of(*run(folder, n))
+        one, four = count(size), count(4 * size)
+        print(f"{name}: {four / (4 * size):.0f} instructions an item, growth {four / one:.2f}")
+        self.assertLess(four / one, LARGEST_GROWTH_OF_FOUR)
 
     def expect_no_quadratic_growth(self, shape, write, ending):
         one, two = (self.instructions(write(*shape(size)), ending) - self.start for size in (SIZE, 2 * SIZE))
@@ -144,6 +200,31 @@ class CountedSteps(unittest.TestCase):
 
     def test_many_faces_at_one_edge(self):
         self.expect_no_quadratic_growth(fan_of_sheets, ply, ".ply")
+
+    def test_simplifying_around_a_vertex_of_many_faces(self):
+        def prepare(shape):
+            def run(folder, size):
+                write_file(f"{folder}/mesh.off", off(*shape(size)))
+                return ["prepare", f"{folder}/mesh.off", "--simplify", "200", "--out", f"{folder}/out.ply"]
+            return run
+        for shape in double_cone, hub_in_a_plane:
+            with self.subTest(shape.__name__):
+                self.expect_growth_of_four(shape.__name__, prepare(shape), 2000)
+
+    @staticmethod
+    def cut(mesh, path, *options):
+        def run(folder, size):
+            write_file(f"{folder}/mesh.stl", stl(*mesh(size)))
+            write_file(f"{folder}/path.json", path(size))
+            return ["cut", f"{folder}/mesh.stl", "--path", f"{folder}/path.json", "--out", f"{folder}/out", *options]
+        return run
+
+    def test_cutting_faces_that_coincide(self):
+        self.expect_growth_of_four("boxes", self.cut(boxes, lambda _: stroke([(-1, 0.3), (2, 0.3)], 0.2)), 10)
+
+    def test_closing_a_solid_after_a_stroke_of_many_keys(self):
+        run = self.cut(lambda _: boxes(1), circle, "--solid", "--target-edge", "0.05")
+        self.expect_growth_of_four("keys", run, 500)
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ nlohmann::ordered_json tree_json(const World& world) {
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     auto boxes = nlohmann::ordered_json::array();
-    body.tree.for_each_box([&](const AabbTree::Box& box) {
+    body.tree.for_each_box(body.mesh, [&](const AabbTree::Box& box) {
       boxes.push_back({{"min", vector_json(box.min)},
                        {"max", vector_json(box.max)},
                        {"depth", box.depth},

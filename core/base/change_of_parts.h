@@ -44,6 +44,7 @@ class ChangeOf<Records<T>> {
   void exchange(Records<T>& records) { records.exchange(change_); }
   void restore(Records<T>& records) const { records.restore(change_); }
   size_t bytes() const { return change_.bytes(); }
+  const typename Records<T>::Change& records() const { return change_; }
 
  private:
   typename Records<T>::Change change_;
@@ -79,6 +80,16 @@ class ChangeOfParts {
   }
   size_t bytes() const {
     return std::apply([](const auto&... change) { return (change.bytes() + ...); }, changes_);
+  }
+
+  // The change of the only member of this type, or of the member with this index.
+  template <typename Part>
+  const ChangeOf<Part>& part() const {
+    return std::get<ChangeOf<Part>>(changes_);
+  }
+  template <size_t index>
+  const auto& part_at() const {
+    return std::get<index>(changes_);
   }
 
   // Memory allocated by the members of the owner, in bytes.

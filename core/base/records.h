@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -46,6 +47,14 @@ class Records {
     size_t bytes() const { return pages_.size() * (sizeof(Page) + sizeof(Page*)); }
     // Whether the command changed anything.
     bool any() const { return resized_ || !pages_.empty(); }
+    // The size of the array in its other state.
+    uint32_t size() const { return size_; }
+    // Calls visit(first, records) for each page of which a record may have changed: the records from index
+    // `first` on in their other state.
+    template <typename Visit>
+    void for_each_page(Visit visit) const {
+      for (const auto& page : pages_) visit(page->index * kPage, std::span<const T>(page->records));
+    }
 
    private:
     friend class Records;

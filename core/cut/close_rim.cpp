@@ -67,9 +67,9 @@ size_t find_near(RimState& rim, uint32_t i) {
 
 // Moves the next faces from the heap to the list. Returns whether none is left.
 bool sort_near(RimState& rim) {
-  constexpr size_t kAtOnce = 8 * kFacesTogether;
+  const size_t at_once = 8 * faces_together();
   std::vector<FaceId>& heap = rim.work.waiting;
-  for (size_t i = 0; i < kAtOnce && !heap.empty(); ++i) {
+  for (size_t i = 0; i < at_once && !heap.empty(); ++i) {
     std::pop_heap(heap.begin(), heap.end(), std::greater<>());
     rim.faces.push_back(heap.back());
     heap.pop_back();
@@ -193,7 +193,7 @@ class RimBite {
     const Stopwatch watch(rim.step.statistics.query_s);
     size_t& next = work_.next;
     if (work_.stage == Stage::kSweep) {
-      const size_t end = std::min(sweep.moves.size(), next + kFacesTogether);
+      const size_t end = std::min(sweep.moves.size(), next + faces_together());
       for (; next < end; ++next) add_to_region(rim, sweep.moves[next], sweep.in_body_frame);
       taken_ += kLightPart;
       if (next == sweep.moves.size()) go_to(Stage::kFindNear);
@@ -269,7 +269,7 @@ class RimBite {
   // Returns whether all walls have their heat.
   bool heat(const RimState& rim) {
     KERF_ASSERT(work_.waiting.empty() || (rim.step.body().solid && settings_.heat_width > 0));
-    const size_t end = std::min(work_.waiting.size(), work_.next + 8 * kFacesTogether);
+    const size_t end = std::min(work_.waiting.size(), work_.next + 8 * faces_together());
     heat_walls(world_, rim.step, std::span(work_.waiting).subspan(work_.next, end - work_.next));
     taken_ += end - std::exchange(work_.next, end);
     return end == work_.waiting.size();

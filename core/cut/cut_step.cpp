@@ -78,7 +78,7 @@ class Bite {
   // The number of faces that the next part handles. The faces that it finds or searches are counted when it
   // is done.
   size_t faces_ahead() const {
-    const auto together = [](size_t faces) { return std::clamp<size_t>(faces, 1, kFacesTogether); };
+    const auto together = [](size_t faces) { return std::clamp<size_t>(faces, 1, faces_together()); };
     switch (move_.stage) {
       case Stage::kFind:
         return 1;

@@ -38,7 +38,7 @@ class Refinement {
       : step_(step), settings_(settings), to_split_(to_split) {}
 
   Status run() {
-    for (size_t looked_at = 0; looked_at < kFacesTogether && !to_split_.empty(); ++looked_at) {
+    for (size_t looked_at = 0; looked_at < faces_together() && !to_split_.empty(); ++looked_at) {
       const FaceId f = to_split_.back();
       to_split_.pop_back();
       if (!must_split(f)) continue;

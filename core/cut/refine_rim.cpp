@@ -37,7 +37,7 @@ void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
 
 Status refine_rim(RimState& rim) {
   std::vector<FaceId>& waiting = rim.work.waiting;
-  for (size_t tests = 0; tests < kFacesTogether && !waiting.empty(); ++tests) {
+  for (size_t tests = 0; tests < faces_together() && !waiting.empty(); ++tests) {
     if (rim.mesh().live_faces() > rim.settings.most_faces) return too_many_faces(rim.settings);
     const FaceId f = waiting.back();
     waiting.pop_back();

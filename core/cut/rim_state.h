@@ -41,9 +41,10 @@ struct RimState {
   void note_distance(VertexId v, double d);
 };
 
-// The stages, in their order. Each call handles the next items, looks at no more than kFacesTogether of them,
-// and most return whether the stage is over: the boxes of the tree are brought up to date after each call and
-// therefore depend on this number, as in the steps of a stroke. The order of the stages is in close_rim.cpp.
+// The stages, in their order. Each call handles the next items, looks at no more than faces_together() of
+// them, and most return whether the stage is over: the boxes of the tree are brought up to date after each
+// call and therefore depend on this number, as in the steps of a stroke. The order of the stages is in
+// close_rim.cpp.
 
 // Splits these faces and their parts until each can be cut along one chord. Fails like cut_step.
 Status refine_rim(RimState& rim);
@@ -64,12 +65,12 @@ bool choose_within_rim(RimState& rim);
 bool remove_within_rim(RimState& rim);
 bool choose_beside_rim(RimState& rim);
 bool flip_near_rim(RimState& rim);
-// Calls visit(item) for the next kFacesTogether items of a list that may grow meanwhile. Returns whether none
-// is left, and if so, lets the next list begin at its start.
+// Calls visit(item) for the next faces_together() items of a list that may grow meanwhile. Returns whether
+// none is left, and if so, lets the next list begin at its start.
 template <typename Item, typename Visit>
 bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
   size_t& next = rim.work.next;
-  for (size_t i = 0; i < kFacesTogether && next < list.size(); ++i) visit(Item(list[next++]));
+  for (size_t i = 0; i < faces_together() && next < list.size(); ++i) visit(Item(list[next++]));
   if (next < list.size()) return false;
   next = 0;
   return true;

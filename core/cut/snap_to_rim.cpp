@@ -29,10 +29,10 @@ RimSnap pop(std::vector<RimSnap>& snaps) {
   return nearest;
 }
 
-// Calls visit(snap) for the next kFacesTogether entries, nearest first. Returns whether none is left.
+// Calls visit(snap) for the next faces_together() entries, nearest first. Returns whether none is left.
 template <typename Visit>
 bool visit_nearest(std::vector<RimSnap>& snaps, Visit visit) {
-  for (size_t i = 0; i < kFacesTogether && !snaps.empty(); ++i) visit(pop(snaps));
+  for (size_t i = 0; i < faces_together() && !snaps.empty(); ++i) visit(pop(snaps));
   return snaps.empty();
 }
 

@@ -1,7 +1,9 @@
 #include "core/cut/step_state.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "core/base/shuffle.h"
 #include "core/cut/stopwatch.h"
 
 namespace kerf {
@@ -15,6 +17,15 @@ bool within_beam(const BodyStep& step, FaceId f) {
 }
 
 }  // namespace
+
+size_t faces_together() {
+  static const size_t faces = [] {
+    constexpr size_t kVaried[] = {1, 17, 128, 3000};
+    const Shuffle& shuffle = Shuffle::chosen();
+    return shuffle.on() ? kVaried[shuffle.random(2).below(std::size(kVaried))] : 128;
+  }();
+  return faces;
+}
 
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame) {
   const Placement& placement = step.body().placement;
@@ -31,7 +42,6 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
     step.statistics.tested.boxes += counts.boxes;
     step.statistics.tested.faces += counts.faces;
   }
-  if (step.beam.size() == 1) return;
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 }
@@ -40,7 +50,7 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
 // smooth.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
   std::vector<FaceId> going;
-  const size_t end = std::min(move.hit.size(), move.removed + kFacesTogether);
+  const size_t end = std::min(move.hit.size(), move.removed + faces_together());
   for (; move.removed < end; ++move.removed) {
     const FaceId f = move.hit[move.removed];
     if (!step.mesh().is_live(f)) continue;  // went with the other half of its pair

@@ -22,21 +22,21 @@ struct BodyStep {
 };
 
 // The number of faces that are processed before the tree is updated, and the smallest amount of work of a
-// step. The boxes of the tree depend on it, and through the order of query results everything that is cut.
-inline constexpr size_t kFacesTogether = 128;
+// step: 128 unless choices are varied (see Shuffle). What is cut does not depend on it.
+size_t faces_together();
 
 // The stages, which cut_step calls in order.
 // Sets the volumes that the beam sweeps in a move, which is in world coordinates or in the frame of the body.
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame = false);
-// Finds the faces that the beam touches, each once.
+// Finds the faces that the beam touches, each once, ascending.
 void hit(BodyStep& step, std::vector<FaceId>& faces);
-// Processes the next kFacesTogether faces of move.to_split. Fails if settings.most_faces is exceeded or
+// Processes the next faces_together() faces of move.to_split. Fails if settings.most_faces is exceeded or
 // `progress` stops it.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
 // Whether the resolution lets a face stay as it is under the beam of the move. Precondition: the face is
 // live.
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f);
-// Removes the next kFacesTogether faces of move.hit; with `only_within` only those that lie entirely within
+// Removes the next faces_together() faces of move.hit; with `only_within` only those that lie entirely within
 // the beam of the move. With `keeps_beside` their neighbours are listed in move.beside.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside);
 // Removes faces. If only one half of a green pair is removed, the other one becomes an ordinary face.

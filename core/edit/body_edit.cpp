@@ -58,6 +58,7 @@ void BodyEdit::split_in_four(FaceId f) {
   const size_t first = splits_.size();
   body_->refinement.split(body_->mesh, f, splits_);
   note_splits(first);
+  clear_hits(first);
 }
 
 void BodyEdit::bisect_at_longest_edge(FaceId f) {
@@ -65,6 +66,7 @@ void BodyEdit::bisect_at_longest_edge(FaceId f) {
   const size_t first = splits_.size();
   bisect_longest_edge(body_->mesh, body_->refinement, f, splits_);
   note_splits(first);
+  clear_hits(first);
 }
 
 void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at,
@@ -76,6 +78,7 @@ void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& a
   for (const Mesh::Side& side : sides) forget_pair(side.face);
   const size_t first = out.size(), first_split = splits_.size();
   body_->mesh.split_edge_at(f, from, to, at, out);
+  body_->tree.enlarge_bounds(at);
   for (size_t i = first; i < out.size(); ++i) {
     const Mesh::FaceSplit& s = out[i];
     const double kept = triangle_area(mesh().triangle(s.kept)),
@@ -85,6 +88,15 @@ void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& a
     splits_.push_back(in_two(s));
   }
   note_splits(first_split);
+}
+
+// The parts of a face that was hit lie in smaller boxes, which the next query tests. Those of a face beside
+// the rim stay hit (split_edge_at).
+void BodyEdit::clear_hits(size_t first) {
+  for (size_t i = first; i < splits_.size(); ++i) {
+    const Replacement& r = splits_[i];
+    for (uint32_t k = 0; k < r.born_count; ++k) body_->mesh.edit_data(r.born[k]).hit = false;
+  }
 }
 
 // The counts and the graph follow at once: what is moved or turned next is told to them too.
@@ -160,6 +172,7 @@ std::vector<FaceId> BodyEdit::add_walls(FaceAddition& addition, std::span<const 
   for (const FaceId f : beside) {
     FaceData own;
     own.piece = mesh().data(f).piece;
+    own.hit = true;
     own.material = material.value_or(mesh().data(f).material);
     data.push_back(own);
   }
@@ -245,6 +258,8 @@ void BodyEdit::update_tree() {
   splits_.clear();
   for (const FaceId f : removed_) body_->tree.remove(f);
   removed_.clear();
+  body_->tree.fit_bounds(mesh());
+  body_->tree.vary(mesh());
 }
 
 void BodyEdit::refit_tree() {
@@ -252,11 +267,17 @@ void BodyEdit::refit_tree() {
   std::erase_if(moved_, [&](FaceId f) { return !mesh().is_live(f); });
   body_->tree.refit(mesh(), moved_);
   moved_.clear();
+  body_->tree.fit_bounds(mesh());
 }
 
 QueryCounts BodyEdit::touched(const SweptCylinder& beam, std::vector<FaceId>& out) {
   KERF_ASSERT(splits_.empty() && removed_.empty());
-  return body_->tree.touched(mesh(), beam, out);
+  std::vector<FaceId> near;
+  const QueryCounts counts = body_->tree.touched(mesh(), beam, out, &near);
+  for (const FaceId f : near) {
+    if (!mesh().data(f).hit) body_->mesh.edit_data(f).hit = true;
+  }
+  return counts;
 }
 
 size_t BodyEdit::separate(size_t most, Meanwhile meanwhile) {

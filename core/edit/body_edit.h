@@ -15,10 +15,10 @@ namespace kerf {
 // tree, the counts, areas and moments of pieces, the state from which separated parts are found, and the
 // delta.
 //
-// The tree is updated late, because that is faster for many faces at once; the order of its updates
-// determines the order of query results. Call update_tree() after splits and after removals, and refit_tree()
-// after the last vertex was moved or edge flipped. Queries of the tree are allowed in between. The destructor
-// makes pending updates, so that the body is consistent whatever ended the edit.
+// The tree is updated late, because that is faster for many faces at once. Call update_tree() after splits
+// and after removals, and refit_tree() after the last vertex was moved or edge flipped. Queries of the tree
+// are allowed in between. The destructor makes pending updates, so that the body is consistent whatever ended
+// the edit.
 //
 // Precondition of every function that takes faces: they are live, and given vertices are corners of them.
 class BodyEdit {
@@ -78,7 +78,7 @@ class BodyEdit {
   // Fits the boxes of the tree to faces whose corners have changed.
   void refit_tree();
 
-  // Calls AabbTree::touched, which marks boxes of the tree as hit.
+  // Calls AabbTree::touched and sets FaceData::hit of the faces whose boxes it met.
   QueryCounts touched(const SweptCylinder& beam, std::vector<FaceId>& out);
 
   // Searches for separated parts (see settle), visiting about `most` faces. Returns the number of faces
@@ -105,6 +105,7 @@ class BodyEdit {
   void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
   void note_splits(size_t first);
+  void clear_hits(size_t first);
 
   Body* body_;
   std::vector<Replacement> splits_;  // not applied to the tree yet

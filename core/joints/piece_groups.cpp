@@ -17,7 +17,7 @@ constexpr double kCells = 64;  // along the longest side of the bounds
 // steps from cell to neighbouring cell tell. Of equally near points the one that was added first counts.
 class LabelGrid {
  public:
-  explicit LabelGrid(const AabbTree::Box& bounds) : origin_(bounds.min) {
+  explicit LabelGrid(const Bounds& bounds) : origin_(bounds.min) {
     const Vec3 extent = bounds.max - bounds.min;
     cell_ = std::max({extent.x, extent.y, extent.z}) / kCells;
     for (int axis = 0; axis < 3; ++axis)
@@ -117,7 +117,7 @@ std::vector<Component> components_of(const Body& body, const std::vector<uint32_
 // The label of the piece that each component goes with.
 std::vector<uint32_t> companions(const Body& body, const std::vector<uint32_t>& component,
                                  std::vector<Component>& all) {
-  LabelGrid grid(body.tree.bounds());
+  LabelGrid grid(body.bounds());
   for_each_live(body.mesh, [&](FaceId f) {
     const Component& c = all[component[f.index]];
     if (c.largest) add_points(body.mesh.triangle(f), c.piece, grid);

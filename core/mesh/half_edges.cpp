@@ -1,6 +1,8 @@
 #include "core/mesh/half_edges.h"
 
+#include <algorithm>
 #include <cassert>
+#include <span>
 
 namespace kerf {
 
@@ -121,5 +123,30 @@ void HalfEdges::prefetch(FaceId f, int turn) const {
 }
 
 size_t HalfEdges::bytes() const { return ChangeOfParts<HalfEdges>::bytes_of(*this); }
+
+// A side of a face that was or is changed leads to it. So do vertices that were or are moved: faces that they
+// have in one state alone have sides that changed.
+void HalfEdges::Change::append_faces(const HalfEdges& mesh, std::vector<FaceId>& out) const {
+  const auto append_ends = [&](uint32_t now, uint32_t other) {
+    for (uint32_t f = std::min(now, other); f < std::max(now, other); ++f) out.emplace_back(f);
+  };
+  append_ends(mesh.faces(), part_at<kFirst>().records().size());
+  part_at<kFirst>().records().for_each_page([&](uint32_t first, std::span<const HalfEdgeId> page) {
+    append_ends(first, first + static_cast<uint32_t>(page.size()));
+  });
+  part_at<kLinks>().records().for_each_page([&](uint32_t first, std::span<const Links> page) {
+    for (uint32_t i = 0; i < page.size(); ++i) {
+      out.push_back(page[i].face);
+      if (first + i < mesh.links_.size()) out.push_back(mesh.links_[first + i].face);
+    }
+  });
+  part_at<kPositions>().records().for_each_page([&](uint32_t first, std::span<const Vec3> page) {
+    const uint32_t end = std::min(first + static_cast<uint32_t>(page.size()), mesh.vertices());
+    for (uint32_t v = first; v < end; ++v) {
+      if (mesh.position(VertexId(v)) == page[v - first]) continue;
+      mesh.for_each_outgoing(VertexId(v), [&](HalfEdgeId h) { out.push_back(mesh.face(h)); });
+    }
+  });
+}
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 // Private to core/mesh.
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
@@ -119,6 +120,7 @@ class HalfEdges {
   static auto parts(Self& self) {
     return std::tie(self.links_, self.positions_, self.outgoing_, self.first_);
   }
+  static constexpr size_t kLinks = 0, kPositions = 1, kFirst = 3;  // among the parts
 
   struct Links {
     VertexId to;
@@ -135,6 +137,10 @@ class HalfEdges {
   Records<HalfEdgeId> first_;     // one per face
 };
 
-class HalfEdges::Change : public ChangeOfParts<HalfEdges> {};
+class HalfEdges::Change : public ChangeOfParts<HalfEdges> {
+ public:
+  // See Mesh::Change::append_faces.
+  void append_faces(const HalfEdges& mesh, std::vector<FaceId>& out) const;
+};
 
 }  // namespace kerf

@@ -364,5 +364,8 @@ bool Mesh::Change::any() const { return parts_->any(); }
 void Mesh::Change::exchange(Mesh& mesh) { parts_->exchange(*mesh.kernel_); }
 void Mesh::Change::restore(Mesh& mesh) const { parts_->restore(*mesh.kernel_); }
 size_t Mesh::Change::bytes() const { return parts_->bytes(); }
+void Mesh::Change::append_faces(const Mesh& mesh, std::vector<FaceId>& out) const {
+  parts_->part<HalfEdges>().append_faces(mesh.kernel_->half_edges, out);
+}
 
 }  // namespace kerf

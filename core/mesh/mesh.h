@@ -31,6 +31,7 @@ struct FaceData {
   uint32_t piece = 0;             // label of its piece
   uint16_t material = 0;
   uint8_t halvings = 0;  // how often the area of the base face was halved; a split into four counts two
+  bool hit = false;      // the beam is or was in its bounding box; for display
 };
 
 // Direct access to the positions of vertices. Valid until the mesh is edited.
@@ -192,6 +193,9 @@ class Mesh {
     void exchange(Mesh& mesh);
     void restore(Mesh& mesh) const;
     size_t bytes() const;
+    // Appends every face that is not the same before and after the change: dead in one of the two states, or
+    // with other corners. Lists others as well, faces that do not exist, and repeats.
+    void append_faces(const Mesh& mesh, std::vector<FaceId>& out) const;
 
    private:
     struct Parts;

@@ -154,22 +154,24 @@ RangePair partition(const PrimitiveRange& range, IsLeft is_left) {
   return parts;
 }
 
-RangePair halve(const PrimitiveRange& range) {
-  const Primitive* middle = range.items.data() + range.items.size() / 2;
+}  // namespace
+
+RangePair split_in_half(const PrimitiveRange& range) {
+  KERF_ASSERT(range.items.size() >= 2);
+  const size_t middle = range.items.size() / 2;
   RangePair parts;
-  for (const Primitive& p : range.items) (&p < middle ? parts.left : parts.right).add(p);
-  parts.left.items = range.items.first(range.items.size() / 2);
-  parts.right.items = range.items.subspan(range.items.size() / 2);
+  parts.left.items = range.items.first(middle);
+  parts.right.items = range.items.subspan(middle);
+  for (const Primitive& p : parts.left.items) parts.left.add(p);
+  for (const Primitive& p : parts.right.items) parts.right.add(p);
   return parts;
 }
-
-}  // namespace
 
 RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
   KERF_ASSERT(range.items.size() >= 2 && block > 0);
   const Binning binning(range);
   const Plane plane = BinSweep(range, binning, block).best();
-  if (plane.axis < 0) return halve(range);
+  if (plane.axis < 0) return split_in_half(range);
   const __m128i bin = _mm_set1_epi32(plane.bin);
   return partition(range, [&](const Primitive& p) {
     const __m128i below = _mm_cmplt_epi32(binning.bins_of(p), bin);

@@ -47,5 +47,7 @@ struct RangePair {
 // items. If all centroids coincide, it splits the range at its middle. Preconditions: the range holds at
 // least two primitives, block > 0. O(n).
 RangePair split_binned(const PrimitiveRange& range, uint32_t block);
+// Splits a range at its middle, in whatever order its items are. Same precondition. O(n).
+RangePair split_in_half(const PrimitiveRange& range);
 
 }  // namespace kerf

@@ -20,7 +20,7 @@ constexpr size_t kGathered = 1 << 14;  // face slots a range
 constexpr size_t kOneThread = 1 << 14;
 // Ranges of at least this many faces report progress at each split, smaller ones when they are finished.
 constexpr size_t kSmallRange = 4096;
-constexpr double kFraming = 0.02, kGathering = 0.13, kSorting = 0.65;  // of the time; the rest is writing
+constexpr double kGathering = 0.13, kSorting = 0.67;  // of the time; the rest is writing
 
 // A block of the tree that is still a range of the sorted faces.
 struct PlannedBlock {
@@ -44,12 +44,13 @@ struct Part {
 
 class TreeBuilder {
  public:
-  TreeBuilder(TreeStore& store, const Mesh& mesh, const Progress* progress)
+  TreeBuilder(TreeStore& store, const Mesh& mesh, TreeShape shape, const Progress* progress)
       : store_(store),
         mesh_(mesh),
-        gathering_(share_of(progress, kFraming, kFraming + kGathering)),
-        sorting_(share_of(progress, kFraming + kGathering, kFraming + kGathering + kSorting)),
-        writing_(share_of(progress, kFraming + kGathering + kSorting, 1)),
+        shape_(shape),
+        gathering_(share_of(progress, 0, kGathering)),
+        sorting_(share_of(progress, kGathering, kGathering + kSorting)),
+        writing_(share_of(progress, kGathering + kSorting, 1)),
         sorted_(&sorting_, mesh.live_faces()) {}
 
   // Returns false if it was stopped.
@@ -108,8 +109,8 @@ class TreeBuilder {
       }
       return best;
     }
-    void split(PrimitiveRange* child) {
-      const RangePair parts = split_binned(*child, kBlockWidth);
+    void split(PrimitiveRange* child, TreeShape shape) {
+      const RangePair parts = shape.halved ? split_in_half(*child) : split_binned(*child, shape.block);
       *child = parts.left;
       range[count++] = parts.right;
     }
@@ -122,13 +123,13 @@ class TreeBuilder {
     Children c;
     c.range[0] = range;
     const size_t faces = range.items.size();
-    const bool of_blocks = faces <= kNodeWidth * kBlockWidth;
+    const bool of_blocks = faces <= kNodeWidth * shape_.block;
     while (c.count < kNodeWidth) {
-      PrimitiveRange* child = c.largest(of_blocks ? kBlockWidth : kNodeWidth * kBlockWidth, faces);
-      if (!child) child = c.largest(kBlockWidth, (kNodeWidth - c.count + 1) * kFacesABlock);
+      PrimitiveRange* child = c.largest(of_blocks ? shape_.block : kNodeWidth * shape_.block, faces);
+      if (!child) child = c.largest(shape_.block, (kNodeWidth - c.count + 1) * kFacesABlock);
       if (!child || sorted_.stopped()) break;
       if (faces < kSmallRange)
-        c.split(child);
+        c.split(child, shape_);
       else
         split(c, child);
     }
@@ -137,7 +138,7 @@ class TreeBuilder {
 
   void split(Children& c, PrimitiveRange* child) {
     const size_t whole = child->items.size();
-    c.split(child);
+    c.split(child, shape_);
     const size_t left = child->items.size();
     sorted_.note_split(whole, left, whole - left);
   }
@@ -155,7 +156,7 @@ class TreeBuilder {
     if (faces > kOneThread) return divide(part);
     part.nodes.reserve(faces / 14 + 2);
     part.blocks.reserve(faces / 3 + 2);
-    if (faces <= kBlockWidth)
+    if (faces <= shape_.block)
       add_block(part, part.range, kNoIndex, 0);
     else
       build_node(part, part.range);
@@ -170,8 +171,8 @@ class TreeBuilder {
     for (uint32_t i = 0; i < c.count; ++i) {
       if (sorted_.stopped()) break;
       const size_t faces = c.range[i].items.size();
-      const Child child = faces <= kBlockWidth ? Child::block(add_block(part, c.range[i], n, i))
-                                               : Child::node(build_node(part, c.range[i]));
+      const Child child = faces <= shape_.block ? Child::block(add_block(part, c.range[i], n, i))
+                                                : Child::node(build_node(part, c.range[i]));
       if (!child.is_block()) {
         part.nodes[child.index()].parent = n;
         part.nodes[child.index()].slot = static_cast<uint8_t>(i);
@@ -257,7 +258,6 @@ class TreeBuilder {
     FaceBlock& block = store_.blocks.edit(b);
     block.parent = node;
     block.slot = static_cast<uint8_t>(slot);
-    block.hit = 0;
     block.count = static_cast<uint8_t>(count == 1 ? 0 : count);
   }
 
@@ -281,6 +281,7 @@ class TreeBuilder {
 
   TreeStore& store_;
   const Mesh& mesh_;
+  TreeShape shape_;
   Progress gathering_, sorting_, writing_;
   SortProgress sorted_;
   std::vector<Primitive> primitives_;   // numbered by face
@@ -291,14 +292,12 @@ class TreeBuilder {
 
 }  // namespace
 
-bool build_tree(TreeStore& store, const Mesh& mesh, const Progress* progress) {
-  KERF_ASSERT(store.root == kNoIndex && store.nodes.empty());
-  const Progress framing = share_of(progress, 0, kFraming);
-  const Result<TreeFrame> frame = TreeFrame::around(mesh, &framing);
-  if (!frame) return false;
-  store.frame = *frame;
+bool build_tree(TreeStore& store, const Mesh& mesh, const TreeFrame& frame, const Progress* progress,
+                TreeShape shape) {
+  KERF_ASSERT(store.root == kNoIndex && store.nodes.empty() && shape.block > 0 && shape.block <= kBlockWidth);
+  store.frame = frame;
   store.reserve(mesh.live_faces(), mesh.face_slots());
-  if (!TreeBuilder(store, mesh, progress).run()) return false;
+  if (!TreeBuilder(store, mesh, shape, progress).run()) return false;
   store.nodes.touch_reserved();
   store.blocks.touch_reserved();
   return true;

@@ -77,19 +77,15 @@ void copy_lane(TreeStore& tree, uint32_t from, uint32_t from_lane, uint32_t to, 
     b.vertex[i][to_lane] = a.vertex[i][from_lane];
   }
   b.face[to_lane] = a.face[from_lane];
-  const unsigned bit = a.hit >> from_lane & 1u;
-  b.hit = static_cast<uint8_t>((b.hit & ~(1u << to_lane)) | bit << to_lane);
   tree.set_place(FaceId(b.face[to_lane]), to * kBlockWidth + to_lane);
 }
 
 // Removes a lane by moving the last one into its place.
 void drop_lane(TreeStore& tree, uint32_t block, uint32_t lane) {
-  FaceBlock& b = tree.blocks.edit(block);
-  assert(lane < b.count);
-  const uint32_t last = b.count - 1u;
+  assert(lane < tree.blocks[block].count);
+  const uint32_t last = tree.blocks[block].count - 1u;
   tree.set_count(block, last);
   if (lane != last) copy_lane(tree, block, last, block, lane);
-  b.hit = static_cast<uint8_t>(b.hit & ~(1u << last));
 }
 
 uint32_t free_slot(const WideNode& node) {
@@ -101,8 +97,7 @@ uint32_t free_slot(const WideNode& node) {
   return static_cast<uint32_t>(std::countr_zero(static_cast<unsigned>(empty | 1 << kNodeWidth)));
 }
 
-// Splitting a block
-// -------------------------------------------------------------------------------------------
+// Splitting a block -----------------------------------------------------------------------------------------
 
 std::array<FloatBox, kBlockWidth> lane_boxes(const FaceBlock& full) {
   __m128 low[4] = {}, high[4] = {};  // by axis
@@ -171,16 +166,10 @@ unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
 void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
   const uint32_t parent = tree.blocks[b].parent, slot = tree.blocks[b].slot;
   const FloatBox stays = tree.block_box(tree.blocks[b]), goes = tree.block_box(tree.blocks[fresh]);
-  const bool stays_hit = tree.blocks[b].hit != 0, goes_hit = tree.blocks[fresh].hit != 0;
-  const auto mark = [&](uint32_t n, uint32_t s, bool hit) {
-    uint8_t& bits = tree.nodes.edit(n).hit;
-    bits = static_cast<uint8_t>(bits | unsigned{hit} << s);
-  };
   const uint32_t beside = free_slot(tree.nodes[parent]);
   if (beside < kNodeWidth) {
     tree.set_slot_box(parent, slot, stays);
     tree.hang(parent, beside, Child::block(fresh), goes);
-    mark(parent, beside, goes_hit);
     grow_above(tree, parent, goes);
     return;
   }
@@ -190,8 +179,6 @@ void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
   tree.hang(parent, slot, Child::node(n), both);
   tree.hang(n, 0, Child::block(b), stays);
   tree.hang(n, 1, Child::block(fresh), goes);
-  mark(n, 0, stays_hit);
-  mark(n, 1, goes_hit);
   grow_above(tree, parent, both);
 }
 
@@ -199,11 +186,6 @@ void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
 void rewrite_lane(TreeStore& tree, const TreeFace& face, uint32_t b, uint32_t lane) {
   tree.put(face, b, lane);
   grow_block(tree, b, face.box());
-}
-
-void forget_hit(TreeStore& tree, uint32_t place) {
-  FaceBlock& b = tree.blocks.edit(block_at(place));
-  b.hit = static_cast<uint8_t>(b.hit & ~(1u << lane_at(place)));
 }
 
 // Adds a face to the block; a full block is split in two.
@@ -233,7 +215,6 @@ void remove_root(TreeStore& tree) {
   tree.free_node(tree.root);
   tree.root = kNoIndex;
   tree.set_root_box(FloatBox{});
-  tree.root_hit = false;
 }
 
 // Replaces a node by its only child. The root stays if the child is a block.
@@ -294,7 +275,6 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
   for (const FaceId f : gone) {
     const uint32_t place = tree.place(f);
     assert(place != kNoIndex);
-    forget_hit(tree, place);
     if (block_at(place) == home) prefetch(tree.nodes[tree.blocks[home].parent]);
     if (stays(f) && block_at(place) == home) {
       write(f, lane_at(place));

@@ -68,16 +68,16 @@ class TouchedTrace {
   TouchedTrace(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam)
       : tree_(tree), mesh_(mesh), beam_(beam), slab_(beam_slab(tree.store_, beam)) {}
 
-  static std::optional<TreeSlot> slot_of(const AabbTree& tree, FaceId face) {
+  static std::optional<TreeSlot> slot_of(const AabbTree& tree, const Mesh& mesh, FaceId face) {
     const uint32_t place = tree.store_.place(face);
     if (place == kNoIndex) return std::nullopt;
     const uint32_t block = place / kBlockWidth, lane = place % kBlockWidth;
-    return TreeSlot{block, lane, (tree.store_.blocks[block].hit >> lane & 1) != 0};
+    return TreeSlot{block, lane, mesh.data(face).hit};
   }
 
   TouchedWalk run() {
     const TreeStore& store = tree_.store_;
-    add(tree_.bounds(), TouchedWalk::kNoParent, Side::kNone);
+    add(tree_.box_of(store.root_box(), 0, false, false), TouchedWalk::kNoParent, Side::kNone);
     nodes_.push_back({store.root, 0});
     for (size_t i = 0; i < nodes_.size(); ++i) open_node(nodes_[i]);
     for (const Place& block : blocks_) open_block(block);
@@ -103,11 +103,10 @@ class TouchedTrace {
     for (uint32_t s = 0; s < kNodeWidth; ++s) {
       const Child child = node.child[s];
       if (child.none()) continue;
-      const bool hit = (node.hit >> s & 1) != 0;
       const int depth = walk_.visits[at.visit].box.depth + 1;
       const Side outside = missed_by(slab_, planes_of(node, s));
       const uint32_t visit =
-          add(tree_.box_of(store.slot_box(at.record, s), depth, false, hit), at.visit, outside);
+          add(tree_.box_of(store.slot_box(at.record, s), depth, false, false), at.visit, outside);
       if (outside != Side::kNone) continue;
       (child.is_block() ? blocks_ : nodes_).push_back({child.index(), visit});
     }
@@ -118,7 +117,7 @@ class TouchedTrace {
     const FaceBlock& block = store.blocks[at.record];
     walk_.counts.boxes += block.count;
     for (uint32_t lane = 0; lane < block.count; ++lane) {
-      const bool hit = (block.hit >> lane & 1) != 0;
+      const bool hit = mesh_.data(FaceId(block.face[lane])).hit;
       const int depth = walk_.visits[at.visit].box.depth + 1;
       Side outside = missed_by(slab_, planes_of(block, lane));
       if (outside == Side::kNone) outside = missed_by(slab_, block, lane);
@@ -144,8 +143,8 @@ class TouchedTrace {
   TouchedWalk walk_;
 };
 
-std::optional<TreeSlot> tree_slot(const AabbTree& tree, FaceId face) {
-  return TouchedTrace::slot_of(tree, face);
+std::optional<TreeSlot> tree_slot(const AabbTree& tree, const Mesh& mesh, FaceId face) {
+  return TouchedTrace::slot_of(tree, mesh, face);
 }
 
 TouchedWalk trace_touched(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam) {

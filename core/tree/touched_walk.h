@@ -31,17 +31,17 @@ struct TouchedWalk {
   QueryCounts counts;           // as the query counts
 };
 
-// Traces a query without marking boxes. The boxes that it enters, the faces that it tests, its results and
+// Traces a query. The boxes that it enters, the faces that it tests, its results and
 // its counts are those of AabbTree::touched, to the bit. Takes a constant factor more time.
 TouchedWalk trace_touched(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam);
 
-// Where the tree keeps a face: in a block of up to four faces, and whether the beam is or was in its box.
+// Where the tree keeps a face: in a block of up to four faces; and FaceData::hit.
 struct TreeSlot {
   uint32_t block = 0, place = 0;  // the number of the block, and the place in it
   bool hit = false;
   friend bool operator==(const TreeSlot&, const TreeSlot&) = default;
 };
 // Nothing if the face is not in the tree. Constant time.
-std::optional<TreeSlot> tree_slot(const AabbTree& tree, FaceId face);
+std::optional<TreeSlot> tree_slot(const AabbTree& tree, const Mesh& mesh, FaceId face);
 
 }  // namespace kerf

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "core/mesh/mesh_bounds.h"
 
 namespace kerf {
 
@@ -21,14 +20,11 @@ double power_of_two_over(double x) {
 
 }  // namespace
 
-Result<TreeFrame> TreeFrame::around(const Mesh& mesh, const Progress* progress) {
-  const auto bounds = bounds_of(mesh, progress);
-  if (!bounds) return bounds.error();
-  const auto& [low, high] = *bounds;
+TreeFrame TreeFrame::around(const Bounds& bounds) {
   TreeFrame frame;
-  if (low.x > high.x) return frame;
-  frame.origin = 0.5 * low + 0.5 * high;
-  const Vec3 half = high - frame.origin;
+  if (bounds.is_none()) return frame;
+  frame.origin = bounds.centre();
+  const Vec3 half = bounds.max - frame.origin;
   const double extent = std::max({half.x, half.y, half.z});
   if (extent > 0) frame.scale = power_of_two_over(extent);
   return frame;

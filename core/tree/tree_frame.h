@@ -2,10 +2,8 @@
 
 #include <smmintrin.h>
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
+#include "core/base/bounds.h"
 #include "core/base/vec3.h"
-#include "core/mesh/mesh.h"
 
 namespace kerf {
 
@@ -15,9 +13,8 @@ struct TreeFrame {
   Vec3 origin{0};
   double scale = 1;  // a power of two
 
-  // The frame for the live faces of a mesh, the identity if there are none. Fails with cancelled() when
-  // stopped; `progress` may be null. O(n).
-  static Result<TreeFrame> around(const Mesh& mesh, const Progress* progress);
+  // Returns the frame for faces with these bounds, the identity if there are none.
+  static TreeFrame around(const Bounds& bounds);
 
   Vec3 to_tree(const Vec3& p) const { return (p - origin) * scale; }
   // The point in the frame of the tree, rounded to the nearest floats; the fourth lane is zero.

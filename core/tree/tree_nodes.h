@@ -31,7 +31,6 @@ struct alignas(64) WideNode {
   Child child[kNodeWidth];
   uint32_t parent;  // kNoIndex at the root; in a free record the next free one
   uint8_t slot;     // in the parent
-  uint8_t hit;      // one bit per slot: the beam is or was inside its box
 };
 static_assert(sizeof(WideNode) == 256);
 
@@ -43,7 +42,6 @@ struct alignas(32) FaceBlock {
   uint32_t parent;                  // of a free record the next free one
   uint8_t slot;                     // in the parent
   uint8_t count;
-  uint8_t hit;  // one bit per lane: the beam is or was inside the face's box
   uint32_t face[kBlockWidth];
   uint32_t vertex[3][kBlockWidth];
 };

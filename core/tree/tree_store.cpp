@@ -24,7 +24,6 @@ uint32_t take(Records<T>& pool, uint32_t& free, uint32_t& free_count) {
 void make_empty(WideNode& node) {
   node.parent = kNoIndex;
   node.slot = 0;
-  node.hit = 0;
   const FloatBox none;
   for (int k = 0; k < 6; ++k) {
     const __m128 plane = k < 3 ? none.low : none.high;
@@ -56,7 +55,6 @@ uint32_t TreeStore::add_block() {
   FaceBlock& block = blocks.edit(b);
   block.parent = kNoIndex;
   block.slot = 0;
-  block.hit = 0;
   return b;
 }
 
@@ -105,6 +103,22 @@ void TreeStore::put(const TreeFace& face, uint32_t block, uint32_t lane) {
   }
   b.face[lane] = face.face.index;
   set_place(face.face, block * kBlockWidth + lane);
+}
+
+bool TreeStore::holds(const TreeFace& face, uint32_t block, uint32_t lane) const {
+  const FaceBlock& b = blocks[block];
+  if (b.face[lane] != face.face.index) return false;
+  const auto same_corner = [&](int own, int given) {
+    alignas(16) float xyz[4];
+    _mm_store_ps(xyz, face.corner[given]);
+    bool same = b.vertex[own][lane] == face.vertex[static_cast<size_t>(given)].index;
+    for (int k = 0; k < 3; ++k) same = same && b.corner[own][k][lane] == xyz[k];
+    return same;
+  };
+  for (int turn = 0; turn < 3; ++turn) {
+    if (same_corner(0, turn) && same_corner(1, (turn + 1) % 3) && same_corner(2, (turn + 2) % 3)) return true;
+  }
+  return false;
 }
 
 FloatBox TreeStore::face_box(const FaceBlock& b, uint32_t lane) const {
@@ -172,22 +186,11 @@ void TreeStore::set_root_box(const FloatBox& box) {
   TreeCounts::reach = glm::length(Vec3(far[0], far[1], far[2]));
 }
 
-void TreeStore::mark(const WideNode& node, unsigned slots) {
-  const uint32_t n = &node == &nodes[root] ? root : nodes[node.parent].child[node.slot].index();
-  assert(&node == &nodes[n]);
-  nodes.edit(n).hit |= static_cast<uint8_t>(slots);
-}
-
-void TreeStore::mark(const FaceBlock& block, unsigned lanes) {
-  blocks.edit(nodes[block.parent].child[block.slot].index()).hit |= static_cast<uint8_t>(lanes);
-}
-
-size_t TreeStore::bytes() const { return ChangeOfParts<TreeStore>::bytes_of(*this); }
+size_t TreeStore::bytes() const { return nodes.bytes() + blocks.bytes() + places_.bytes(); }
 
 void TreeStore::empty_slot(uint32_t node, uint32_t slot) {
   WideNode& n = nodes.edit(node);
   n.child[slot] = Child{};
-  n.hit = static_cast<uint8_t>(n.hit & ~(1u << slot));
   set_slot_box(node, slot, FloatBox{});
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
 #include "core/base/records.h"
 #include "core/mesh/triangle_batch.h"
@@ -41,16 +40,14 @@ void make_empty(WideNode& node);
 // Sets the box of a slot. Precondition: slot < kNodeWidth.
 void set_slot_box(WideNode& node, uint32_t slot, const FloatBox& box);
 
-// The state of a tree beside its records.
+// The state of a tree apart from its records.
 struct TreeCounts {
   uint32_t root = kNoIndex;
-  bool root_hit = false;
   uint32_t free_node = kNoIndex, free_block = kNoIndex;  // heads of the free lists
   uint32_t free_node_count = 0, free_block_count = 0;
   uint32_t single_count = 0;
   FloatBox root_box;
   double reach = 0;
-  friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 };
 
 // The records of a tree and the links between them. Every block and every node but the root occupies a slot
@@ -60,7 +57,7 @@ class TreeStore : private TreeCounts {
   TreeFrame frame;
   Records<WideNode> nodes;
   Records<FaceBlock> blocks;
-  using TreeCounts::root, TreeCounts::root_hit;
+  using TreeCounts::root;
 
   uint32_t add_node();
   uint32_t add_block();
@@ -80,8 +77,10 @@ class TreeStore : private TreeCounts {
   // Allocates memory for a tree over `faces` faces whose slots are below `slots`.
   void reserve(uint32_t faces, uint32_t slots);
 
-  // Writes the face into a lane of a block; the lane's hit bit stays. Precondition: lane < kBlockWidth.
+  // Writes the face into a lane of a block. Precondition: lane < kBlockWidth.
   void put(const TreeFace& face, uint32_t block, uint32_t lane);
+  // Returns true if the lane holds the face with these corners, whichever of them comes first.
+  bool holds(const TreeFace& face, uint32_t block, uint32_t lane) const;
   FloatBox face_box(const FaceBlock& block, uint32_t lane) const;
   FloatBox block_box(const FaceBlock& block) const;
   FloatBox node_box(const WideNode& node) const;
@@ -102,26 +101,10 @@ class TreeStore : private TreeCounts {
     return {nodes.chunks(), blocks.chunks(), root};
   }
 
-  // Marks the boxes of these slots or lanes, a mask, as hit by the beam.
-  void mark(const WideNode& node, unsigned slots);
-  void mark(const FaceBlock& block, unsigned lanes);
-
-  // The records before a command; see ChangeOf. The frame does not change.
-  class Change;
-
   size_t bytes() const;
 
  private:
-  friend class ChangeOfParts<TreeStore>;
-  template <typename Self>
-  static auto parts(Self& self) {
-    using Counts = std::conditional_t<std::is_const_v<Self>, const TreeCounts, TreeCounts>;
-    return std::tie(self.nodes, self.blocks, self.places_, static_cast<Counts&>(self));
-  }
-
   Records<uint32_t> places_;  // the place plus one, so that zeroed memory means that the face is absent
 };
-
-class TreeStore::Change : public ChangeOfParts<TreeStore> {};
 
 }  // namespace kerf

@@ -426,9 +426,9 @@ class WalkCode {
     return lanes;
   }
 
-  static void push_mark(WalkLists& lists, const void* record, unsigned kind, unsigned bits) {
-    push(lists, lists.marks, reinterpret_cast<uintptr_t>(record) + kind);
-    push(lists, lists.marks, bits);
+  static void push_lanes(WalkLists& lists, WordList& list, const FaceBlock& block, unsigned lanes) {
+    for (; lanes != 0; lanes &= lanes - 1)
+      push(lists, list, face_word(&block, static_cast<unsigned>(__builtin_ctz(lanes))));
   }
 
   static uint64_t slab(const TreeView& tree, const SlabQuery& q, WalkLists& lists) {
@@ -438,17 +438,15 @@ class WalkCode {
       const auto& node = *reinterpret_cast<const WideNode*>(lists.nodes.items[next]);
       const unsigned mask = meets<Float8>(q, node.plane[0], kNodeWidth);
       boxes += kNodeWidth;
-      if ((mask & ~node.hit) != 0) push_mark(lists, &node, 0, mask);
       list_children(tree, node, mask, lists);
     }
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto& block = *reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
-      unsigned lanes = boxes_that_meet(q, block) & filled(block);
+      const unsigned lanes = boxes_that_meet(q, block) & filled(block);
       boxes += block.count;
-      if ((lanes & ~block.hit) != 0) push_mark(lists, &block, 1, lanes);
-      for (lanes &= triangles_that_meet(q, block); lanes != 0; lanes &= lanes - 1) {
-        push(lists, lists.faces, face_word(&block, static_cast<unsigned>(__builtin_ctz(lanes))));
-      }
+      if (lanes == 0) continue;
+      push_lanes(lists, lists.boxes, block, lanes);
+      push_lanes(lists, lists.faces, block, lanes & triangles_that_meet(q, block));
     }
     return boxes;
   }

@@ -15,14 +15,14 @@ class WalkScratch : public WalkLists {
  public:
   WalkScratch()
       : WalkLists{
-            {nodes_, 0, kShort}, {blocks_, 0, kShort}, {faces_, 0, kShort}, {marks_, 0, kShort}, lengthen} {}
+            {nodes_, 0, kShort}, {blocks_, 0, kShort}, {faces_, 0, kShort}, {boxes_, 0, kShort}, lengthen} {}
   WalkScratch(const WalkScratch&) = delete;
   WalkScratch& operator=(const WalkScratch&) = delete;
 
   // The faces that the traversal listed, as face_word().
   std::span<const uintptr_t> found() const { return {faces.items, faces.count}; }
-  // The slots and lanes to be marked as hit, two words each; see marks_block().
-  std::span<const uintptr_t> met() const { return {marks.items, marks.count}; }
+  // The faces whose boxes the traversal met, likewise.
+  std::span<const uintptr_t> met() const { return {boxes.items, boxes.count}; }
 
  private:
   using Words = std::vector<uintptr_t>;
@@ -37,7 +37,7 @@ class WalkScratch : public WalkLists {
 
   static constexpr uint32_t kShort = 96;
   std::unique_ptr<std::vector<Words>> long_lists_;
-  uintptr_t nodes_[kShort], blocks_[kShort], faces_[kShort], marks_[kShort];
+  uintptr_t nodes_[kShort], blocks_[kShort], faces_[kShort], boxes_[kShort];
 };
 
 }  // namespace kerf

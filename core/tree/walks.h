@@ -43,13 +43,9 @@ struct WordList {
 [[gnu::always_inline]] inline unsigned lane_of(uintptr_t word) { return word & 3; }
 [[gnu::always_inline]] inline unsigned ray_of(uintptr_t word) { return word >> 2 & 7; }
 
-// An entry of the list of marks: a record with slots or lanes to be marked as hit. It takes two words, the
-// record's address (plus one for a block) and the mask.
-[[gnu::always_inline]] inline bool marks_block(uintptr_t word) { return (word & 1) != 0; }
-
 // The lists of a traversal. `grow` doubles the capacity of one of them.
 struct WalkLists {
-  WordList nodes, blocks, faces, marks;
+  WordList nodes, blocks, faces, boxes;
   void (*grow)(WalkLists&, WordList&);
 };
 
@@ -96,8 +92,8 @@ struct Walks {
   void (*rays)(const TreeView&, const RayQuery&, WalkLists&);
   // Lists candidates that include the first face that the ray crosses; visits near boxes first.
   void (*nearest)(const TreeView&, const RayQuery&, WalkLists&);
-  // Lists the faces that may meet the oriented box, and the slots and lanes whose boxes may meet it and are
-  // not marked as hit yet. Returns the number of boxes tested.
+  // Lists the faces that may meet the oriented box, and in `boxes` those whose boxes may meet it. Returns the
+  // number of boxes tested.
   uint64_t (*slab)(const TreeView&, const SlabQuery&, WalkLists&);
 };
 

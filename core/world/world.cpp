@@ -143,8 +143,8 @@ World::Bounds World::bounds() const {
   GrowingBounds bounds;
   for (const Slot& slot : slots_) {
     if (!slot.alive || slot.body.tree.leaf_count() == 0) continue;
-    const AabbTree::Box box = slot.body.tree.bounds();
-    bounds.add(slot.body.placement, box.min, box.max);
+    const Bounds& own = slot.body.bounds();
+    bounds.add(slot.body.placement, own.min, own.max);
   }
   return bounds.all;
 }

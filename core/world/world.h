@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/bounds.h"
 #include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
 #include "core/base/tick.h"
@@ -96,18 +97,22 @@ struct Body {
   // The piece of f.
   Piece& edit_piece_of(FaceId f) { return pieces.edit(mesh.data(f).piece); }
 
+  // The bounds of all corners in the frame of the body, exact to the bit; zero if it has no faces. O(1).
+  const Bounds& bounds() const { return tree.bounds(); }
+
   // The centre of the bounds of the mesh as loaded, which is the origin of moments.
   Vec3 middle() const { return 0.5 * loaded.min + 0.5 * loaded.max; }
 
   // Adds to the counts of the piece and the component of f.
   void count(FaceId f, int faces, double area);
 
-  // All members that a command may change in a body that exists before and after it.
+  // All members that a command may change in a body that exists before and after it, but for the tree, which
+  // follows the mesh (see World::BodyChange).
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned,
-                    self.solid, self.mesh, self.tree, self.refinement, self.ejected, self.pieces,
-                    self.enclosed, self.components, self.separation);
+                    self.solid, self.mesh, self.refinement, self.ejected, self.pieces, self.enclosed,
+                    self.components, self.separation);
   }
 
   // Memory of its arrays, in bytes.
@@ -166,11 +171,8 @@ class World {
   // In the order of their slots.
   std::vector<BodyId> ids() const;
 
-  struct Bounds {
-    Vec3 min{0}, max{0};
-    double diagonal() const { return glm::length(max - min); }
-  };
-  // The bounds of all bodies at their placements, rounded outward; zero for an empty world. O(bodies).
+  using Bounds = kerf::Bounds;
+  // The bounds of the boxes of all bodies at their placements; zero for an empty world. O(bodies).
   Bounds bounds() const;
   // The bounds of all bodies as they were loaded, at their placements.
   Bounds loaded_bounds() const;
@@ -246,6 +248,10 @@ class World {
     uint32_t slot = 0;  // after the change
     uint32_t home = 0;  // the slot before it
     ChangeOfParts<Body> parts;
+
+    // Call these functions of `parts`, and update the tree for the faces that differ.
+    void exchange(Body& body);
+    void restore(Body& body) const;
   };
 
   uint32_t checked(BodyId id) const {

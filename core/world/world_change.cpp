@@ -16,6 +16,20 @@ size_t World::Change::bytes() const {
   return bytes;
 }
 
+void World::BodyChange::exchange(Body& body) {
+  std::vector<FaceId> faces;
+  parts.part<Mesh>().append_faces(body.mesh, faces);
+  parts.exchange(body);
+  body.tree.update(body.mesh, std::move(faces));
+}
+
+void World::BodyChange::restore(Body& body) const {
+  std::vector<FaceId> faces;
+  parts.part<Mesh>().append_faces(body.mesh, faces);
+  parts.restore(body);
+  body.tree.update(body.mesh, std::move(faces));
+}
+
 World::World() = default;
 World::~World() = default;
 World::World(World&&) noexcept = default;
@@ -44,7 +58,7 @@ void World::Change::keep(uint32_t slot, Body& body) {
       std::find_if(edited_.begin(), edited_.end(), [&](const BodyChange& c) { return c.slot == slot; });
   if (edited != edited_.end()) {
     edited->parts.end(body);
-    edited->parts.exchange(body);
+    edited->exchange(body);
     removed_.emplace_back(edited->home, std::move(body));
     edited_.erase(edited);
   }
@@ -89,7 +103,7 @@ void World::exchange(Change& change) {
 }
 
 void World::take_back(Change& change) {
-  for (BodyChange& c : change.edited_) c.parts.exchange(slots_[c.slot].body);
+  for (BodyChange& c : change.edited_) c.exchange(slots_[c.slot].body);
   for (size_t i = change.exchanged_.size(); i-- > 0;)
     std::swap(slots_[change.exchanged_[i].first].body, slots_[change.exchanged_[i].second].body);
   for (auto& [home, body] : change.removed_) std::swap(slots_[home].body, body);
@@ -108,7 +122,7 @@ void World::bring_again(Change& change) {
   for (const uint32_t slot : change.died_) slots_[slot].alive = false;
   for (auto& [home, body] : change.removed_) std::swap(slots_[home].body, body);
   for (const auto& [a, b] : change.exchanged_) std::swap(slots_[a].body, slots_[b].body);
-  for (BodyChange& c : change.edited_) c.parts.exchange(slots_[c.slot].body);
+  for (BodyChange& c : change.edited_) c.exchange(slots_[c.slot].body);
 }
 
 // A slot whose body the change removed holds the image of another for a while, if the two were exchanged.
@@ -116,7 +130,7 @@ void World::restore(const Change& change, size_t slots) {
   KERF_ASSERT(!change.taken_back_ && slots <= change.slots_);
   KERF_ASSERT(change.died_.empty() || *std::min_element(change.died_.begin(), change.died_.end()) >= slots);
   change.situation_.restore(situation_);
-  for (const BodyChange& c : change.edited_) c.parts.restore(slots_[c.slot].body);
+  for (const BodyChange& c : change.edited_) c.restore(slots_[c.slot].body);
   for (size_t i = change.exchanged_.size(); i-- > 0;)
     swap_slots(change.exchanged_[i].first, change.exchanged_[i].second);
   for (auto slot = static_cast<uint32_t>(change.slots_); slot < change.slots_end_; ++slot) {

@@ -45,7 +45,7 @@ struct Slot {
   Vec3 low, high, middle;
   int along = 0, across = 0, beam = 0;
 
-  explicit Slot(const AabbTree::Box& box) : low(box.min), high(box.max), middle(0.5 * (box.min + box.max)) {
+  explicit Slot(const Bounds& box) : low(box.min), high(box.max), middle(0.5 * (box.min + box.max)) {
     const Vec3 size = high - low;
     for (int k = 1; k < 3; ++k) {
       if (size[k] > size[across]) across = k;
@@ -184,7 +184,7 @@ void bench_separation(const Subject& s, const Effort& effort, const Report& repo
 void bench_job(const Subject& s, const Effort& effort, const Report& report) {
   World world;
   const BodyId id = world.add(body_of(s));
-  const Slot slot(world.body(id).tree.bounds());
+  const Slot slot(world.body(id).bounds());
   const Walked walked = walk_slot(world, slot, slot.quick_settings(), effort.slot_steps);
   if (const auto peer = cgal_slot_seconds(s.arrays, slot.box()))
     report({"slot into pieces / CGAL difference + split", s.name, "ms", 1e3 * walked.seconds, 1e3 * *peer,
@@ -206,7 +206,7 @@ void bench_pieces(const Subject& s, const Effort& effort, const Report& report) 
     World world;
     const auto start = passed_seconds();
     const BodyId id = world.add(make_body(s.name, std::move(*build_mesh(soup_of(s.arrays)))));
-    const Slot slot(world.body(id).tree.bounds());
+    const Slot slot(world.body(id).bounds());
     our_slot.push_back(walk_slot(world, slot, slot.quick_settings(), effort.slot_steps).seconds);
     for (const auto& faces : faces_by_piece(world.body(id), false)) extract_faces(world.body(id), faces);
     ours.push_back(passed_seconds() - start);
@@ -230,7 +230,7 @@ Walked walk_three_times(const Subject& s, const Effort& effort, CutSettings (Slo
     World world;
     const BodyId id = world.add(body_of(s));
     if (solid) make_solid(world.body(id), true);
-    const Slot slot(world.body(id).tree.bounds());
+    const Slot slot(world.body(id).bounds());
     runs.push_back(walk_slot(world, slot, (slot.*settings)(), effort.slot_steps));
   }
   Walked shortest = runs.front();

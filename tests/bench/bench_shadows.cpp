@@ -30,7 +30,7 @@ void plain_pass(const ShadowCaster& caster, const LightPoint& light, std::vector
 
 void bench_shadows(const Subject& subject, const Effort& effort, const Report& report) {
   Mesh mesh = subject.mesh;
-  const AabbTree::Box box = AabbTree(mesh).bounds();
+  const Bounds box = AabbTree(mesh).bounds();
   ShadowCaster caster(mesh, FloatFrame::around(box.min, box.max));
   const LightPoint light{{1.3, 3, 2.1}, 1};
   const bool many = mesh.live_faces() >= kBiteManyFaces;

@@ -27,7 +27,7 @@ bool is_finite(const Body& body) {
 
 bool is_inside(const Body& body, const ArenaDescription& arena) {
   if (body.tree.leaf_count() == 0) return true;
-  const AabbTree::Box box = body.tree.bounds();
+  const Bounds box = body.bounds();
   const Vec3 middle = body.placement.to_world(0.5 * (box.min + box.max));
   const double size = glm::length(box.max - box.min);
   return std::abs(middle.x) <= 0.5 * arena.size.x + kOutside &&

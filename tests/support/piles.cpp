@@ -81,11 +81,11 @@ void detach_pieces(World& world, size_t least_faces) {
 // Whether balls around two bodies overlap.
 bool are_near(const Body& a, const Body& b) {
   const auto middle = [](const Body& body) {
-    const AabbTree::Box box = body.tree.bounds();
+    const Bounds box = body.bounds();
     return body.placement.to_world(0.5 * (box.min + box.max));
   };
   const auto radius = [](const Body& body) {
-    return 0.5 * glm::length(body.tree.bounds().max - body.tree.bounds().min);
+    return 0.5 * glm::length(body.bounds().max - body.bounds().min);
   };
   return glm::length(middle(a) - middle(b)) <= radius(a) + radius(b);
 }
@@ -98,7 +98,7 @@ Box box_of(const Triangle& t) {
 
 // Whether an edge of `edges` crosses a face of `faces`.
 bool crosses(const Body& edges, const Body& faces) {
-  const AabbTree::Box box = faces.tree.bounds();
+  const Bounds box = faces.bounds();
   for (uint32_t slot = 0; slot < edges.mesh.face_slots(); ++slot) {
     if (!edges.mesh.is_live(FaceId(slot))) continue;
     Triangle t = edges.mesh.triangle(FaceId(slot));

@@ -22,7 +22,7 @@ BodyId nearest_drum(const Match& match, const Vec3& from) {
     const Body& body = match.world().body(id);
     const bool serves = !match.is_wall(id) && match.vehicle_of(id) == Event::kNobody &&
                         body.tree.leaf_count() > 0 &&
-                        glm::length(body.tree.bounds().max - body.tree.bounds().min) < kLargest;
+                        glm::length(body.bounds().max - body.bounds().min) < kLargest;
     const double distance = glm::distance(middle_of(body), from);
     if (!serves || distance >= least) continue;
     least = distance;

@@ -79,7 +79,7 @@ bool ReplayCamera::stops(const Match& match, BodyId id) const {
   if (match.is_wall(id)) return true;
   const size_t vehicle = match.vehicle_of(id);
   if (vehicle == other_ || vehicle == Match::kPlayer) return false;
-  const AabbTree::Box box = match.world().body(id).tree.bounds();
+  const Bounds box = match.world().body(id).bounds();
   return glm::length(box.max - box.min) > kLarge;
 }
 

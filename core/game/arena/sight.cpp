@@ -38,7 +38,7 @@ Sight::Sight(const World& world) : world_(world) {
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     if (body.hidden || body.tree.leaf_count() == 0) continue;
-    const AabbTree::Box box = body.tree.bounds();
+    const Bounds box = body.bounds();
     bodies_.push_back({id, &body, body.placement.to_world(0.5 * (box.min + box.max)),
                        0.5 * glm::length(box.max - box.min)});
   }

@@ -23,7 +23,7 @@ bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
 double height_of(const Body& body, const Vec3& p) { return body.placement.to_world(p).y; }
 
 // The heights between which the box of a body lies, m.
-Interval heights_of(const Body& body, const AabbTree::Box& box) {
+Interval heights_of(const Body& body, const Bounds& box) {
   Interval heights{height_of(body, box.min), height_of(body, box.min)};
   for (int corner = 1; corner < 8; ++corner) {
     const Vec3 p((corner & 1 ? box.max : box.min).x, (corner & 2 ? box.max : box.min).y,
@@ -35,8 +35,8 @@ Interval heights_of(const Body& body, const AabbTree::Box& box) {
 }
 
 // The box of the faces of a tall body that begin below the roof of a vehicle that stands beside it.
-AabbTree::Box low_box(const Body& body, double below) {
-  AabbTree::Box low{Vec3(1e300), Vec3(-1e300)};
+Bounds low_box(const Body& body, double below) {
+  Bounds low{Vec3(1e300), Vec3(-1e300)};
   for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
     if (!body.mesh.is_live(FaceId(slot))) continue;
     const Triangle t = body.mesh.triangle(FaceId(slot));
@@ -50,7 +50,7 @@ AabbTree::Box low_box(const Body& body, double below) {
 }
 
 // Covers a box of a body by discs along its longest side.
-void cover(const Body& body, BodyId id, const AabbTree::Box& box, std::vector<Disc>& discs) {
+void cover(const Body& body, BodyId id, const Bounds& box, std::vector<Disc>& discs) {
   const glm::dmat3 turn = glm::mat3_cast(body.placement.orientation);
   const Vec3 middle = body.placement.to_world(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);
   int longest = 0, second = 0;
@@ -81,7 +81,7 @@ std::vector<Disc> find_traffic(const World& world, std::span<const Vehicle> vehi
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     if (body.pinned || body.hidden || body.tree.leaf_count() == 0) continue;
-    AabbTree::Box box = body.tree.bounds();
+    Bounds box = body.bounds();
     if (glm::length(box.max - box.min) < kSmall || is_carried(vehicles, id)) continue;
     const Interval heights = heights_of(body, box);
     if (heights.high - heights.low > kTall) box = low_box(body, heights.low + kRoof);

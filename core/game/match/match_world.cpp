@@ -64,7 +64,7 @@ void MatchWorld::keep_inside(const ArenaDescription& arena) {
   for (const BodyId id : world_.ids()) {
     Body& body = world_.body(id);
     if (body.pinned || body.tree.leaf_count() == 0) continue;
-    const AabbTree::Box box = body.tree.bounds();
+    const Bounds box = body.bounds();
     const Vec3 centre = body.placement.to_world(0.5 * (box.min + box.max));
     const double size = 0.5 * glm::length(box.max - box.min);
     for (const auto& [axis, limit] : {std::pair{0, half.x - size}, {2, half.y - size}}) {
@@ -165,7 +165,7 @@ void MatchWorld::clear_debris(const std::function<bool(BodyId)>& stays) {
     if (body.pinned || stays(id)) continue;
     ++loose;
     if (of_arena(id)) continue;
-    const AabbTree::Box box = body.tree.bounds();
+    const Bounds box = body.bounds();
     if (body.motion.asleep) resting.push_back({glm::length(box.max - box.min), id});
   }
   if (loose <= kMostLoose) return;

@@ -13,7 +13,7 @@ constexpr double kHalf = 0.25;  // of the area of a chassis
 }  // namespace
 
 Vec3 middle_of(const Body& body) {
-  const AabbTree::Box box = body.tree.bounds();
+  const Bounds box = body.bounds();
   return body.placement.to_world(0.5 * (box.min + box.max));
 }
 

@@ -15,7 +15,7 @@ constexpr double kMostReach = 1.6;                 // m
 }  // namespace
 
 Vec3 pushed_at(const Body& chassis, const Vec3& change) {
-  const AabbTree::Box box = chassis.tree.bounds();
+  const Bounds box = chassis.bounds();
   const Vec3 middle = 0.5 * (box.min + box.max), half = 0.5 * (box.max - box.min);
   const Vec3 way = glm::conjugate(chassis.placement.orientation) * -change;
   double share = 1e300;  // of `way` that leads from the middle to the side

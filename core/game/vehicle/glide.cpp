@@ -24,7 +24,7 @@ struct Extent {
 
 // The extent of what is left of the chassis, and of the wheels.
 Extent extent_of(const Body& chassis, const Vehicle& vehicle) {
-  const AabbTree::Box box = chassis.tree.bounds();
+  const Bounds box = chassis.bounds();
   Extent e{box.max.x, box.min.x, box.min.y, box.min.z, box.max.z};
   for (size_t i = 0; i < vehicle.wheels.size(); ++i) {
     if (!vehicle.wheels[i].attached) continue;

@@ -13,6 +13,7 @@
 #include "tests/support/runs.h"
 #include "tests/support/same_world.h"
 #include "tests/support/solids.h"
+#include "tests/support/strokes.h"
 
 namespace kerf::test {
 namespace {

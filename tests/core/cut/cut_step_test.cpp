@@ -58,7 +58,7 @@ void expect_nothing_left_under(const Body& body, const CutSettings& settings, co
 }
 
 void expect_tree_answers_as_brute_force(Body& body, Random& random) {
-  const AabbTree::Box box = body.tree.bounds();
+  const Bounds box = body.bounds();
   const double size = glm::length(box.max - box.min);
   for (int i = 0; i < 4; ++i) {
     const Vec3 axis = random_direction(random),

@@ -231,7 +231,7 @@ TEST(ShadowVolume, following_deltas_ends_where_building_anew_ends) {
        {test::torus(10, 16, 1, 0.4), plates, test::book(5), test::random_soup(60, random)}) {
     World world = test::world_of(soup);
     Body& body = test::only_body(world);
-    const FloatFrame frame = FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
+    const FloatFrame frame = FloatFrame::around(body.bounds().min, body.bounds().max);
     ShadowCaster caster(body.mesh, frame);
     std::vector<ShadowVolume> followed;
     for (const ShadowMethod m :

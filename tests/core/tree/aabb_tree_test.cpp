@@ -37,7 +37,7 @@ SweptCylinder random_beam(const Frame& frame, Random& random, bool tilt) {
           {0, frame.size * random.uniform(0.5, 3)}};
 }
 
-// Children lie below boxes that were entered, and what a query entered or tested has been marked as hit.
+// Children lie below boxes that were entered, and every face that was tested is counted.
 void expect_visits_make_sense(const TouchedWalk& traced, const AabbTree& tree) {
   size_t tested = 0;
   for (size_t i = 1; i < traced.visits.size(); ++i) {
@@ -59,11 +59,13 @@ void expect_touched_equals_brute_force(AabbTree& tree, const Mesh& mesh, const F
     const TouchedWalk traced = trace_touched(tree, mesh, beam);
     std::vector<FaceId> found;
     const QueryCounts counts = tree.touched(mesh, beam, found);
-    ASSERT_EQ(traced.touched, found);
+    std::sort(found.begin(), found.end());
+    std::vector<FaceId> shown = traced.touched;
+    std::sort(shown.begin(), shown.end());
+    ASSERT_EQ(shown, found);
     ASSERT_EQ(traced.counts.boxes, counts.boxes);
     ASSERT_EQ(traced.counts.faces, counts.faces);
     expect_visits_make_sense(traced, tree);
-    std::sort(found.begin(), found.end());
     ASSERT_EQ(found, brute_touched(mesh, beam));
   }
 }
@@ -122,21 +124,24 @@ TEST(AabbTree, boxes_hold_their_children_and_shrink_after_a_removal) {
     const Triangle t = mesh.triangle(FaceId(f));
     if (std::max({t[0].x, t[1].x, t[2].x}) > 0.01) tree.remove(FaceId(f));
   }
+  tree.fit_bounds(mesh);
   EXPECT_NEAR(tree.bounds().max.x - tree.bounds().min.x, width / 2, 1e-6);
 }
 
-TEST(AabbTree, remembers_where_the_beam_was) {
+TEST(AabbTree, shows_the_boxes_around_faces_that_were_hit) {
   Mesh mesh = build(grid(8, 1)).mesh;
-  AabbTree tree(mesh);
+  const AabbTree tree(mesh);
   const auto hit_boxes = [&](bool leaves) {
     size_t hit = 0;
-    tree.for_each_box([&](const AabbTree::Box& box) { hit += box.hit && box.leaf == leaves; });
+    tree.for_each_box(mesh, [&](const AabbTree::Box& box) { hit += box.hit && box.leaf == leaves; });
     return hit;
   };
   EXPECT_EQ(hit_boxes(true) + hit_boxes(false), 0u);
-  std::vector<FaceId> found;
+  std::vector<FaceId> found, near;
   const Pose pose{{0.3, 1, 0.3}, {0, -1, 0}};
-  const QueryCounts counts = tree.touched(mesh, SweptCylinder(pose, pose, 0.01, {0, 9}), found);
+  const QueryCounts counts = tree.touched(mesh, SweptCylinder(pose, pose, 0.01, {0, 9}), found, &near);
+  for (const FaceId f : near) mesh.edit_data(f).hit = true;
+  EXPECT_EQ(hit_boxes(true), near.size());
   EXPECT_GE(hit_boxes(true), found.size());
   EXPECT_GE(hit_boxes(false), 2u);  // the root and one below it
   EXPECT_LT(hit_boxes(true) + hit_boxes(false), tree.box_count() / 4);
@@ -149,7 +154,7 @@ TEST(AabbTree, counts_the_boxes_that_it_shows) {
   AabbTree tree(mesh);
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     size_t boxes = 0, leaves = 0;
-    tree.for_each_box([&](const AabbTree::Box& box) {
+    tree.for_each_box(mesh, [&](const AabbTree::Box& box) {
       ++boxes;
       leaves += box.leaf;
     });

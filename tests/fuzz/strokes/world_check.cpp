@@ -52,7 +52,7 @@ std::vector<RayHit> all_crossings(const Mesh& mesh, const Pose& ray) {
 void check_tree(const Body& body) {
   const Mesh& mesh = body.mesh;
   require(body.tree.leaf_count() == mesh.live_faces(), "the tree has another number of faces");
-  const double far = 1e3 + 10 * glm::length(body.tree.bounds().max - body.tree.bounds().min);
+  const double far = 1e3 + 10 * glm::length(body.bounds().max - body.bounds().min);
   const uint32_t stride = 1 + mesh.face_slots() / 4;
   for (uint32_t f = 0; f < mesh.face_slots(); f += stride) {
     if (!mesh.is_live(FaceId(f))) continue;

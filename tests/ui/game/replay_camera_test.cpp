@@ -15,7 +15,7 @@ namespace {
 bool is_crossed(const Match& match, const Vec3& from, const Vec3& to) {
   for (const BodyId id : match.world().ids()) {
     const Body& body = match.world().body(id);
-    const AabbTree::Box box = body.tree.bounds();
+    const Bounds box = body.bounds();
     const bool large = match.is_wall(id) || glm::length(box.max - box.min) > 2;
     if (!large || match.vehicle_of(id) != Event::kNobody) continue;
     if (test::crosses(body, from, to)) return true;

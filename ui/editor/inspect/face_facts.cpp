@@ -53,7 +53,7 @@ FaceFacts face_facts(const Body& body, FaceId face) {
                   {}};
   facts.temperature = body.heat.temperature(body.mesh, face, body.sheet.substance, body.sheet.thickness);
   facts.hottest = body.heat.hottest_of(body.mesh, face);
-  facts.slot = tree_slot(body.tree, face).value_or(TreeSlot());
+  facts.slot = tree_slot(body.tree, body.mesh, face).value_or(TreeSlot());
   for (size_t i = 0; i < 3; ++i) {
     const size_t next = (i + 1) % 3, last = (i + 2) % 3;
     facts.edges[i] = glm::length(t[next] - t[i]);

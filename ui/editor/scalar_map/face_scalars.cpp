@@ -53,7 +53,7 @@ BaseFaces bases_of(const Body& body, const LoadedShading* loaded) {
 
 void fill_rim_distances(FaceScalars& values, const Body& body, const LoadedShading* loaded) {
   const FloatFrame frame =
-      loaded != nullptr ? loaded->frame : FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
+      loaded != nullptr ? loaded->frame : FloatFrame::around(body.bounds().min, body.bounds().max);
   const BaseFaces bases = bases_of(body, loaded);
   if (bases.are_whole(body.mesh)) return;
   RimDistance rims(kRimReach, 0);

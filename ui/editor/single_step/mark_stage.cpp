@@ -28,7 +28,7 @@ void mark_face(const Triangle& t, uint32_t piece, Kind kind, OfBody& marks) {
 
 // How deep along the beam the body lies: the part of the volume that is drawn.
 Interval depths_of(const Body& body, const SweptCylinder::Slab& whole) {
-  const AabbTree::Box box = body.tree.bounds();
+  const Bounds box = body.bounds();
   Interval depths{INFINITY, -INFINITY};
   for (unsigned i = 0; i < 8; ++i) {
     const Vec3 corner(i & 1u ? box.max.x : box.min.x, i & 2u ? box.max.y : box.min.y,

@@ -10,7 +10,7 @@ namespace kerf {
 namespace {
 
 FloatFrame picture_frame(const Body& body) {
-  return FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
+  return FloatFrame::around(body.bounds().min, body.bounds().max);
 }
 
 // Calls what(id, body, progress) for each body, in shares by their faces, until one fails.

@@ -68,7 +68,7 @@ void LineOverlay::gather(Gathered& lines, const Body& body, const FloatFrame& fr
 std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFrame& frame,
                                                const TreeOverlay& tree) const {
   std::vector<BoxLine> boxes;
-  body.tree.for_each_box([&](const AabbTree::Box& box) {
+  body.tree.for_each_box(body.mesh, [&](const AabbTree::Box& box) {
     if ((tree.hit_only && !box.hit) || box.depth > tree.deepest || (tree.leaves_only && !box.leaf)) return;
     const float opacity = opacity_of(box, tree);
     if (opacity <= 0) return;

@@ -14,7 +14,7 @@ namespace {
 TEST(Crash, pushes_a_chassis_at_the_side_from_which_the_push_comes) {
   test::LoneVehicle lone;
   Body& chassis = lone.world.body(lone.vehicle.chassis);
-  const AabbTree::Box box = chassis.tree.bounds();
+  const Bounds box = chassis.bounds();
   for (uint64_t seed = 1; seed <= runs(50); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);

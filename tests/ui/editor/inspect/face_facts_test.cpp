@@ -36,14 +36,14 @@ TEST(FaceFacts, name_a_slot_of_the_tree_that_no_other_face_has) {
   const Body body = make_body("ball", test::build(test::sphere(9, 12, 1)));
   std::set<std::pair<uint32_t, uint32_t>> slots;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    const auto slot = tree_slot(body.tree, FaceId(f));
+    const auto slot = tree_slot(body.tree, body.mesh, FaceId(f));
     ASSERT_TRUE(slot);
     EXPECT_LT(slot->place, 4u);
     EXPECT_FALSE(slot->hit);
     EXPECT_TRUE(slots.emplace(slot->block, slot->place).second);
     EXPECT_EQ(face_facts(body, FaceId(f)).slot, *slot);
   }
-  EXPECT_FALSE(tree_slot(body.tree, FaceId(body.mesh.face_slots())));
+  EXPECT_FALSE(tree_slot(body.tree, body.mesh, FaceId(body.mesh.face_slots())));
 }
 
 TEST(FaceFacts, are_told_in_lines_with_borders_and_rings_named) {

@@ -39,11 +39,12 @@ void count_world(ShownStatistics& shown, const Document& document, bool depth_sh
   shown.tree_depth.reset();
   if (depth_shown) shown.tree_depth = 0;
   for (const BodyId id : world.ids()) {
-    const AabbTree& tree = world.body(id).tree;
-    shown.tree_nodes += tree.box_count();
+    const Body& body = world.body(id);
+    shown.tree_nodes += body.tree.box_count();
     if (!depth_shown) continue;
-    tree.for_each_box(
-        [&](const AabbTree::Box& box) { shown.tree_depth = std::max(*shown.tree_depth, box.depth); });
+    body.tree.for_each_box(body.mesh, [&](const AabbTree::Box& box) {
+      shown.tree_depth = std::max(*shown.tree_depth, box.depth);
+    });
   }
 }
 

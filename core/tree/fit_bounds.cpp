@@ -10,8 +10,8 @@ namespace {
 
 // A side of the bounds: the least (sides 0 to 2) or the largest (3 to 5) coordinate along an axis.
 // Coordinates are negated where the least is sought, so that the largest value is sought on every side.
-struct Side {
-  explicit Side(unsigned side) : axis(static_cast<int>(side % 3)), plane(side), least(side < 3) {}
+struct ExtremeSide {
+  explicit ExtremeSide(unsigned side) : axis(static_cast<int>(side % 3)), plane(side), least(side < 3) {}
 
   double value(const Vec3& p) const { return least ? -p[axis] : p[axis]; }
   float value(float x) const { return least ? -x : x; }
@@ -21,7 +21,7 @@ struct Side {
   bool least;
 };
 
-float lane(__m128 v, int axis) {
+float coordinate(__m128 v, int axis) {
   alignas(16) float xyz[4];
   _mm_store_ps(xyz, v);
   return xyz[axis];
@@ -32,7 +32,8 @@ float lane(__m128 v, int axis) {
 // whose float lies below that of a corner has only lesser corners.
 class ExtremeSearch {
  public:
-  ExtremeSearch(const TreeStore& tree, const Mesh& mesh, Side side) : tree_(tree), mesh_(mesh), side_(side) {}
+  ExtremeSearch(const TreeStore& tree, const Mesh& mesh, ExtremeSide side)
+      : tree_(tree), mesh_(mesh), side_(side) {}
 
   // Returns the largest value. Preconditions: `start` is that of a corner, and no corner exceeds `bound`, at
   // which the search ends.
@@ -82,12 +83,12 @@ class ExtremeSearch {
     best_ = value;
     Vec3 p(0);
     p[side_.axis] = side_.least ? -value : value;
-    best_float_ = side_.value(lane(tree_.frame.to_floats(p), side_.axis));
+    best_float_ = side_.value(coordinate(tree_.frame.to_floats(p), side_.axis));
   }
 
   const TreeStore& tree_;
   const Mesh& mesh_;
-  Side side_;
+  ExtremeSide side_;
   double best_ = 0;
   float best_float_ = 0;
 };
@@ -115,7 +116,7 @@ void AabbTree::fit_bounds(const Mesh& mesh) {
   Bounds fitted = bounds_;
   for (unsigned s = 0; s < 6; ++s) {
     if ((loose >> s & 1) == 0) continue;
-    const Side side(s);
+    const ExtremeSide side(s);
     Vec3& own = side.least ? fitted.min : fitted.max;
     const double found = ExtremeSearch(store_, mesh, side).run(side.value(own), side.value(start));
     own[side.axis] = side.least ? -found : found;

@@ -24,6 +24,15 @@ namespace kerf {
 
 namespace {
 
+// A point near the middle. Its coordinates are multiples of a power of two, the largest that is at most the
+// diagonal, so that differences to it are rounded as little as can be.
+Vec3 near_origin(const World::Bounds& bounds) {
+  const double diagonal = bounds.diagonal();
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) return bounds.min;
+  const double unit = std::ldexp(1.0, std::ilogb(diagonal));
+  return unit * glm::round((0.5 * bounds.min + 0.5 * bounds.max) / unit);
+}
+
 // One run of `kerf cut`, from its files to its folder.
 class CutRun {
  public:
@@ -49,7 +58,7 @@ class CutRun {
     const StrokePath first = strokes_.empty() ? StrokePath{} : strokes_.front();
     const auto written = folder.write(job_, document_.world(), stroke_settings(options_, first, diagonal_));
     if (!written) return written.error();
-    for (const std::string& note : job_.notes) warn(note);
+    for (size_t i = loaded_notes_; i < job_.notes.size(); ++i) warn(job_.notes[i]);
     if (!job_.missed.empty())
       warn(missed_text(job_, options_.path.empty() ? options_.meshes.front() : options_.path));
     std::cerr << "kerf: " << cut_summary(job_, strokes_.size(), written->size(), options_.out) << '\n';
@@ -119,6 +128,8 @@ class CutRun {
       if (!built) return built.error();
       tell(built->report);
       job_.note_loaded(built->report);
+      job_.notes.insert(job_.notes.end(), built->report.warnings.begin(), built->report.warnings.end());
+      loaded_notes_ = job_.notes.size();
       const Stopwatch watch(job_.build_tree_s);
       if (substance_) body.sheet.substance = *substance_;
       if (substance_) body.sheet.density = substance_->density;
@@ -135,9 +146,22 @@ class CutRun {
     job_.input_min_angle = smallest_angle(world);
     bounds_ = world.bounds();
     diagonal_ = bounds_.diagonal();
+    if (options_.recentre) job_.origin = near_origin(bounds_);
     document_ = Document(std::move(world));
     document_.set_window(0);  // nothing is taken back here
     document_.set_face_budget(usual_face_budget(machine_memory()));
+    return turn_shells();
+  }
+
+  Status turn_shells() {
+    if (!options_.turn_shells) return Done{};
+    ProgressLine line("turning shells");
+    const Progress turning = line.progress();
+    const std::vector<BodyId> bodies = document_.world().ids();
+    for (const BodyId id : bodies) {
+      const Outcome turned = document_.apply(TurnShells{{id, 0}}, &turning);
+      if (!turned.ok()) return error_or_stopped(turned.error());
+    }
     return Done{};
   }
 
@@ -248,6 +272,7 @@ class CutRun {
   World::Bounds bounds_;  // as loaded
   double diagonal_ = 0;
   CutJob job_;
+  size_t loaded_notes_ = 0;  // the first notes of job_, which were said on loading
   bool told_scaled_ = false;
 };
 

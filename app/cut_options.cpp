@@ -30,6 +30,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.choice("rim", o.rim, {"faces", "smooth"}, "How the rim is left: faces or smooth (faces)");
   v.flag("solid", o.solid,
          "The meshes are solids: walls along the kerf close the pieces (implies --rim smooth)");
+  v.flag("turn-shells", o.turn_shells,
+         "Closed parts that lie in others and face the same way are turned, so that they are cavities");
   v.number("target-edge", o.target_edge, kPositive,
            "Longest edge under the beam in metres (radius/4; thermal: radius)");
   v.number("tolerance", o.tolerance, kPositive,
@@ -48,6 +50,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.choice("format", o.format, {"obj", "ply", "stl", "off", "glb", "gltf"},
            "Of the pieces: obj, ply, stl, off, glb or gltf (obj)");
   v.flag("split-all", o.split_all, "Every connected component is a piece");
+  v.flag("recentre", o.recentre,
+         "The files hold coordinates about an origin near the meshes, which the report states (\"origin\")");
   v.number("settle", o.settle, kFall,
            "For how many seconds the pieces fall after the last stroke; they are written where "
            "they are then");

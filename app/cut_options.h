@@ -26,6 +26,8 @@ struct CutOptions {
   std::optional<int> steps;
   bool split_all = false;
   bool solid = false;
+  bool recentre = false;
+  bool turn_shells = false;
 };
 
 // Adds the options to the subcommand; parsing fills `options`, which must outlive it.

@@ -127,15 +127,25 @@ bool rests(const Body& body, const MassProperties& mass) {
   return body.motion.asleep || body.pinned || !(mass.mass > 0);
 }
 
-Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder, bool moved) {
+std::vector<Vec3> seen_from(const Vec3& origin, std::vector<Vec3> positions) {
+  if (origin == Vec3(0)) return positions;
+  for (Vec3& p : positions) p -= origin;
+  return positions;
+}
+
+Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder,
+                                 const Vec3& origin, bool moved) {
   char name[40];
   std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
   const Extract& e = part.extract;
   const auto file = fs::path(folder.path) / name;
   const std::string stem = file.stem().string();
-  const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
-  if (const auto s = write_mesh(view, file, *mesh_format(folder.format)); !s) return s.error();
+  const MeshFormat format = *mesh_format(folder.format);
+  const std::vector<Vec3> positions = seen_from(origin, e.positions);
+  const MeshView view{positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
+  if (const auto s = write_mesh(view, file, format); !s) return s.error();
   WrittenPiece piece;
+  piece.precision = precision_loss(view, format);
   piece.file = name;
   piece.faces = e.triangles.size();
   piece.vertices = e.positions.size();
@@ -150,14 +160,15 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
 }
 
 // Writes several pieces at a time. Returns those that were written, and fails if these are not all.
-Status write_pieces(const World& world, const PiecesFolder& folder, std::vector<WrittenPiece>& written) {
+Status write_pieces(const World& world, const PiecesFolder& folder, const Vec3& origin,
+                    std::vector<WrittenPiece>& written) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
   const bool moved = any_has_moved(world);
   std::vector<std::optional<Result<WrittenPiece>>> results(parts.size());
   ProgressLine line("writing");
   const Progress progress = line.progress();
   for_each_range(parts.size(), 1, &progress,
-                 [&](size_t i, size_t) { results[i] = write_piece(parts[i], i, folder, moved); });
+                 [&](size_t i, size_t) { results[i] = write_piece(parts[i], i, folder, origin, moved); });
   Status status = Done{};
   for (const auto& result : results) {
     if (result && *result) written.push_back(**result);
@@ -199,10 +210,16 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
   std::vector<WrittenPiece> written;
   const Status saved = [&] {
     const Stopwatch watch(job.save_s);
-    return write_pieces(world, *this, written);
+    return write_pieces(world, *this, job.origin, written);
   }();
   if (!saved) earlier.remove_new(written);
   if (!saved) return saved.error();
+  PrecisionLoss precision;
+  for (const WrittenPiece& piece : written) precision += piece.precision;
+  const auto note = precision_note(
+      precision, *mesh_format(format),
+      job.origin == Vec3(0) ? "write OBJ, PLY or OFF, or cut with --recentre" : "write OBJ, PLY or OFF");
+  if (note) job.notes.push_back(*note);
   nlohmann::ordered_json how = settings_json(settings, format, split_all);
   if (solid) how["solid"] = true;
   const auto report = cut_report(job, world, how, written);

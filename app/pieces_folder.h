@@ -20,8 +20,9 @@ struct PiecesFolder {
   bool may_write(const std::filesystem::path& file) const;
   // Creates the folder. Fails if it cannot be created or used.
   Status make() const;
-  // Writes the pieces as piece-0000 and so on, largest area first, then report.json with the statistics of
-  // the job. Returns the pieces. Shows a ProgressLine. Every file is written whole or not at all.
+  // Writes the pieces as piece-0000 and so on, largest area first, about the origin of the job, then
+  // report.json with the statistics of the job. Adds a note to the job if the format loses too much. Returns
+  // the pieces. Shows a ProgressLine. Every file is written whole or not at all.
   //
   // The folder tells of one run. The report of an earlier run becomes report.json~ before the first piece is
   // written, so that after a failure or Ctrl-C there is no report. Once the new files are whole, pieces of

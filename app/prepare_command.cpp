@@ -13,6 +13,8 @@
 #include "core/mesh/openmesh/smooth.h"
 #include "core/mesh/openmesh/subdivide.h"
 #include "core/mesh/remesh/simplify.h"
+#include "core/mesh/remesh/turn_shells.h"
+#include "core/mesh/single_precision.h"
 #include "core/mesh/write_mesh.h"
 
 namespace kerf {
@@ -25,6 +27,7 @@ struct PrepareOptions {
   std::optional<double> error;
   std::optional<std::string> subdivide;
   std::optional<int> smooth;
+  bool turn_shells = false;
 };
 
 std::optional<Subdivision> subdivision_named(const std::string& name) {
@@ -36,8 +39,10 @@ std::optional<Subdivision> subdivision_named(const std::string& name) {
 
 Status check(const PrepareOptions& o) {
   if (o.faces && o.error) return bad_input("--simplify-error: cannot be given together with --simplify");
-  if (!o.faces && !o.error && !o.subdivide && !o.smooth)
-    return bad_input("nothing is to be done: give --simplify, --simplify-error, --subdivide or --smooth");
+  if (!o.faces && !o.error && !o.subdivide && !o.smooth && !o.turn_shells) {
+    return bad_input(
+        "nothing is to be done: give --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
+  }
   if (o.subdivide && !subdivision_named(*o.subdivide)) {
     return bad_input("--subdivide: \"" + *o.subdivide +
                      "\" is not offered by this version; there is: loop, sqrt3, midpoint");
@@ -74,6 +79,10 @@ class PrepareRun {
 
  private:
   Status prepare() {
+    if (options_.turn_shells) {
+      const auto s = step("turning shells", [&](const Progress* p) { return turn_shells(mesh_, p); });
+      if (!s) return s;
+    }
     if (options_.faces || options_.error) {
       SimplifyTarget target;
       if (options_.faces) target.faces = static_cast<size_t>(*options_.faces);
@@ -128,8 +137,11 @@ class PrepareRun {
                         {},
                         {},
                         colours_};
-    return write_mesh(view, options_.out,
-                      *mesh_format(std::filesystem::path(options_.out).extension().string()));
+    const MeshFormat format = *mesh_format(std::filesystem::path(options_.out).extension().string());
+    if (const Status written = write_mesh(view, options_.out, format); !written) return written;
+    const auto note = precision_note(precision_loss(view, format), format, "write OBJ, PLY or OFF");
+    if (note) warn(options_.out + ": " + *note);
+    return Done{};
   }
 
   PrepareOptions options_;
@@ -143,7 +155,8 @@ class PrepareRun {
 }  // namespace
 
 void add_prepare_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("prepare", "Simplify, subdivide or smooth a mesh, in this order");
+  CLI::App* command = app.add_subcommand(
+      "prepare", "Turn inner shells of a mesh, simplify, subdivide or smooth it, in this order");
   auto o = std::make_shared<PrepareOptions>();
   command->footer(
       "Boundaries, edges of three faces or more and edges between materials are features: they stay where "
@@ -155,6 +168,8 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
                    "The file to write; its ending says the format: obj, ply, stl, off, glb or "
                    "gltf")
       ->required();
+  command->add_flag("--turn-shells", o->turn_shells,
+                    "Turn closed parts that lie in others and face the same way, so that they are cavities");
   add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "To at most so many faces");
   add_number(*command, "--simplify-error", o->error, kPositive,
              "Instead: as few as keep the old and the new surface within about this distance of each other, "

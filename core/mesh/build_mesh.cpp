@@ -85,9 +85,22 @@ class Builder {
     report_.components = count_components(*patches, edges_);
     const std::vector<bool> inward = inward_triangles(soup_.positions, triangles_, *patches);
     turn(inward);
+    note_overlaps(overlapping_patches(soup_.positions, triangles_, *patches).size());
     for (size_t t = 0; t < triangles_.size(); ++t)
       report_.repairs.reoriented_faces += (*disagreeing)[t] != inward[t];
     return Done{};
+  }
+
+  void note_overlaps(size_t shells) {
+    if (shells == 0) return;
+    report_.warnings.push_back(
+        grouped(shells) +
+        (shells == 1
+             ? " closed part lies in another one and faces the same way: its volume counts twice unless "
+               "it is turned"
+             : " closed parts lie in others and face the same way: their volumes count twice unless they "
+               "are turned") +
+        " (--turn-shells, or Turn inner shells in the editor).");
   }
 
   void turn(const std::vector<bool>& chosen) {

@@ -66,29 +66,33 @@ class Grid {
 class EnclosureTest {
  public:
   EnclosureTest(std::span<const Vec3> positions, const std::vector<std::array<uint32_t, 3>>& triangles,
-                const Patches& patches, std::span<const uint32_t> asked)
+                const Patches& patches, std::span<const uint32_t> asked, uint32_t rays)
       : positions_(positions),
         triangles_(triangles),
         patches_(patches),
         asked_(asked),
-        odd_(asked.size()),
-        enclosed_(asked.size()) {}
+        rays_(rays),
+        odd_(asked.size() * rays),
+        enclosing_(asked.size()) {}
 
-  std::vector<bool> run() {
+  std::vector<uint32_t> run() {
     for (const uint32_t patch : asked_) boxes_.push_back(box_of(patch));
     choose_axes();
     std::vector<Vec2> origins;
-    for (size_t i = 0; i < asked_.size(); ++i) origins.push_back(flat(origin(i)));
+    for (size_t i = 0; i < odd_.size(); ++i) origins.push_back(flat(origin(i)));
     const Grid grid(origins);
     for (uint32_t patch = 0; patch < patches_.count(); ++patch) {
       if (patches_.closed[patch]) test_against(patch, grid);
     }
-    return std::move(enclosed_);
+    return std::move(enclosing_);
   }
 
  private:
-  const Vec3& origin(size_t asked) const {
-    return positions_[triangles_[patches_.triangles_of(asked_[asked])[0]][0]];
+  // The origin of a ray. Those of one patch are corners of triangles spread over it.
+  const Vec3& origin(size_t ray) const {
+    const auto triangles = patches_.triangles_of(asked_[ray / rays_]);
+    const size_t k = ray % rays_;
+    return positions_[triangles_[triangles[k * triangles.size() / rays_]][k % 3]];
   }
   Vec2 flat(const Vec3& p) const { return {p[u_], p[v_]}; }
 
@@ -118,18 +122,28 @@ class EnclosureTest {
     crossed_.clear();
     for (const uint32_t t : patches_.triangles_of(patch)) {
       const Vec2 a = flat(corner(t, 0)), b = flat(corner(t, 1)), c = flat(corner(t, 2));
-      grid.visit(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](uint32_t i) {
-        if (!ray_crosses(origin(i), t)) return;
-        odd_[i] = !odd_[i];
-        crossed_.push_back(i);
+      grid.visit(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](uint32_t ray) {
+        if (!ray_crosses(origin(ray), t)) return;
+        odd_[ray] = !odd_[ray];
+        crossed_.push_back(ray);
       });
     }
     if (crossed_.empty()) return;
     const Box box = box_of(patch);
-    for (const uint32_t i : crossed_) {
-      if (odd_[i] && asked_[i] != patch && box.contains(boxes_[i])) enclosed_[i] = true;
-      odd_[i] = false;
+    std::sort(crossed_.begin(), crossed_.end());
+    crossed_.erase(std::unique(crossed_.begin(), crossed_.end()), crossed_.end());
+    for (const uint32_t ray : crossed_) {
+      const size_t i = ray / rays_;
+      if (ray % rays_ == 0 && all_odd(i) && asked_[i] != patch && box.contains(boxes_[i])) ++enclosing_[i];
     }
+    for (const uint32_t ray : crossed_) odd_[ray] = false;
+  }
+
+  bool all_odd(size_t asked) const {
+    for (size_t ray = asked * rays_; ray < (asked + 1) * rays_; ++ray) {
+      if (!odd_[ray]) return false;
+    }
+    return true;
   }
 
   const Vec3& corner(uint32_t triangle, int i) const { return positions_[triangles_[triangle][i]]; }
@@ -161,20 +175,29 @@ class EnclosureTest {
   const Patches& patches_;
   std::span<const uint32_t> asked_;
   std::vector<Box> boxes_;  // one per entry of asked_
-  // By entry of asked_: whether its ray crosses the patch being tested an odd number of times.
+  uint32_t rays_;           // for each entry of asked_: ray r is of the entry r / rays_
+  // By ray: whether it crosses the patch being tested an odd number of times.
   std::vector<bool> odd_;
-  std::vector<bool> enclosed_;     // by entry of asked_
-  std::vector<uint32_t> crossed_;  // entries whose ray crosses the patch being tested
-  int u_ = 0, v_ = 1, w_ = 2;      // axes; the rays go along w
+  std::vector<uint32_t> enclosing_;  // by entry of asked_
+  std::vector<uint32_t> crossed_;    // rays that cross the patch being tested
+  int u_ = 0, v_ = 1, w_ = 2;        // axes; the rays go along w
 };
 
 }  // namespace
 
+std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
+                                      const std::vector<std::array<uint32_t, 3>>& triangles,
+                                      const Patches& patches, std::span<const uint32_t> asked,
+                                      uint32_t rays) {
+  if (asked.empty()) return {};
+  return EnclosureTest(positions, triangles, patches, asked, rays).run();
+}
+
 std::vector<bool> find_enclosed(std::span<const Vec3> positions,
                                 const std::vector<std::array<uint32_t, 3>>& triangles, const Patches& patches,
                                 std::span<const uint32_t> asked) {
-  if (asked.empty()) return {};
-  return EnclosureTest(positions, triangles, patches, asked).run();
+  const std::vector<uint32_t> enclosing = count_enclosing(positions, triangles, patches, asked, 1);
+  return {enclosing.begin(), enclosing.end()};
 }
 
 }  // namespace kerf

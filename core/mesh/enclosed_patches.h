@@ -10,13 +10,19 @@
 
 namespace kerf {
 
-// Finds out which of some patches lie inside another closed patch: its bounding box contains theirs, and it
-// is crossed an odd number of times by a ray from one of their vertices. Returns one flag per entry of
-// `asked`. Where a surface passes within rounding of that vertex, either answer is possible.
+// Counts for each entry of `asked` the closed patches around that patch: their bounding boxes contain its
+// box, and they are crossed an odd number of times by rays from its vertices. Rays from up to `rays` of its
+// vertices have to agree; where a surface passes within rounding of all of them, any answer is possible.
 //
 // The rays are parallel to the shortest side of the mesh's bounding box, and their origins are sorted into
 // the cells of a grid in the plane of the other two. Linear in the number of triangles of closed patches
-// unless many of the origins lie on one line. Precondition: `asked` are patches, and all corners are finite.
+// unless many of the origins lie on one line. Preconditions: `asked` are patches, all corners are finite, and
+// `rays` > 0.
+std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
+                                      const std::vector<std::array<uint32_t, 3>>& triangles,
+                                      const Patches& patches, std::span<const uint32_t> asked, uint32_t rays);
+
+// Whether each of some patches lies inside another closed one, by one ray. As count_enclosing().
 std::vector<bool> find_enclosed(std::span<const Vec3> positions,
                                 const std::vector<std::array<uint32_t, 3>>& triangles, const Patches& patches,
                                 std::span<const uint32_t> asked);

@@ -95,10 +95,10 @@ struct Volume {
   }
 };
 
-// Whether the signed volume of a closed patch is negative. The terms are bounded by the edges that enter, so
-// that a patch without volume, whose sum is nothing but rounding, does not count.
-bool faces_inward(std::span<const Vec3> positions, const Triangles& triangles,
-                  std::span<const uint32_t> patch) {
+// The sign of the signed volume of a closed patch. The terms are bounded by the edges that enter, so that a
+// patch without volume, whose sum is nothing but rounding, has the sign 0.
+int sign_of_volume(std::span<const Vec3> positions, const Triangles& triangles,
+                   std::span<const uint32_t> patch) {
   constexpr size_t kTriangles = 1 << 16;  // a range
   const Vec3& apex = positions[triangles[patch[0]][0]];
   std::vector<Volume> parts(range_count(patch.size(), kTriangles));
@@ -112,7 +112,8 @@ bool faces_inward(std::span<const Vec3> positions, const Triangles& triangles,
   });
   Volume whole;
   for (const Volume& part : parts) whole = {whole.sum + part.sum, whole.bound + part.bound};
-  return whole.sum < -kLeastVolume * whole.bound;
+  if (whole.sum < -kLeastVolume * whole.bound) return -1;
+  return whole.sum > kLeastVolume * whole.bound ? 1 : 0;
 }
 
 }  // namespace
@@ -128,7 +129,8 @@ std::vector<bool> inward_triangles(std::span<const Vec3> positions, const Triang
                                    const Patches& patches) {
   std::vector<uint32_t> inward;
   for (uint32_t p = 0; p < patches.count(); ++p) {
-    if (patches.closed[p] && faces_inward(positions, triangles, patches.triangles_of(p))) inward.push_back(p);
+    if (patches.closed[p] && sign_of_volume(positions, triangles, patches.triangles_of(p)) < 0)
+      inward.push_back(p);
   }
   std::vector<bool> found(triangles.size());
   if (inward.empty()) return found;
@@ -138,6 +140,23 @@ std::vector<bool> inward_triangles(std::span<const Vec3> positions, const Triang
     for (const uint32_t t : patches.triangles_of(inward[i])) found[t] = true;
   }
   return found;
+}
+
+std::vector<uint32_t> overlapping_patches(std::span<const Vec3> positions, const Triangles& triangles,
+                                          const Patches& patches) {
+  constexpr uint32_t kRays = 4;  // so that parts that touch the wall of a hole do not count as being in it
+  std::vector<uint32_t> shells, overlapping;
+  for (uint32_t p = 0; p < patches.count(); ++p) {
+    if (patches.closed[p]) shells.push_back(p);
+  }
+  if (shells.size() < 2) return {};
+  const std::vector<uint32_t> around = count_enclosing(positions, triangles, patches, shells, kRays);
+  for (size_t i = 0; i < shells.size(); ++i) {
+    if (around[i] == 0) continue;
+    const int sign = sign_of_volume(positions, triangles, patches.triangles_of(shells[i]));
+    if (sign == (around[i] % 2 == 0 ? -1 : 1)) overlapping.push_back(shells[i]);
+  }
+  return overlapping;
 }
 
 }  // namespace kerf

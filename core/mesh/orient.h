@@ -32,4 +32,12 @@ std::vector<bool> inward_triangles(std::span<const Vec3> positions,
                                    const std::vector<std::array<uint32_t, 3>>& triangles,
                                    const Patches& patches);
 
+// Finds the closed patches inside others that face the wrong way for the volumes to add up: of nested patches
+// every second one has to face inward, as a cavity does, and the one inside it outward. Their volumes overlap
+// and count twice, or count as missing twice. Returns the patches, ascending. Preconditions and cost as
+// above.
+std::vector<uint32_t> overlapping_patches(std::span<const Vec3> positions,
+                                          const std::vector<std::array<uint32_t, 3>>& triangles,
+                                          const Patches& patches);
+
 }  // namespace kerf

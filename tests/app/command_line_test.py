@@ -147,6 +147,97 @@ class CommandLine(unittest.TestCase):
         self.assertIs(json.loads(self.read("cut.kerf").splitlines()[0])["bodies"][0]["solid"], True)
         self.assertEqual(self.run_here("replay", "cut.kerf").stdout.strip(), report["state_hash"])
 
+    def test_joints_name_parts_of_an_obj_file_with_a_hash(self):
+        two = CUBE.replace("v 0 0 0", "g left#1 shared\nv 0 0 0") + "g left#2 shared\n" + re.sub(
+            r"f (\d) (\d) (\d)", lambda f: "f " + " ".join(str(int(i) + 8) for i in f.groups()),
+            re.sub(r"v (\d)", lambda v: f"v {int(v[1]) + 2}", CUBE))
+        self.write("two.obj", two)
+        self.write("scene.json", json.dumps({"bodies": [{"mesh": "two.obj", "joints": [
+            {"kind": "weld", "parts": ["left#1", "left#2"], "anchor": [1.5, 0.5, 0.5]}]}]}))
+        done = self.run_here("cut", "scene.json", "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def far_cube(self):
+        lines = [line.split() for line in CUBE.splitlines()]
+        moved = [["v", repr(448262.537 + 2 * float(l[1])), repr(112.25 + float(l[2])), repr(5411932.731 + float(l[3]))]
+                 if l[0] == "v" else l for l in lines]
+        self.write("far.obj", "".join(" ".join(line) + "\n" for line in moved))
+        at = lambda x, z: {"origin": [448262.537 + x, 115.25, 5411932.731 + z], "direction": [0, -1, 0]}
+        self.write("far.json", json.dumps({"strokes": [{"laser": {"radius": 0.03, "range": [0, 10]},
+                                                        "keys": [{"t": 0, **at(-1, 0.3)}, {"t": 1, **at(3, 0.7)}]}]}))
+        return "cut", "far.obj", "--path", "far.json", "--solid", "--out", "out"
+
+    def stl_edges_and_volume(self, name):
+        """How many edges of an STL file are not used once in each direction, and the volume."""
+        data, edges, volume = self.read(name), {}, 0
+        for at in range(84, 84 + 50 * struct.unpack_from("<I", data, 80)[0], 50):
+            a, b, c = (struct.unpack_from("<3f", data, at + 12 * (i + 1)) for i in range(3))
+            for edge, sign in (((a, b), 1), ((b, c), 1), ((c, a), 1), ((b, a), -1), ((c, b), -1), ((a, c), -1)):
+                edges[edge] = edges.get(edge, 0) + sign
+            volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                       a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
+        return sum(1 for count in edges.values() if count), volume
+
+    def test_what_single_precision_loses_is_said_and_recentring_keeps_it(self):
+        far = self.far_cube()
+        done = self.run_here(*far, "--format", "stl")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("kerf: warning: STL holds single precision: vertices move by up to", done.stderr)
+        report = json.loads(self.read("out/report.json"))
+        self.assertIn("single precision", report["notes"][0])
+        self.assertEqual(report["origin"], [0, 0, 0])
+
+        done = self.run_here(*far, "--format", "stl", "--recentre")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("precision", done.stderr)
+        near = json.loads(self.read("out/report.json"))
+        self.assertNotIn("notes", near)
+        self.assertEqual(near["origin"], [448264, 112, 5411934])
+        self.assertEqual(len(near["pieces"]), 2)
+        for piece, far_piece in zip(near["pieces"], report["pieces"]):
+            open_edges, volume = self.stl_edges_and_volume(os.path.join("out", piece["file"]))
+            self.assertEqual(open_edges, 0)
+            self.assertAlmostEqual(volume, piece["volume"], 6)
+            self.assertEqual((piece["pose"], piece["centroid"]), (far_piece["pose"], far_piece["centroid"]))
+
+    def test_recentred_coordinates_and_the_origin_add_up_to_those_of_the_mesh(self):
+        far = self.far_cube()
+        vertices = lambda: [list(map(float, line.split()[1:])) for line in self.read("out/piece-0000.obj").decode().splitlines()
+                            if line.startswith("v ")]
+        self.assertEqual(self.run_here(*far).returncode, 0)
+        exact = vertices()
+        self.assertEqual(self.run_here(*far, "--recentre").returncode, 0)
+        origin = json.loads(self.read("out/report.json"))["origin"]
+        self.assertEqual([[x + o for x, o in zip(v, origin)] for v in vertices()], exact)
+
+    def test_a_shell_in_another_one_is_said_and_turned_to_a_cavity(self):
+        inner = re.sub(r"f (\d) (\d) (\d)", lambda f: "f " + " ".join(str(int(i) + 8) for i in f.groups()),
+                       re.sub(r"v (\d) (\d) (\d)", lambda v: "v " + " ".join(str(1 + int(i)) for i in v.groups()), CUBE))
+        self.write("shells.obj", re.sub(r"v (\d) (\d) (\d)", lambda v: "v " + " ".join(str(3 * int(i)) for i in v.groups()),
+                                        CUBE) + inner)
+        note = "1 closed part lies in another one and faces the same way"
+        done = self.run_here("info", "shells.obj")
+        self.assertIn(note, done.stderr)
+        self.assertIn(note, json.loads(done.stdout)["notes"][0])
+        report = self.report_of("shells.obj", "--solid")
+        self.assertIn(note, report["notes"][0])
+        self.assertAlmostEqual(report["pieces"][0]["volume"], 28)
+
+        self.write("down.json", json.dumps({"strokes": [{"laser": {"radius": 0.05, "range": [0, 10]}, "keys": [
+            {"t": 0, "origin": [-1, 5, 1.5], "direction": [0, -1, 0]}, {"t": 1, "origin": [4, 5, 1.5], "direction": [0, -1, 0]}]}]}))
+        done = self.run_here("cut", "shells.obj", "--out", "out")
+        self.assertEqual(done.stderr.count(note), 1, done.stderr)
+        report = self.report_of("shells.obj", "--solid", "--turn-shells", "--path", "down.json", "--journal", "down.kerf")
+        self.assertEqual([piece["closed"] for piece in report["pieces"]], [True, True])
+        self.assertAlmostEqual(sum(piece["volume"] for piece in report["pieces"]) + report["removed"]["volume"], 26, 5)
+        done = self.run_here("replay", "down.kerf", "--expect", report["state_hash"])
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+        done = self.run_here("prepare", "shells.obj", "--turn-shells", "--out", "turned.obj")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("notes", self.report_of("turned.obj", "--solid"))
+        self.assertAlmostEqual(self.report_of("turned.obj", "--solid")["pieces"][0]["volume"], 26)
+
     def test_inspect_writes_the_component_graph_of_a_mesh_and_of_a_cut(self):
         graph = json.loads(self.run_here("inspect", "plate.obj", "--graph").stdout)
         self.assertEqual([(n["face"], n["piece"]) for n in graph["nodes"]], [(0, 0), (1, 0)])

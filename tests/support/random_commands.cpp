@@ -140,6 +140,7 @@ struct Bits {
     put(bits, c.piece);
     bits.push_back(c.times);
   }
+  void operator()(const TurnShells& c) { put(bits, c.piece); }
   void operator()(const SetSurroundings& c) {
     put(bits, c.around.gravity);
     bits.push_back(c.around.ground.has_value());
@@ -212,7 +213,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(24)) {
+  switch (random.below(25)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -265,6 +266,8 @@ Command random_command(Random& random, const BeamAt& beam) {
       return SetSolid{random_piece(random), random.below(2) > 0};
     case 22:
       return StopStroke{random.uniform(0, 1000), random.below(100)};
+    case 23:
+      return TurnShells{random_piece(random)};
     default:
       return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

@@ -37,7 +37,7 @@ struct Redo {
 using Command =
     std::variant<BeginStroke, MoveStroke, EndStroke, StopStroke, Recut, Advance, Pull, LetGo, Play, AddMesh,
                  MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet, SetSolid,
-                 SimplifyPiece, SubdividePiece, SmoothPiece, SetSurroundings, Undo, Redo>;
+                 SimplifyPiece, SubdividePiece, SmoothPiece, TurnShells, SetSurroundings, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).

@@ -68,14 +68,15 @@ Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId
   return all;
 }
 
-// Whether each triangle has the corners of the face from which it stems.
+// Whether each triangle has the corners of the face from which it stems, in the same direction.
 bool is_unchanged(const Remeshed& remeshed, const Mesh& mesh) {
   if (remeshed.triangles.size() != mesh.live_faces()) return false;
   for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
     const Triangle before = mesh.triangle(remeshed.origins[t]);
-    for (const uint32_t v : remeshed.triangles[t]) {
-      if (std::find(before.begin(), before.end(), remeshed.positions[v]) == before.end()) return false;
-    }
+    const auto& [a, b, c] = remeshed.triangles[t];
+    Triangle after{remeshed.positions[a], remeshed.positions[b], remeshed.positions[c]};
+    std::rotate(after.begin(), std::find(after.begin(), after.end(), before[0]), after.end());
+    if (after != before) return false;
   }
   return true;
 }

@@ -8,6 +8,7 @@
 #include "core/document/text/world_fields.h"
 #include "core/mesh/openmesh/decimate.h"
 #include "core/mesh/remesh/simplify.h"
+#include "core/mesh/remesh/turn_shells.h"
 
 namespace kerf {
 
@@ -70,6 +71,21 @@ Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress
       world, piece, generation,
       [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
         return smooth(mesh, times, heeded.kept, working);
+      },
+      progress);
+}
+
+std::string TurnShells::words(const std::string& piece_name) const {
+  return "Turn inner shells of " + piece_name;
+}
+
+void describe(Fields& f, TurnShells& c) { piece_field(f, c.piece); }
+
+Result<Delta> TurnShells::run(World& world, uint32_t generation, const Progress* progress) const {
+  return remake_piece(
+      world, piece, generation,
+      [](const Mesh& mesh, const HeededFaces&, const Progress* working) {
+        return turn_shells(mesh, working);
       },
       progress);
 }

@@ -56,4 +56,14 @@ struct SmoothPiece {
 };
 void describe(Fields& f, SmoothPiece& c);
 
+// Turns the closed parts of a piece that lie in others and overlap with them (see turn_shells).
+struct TurnShells {
+  PieceId piece;
+
+  static constexpr const char* kName = "turn-shells";
+  std::string words(const std::string& piece_name) const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, TurnShells& c);
+
 }  // namespace kerf

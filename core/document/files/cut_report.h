@@ -7,6 +7,7 @@
 
 #include "core/cut/cut_step.h"
 #include "core/document/files/extract.h"
+#include "core/mesh/single_precision.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -28,7 +29,8 @@ struct CutJob {
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
   SolidChange solid;
-  std::vector<std::string> notes;  // on bodies that were left open, each once
+  Vec3 origin{0};                  // about which the files hold coordinates, m
+  std::vector<std::string> notes;  // on the input, bodies left open and what the files lose, each once
   size_t strokes = 0;              // that were cut
   std::vector<size_t> missed;      // those that met nothing, by index, ascending
   size_t faces_before_stroke = 0;  // removed_faces and met_s when the last stroke began
@@ -49,6 +51,7 @@ struct WrittenPiece {
   std::optional<double> volume;  // m^3; nothing where the piece is not closed
   MassProperties mass;           // in world axes
   Placement placement;           // of the body that it belongs to
+  PrecisionLoss precision;       // of the file
   std::optional<bool> asleep;    // nothing where no body has moved
 };
 

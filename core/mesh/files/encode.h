@@ -59,5 +59,7 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 void encode_glb(const MeshView& mesh, const ByteSink& sink);
 // The same as text, with the numbers in base 64. Same preconditions.
 void encode_gltf(const MeshView& mesh, const ByteSink& sink);
+// The middle of the bounding box of positions, about which glTF holds them; zero if there are none.
+Vec3 gltf_middle(std::span<const Vec3> positions);
 
 }  // namespace kerf

@@ -18,6 +18,19 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr size_t kColourBytes = 4 * sizeof(uint16_t);
 constexpr int kVertexTarget = 34962, kIndexTarget = 34963;  // of buffer views
 
+struct Box {
+  Vec3 min{0}, max{0};
+
+  Vec3 middle() const { return 0.5 * min + 0.5 * max; }
+};
+
+// Precondition: there are positions.
+Box box_of(std::span<const Vec3> positions) {
+  Box box{positions[0], positions[0]};
+  for (const Vec3& p : positions) box = {glm::min(box.min, p), glm::max(box.max, p)};
+  return box;
+}
+
 // Positions are floats relative to the middle of the mesh, which is the translation of the node: so their
 // rounding is relative to the size of the mesh, wherever it lies.
 struct Floats {
@@ -26,11 +39,10 @@ struct Floats {
 
   explicit Floats(std::span<const Vec3> positions) {
     if (positions.empty()) return;
-    Vec3 min = positions[0], max = min;
-    for (const Vec3& p : positions) min = glm::min(min, p), max = glm::max(max, p);
-    middle = 0.5 * min + 0.5 * max;
-    low = of(min);
-    high = of(max);
+    const Box box = box_of(positions);
+    middle = box.middle();
+    low = of(box.min);
+    high = of(box.max);
   }
   glm::vec3 of(const Vec3& p) const { return glm::vec3(p - middle); }
 };
@@ -158,6 +170,10 @@ std::string gltf_text(const OrderedJson& json) {
 }
 
 }  // namespace
+
+Vec3 gltf_middle(std::span<const Vec3> positions) {
+  return positions.empty() ? Vec3(0) : box_of(positions).middle();
+}
 
 void encode_glb(const MeshView& mesh, const ByteSink& sink) {
   const Floats floats(mesh.positions);

@@ -10,15 +10,21 @@
 namespace kerf::test {
 namespace {
 
-// Whether each of the patches of a soup lies in another one.
-std::vector<bool> enclosed(const Soup& soup) {
+// How many others each of the patches of a soup lies in.
+std::vector<uint32_t> enclosing(const Soup& soup, uint32_t rays) {
   const std::vector<uint32_t> first = weld_positions(soup.positions);
   std::vector<Soup::Triangle> triangles;
   for (auto t : soup.triangles) triangles.push_back({first[t[0]], first[t[1]], first[t[2]]});
   const auto patches = find_patches(triangles, group_sides(triangles, soup.positions.size()), nullptr);
   std::vector<uint32_t> asked(patches->count());
   std::iota(asked.begin(), asked.end(), 0u);
-  return find_enclosed(soup.positions, triangles, *patches, asked);
+  return count_enclosing(soup.positions, triangles, *patches, asked, rays);
+}
+
+// Whether they lie in another one.
+std::vector<bool> enclosed(const Soup& soup) {
+  const std::vector<uint32_t> around = enclosing(soup, 1);
+  return {around.begin(), around.end()};
 }
 
 using Flags = std::vector<bool>;
@@ -49,6 +55,15 @@ TEST(EnclosedPatches, may_lie_in_each_other) {
   const Soup ball = sphere(8, 12, 1);
   const Soup three = both(ball, both(moved(ball, {0.1, 0.05, 0}, 0.7), moved(ball, {0.12, 0.04, 0}, 0.3)));
   EXPECT_EQ(enclosed(three), (Flags{false, true, true}));
+  EXPECT_EQ(enclosing(three, 1), (std::vector<uint32_t>{0, 1, 2}));
+  EXPECT_EQ(enclosing(three, 4), (std::vector<uint32_t>{0, 1, 2}));
+}
+
+// A cube that passes through the wall of another one and whose box lies in that of both: some of its vertices
+// are inside, others are not.
+TEST(EnclosedPatches, have_all_their_rays_inside) {
+  const Soup ball = sphere(8, 12, 1), through = moved(ball, {0.6, 0.6, 0.1}, 0.35);
+  EXPECT_EQ(enclosing(both(ball, through), 8), (std::vector<uint32_t>{0, 0}));
 }
 
 }  // namespace

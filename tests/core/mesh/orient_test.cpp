@@ -52,6 +52,35 @@ Soup angle() {
   return soup;
 }
 
+// The patches of a soup that overlap with others.
+std::vector<uint32_t> overlapping(const Soup& soup) {
+  const Mesh mesh = build(soup).mesh;
+  std::vector<Vec3> positions;
+  std::vector<std::array<uint32_t, 3>> triangles;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    std::array<uint32_t, 3> corners{};
+    for (size_t i = 0; i < 3; ++i) corners[i] = mesh.corners(FaceId(f))[i].index;
+    triangles.push_back(corners);
+  }
+  for (uint32_t v = 0; v < mesh.vertex_slots(); ++v) positions.push_back(mesh.position(VertexId(v)));
+  const auto patches = find_patches(triangles, group_sides(triangles, positions.size()), nullptr);
+  return overlapping_patches(positions, triangles, *patches);
+}
+
+TEST(OverlappingPatches, are_those_that_do_not_take_turns_in_facing_outward_and_inward) {
+  using Found = std::vector<uint32_t>;
+  const Soup ball = sphere(8, 12, 1), inner = moved(ball, {0.1, 0.05, 0}, 0.7),
+             marble = moved(ball, {0.12, 0.04, 0}, 0.3);
+  EXPECT_EQ(overlapping(both(ball, inner)), Found{1});
+  EXPECT_EQ(overlapping(both(inner, ball)), Found{0});
+  EXPECT_EQ(overlapping(both(ball, turned(inner))), Found{});
+  EXPECT_EQ(overlapping(both(ball, both(turned(inner), marble))), Found{});
+  EXPECT_EQ(overlapping(both(ball, both(turned(inner), turned(marble)))), Found{2});
+  EXPECT_EQ(overlapping(both(ball, both(inner, marble))), Found{1});
+  EXPECT_EQ(overlapping(both(ball, moved(ball, {2.2, 0, 0}, 0.5))), Found{}) << "side by side";
+  EXPECT_EQ(overlapping(both(ball, moved(grid(2, 0.5), {0.1, 0.05, 0}, 1))), Found{}) << "not closed";
+}
+
 Soup random_closed(Random& random) {
   const int rings = 3 + static_cast<int>(random.below(5)), sectors = 3 + static_cast<int>(random.below(6));
   return random.below(2) == 0 ? sphere(rings, sectors, 0.4) : torus(rings, sectors, 0.3, 0.1);

@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/document/files/extract.h"
 #include "core/mesh/files/encode_mtl.h"
+#include "core/mesh/single_precision.h"
 #include "core/mesh/write_mesh.h"
 
 namespace kerf {
@@ -62,20 +63,21 @@ std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
   return faces;
 }
 
-Status write_piece(const World& world, const PieceFile& to, const std::map<std::string, Paint>& paints,
-                   MeshFormat format) {
+Result<PrecisionLoss> write_piece(const World& world, const PieceFile& to,
+                                  const std::map<std::string, Paint>& paints, MeshFormat format) {
   const Body& body = world.body(to.piece.body);
   const Extract extract = extract_faces(body, faces_of(body, to.piece.label));
   const std::string mtl = to.mtl.filename().string();
   if (!mtl.empty()) {
     const Status written =
         write_file_atomically(to.mtl, materials_text(extract, body.material_names, paints));
-    if (!written) return written;
+    if (!written) return written.error();
   }
   const std::string name = to.mesh.stem().string();
-  return write_mesh({extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name,
-                     extract.colours},
-                    to.mesh, format);
+  const MeshView view{extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name,
+                      extract.colours};
+  if (const Status written = write_mesh(view, to.mesh, format); !written) return written.error();
+  return precision_loss(view, format);
 }
 
 }  // namespace
@@ -111,17 +113,19 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
   return files;
 }
 
-Result<std::vector<PieceFile>> export_chosen(const World& world, const PieceMap& looks,
-                                             const std::map<std::string, Paint>& paints,
-                                             const fs::path& file) {
+Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
+                                     const std::map<std::string, Paint>& paints, const fs::path& file) {
   const auto format = mesh_format(file.extension().string());
   if (!format) return bad_input("The name must end in .obj, .ply, .stl, .off or .glb");
   std::vector<PieceFile> files = files_to_export(world, looks, file);
   if (files.empty()) return bad_input("No piece is chosen");
+  PrecisionLoss precision;
   for (const PieceFile& to : files) {
-    if (const Status written = write_piece(world, to, paints, *format); !written) return written.error();
+    const auto written = write_piece(world, to, paints, *format);
+    if (!written) return written.error();
+    precision += *written;
   }
-  return files;
+  return ExportedPieces{std::move(files), precision_note(precision, *format, "export OBJ, PLY or OFF")};
 }
 
 }  // namespace kerf

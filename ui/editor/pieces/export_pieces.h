@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,17 @@ std::string file_name_of(const std::string& piece);
 std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks,
                                        const std::filesystem::path& file);
 
+// The files of an export, and what their format lost.
+struct ExportedPieces {
+  std::vector<PieceFile> files;
+  std::optional<std::string> note;  // for the user; see precision_note
+};
+
 // Writes the chosen pieces where they stand to the files of files_to_export; MTL files hold the paints.
-// Returns these files. Bad input if no piece is chosen or the ending is not that of a mesh; what was written
+// Bad input if no piece is chosen or the ending is not that of a mesh; what was written
 // before a failure stays.
-Result<std::vector<PieceFile>> export_chosen(const World& world, const PieceMap& looks,
-                                             const std::map<std::string, Paint>& paints,
-                                             const std::filesystem::path& file);
+Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
+                                     const std::map<std::string, Paint>& paints,
+                                     const std::filesystem::path& file);
 
 }  // namespace kerf

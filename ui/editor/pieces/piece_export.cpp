@@ -38,10 +38,11 @@ void PieceExport::choose_file() {
 std::string PieceExport::export_to(const std::filesystem::path& file) {
   const auto written = export_chosen(on_.world(), on_.view.look.pieces, on_.work.paints, file);
   if (!written) return written.error().message;
-  const std::string first = written->front().mesh.string();
-  on_.message.say(written->size() == 1
-                      ? "Written: " + first
-                      : std::to_string(written->size()) + " pieces written, the first: " + first);
+  const std::string first = written->files.front().mesh.string();
+  const std::string done = written->files.size() == 1 ? "Written: " + first
+                                                      : std::to_string(written->files.size()) +
+                                                            " pieces written, the first: " + first;
+  on_.message.say(written->note ? done + ". " + *written->note + "." : done, written->note.has_value());
   return "";
 }
 

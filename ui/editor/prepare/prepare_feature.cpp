@@ -34,6 +34,9 @@ class PrepareFeature : public Feature {
               tool_action("Subdivide", "Three or four faces of each, rounder or where they are.",
                           Kind::kSubdivide),
               tool_action("Smooth", "Vertices move to the middle of their neighbours.", Kind::kSmooth),
+              tool_action("Turn inner shells",
+                          "Closed parts that lie in others and face the same way become cavities.",
+                          Kind::kTurnShells),
               UserAction{.name = "Prepare the mesh",
                          .tip = "Does what the panel Prepare says, to the chosen pieces, or to all.",
                          .run = [this] { ask(); },
@@ -64,7 +67,7 @@ class PrepareFeature : public Feature {
                   preparation_.times = 1;
                 },
             .checked = [this, tool] { return on_.panels.shows(kPreparePanel) && preparation_.tool == tool; },
-            .ends_group = tool == Preparation::Tool::kSmooth};
+            .ends_group = tool == Preparation::Tool::kTurnShells};
   }
 
   std::vector<PieceRow> pieces() const { return pieces_to_prepare(on_.world(), on_.view.look.pieces); }

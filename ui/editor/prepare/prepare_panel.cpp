@@ -27,11 +27,13 @@ constexpr size_t kMostTyped = 1'000'000'000'000;  // faces
 constexpr double kUsualError = 0.001;             // of the size of the world
 
 // In the order of the tools and of the schemes.
-constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth"};
+constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth",
+                            "Turn inner shells"};
 constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
 
 const char* button_name(PrepareTool tool) {
   if (tool == PrepareTool::kSubdivide) return "Subdivide###prepare";
+  if (tool == PrepareTool::kTurnShells) return "Turn Inner Shells###prepare";
   return tool == PrepareTool::kSmooth ? "Smooth###prepare" : "Simplify###prepare";
 }
 
@@ -45,6 +47,8 @@ std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& look
 std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit) {
   const FaceForecast faces = forecast(pieces, preparation);
   const std::string now = count_text(faces.before, "face");
+  if (preparation.tool == PrepareTool::kTurnShells)
+    return "Closed parts that lie in others and face the same way become cavities.";
   const std::string become = now + (faces.before == 1 ? " becomes " : " become ");
   if (!faces.after) return become + "as few as stay within " + length_label(preparation.error, unit) + ".";
   if (*faces.after == faces.before) return now + (faces.before == 1 ? " moves." : " move.");
@@ -94,6 +98,8 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
     case PrepareTool::kSmooth:
       draw_times(preparation, "How often vertices move half the way to the middle of their neighbours.",
                  kMostSmoothing);
+      break;
+    case PrepareTool::kTurnShells:
       break;
   }
 }

@@ -27,6 +27,8 @@ std::vector<Command> commands_for(const PieceRow& row, const FaceForecast& all, 
       return {SimplifyPiece{row.id, {.error = p.error}}};
     case Tool::kSubdivide:
       return std::vector<Command>(p.times, SubdividePiece{row.id, p.scheme});
+    case Tool::kTurnShells:
+      return {TurnShells{row.id}};
     case Tool::kSmooth:
       break;
   }
@@ -68,6 +70,7 @@ FaceForecast forecast(std::span<const PieceRow> pieces, const Preparation& p) {
         *faces.after *= parts_of_face(p.scheme);
       break;
     case Preparation::Tool::kSmooth:
+    case Preparation::Tool::kTurnShells:
       faces.after = faces.before;
       break;
   }
@@ -76,6 +79,7 @@ FaceForecast forecast(std::span<const PieceRow> pieces, const Preparation& p) {
 
 const char* preparation_title(Preparation::Tool tool) {
   if (tool == Preparation::Tool::kSubdivide) return "Subdividing";
+  if (tool == Preparation::Tool::kTurnShells) return "Turning inner shells";
   return tool == Preparation::Tool::kSmooth ? "Smoothing" : "Simplifying";
 }
 

@@ -13,7 +13,7 @@ namespace kerf {
 
 // What the Prepare panel does to the chosen pieces, or to all if none is chosen.
 struct Preparation {
-  enum class Tool { kSimplifyToFaces, kSimplifyToError, kSubdivide, kSmooth };
+  enum class Tool { kSimplifyToFaces, kSimplifyToError, kSubdivide, kSmooth, kTurnShells };
   Tool tool = Tool::kSimplifyToFaces;
   size_t faces = 0;  // that are left of all of them; 0: half of what there is
   double error = 0;  // m; 0: a thousandth of the size of the world

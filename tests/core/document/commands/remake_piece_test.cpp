@@ -64,6 +64,31 @@ World cut_torus() {
   return world;
 }
 
+TEST(PrepareCommands, turn_shells_that_overlap_and_nothing_else) {
+  const Soup ball = sphere(8, 12, 1), inner = moved(ball, {0.1, 0.05, 0}, 0.5);
+  const World before = world_of(both(ball, inner));
+  Document document(before);
+  ASSERT_TRUE(document.apply(TurnShells{only_piece(before)}).ok());
+  const Mesh &old = before.body(before.ids()[0]).mesh,
+             &mesh = document.world().body(document.world().ids()[0]).mesh;
+  ASSERT_EQ(mesh.live_faces(), old.live_faces());
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    const bool turned = f >= ball.triangles.size();
+    const Triangle a = old.triangle(FaceId(f)), b = mesh.triangle(FaceId(f));
+    const Vec3 normal = glm::cross(a[1] - a[0], a[2] - a[0]), now = glm::cross(b[1] - b[0], b[2] - b[0]);
+    EXPECT_GT(glm::dot(turned ? -normal : normal, now), 0.99 * glm::dot(normal, normal));
+  }
+  expect_sound(document.world());
+  const World after = document.world();
+  const Outcome again = document.apply(TurnShells{only_piece(after)});
+  ASSERT_TRUE(again.ok());
+  EXPECT_TRUE(again.delta.empty()) << "they do not overlap now";
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  expect_same_world(document.world(), before);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  expect_same_world(document.world(), after);
+}
+
 TEST(PrepareCommands, are_undone_and_done_again_to_the_bit) {
   const World before = world_of(in_two_materials(torus(30, 20, 1, 0.3)));
   for (const Command& command : preparations(only_piece(before), 1200)) {

@@ -63,8 +63,9 @@ TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an
   const std::map<std::string, Paint> paints = {{"paint", {{1, 0, 0.5}, 1}}, {"tyre", {{0, 0, 0}, 0}}};
   const auto written = export_chosen(world, all_chosen(world), paints, folder / "*.obj");
   ASSERT_TRUE(written.ok()) << written.error().message;
-  ASSERT_EQ(written->size(), 1u);
-  EXPECT_EQ(written->front().mtl, folder / "car.mtl");
+  ASSERT_EQ(written->files.size(), 1u);
+  EXPECT_EQ(written->files.front().mtl, folder / "car.mtl");
+  EXPECT_FALSE(written->note) << "OBJ loses nothing";
   EXPECT_TRUE(test::read_text(folder / "car.obj").starts_with("mtllib car.mtl\n"));
   const std::string materials = test::read_text(folder / "car.mtl");
   EXPECT_TRUE(materials.starts_with("newmtl paint\nKd 1 0 0.7")) << materials;
@@ -75,6 +76,19 @@ TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an
   EXPECT_EQ(soup->material_names, (Names{"paint", "chrome"}));
   ASSERT_TRUE(export_chosen(world, all_chosen(world), paints, folder / "*.stl").ok());
   EXPECT_TRUE(std::filesystem::exists(folder / "car.stl"));
+}
+
+TEST(ExportPieces, notes_what_single_precision_loses_far_from_the_origin) {
+  const test::TemporaryFolder folder;
+  World world;
+  world.add(make_body("far", test::build(test::moved(test::grid(2, 0.7), {4.5e5, 0, 5.4e6}, 1))));
+  const auto near_middle = export_chosen(world, all_chosen(world), {}, folder / "*.glb");
+  ASSERT_TRUE(near_middle.ok()) << near_middle.error().message;
+  EXPECT_FALSE(near_middle->note) << *near_middle->note;
+  const auto written = export_chosen(world, all_chosen(world), {}, folder / "*.stl");
+  ASSERT_TRUE(written.ok()) << written.error().message;
+  ASSERT_TRUE(written->note);
+  EXPECT_NE(written->note->find("single precision"), std::string::npos) << *written->note;
 }
 
 TEST(ExportPieces, refuses_other_endings_and_an_empty_choice) {

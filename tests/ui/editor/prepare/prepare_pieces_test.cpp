@@ -38,6 +38,7 @@ TEST(PreparePieces, are_told_their_numbers_before_and_have_them_afterwards) {
       {{.tool = Tool::kSimplifyToFaces, .faces = 500}, 500},
       {{.tool = Tool::kSubdivide, .scheme = Subdivision::kLoop}, 4 * before},
       {{.tool = Tool::kSubdivide, .scheme = Subdivision::kSqrt3, .times = 2}, 9 * before},
+      {{.tool = Tool::kTurnShells}, before},
       {{.tool = Tool::kSmooth, .times = 3}, before}};
   for (const auto& [preparation, after] : cases) {
     EXPECT_EQ(forecast(pieces, preparation).before, before);

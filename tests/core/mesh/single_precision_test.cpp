@@ -1,0 +1,72 @@
+#include "core/mesh/single_precision.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+struct Sheet {
+  Soup soup;
+  std::vector<std::array<uint32_t, 3>> triangles{soup.triangles.begin(), soup.triangles.end()};
+
+  PrecisionLoss loss(MeshFormat format) const {
+    return precision_loss({soup.positions, triangles, {}, {}}, format);
+  }
+};
+
+TEST(SinglePrecision, loses_nothing_that_matters_near_the_origin) {
+  const Sheet sheet{test::grid(4, 0.1)};
+  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kGlb, MeshFormat::kGltf}) {
+    const PrecisionLoss loss = sheet.loss(format);
+    EXPECT_FALSE(loss.matters());
+    EXPECT_GT(loss.largest_move, 0) << "0.1 is no float";
+    EXPECT_LT(loss.largest_move, 1e-7);
+    EXPECT_FALSE(precision_note(loss, format, "do"));
+  }
+}
+
+// Floats at 5.4e6 are half a metre apart: of five columns of vertices a tenth apart, those that lie in one
+// half metre fall together.
+TEST(SinglePrecision, merges_vertices_of_an_stl_far_from_the_origin) {
+  const Sheet sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
+  const PrecisionLoss loss = sheet.loss(MeshFormat::kStl);
+  EXPECT_TRUE(loss.matters());
+  EXPECT_EQ(loss.vertices, sheet.soup.positions.size());
+  std::set<std::array<float, 3>> distinct;
+  double move = 0;
+  for (const Vec3& p : sheet.soup.positions) {
+    const glm::vec3 f(p);
+    distinct.insert({f.x, f.y, f.z});
+    move = std::max(move, glm::length(Vec3(f) - p));
+  }
+  EXPECT_EQ(loss.merged, loss.vertices - distinct.size());
+  EXPECT_GT(loss.merged, 0u);
+  EXPECT_EQ(loss.largest_move, move);
+  EXPECT_NEAR(loss.shortest_edge, 0.1, 1e-8);
+}
+
+TEST(SinglePrecision, of_gltf_is_about_the_middle_and_other_formats_hold_doubles) {
+  const Sheet sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
+  EXPECT_FALSE(sheet.loss(MeshFormat::kGlb).matters());
+  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff})
+    EXPECT_EQ(sheet.loss(format).largest_move, 0);
+}
+
+TEST(SinglePrecision, is_told_with_the_numbers_of_all_files) {
+  PrecisionLoss loss{.largest_move = 0.25, .shortest_edge = 3.1e-5, .merged = 2000, .vertices = 9000};
+  loss += {.largest_move = 1e-8, .shortest_edge = 0.5, .merged = 0, .vertices = 100};
+  EXPECT_EQ(precision_note(loss, MeshFormat::kStl, "write OBJ"),
+            "STL holds single precision: vertices move by up to 250 mm, where the shortest edge has 31 "
+            "\xc2\xb5m, and "
+            "2 000 of 9 100 vertices fall together with others; write OBJ");
+  EXPECT_EQ(
+      precision_note({.largest_move = 0.25, .shortest_edge = 0.5, .vertices = 3}, MeshFormat::kGlb, "go"),
+      "glTF holds single precision: vertices move by up to 250 mm, where the shortest edge has 500 mm; go");
+}
+
+}  // namespace
+}  // namespace kerf

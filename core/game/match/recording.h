@@ -12,7 +12,7 @@ namespace kerf {
 
 // The version of the matches: raised whenever the same inputs lead to another world than before. Recordings
 // of earlier versions are read, and end otherwise than they say.
-inline constexpr size_t kMatchVersion = 4;
+inline constexpr size_t kMatchVersion = 5;
 
 // Limits of the seed and of the duration [s] of a match that can be recorded.
 inline constexpr uint64_t kMostSeed = 1'000'000'000'000'000'000;

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-struct Sheet {
+struct Plate {
   Soup soup;
   std::vector<std::array<uint32_t, 3>> triangles{soup.triangles.begin(), soup.triangles.end()};
 
@@ -19,7 +19,7 @@ struct Sheet {
 };
 
 TEST(SinglePrecision, loses_nothing_that_matters_near_the_origin) {
-  const Sheet sheet{test::grid(4, 0.1)};
+  const Plate sheet{test::grid(4, 0.1)};
   for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kGlb, MeshFormat::kGltf}) {
     const PrecisionLoss loss = sheet.loss(format);
     EXPECT_FALSE(loss.matters());
@@ -32,7 +32,7 @@ TEST(SinglePrecision, loses_nothing_that_matters_near_the_origin) {
 // Floats at 5.4e6 are half a metre apart: of five columns of vertices a tenth apart, those that lie in one
 // half metre fall together.
 TEST(SinglePrecision, merges_vertices_of_an_stl_far_from_the_origin) {
-  const Sheet sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
+  const Plate sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
   const PrecisionLoss loss = sheet.loss(MeshFormat::kStl);
   EXPECT_TRUE(loss.matters());
   EXPECT_EQ(loss.vertices, sheet.soup.positions.size());
@@ -50,7 +50,7 @@ TEST(SinglePrecision, merges_vertices_of_an_stl_far_from_the_origin) {
 }
 
 TEST(SinglePrecision, of_gltf_is_about_the_middle_and_other_formats_hold_doubles) {
-  const Sheet sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
+  const Plate sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
   EXPECT_FALSE(sheet.loss(MeshFormat::kGlb).matters());
   for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff})
     EXPECT_EQ(sheet.loss(format).largest_move, 0);

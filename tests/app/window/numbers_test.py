@@ -41,7 +41,7 @@ class Numbers(WindowTest):
 
     def test_a_slider_that_is_left_by_esc_stays_as_it_was(self):
         editor = self.open_panel("Laser")
-        before = editor.ask("report")["laser"]["radius"]
+        before = editor.ask("report")
         editor.key_down("ctrl")
         editor.click("radius", 0.2, 0.5)
         editor.key_up("ctrl")
@@ -49,7 +49,8 @@ class Numbers(WindowTest):
         editor.press("Escape")
         editor.settle()
         report = editor.ask("report")
-        self.assertEqual((report["laser"]["radius"], report["messages"]), (before, []))
+        self.assertEqual(report["laser"]["radius"], before["laser"]["radius"])
+        self.assertEqual(report["messages"], before["messages"])
         editor.quit()
 
     def test_a_field_reads_what_it_shows(self):

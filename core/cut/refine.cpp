@@ -42,6 +42,7 @@ class Refinement {
       const FaceId f = to_split_.back();
       to_split_.pop_back();
       if (!must_split(f)) continue;
+      step_.edit.clear_hit(f);  // its parts lie in smaller boxes, which the next query tests
       const std::span<const Replacement> splits = split_by_scheme(step_, settings_.resolution.scheme, f);
       for (size_t i = splits.size(); i-- > 0;) {
         const Replacement& r = splits[i];

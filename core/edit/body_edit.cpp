@@ -58,7 +58,6 @@ void BodyEdit::split_in_four(FaceId f) {
   const size_t first = splits_.size();
   body_->refinement.split(body_->mesh, f, splits_);
   note_splits(first);
-  clear_hits(first);
 }
 
 void BodyEdit::bisect_at_longest_edge(FaceId f) {
@@ -66,7 +65,6 @@ void BodyEdit::bisect_at_longest_edge(FaceId f) {
   const size_t first = splits_.size();
   bisect_longest_edge(body_->mesh, body_->refinement, f, splits_);
   note_splits(first);
-  clear_hits(first);
 }
 
 void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at,
@@ -88,15 +86,6 @@ void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& a
     splits_.push_back(in_two(s));
   }
   note_splits(first_split);
-}
-
-// The parts of a face that was hit lie in smaller boxes, which the next query tests. Those of a face beside
-// the rim stay hit (split_edge_at).
-void BodyEdit::clear_hits(size_t first) {
-  for (size_t i = first; i < splits_.size(); ++i) {
-    const Replacement& r = splits_[i];
-    for (uint32_t k = 0; k < r.born_count; ++k) body_->mesh.edit_data(r.born[k]).hit = false;
-  }
 }
 
 // The counts and the graph follow at once: what is moved or turned next is told to them too.
@@ -278,6 +267,10 @@ QueryCounts BodyEdit::touched(const SweptCylinder& beam, std::vector<FaceId>& ou
     if (!mesh().data(f).hit) body_->mesh.edit_data(f).hit = true;
   }
   return counts;
+}
+
+void BodyEdit::clear_hit(FaceId f) {
+  if (mesh().data(f).hit) body_->mesh.edit_data(f).hit = false;
 }
 
 size_t BodyEdit::separate(size_t most, Meanwhile meanwhile) {

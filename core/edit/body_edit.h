@@ -80,6 +80,8 @@ class BodyEdit {
 
   // Calls AabbTree::touched and sets FaceData::hit of the faces whose boxes it met.
   QueryCounts touched(const SweptCylinder& beam, std::vector<FaceId>& out);
+  // Clears FaceData::hit of a face.
+  void clear_hit(FaceId f);
 
   // Searches for separated parts (see settle), visiting about `most` faces. Returns the number of faces
   // visited and relabelled.
@@ -105,7 +107,6 @@ class BodyEdit {
   void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
   void note_splits(size_t first);
-  void clear_hits(size_t first);
 
   Body* body_;
   std::vector<Replacement> splits_;  // not applied to the tree yet

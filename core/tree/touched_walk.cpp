@@ -81,6 +81,7 @@ class TouchedTrace {
     nodes_.push_back({store.root, 0});
     for (size_t i = 0; i < nodes_.size(); ++i) open_node(nodes_[i]);
     for (const Place& block : blocks_) open_block(block);
+    std::sort(walk_.touched.begin(), walk_.touched.end());
     return std::move(walk_);
   }
 

@@ -27,7 +27,7 @@ struct TouchedWalk {
     FaceId face;  // of the box of one face, otherwise not valid
   };
   std::vector<Visit> visits;    // each after its parent
-  std::vector<FaceId> touched;  // in the order of the query
+  std::vector<FaceId> touched;  // ascending
   QueryCounts counts;           // as the query counts
 };
 

@@ -65,12 +65,13 @@ std::optional<std::string> EditedText::draw(const char* id, const std::string& s
                                             const std::string& fitted) {
   std::array<char, std::tuple_size_v<decltype(typed_)>> text{};
   std::copy_n(shown.begin(), std::min(shown.size(), text.size() - 1), text.begin());
-  const bool shortened = fitted != shown && ImGui::GetActiveID() != ImGui::GetID(id);
+  const bool active = ImGui::GetActiveID() == ImGui::GetID(id);
+  const bool shortened = fitted != shown && !active;
   if (shortened) ImGui::PushStyleColor(ImGuiCol_Text, 0);  // only hidden, so that it can be edited
   const bool changed = ImGui::InputText(id, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
   if (shortened) ImGui::PopStyleColor();
   if (ImGui::IsItemActivated()) begun_ = shown;
-  if (changed) typed_ = text;
+  if (changed || active) typed_ = text;  // no change is reported where the text is the one shown again
   const bool entered = ImGui::IsItemDeactivatedAfterEdit() && begun_ != typed_.data();
   if (shortened) {
     const ImVec2 at = ImGui::GetItemRectMin(), padding = ImGui::GetStyle().FramePadding;

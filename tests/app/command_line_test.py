@@ -564,7 +564,7 @@ class CommandLine(unittest.TestCase):
         self.assertNotEqual(picture(), picture("--spread", "0.5"))
         for share in ("wide", "-1", "nan"):
             self.assert_refused(self.run_here("render", "cut.json", "--out", "no.png", "--spread", share), 2,
-                                "--spread", share)
+                                "--spread", "from 0 to 100")
 
     def write_figures(self, scene="plate.json"):
         self.write("plate.json", json.dumps({"bodies": [{"mesh": "plate.obj"}], "lights": [{"direction": [0.3, 1, 1]}]}))

@@ -49,6 +49,7 @@ constexpr const char* kCommands[] = {
     R"({"do":"simplify","piece":[644670122,6],"by":"kerf","error":1e-300})",
     R"({"do":"subdivide","piece":[403170315,7],"scheme":"loop"})",
     R"({"do":"smooth","piece":[532165134,4],"times":4})",
+    R"({"do":"turn-shells","piece":[532165134,4,2]})",
     R"({"do":"surroundings","gravity":[0.0,-9.81,0.0]})",
     R"({"do":"surroundings","gravity":[0.0,-9810.0,0.0],"ground":-0.25,"metre":1000.0})",
     R"({"do":"undo"})",

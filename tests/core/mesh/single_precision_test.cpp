@@ -32,7 +32,7 @@ TEST(SinglePrecision, loses_nothing_that_matters_near_the_origin) {
 // Floats at 5.4e6 are half a metre apart: of five columns of vertices a tenth apart, those that lie in one
 // half metre fall together.
 TEST(SinglePrecision, merges_vertices_of_an_stl_far_from_the_origin) {
-  const Plate sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
+  const Plate sheet{test::moved(test::grid(4, 0.4), {5.4e6, 0, 0}, 1)};
   const PrecisionLoss loss = sheet.loss(MeshFormat::kStl);
   EXPECT_TRUE(loss.matters());
   EXPECT_EQ(loss.vertices, sheet.soup.positions.size());

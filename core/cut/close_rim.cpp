@@ -257,12 +257,9 @@ class RimBite {
     taken_ += kPartOfWork;
     if (!work_.closing->go_on(rim)) return false;
     end_bite();
-    Result<std::vector<FaceId>> walls = work_.closing->take_walls();
-    if (!walls) {
-      left_open_.push_back({rim.step.id, walls.error().message});
-    } else if (settings_.heat_width > 0) {
-      work_.waiting = std::move(*walls);
-    }
+    ClosedRim closed = work_.closing->take();
+    for (std::string& why : closed.left_open) left_open_.push_back({rim.step.id, std::move(why)});
+    if (settings_.heat_width > 0) work_.waiting = std::move(closed.walls);
     return true;
   }
 

@@ -6,6 +6,7 @@
 #include "core/cut/close_by_walls.h"
 #include "core/cut/rim_state.h"
 #include "core/cut/speck_search.h"
+#include "core/mesh/sheet_sides.h"
 
 namespace kerf {
 
@@ -20,12 +21,12 @@ void sort_faces(std::vector<FaceId>& faces) {
 
 Resumable<Done> WallClosing::find_open_faces() {
   constexpr uint32_t kTogether = 4096;
-  std::vector<Mesh::Side> open;
+  std::vector<SheetSide> open;
   for (uint32_t edge = 0; edge < mesh().edge_slots(); edge += kTogether) {
-    mesh().append_open_sides_in(edge, edge + kTogether, open);
+    append_sheet_sides_in(mesh(), edge, edge + kTogether, open);
     co_await worked(kTogether / 32);
   }
-  for (const Mesh::Side& s : open) open_faces_.push_back(s.face);
+  for (const SheetSide& s : open) open_faces_.push_back(s.side.face);
   sort_faces(open_faces_);
   co_return Done{};
 }
@@ -40,31 +41,74 @@ bool WallClosing::is_at_rim(const Mesh::Side& side) {
   return lies_there(side.from) && lies_there(side.to);
 }
 
-// Finds the sides along the rim of parts that were closed before the stroke.
-Resumable<Status> WallClosing::find_sides() {
+// Whether the faces on an edge of several sheets do not bound solids: more of them run one way along it than
+// the other.
+bool WallClosing::is_unmatched(const Mesh::Side& side) const {
+  std::vector<Mesh::Side> others;
+  mesh().append_edge_sides(side.face, side.from, side.to, others);
+  int balance = 1;
+  for (const Mesh::Side& s : others)
+    balance += mesh().position(s.from) == mesh().position(side.from) ? 1 : -1;
+  return balance != 0;
+}
+
+// Finds the sides along the rim of parts that were closed before the stroke, and says where others are.
+Resumable<Done> WallClosing::find_sides() {
   sides_.clear();
+  left_open_.clear();
   std::vector<FaceId> elsewhere;
-  std::vector<Mesh::Side> open;
+  std::optional<Mesh::Side> open_side, unmatched;
+  std::vector<SheetSide> open;
   for (const FaceId f : open_faces_) {
     co_await worked(1);
     open.clear();
-    mesh().append_open_sides_of(f, open);
-    for (const Mesh::Side& s : open) {
+    append_sheet_sides_of(mesh(), f, open);
+    for (const auto& [s, is_shared] : open) {
       if (is_at_rim(s)) {
         sides_.push_back({s.face, s.from, s.to});
-      } else {
+      } else if (!is_shared) {
         elsewhere.push_back(s.face);
+        if (!open_side) open_side = s;
+      } else if (!unmatched && is_unmatched(s)) {
+        unmatched = s;
       }
     }
   }
   std::sort(sides_.begin(), sides_.end(), [](const RimSide& a, const RimSide& b) {
     return std::tie(a.face, a.from) < std::tie(b.face, b.from);
   });
-  if (elsewhere.empty() || sides_.empty()) co_return Done{};
+  if (sides_.empty()) co_return Done{};
+  if (unmatched)
+    left_open_.push_back(
+        left_open("an edge has three faces or more that bound no solid", mesh().position(unmatched->from))
+            .message);
+  if (elsewhere.empty()) co_return Done{};
   const std::vector<bool> was_open = co_await parts_around(elsewhere);
   std::erase_if(sides_, [&](const RimSide& s) { return was_open[s.face.index]; });
-  if (sides_.empty()) co_return failed("it was open before the stroke");
+  const Vec3 there = mesh().position(open_side->from);
+  left_open_.push_back(sides_.empty() ? "it was open before the stroke"
+                                      : left_open("a part was open before the stroke", there).message);
   co_return Done{};
+}
+
+// Appends the faces that belong to the part of a face: those on its sheet, and where its sheet ends at an
+// edge of several, but not at the rim, those of other sheets that end there.
+void WallClosing::append_connected(FaceId f, std::vector<FaceId>& out) {
+  append_sheet_neighbours(mesh(), f, out);
+  std::vector<SheetSide> ends, beyond;
+  append_sheet_sides_of(mesh(), f, ends);
+  for (const auto& [side, is_shared] : ends) {
+    if (!is_shared || is_at_rim(side)) continue;
+    std::vector<Mesh::Side> others;
+    mesh().append_edge_sides(f, side.from, side.to, others);
+    for (const Mesh::Side& other : others) {
+      beyond.clear();
+      append_sheet_sides_of(mesh(), other.face, beyond);
+      const bool ends_there = std::ranges::any_of(
+          beyond, [&](const SheetSide& s) { return s.side.from == other.from && s.side.to == other.to; });
+      if (ends_there) out.push_back(other.face);
+    }
+  }
 }
 
 // The faces of the connected parts that hold some faces.
@@ -81,11 +125,37 @@ Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>
     const FaceId f = waiting.back();
     waiting.pop_back();
     neighbours.clear();
-    mesh().append_nearest_neighbours(f, neighbours);
+    append_connected(f, neighbours);
     for (const FaceId n : neighbours) reach(n);
     co_await worked(1);
   }
   co_return reached;
+}
+
+// The number of the connected part of each face, of those parts that hold sides along the rim.
+Resumable<std::vector<uint32_t>> WallClosing::parts_with_sides() {
+  std::vector<uint32_t> part(mesh().face_slots(), kNoPart);
+  std::vector<FaceId> waiting, neighbours;
+  uint32_t parts = 0;
+  for (const RimSide& side : sides_) {
+    if (part[side.face.index] != kNoPart) continue;
+    part[side.face.index] = parts;
+    waiting.push_back(side.face);
+    while (!waiting.empty()) {
+      const FaceId f = waiting.back();
+      waiting.pop_back();
+      neighbours.clear();
+      append_connected(f, neighbours);
+      for (const FaceId n : neighbours) {
+        if (part[n.index] != kNoPart) continue;
+        part[n.index] = parts;
+        waiting.push_back(n);
+      }
+      co_await worked(1);
+    }
+    ++parts;
+  }
+  co_return part;
 }
 
 // Whether all sides of a face are open, or two and the third one lies on the boundary too.

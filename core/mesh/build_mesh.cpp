@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/count_text.h"
@@ -9,6 +11,7 @@
 #include "core/mesh/fill_half_edges.h"
 #include "core/mesh/kernel.h"
 #include "core/mesh/orient.h"
+#include "core/mesh/pair_sides.h"
 #include "core/mesh/patches.h"
 #include "core/mesh/rings.h"
 #include "core/mesh/soup_edges.h"
@@ -80,15 +83,31 @@ class Builder {
     const auto disagreeing = triangles_to_turn(triangles_, edges_, &agreeing);
     if (!disagreeing) return disagreeing.error();
     turn(*disagreeing);
-    const auto patches = find_patches(triangles_, edges_, &finding);
+    auto patches = find_patches(triangles_, edges_, &finding);
     if (!patches) return patches.error();
     report_.components = count_components(*patches, edges_);
+    join_patches_of_shells(*patches);
     const std::vector<bool> inward = inward_triangles(soup_.positions, triangles_, *patches);
     turn(inward);
     note_overlaps(overlapping_patches(soup_.positions, triangles_, *patches).size());
+    patch_of_ = std::move(patches->patch_of);
     for (size_t t = 0; t < triangles_.size(); ++t)
       report_.repairs.reoriented_faces += (*disagreeing)[t] != inward[t];
     return Done{};
+  }
+
+  // Shells that touch others are closed as well.
+  void join_patches_of_shells(Patches& patches) const {
+    std::vector<uint32_t> several;
+    for (uint32_t e = 0; e < edges_.count(); ++e) {
+      if (edges_.sides_of(e).size() > 2) several.push_back(e);
+    }
+    if (several.empty()) return;
+    std::vector<uint32_t> partner(3 * triangles_.size(), kNoSide);
+    for (uint32_t e = 0; e < edges_.count(); ++e) pair_sides_of(e, partner);
+    const std::vector<uint32_t> pairs =
+        pair_sides_of_shells(soup_.positions, triangles_, edges_, several, patches.patch_of, partner);
+    join_patches(patches, partner, pairs);
   }
 
   void note_overlaps(size_t shells) {
@@ -133,12 +152,21 @@ class Builder {
     return tail(previous_side(side)) == tail(previous_side(other));
   }
 
+  // Pairs the sides of an edge of two triangles. Returns whether it is one.
+  bool pair_sides_of(uint32_t edge, std::vector<uint32_t>& partner) const {
+    const auto sides = edges_.sides_of(edge);
+    if (sides.size() != 2 || tail(sides[0]) == tail(sides[1]) || are_copies(sides[0], sides[1])) return false;
+    partner[sides[0]] = sides[1];
+    partner[sides[1]] = sides[0];
+    return true;
+  }
+
   // partner_[side] = the one other side of its edge, in the other direction; kNoSide at boundaries and in
   // rings.
   Status find_partners(const Progress& progress) {
     struct Found {
-      size_t boundary = 0, non_manifold = 0;
-      std::vector<uint32_t> rings;
+      size_t boundary = 0;
+      std::vector<uint32_t> rings, non_manifold;
     };
     std::vector<Found> found(range_count(edges_.count(), kItems));
     partner_.assign(3 * triangles_.size(), kNoSide);
@@ -147,22 +175,44 @@ class Builder {
       for (auto e = static_cast<uint32_t>(first); e < end; ++e) {
         const auto sides = edges_.sides_of(e);
         here.boundary += sides.size() == 1;
-        here.non_manifold += sides.size() > 2;
-        if (sides.size() == 2 && tail(sides[0]) != tail(sides[1]) && !are_copies(sides[0], sides[1])) {
-          partner_[sides[0]] = sides[1];
-          partner_[sides[1]] = sides[0];
-        } else if (sides.size() > 1) {
-          here.rings.push_back(e);
-        }
+        if (sides.size() > 2) here.non_manifold.push_back(e);
+        if (!pair_sides_of(e, partner_) && sides.size() > 1) here.rings.push_back(e);
       }
     };
     if (!for_each_range(edges_.count(), kItems, &progress, pair)) return cancelled();
+    std::vector<uint32_t> non_manifold;
     for (const Found& f : found) {
       report_.boundary_edges += f.boundary;
-      report_.non_manifold_edges += f.non_manifold;
+      non_manifold.insert(non_manifold.end(), f.non_manifold.begin(), f.non_manifold.end());
       rings_.insert(rings_.end(), f.rings.begin(), f.rings.end());
     }
+    report_.non_manifold_edges = non_manifold.size();
+    pair_sides_of_shells(soup_.positions, triangles_, edges_, non_manifold, patch_of_, partner_);
+    note_doubled(count_doubled(rings_));
     return Done{};
+  }
+
+  // The number of triangles with the corners of an earlier one in the same order.
+  size_t count_doubled(std::span<const uint32_t> edges) const {
+    std::vector<uint32_t> doubled;
+    for (const uint32_t e : edges) {
+      const auto sides = edges_.sides_of(e);
+      std::map<std::pair<uint32_t, uint32_t>, uint32_t> first;  // by tail and opposite corner
+      for (const uint32_t s : sides) {
+        if (!first.try_emplace({tail(s), tail(previous_side(s))}, s).second) doubled.push_back(s / 3);
+      }
+    }
+    std::sort(doubled.begin(), doubled.end());
+    return static_cast<size_t>(std::unique(doubled.begin(), doubled.end()) - doubled.begin());
+  }
+
+  void note_doubled(size_t faces) {
+    if (faces == 0) return;
+    report_.warnings.push_back(grouped(faces) +
+                               (faces == 1 ? " face lies on another one and faces the same way: the volume "
+                                             "that it bounds counts twice."
+                                           : " faces lie on others and face the same way: the volume that "
+                                             "they bound counts twice."));
   }
 
   Status find_vertices(const Progress& progress) {
@@ -228,8 +278,10 @@ class Builder {
       const auto sides = edges_.sides_of(e);
       const auto start = [&](uint32_t side) { return fans_.position[tail(side)]; };
       std::vector<HalfEdgeId> members;
-      for (const uint32_t s : sides)
+      for (const uint32_t s : sides) {
+        if (partner_[s] != kNoSide && partner_[s] < s) continue;  // they have one edge
         members.push_back(start(s) == start(sides[0]) ? half_edge[s] : opposite(half_edge[s]));
+      }
       link_ring(mesh_.kernel(), members);
     }
   }
@@ -271,8 +323,9 @@ class Builder {
   std::vector<uint16_t> materials_;        // by triangle, or empty if all are 0
   std::vector<MeshPart> parts_;            // of triangles_
   SoupEdges edges_;
-  std::vector<uint32_t> partner_;  // by side: the side that its edge links it with, or kNoSide
-  std::vector<uint32_t> rings_;    // the edges that become rings, ascending
+  std::vector<uint32_t> patch_of_;  // by triangle
+  std::vector<uint32_t> partner_;   // by side: the side that its edge links it with, or kNoSide
+  std::vector<uint32_t> rings_;     // the edges that become rings, ascending
   VertexFans fans_;
   Mesh mesh_;
   MeshReport report_;

@@ -46,8 +46,9 @@ std::vector<std::string> load_notes(const MeshReport& report) {
       {" face had no area and holds others together.", " faces had no area and hold the others together."},
       notes);
   add(report.non_manifold_edges,
-      {" edge has three faces or more; a cut through it parts all of them.",
-       " edges have three faces or more; a cut through one parts all its faces."},
+      {" edge has three faces or more: closed parts that touch there are cut one by one, open ones together.",
+       " edges have three faces or more: closed parts that touch there are cut one by one, open ones "
+       "together."},
       notes);
   add(report.repairs.isolated_vertices_dropped,
       {" vertex was used by no face and was left out.", " vertices were used by no face and were left out."},

@@ -141,10 +141,15 @@ Resumable<std::optional<ChartRegion::Winding>> ChartRegion::winding(std::vector<
   co_return std::nullopt;
 }
 
-Resumable<std::optional<std::vector<ChartTriangle>>> ChartRegion::triangles() const {
+Resumable<std::optional<std::vector<ChartTriangle>>> ChartRegion::triangles(
+    std::vector<uint32_t>* conflict) const {
   ChartSweep sweep(vertices_, edges_, width_);
-  if (!co_await sweep.run()) co_return std::nullopt;
+  if (!co_await sweep.run()) {
+    if (conflict != nullptr) *conflict = sweep.conflict();
+    co_return std::nullopt;
+  }
   const Winding winding = sweep.winding();
+  if (conflict != nullptr) *conflict = {winding.least < 0 ? winding.least_at : winding.largest_at};
   if (winding.least < 0 || winding.largest > 1 || winding.above != 0) co_return std::nullopt;
   std::vector<ChartTriangle> triangles;
   Polygons polygons(vertices_, edges_, sweep.diagonals());

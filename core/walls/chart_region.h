@@ -44,8 +44,10 @@ class ChartRegion {
 
   // The least and the largest number of times that the edges wind around a point, counted from below all of
   // them (y = -infinity), and that above them.
+  // Both with a vertex where an edge leads to such a point.
   struct Winding {
     int least = 0, largest = 0, above = 0;
+    uint32_t least_at = 0, largest_at = 0;
   };
   // Nothing where edges cross or touch; `conflict`, if given, then receives vertices of such edges.
   Resumable<std::optional<Winding>> winding(std::vector<uint32_t>* conflict = nullptr) const;
@@ -56,8 +58,9 @@ class ChartRegion {
   // into polygons that are monotone in x (R. Seidel: A simple and fast incremental randomized algorithm for
   // computing trapezoidal decompositions and for triangulating polygons, 1991) and these into triangles.
   // O(n log n) with lists that are searched, but whose insertions cost the number of edges that the line
-  // meets.
-  Resumable<std::optional<std::vector<ChartTriangle>>> triangles() const;
+  // meets. `conflict`, if given, receives vertices where the edges bound no such region.
+  Resumable<std::optional<std::vector<ChartTriangle>>> triangles(
+      std::vector<uint32_t>* conflict = nullptr) const;
 
  private:
   std::span<const ChartVertex> vertices_;

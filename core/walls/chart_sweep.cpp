@@ -27,9 +27,15 @@ ChartSweep::ChartSweep(std::span<const ChartVertex> vertices, std::span<const Ch
   }
 }
 
-void ChartSweep::note(int winding) {
-  winding_.least = std::min(winding_.least, winding);
-  winding_.largest = std::max(winding_.largest, winding);
+void ChartSweep::note(int winding, uint32_t v) {
+  if (winding < winding_.least) {
+    winding_.least = winding;
+    winding_.least_at = v;
+  }
+  if (winding > winding_.largest) {
+    winding_.largest = winding;
+    winding_.largest_at = v;
+  }
 }
 
 // 1 where the point lies above the edge, -1 below, 0 on its line.
@@ -94,7 +100,7 @@ bool ChartSweep::start_at_seam() {
   }
   int winding = 0;
   for (size_t i = 0; i < at_seam_.size(); ++i) {
-    note(winding += at_seam_[i].sign);
+    note(winding += at_seam_[i].sign, at_seam_[i].left);
     active_.push_back({at_seam_[i], winding, {0, 0, static_cast<int>(i)}});
   }
   winding_.above = winding;
@@ -134,7 +140,7 @@ bool ChartSweep::insert_starting(uint32_t v, size_t at, int winding) {
       conflict_ = {v, fresh[i - 1].right, fresh[i].right};
       return false;
     }
-    note(winding += fresh[i].sign);
+    note(winding += fresh[i].sign, v);
     inserted.push_back({fresh[i], winding, {v, x, -1}});
   }
   active_.insert(active_.begin() + static_cast<std::ptrdiff_t>(at), inserted.begin(), inserted.end());

@@ -57,7 +57,7 @@ class ChartSweep {
   void close(size_t below, uint32_t v);
   void join(const Start& start, uint32_t v, int64_t x, const Span& below, const Span& above);
   bool end_at_seam();
-  void note(int winding);
+  void note(int winding, uint32_t v);
   bool fail_at(uint32_t v, size_t first, size_t end);
 
   std::span<const ChartVertex> vertices_;

@@ -5,14 +5,15 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include "core/base/assert.h"
 #include "core/base/tolerances.h"
 #include "core/walls/boundary_part.h"
 #include "core/walls/chart_region.h"
+#include "core/walls/group_rims.h"
 #include "core/walls/patch_check.h"
 #include "core/walls/side_index.h"
+#include "core/walls/swept_sides.h"
 #include "core/walls/untangle.h"
 #include "core/walls/wall_cap.h"
 #include "core/walls/wall_chart.h"
@@ -23,10 +24,6 @@ namespace kerf {
 
 namespace {
 
-// How far a vertex of the rim may lie from the outline, relative to the radius: by the errors that the rim
-// may have. For beams through an apex, what an inclined beam's ellipse is longer than a circle comes on top,
-// and what it grows to the next depth at which there is an outline; but no less than kLeastOfFan in all.
-constexpr double kReach = 0.03, kReachOfFan = 0.1, kLeastOfFan = 0.3;
 // A triangle that is cut off the rim is no higher, relative to the radius.
 constexpr double kHighestCut = 0.03;
 // How far from the ends of the range a vertex that is not at a corner stays in the chart, relative to the
@@ -37,32 +34,31 @@ constexpr double kShortest = 1e-9;
 // How often a wall may have more vertices than its rim.
 constexpr size_t kMostAdded = 2;
 
-std::string at_place(const Vec3& p) {
-  std::ostringstream text;
-  text.precision(3);
-  text << " near (" << p.x << ", " << p.y << ", " << p.z << ") m";
-  return text.str();
-}
-
-Error left_open(const char* why, const Vec3& p) { return failed(why + at_place(p)); }
-
 // The curve of vertices that are on no side.
 constexpr uint32_t kNoCurve = 0xffffffffu;
 
+// Whether a face belongs to the solid at hand.
+using OwnFaces = std::function<bool(FaceId)>;
+
+// Makes the walls of one solid, or of several whose walls do not meet.
 class WallMaker {
  public:
-  WallMaker(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke)
-      : mesh_(mesh), sides_(sides), stroke_(stroke) {}
+  WallMaker(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke,
+            const SweptSides& swept, const OwnFaces& own)
+      : mesh_(mesh),
+        sides_(sides),
+        stroke_(stroke),
+        own_(own),
+        reach_(swept.reach),
+        pencil_(&swept.pencil),
+        chart_(&swept.chart),
+        ends_(swept.ends),
+        depths_(swept.depths) {}
 
   Resumable<Result<WallPatch>> make() {
     co_await number_rim();
-    pencil_ = BeamPencil::of(stroke_.moves, stroke_.radius);
-    if (!pencil_) co_return left_open("the beam turned about no single point, or too far", rim_at(0));
-    measure_depths();
-    ends_ = range_ends(*pencil_, stroke_.moves, stroke_.range, stroke_.radius);
-    chart_ = co_await WallChart::make(*pencil_, stroke_.moves, stroke_.radius, depths_);
-    if (!chart_)
-      co_return left_open("the sides of the beam at different depths do not correspond", rim_at(0));
+    if (const auto loose = loose_end())
+      co_return left_open("the rim ends at an edge of three faces or more", rim_at(*loose));
     if (const Status placed = co_await place_rim(); !placed) co_return placed.error();
     for (uint32_t c = 0; c < chart_->curves(); ++c) {
       if (const Status made = co_await make_side(c); !made) co_return made.error();
@@ -73,6 +69,7 @@ class WallMaker {
     const auto fault = co_await fault_of(patch_, rim_);
     if (fault) co_return left_open(fault->why, at(fault->vertex));
     co_await tell_walls_apart(patch_, rim_, sides_);
+    patch_.sides.assign(sides_.begin(), sides_.end());
     co_return std::move(patch_);
   }
 
@@ -89,12 +86,7 @@ class WallMaker {
 
   // The sides of the walls along the rim run against those of the faces there.
   Resumable<Done> number_rim() {
-    for (const RimSide& s : sides_) {
-      patch_.rim.push_back(s.from);
-      patch_.rim.push_back(s.to);
-    }
-    std::sort(patch_.rim.begin(), patch_.rim.end());
-    patch_.rim.erase(std::unique(patch_.rim.begin(), patch_.rim.end()), patch_.rim.end());
+    patch_.rim = vertices_of(sides_);
     const auto index = [&](VertexId v) {
       return static_cast<uint32_t>(std::lower_bound(patch_.rim.begin(), patch_.rim.end(), v) -
                                    patch_.rim.begin());
@@ -107,22 +99,23 @@ class WallMaker {
     co_return Done{};
   }
 
-  void measure_depths() {
-    depths_ = {pencil_->see(rim_at(0)).depth, pencil_->see(rim_at(0)).depth};
-    for (uint32_t i = 1; i < patch_.rim.size(); ++i) {
-      const double depth = pencil_->see(rim_at(i)).depth;
-      depths_ = {std::min(depths_.low, depth), std::max(depths_.high, depth)};
+  // A vertex at which the rim does not go on; nothing if it consists of loops.
+  std::optional<uint32_t> loose_end() const {
+    std::vector<int> balance(patch_.rim.size());
+    for (const auto& [from, to] : rim_) {
+      ++balance[from];
+      --balance[to];
     }
+    const auto loose = std::ranges::find_if(balance, [](int b) { return b != 0; });
+    if (loose == balance.end()) return std::nullopt;
+    return static_cast<uint32_t>(loose - balance.begin());
   }
 
   Resumable<Status> place_rim() {
-    const double longer = pencil_->longest_ellipse(stroke_.moves) - 1;
-    const double reach =
-        stroke_.radius * (pencil_->parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kLeastOfFan));
     std::vector<NearBoundary> near;
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
       co_await worked(2);
-      near.push_back(near_boundary(*chart_, ends_, rim_at(i), pencil_->see(rim_at(i)).depth, reach));
+      near.push_back(near_boundary(*chart_, ends_, rim_at(i), pencil_->see(rim_at(i)).depth, reach_));
       if (!near[i].place && near[i].end == BoundaryPart::kSide)
         co_return left_open("the rim leaves the sides of the beam", rim_at(i));
       places_.push_back(near[i].place.value_or(WallChart::Place{kNoCurve, 0, 0}));
@@ -199,10 +192,21 @@ class WallMaker {
   int winds_at(const Side& side, double depth, double sign) const {
     WallChart::Place place = side.wall.places().front();
     place.depth = depth;
-    return stroke_.winding(chart_->point_at(place), sign * pencil_->axis());
+    int winding = 0;
+    for (const auto& [face, sense] : stroke_.crossings(chart_->point_at(place), sign * pencil_->axis())) {
+      if (own_(face)) winding += sense;
+    }
+    return winding;
   }
 
-  Resumable<std::optional<ChartRegion::Winding>> untangle_side(Side& side) {
+  // Where a vertex of a side lies, e.g. the first one of some in conflict.
+  Vec3 place_of(const Side& side, uint32_t v) const { return at(side.of_patch[v]); }
+  Vec3 place_of(const Side& side, const std::vector<uint32_t>& conflict) const {
+    return place_of(side, conflict.empty() ? 0 : conflict.front());
+  }
+
+  // Otherwise `conflict` holds vertices of edges that cross.
+  Resumable<std::optional<ChartRegion::Winding>> untangle_side(Side& side, std::vector<uint32_t>& conflict) {
     std::vector<Vec3> positions;
     for (const uint32_t i : side.of_patch) positions.push_back(at(i));
     RimInChart rim{side.wall.placed(), positions, std::move(side.wall.edges()), SideChart::kSize};
@@ -210,7 +214,7 @@ class WallMaker {
     const std::function<bool(uint32_t, uint32_t)> joined = [&](uint32_t a, uint32_t b) {
       return are_joined(side.of_patch[a], side.of_patch[b]);
     };
-    const auto winding = co_await untangle(rim, kHighestCut * stroke_.radius, joined, cut_off);
+    const auto winding = co_await untangle(rim, kHighestCut * stroke_.radius, joined, cut_off, conflict);
     side.wall.edges() = std::move(rim.edges);
     append_faces(side.of_patch, cut_off);
     co_return winding;
@@ -222,22 +226,25 @@ class WallMaker {
     Side& side = *found;
     co_await worked(side.wall.edges().size());
     if (side.wall.edges().empty()) co_return Done{};
-    const Vec3 here = rim_at(side.of_patch.front());
     Interval depths = depths_;
     if (ends_.low && !low_end_.empty()) depths.low = *ends_.low;
     if (ends_.high && !high_end_.empty()) depths.high = *ends_.high;
     side.wall.place_within(depths);
-    const auto low = ends_.low ? side.wall.close_between_corners(*ends_.low, false) : false;
-    const auto high = ends_.high ? side.wall.close_between_corners(*ends_.high, true) : false;
-    if (!low || !high) co_return left_open("the rim does not match at an end of the beam's range", here);
+    uint32_t corner = 0;
+    const auto low = ends_.low ? side.wall.close_between_corners(*ends_.low, false, corner) : false;
+    const auto high = low && ends_.high ? side.wall.close_between_corners(*ends_.high, true, corner) : false;
+    if (!low || !high)
+      co_return left_open("the rim does not match at an end of the beam's range", place_of(side, corner));
     add_new_vertices(side);
-    const auto winding = co_await untangle_side(side);
-    if (!winding) co_return left_open("the rim crosses itself", here);
+    std::vector<uint32_t> conflict;
+    const auto winding = co_await untangle_side(side, conflict);
+    if (!winding) co_return left_open("the rim crosses itself", place_of(side, conflict));
     if (side.wall.edges().empty()) {
       note_caps(side);
       co_return Done{};
     }
     const int below = -winding->least, above = winding->above + below;
+    const Vec3 here = place_of(side, winding->largest + below > 1 ? winding->largest_at : winding->least_at);
     if (below > (*high ? 0 : 1) || above < 0 || above > (*low ? 0 : 1) || winding->largest + below > 1)
       co_return left_open("the part passes through itself", here);
     if ((below > 0 && (!ends_.high || *ends_.high < depths.high)) ||
@@ -253,29 +260,38 @@ class WallMaker {
     if (above > 0) side.wall.close_all_around(*ends_.low, false);
     add_new_vertices(side);
     note_caps(side);
-    co_return co_await triangulate(side, here);
+    co_return co_await triangulate(side);
   }
 
-  // Whether two triangles have the same side, or one has a corner twice, as around a ring with few corners.
-  static bool meet_twice(std::span<const ChartTriangle> triangles, size_t vertices) {
+  // A vertex at which two triangles have the same side, or one has a corner twice, as around a ring with few
+  // corners; nothing if there is none.
+  static std::optional<uint32_t> meeting_vertex(std::span<const ChartTriangle> triangles, size_t vertices) {
     std::vector<WallMesh::Corners> corners;
     for (const ChartTriangle& t : triangles) corners.push_back(t.corners);
-    return SideIndex(corners, vertices).find_repeated() != nullptr;
+    const SideIndex sides(corners, vertices);
+    const SideIndex::Side* const repeated = sides.find_repeated();
+    if (repeated == nullptr) return std::nullopt;
+    return repeated->to;
   }
 
-  Resumable<Status> triangulate(const Side& side, const Vec3& here) {
+  Resumable<Status> triangulate(const Side& side) {
+    std::vector<uint32_t> conflict;
     const auto triangles =
-        co_await ChartRegion(side.wall.placed(), side.wall.edges(), SideChart::kSize).triangles();
-    if (!triangles) co_return left_open("the rim crosses itself", here);
-    if (meet_twice(*triangles, side.wall.placed().size()))
-      co_return left_open("the wall is so narrow that its edges meet", here);
+        co_await ChartRegion(side.wall.placed(), side.wall.edges(), SideChart::kSize).triangles(&conflict);
+    if (!triangles) co_return left_open("the rim crosses itself", place_of(side, conflict));
+    if (const auto v = meeting_vertex(*triangles, side.wall.placed().size()))
+      co_return left_open("the wall is so narrow that its edges meet", place_of(side, *v));
     co_await worked(triangles->size() / 8);
     // The chart may map more than a point to one place, which vertices that come for the shape alone can
     // avoid.
+    Vec3 here = place_of(side, 0);
     for (const bool graded : {true, false}) {
       const std::optional<WallMesh> wall = co_await fill(side, *triangles, graded);
       if (!wall) break;
-      if (!wall->has_edge_below(kShortest * stroke_.radius)) {
+      const auto short_edge = wall->edge_below(kShortest * stroke_.radius);
+      if (short_edge) {
+        here = wall->vertices()[*short_edge].at;
+      } else {
         append(side.of_patch, *wall);
         co_await worked(wall->triangles().size() / 4);
         co_return Done{};
@@ -391,9 +407,11 @@ class WallMaker {
     const std::function<Vec3(Vec2)> lift = [&](Vec2 p) {
       return pencil_->point({p.x, is_high ? -p.y : p.y}, depth);
     };
+    uint32_t conflict = 0;
     const auto cap =
-        co_await triangulate_cap(places, positions, bounds, kRimLeastEdge * stroke_.radius, lift);
-    if (!cap) co_return left_open("the range of the beam ends in a part of the kerf only", positions[0]);
+        co_await triangulate_cap(places, positions, bounds, kRimLeastEdge * stroke_.radius, lift, conflict);
+    if (!cap)
+      co_return left_open("the range of the beam ends in a part of the kerf only", positions[conflict]);
     append(of_patch, *cap);
     co_return Done{};
   }
@@ -401,24 +419,61 @@ class WallMaker {
   const Mesh& mesh_;
   std::span<const RimSide> sides_;
   const WallStroke& stroke_;
-  std::optional<BeamPencil> pencil_;
-  std::optional<WallChart> chart_;
-  WallPatch patch_;
-  std::vector<PatchSide> rim_;            // sides of walls along the rim, in the order of sides_
-  std::vector<PatchSide> rim_on_sides_;   // of these, along the sides of the beam
-  std::vector<WallChart::Place> places_;  // by vertex of the rim
+  const OwnFaces& own_;
+  double reach_;  // m
+  const BeamPencil* pencil_;
+  const WallChart* chart_;
   RangeEnds ends_;
-  Interval depths_;                            // of the rim
+  Interval depths_;  // of the rim
+  WallPatch patch_;
+  std::vector<PatchSide> rim_;                 // sides of walls along the rim, in the order of sides_
+  std::vector<PatchSide> rim_on_sides_;        // of these, along the sides of the beam
+  std::vector<WallChart::Place> places_;       // by vertex of the rim
   std::vector<PatchSide> low_end_, high_end_;  // sides of caps, along the rim and along the ends of walls
 };
 
 }  // namespace
 
-Resumable<Result<WallPatch>> make_walls(const Mesh& mesh, std::span<const RimSide> sides,
-                                        const WallStroke& stroke) {
+Resumable<MadeWalls> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke) {
   KERF_ASSERT(!sides.empty() && !stroke.moves.empty() && stroke.radius > 0);
-  WallMaker maker(mesh, sides, stroke);
-  co_return co_await maker.make();
+  MadeWalls made;
+  const std::vector<VertexId> vertices = vertices_of(sides);
+  co_await worked(sides.size() / 4);
+  const Result<SweptSides> swept = co_await swept_sides(mesh, vertices, stroke);
+  if (!swept) {
+    made.left_open.push_back(swept.error().message);
+    co_return made;
+  }
+  const OwnFaces all = [](FaceId) { return true; };
+  WallMaker together(mesh, sides, stroke, *swept, all);
+  Result<WallPatch> whole = co_await together.make();
+  if (whole) {
+    made.patches.push_back(std::move(*whole));
+    co_return made;
+  }
+  const std::vector<uint32_t> part_of_face = co_await stroke.parts();
+  const auto groups = co_await group_rims(mesh, sides, part_of_face, stroke, *swept);
+  if (groups.size() == 1) {
+    made.left_open.push_back(whole.error().message);
+    co_return made;
+  }
+  for (const std::vector<RimSide>& group : groups) {
+    std::vector<uint32_t> parts;
+    for (const RimSide& s : group) parts.push_back(part_of_face[s.face.index]);
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    const OwnFaces own = [&](FaceId f) {
+      return std::binary_search(parts.begin(), parts.end(), part_of_face[f.index]);
+    };
+    WallMaker one(mesh, group, stroke, *swept, own);
+    Result<WallPatch> patch = co_await one.make();
+    if (patch) {
+      made.patches.push_back(std::move(*patch));
+    } else {
+      made.left_open.push_back(patch.error().message);
+    }
+  }
+  co_return made;
 }
 
 }  // namespace kerf

@@ -55,9 +55,8 @@ void cut(std::vector<ChartEdge>& edges, const Passage& p) {
 
 Resumable<std::optional<ChartRegion::Winding>> untangle(
     RimInChart& rim, double highest, const std::function<bool(uint32_t, uint32_t)>& are_joined,
-    std::vector<std::array<uint32_t, 3>>& cut_off) {
+    std::vector<std::array<uint32_t, 3>>& cut_off, std::vector<uint32_t>& conflict) {
   KERF_ASSERT(rim.placed.size() == rim.at.size() && highest >= 0);
-  std::vector<uint32_t> conflict;
   for (int i = 0; i < kMostCuts; ++i) {
     const auto winding = co_await ChartRegion(rim.placed, rim.edges, rim.width).winding(&conflict);
     if (winding) co_return winding;

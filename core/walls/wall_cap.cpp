@@ -8,7 +8,8 @@ namespace kerf {
 
 Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
                                                    std::span<const std::pair<uint32_t, uint32_t>> sides,
-                                                   double least, const std::function<Vec3(Vec2)>& lift) {
+                                                   double least, const std::function<Vec3(Vec2)>& lift,
+                                                   uint32_t& conflict) {
   KERF_ASSERT(!sides.empty() && places.size() == at.size());
   constexpr int64_t kSize = int64_t{1} << 30, kWidth = 4 * kSize;
   Vec2 low = places[0], high = places[0];
@@ -22,8 +23,12 @@ Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places,
   for (const Vec2 p : places) placed.push_back({whole(p.x - low.x), whole(p.y - low.y)});
   std::vector<ChartEdge> edges;
   for (const auto& [from, to] : sides) edges.push_back({from, to, placed[to].x - placed[from].x});
-  const auto triangles = co_await ChartRegion(placed, edges, kWidth).triangles();
-  if (!triangles) co_return std::nullopt;
+  std::vector<uint32_t> conflicts;
+  const auto triangles = co_await ChartRegion(placed, edges, kWidth).triangles(&conflicts);
+  if (!triangles) {
+    conflict = conflicts.empty() ? 0 : conflicts.front();
+    co_return std::nullopt;
+  }
   std::vector<WallMesh::Vertex> vertices;
   for (size_t i = 0; i < placed.size(); ++i) vertices.push_back({at[i], placed[i]});
   WallMesh cap(

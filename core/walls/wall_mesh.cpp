@@ -297,14 +297,14 @@ Resumable<Done> WallMesh::refine(const Middle& middle) {
   co_return Done{};
 }
 
-bool WallMesh::has_edge_below(double length) const {
+std::optional<uint32_t> WallMesh::edge_below(double length) const {
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     for (uint32_t i = 0; i < 3; ++i) {
       const Vec3 way = vertices_[triangles_[t][(i + 1) % 3]].at - vertices_[triangles_[t][i]].at;
-      if (across_[t][i] != kNone && t < across_[t][i] && glm::length(way) < length) return true;
+      if (across_[t][i] != kNone && t < across_[t][i] && glm::length(way) < length) return triangles_[t][i];
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 Resumable<Done> WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,

@@ -54,8 +54,8 @@ class WallMesh {
   Resumable<Done> split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                                 const Middle& middle);
 
-  // Whether an inner edge is shorter than this (m). O(n).
-  bool has_edge_below(double length) const;
+  // An end of an inner edge that is shorter than this (m), if there is one. O(n).
+  std::optional<uint32_t> edge_below(double length) const;
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<Corners>& triangles() const { return triangles_; }

@@ -49,7 +49,7 @@ void WallSide::close_all_around(double depth, bool is_high) {
 }
 
 // Nothing where the rim leaves the side or comes back to it twice at one vertex.
-std::optional<std::vector<WallSide::Stop>> WallSide::corners_at(double depth) const {
+std::optional<std::vector<WallSide::Stop>> WallSide::corners_at(double depth, uint32_t& conflict) const {
   std::vector<int> balance(placed_.size());
   for (const ChartEdge& e : edges_) {
     ++balance[e.to];
@@ -58,6 +58,7 @@ std::optional<std::vector<WallSide::Stop>> WallSide::corners_at(double depth) co
   std::vector<Stop> corners;
   for (uint32_t v = 0; v < balance.size(); ++v) {
     if (balance[v] == 0 || places_[v].depth != depth) continue;
+    conflict = v;
     if (std::abs(balance[v]) != 1) return std::nullopt;
     corners.push_back({placed_[v].x, balance[v], v, 0});
   }
@@ -75,8 +76,8 @@ void WallSide::append_between(double depth, std::vector<Stop>& stops) const {
   }
 }
 
-std::optional<bool> WallSide::close_between_corners(double depth, bool is_high) {
-  std::optional<std::vector<Stop>> found = corners_at(depth);
+std::optional<bool> WallSide::close_between_corners(double depth, bool is_high, uint32_t& conflict) {
+  std::optional<std::vector<Stop>> found = corners_at(depth, conflict);
   if (!found) return std::nullopt;
   std::vector<Stop>& ring = *found;
   if (ring.empty()) return false;
@@ -90,7 +91,10 @@ std::optional<bool> WallSide::close_between_corners(double depth, bool is_high) 
     uint32_t from = ring[i].vertex;
     for (size_t k = (i + 1) % ring.size();; k = (k + 1) % ring.size()) {
       const Stop& stop = ring[k];
-      if (stop.balance > 0) return std::nullopt;
+      if (stop.balance > 0) {
+        conflict = stop.vertex;
+        return std::nullopt;
+      }
       const uint32_t to = stop.balance < 0 ? stop.vertex : add_vertex({curve_, stop.around, depth});
       add_end_edge(from, to, is_high);
       if (stop.balance < 0) break;

@@ -31,9 +31,9 @@ class WallSide {
 
   // Close the side along an end of the range at a depth: all around; or between vertices there at which the
   // rim leaves the side and comes back to it. The latter returns whether there are any, and nothing where
-  // they do not match.
+  // they do not match, of which `conflict` then is one.
   void close_all_around(double depth, bool is_high);
-  std::optional<bool> close_between_corners(double depth, bool is_high);
+  std::optional<bool> close_between_corners(double depth, bool is_high, uint32_t& conflict);
 
   const SideChart& side_chart() const { return side_chart_; }
   std::span<const WallChart::Place> places() const { return places_; }  // of the vertices
@@ -51,7 +51,7 @@ class WallSide {
     uint32_t vertex;
     double around;
   };
-  std::optional<std::vector<Stop>> corners_at(double depth) const;
+  std::optional<std::vector<Stop>> corners_at(double depth, uint32_t& conflict) const;
   void append_between(double depth, std::vector<Stop>& stops) const;
   void add_end_edge(uint32_t from, uint32_t to, bool is_high);
 

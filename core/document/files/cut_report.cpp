@@ -106,6 +106,7 @@ void CutJob::note_bite(const StepResult& bite, const World& world, double second
   removed_area += bite.delta.removed_area;
   solid += bite.delta.solid;
   for (const LeftOpen& open : bite.delta.left_open) {
+    left_open = true;
     const std::string note = left_open_text(open, world);
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
   }
@@ -172,7 +173,7 @@ nlohmann::ordered_json energy_json(const World& world) {
 
 nlohmann::ordered_json removed_json(const CutJob& job, bool any_solid) {
   nlohmann::ordered_json json = {{"faces", job.removed_faces}, {"area", job.removed_area}};
-  if (any_solid) json["volume"] = job.solid.removed_volume;
+  if (any_solid && !job.left_open) json["volume"] = job.solid.removed_volume;
   return json;
 }
 

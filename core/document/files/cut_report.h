@@ -30,6 +30,7 @@ struct CutJob {
   double removed_area = 0;  // m^2
   SolidChange solid;
   Vec3 origin{0};                  // about which the files hold coordinates, m
+  bool left_open = false;          // a stroke left a solid open: the volume that was removed is not known
   std::vector<std::string> notes;  // on the input, bodies left open and what the files lose, each once
   size_t strokes = 0;              // that were cut
   std::vector<size_t> missed;      // those that met nothing, by index, ascending

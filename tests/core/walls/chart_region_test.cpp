@@ -168,5 +168,26 @@ TEST(ChartRegion, winds_as_often_as_a_ray_from_each_place_crosses_its_edges) {
   EXPECT_GT(above, runs(1200) / 20);
 }
 
+// Two squares, one in the other, both counter-clockwise.
+TEST(ChartRegion, names_a_vertex_where_it_is_covered_twice) {
+  const std::vector<ChartVertex> vertices{{0, 0},   {90, 0},  {90, 90}, {0, 90},
+                                          {30, 30}, {60, 30}, {60, 60}, {30, 60}};
+  std::vector<ChartEdge> edges;
+  for (const uint32_t first : {0u, 4u}) {
+    for (uint32_t i = 0; i < 4; ++i) {
+      const uint32_t from = first + i, to = first + (i + 1) % 4;
+      edges.push_back({from, to, vertices[to].x - vertices[from].x});
+    }
+  }
+  const ChartRegion region(vertices, edges, 1000);
+  const auto winding = at_once(region.winding());
+  ASSERT_TRUE(winding);
+  EXPECT_EQ(winding->largest, 2);
+  EXPECT_EQ(winding->largest_at, 4u);
+  std::vector<uint32_t> conflict;
+  EXPECT_FALSE(at_once(region.triangles(&conflict)));
+  EXPECT_EQ(conflict, std::vector<uint32_t>{4});
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -226,11 +226,11 @@ class CutRun {
     if (!options_.settle) return Done{};
     ProgressLine line("falling");
     const Progress falling = line.progress();
-    Surroundings around;
+    Environment around;
     around.ground = options_.ground.value_or(bounds_.min.y);
-    document_.apply(Command(SetSurroundings{around}));
+    document_.apply(Command(SetEnvironment{around}));
     document_.apply(Play{});
-    document_.apply(Advance{static_cast<Ticks>(std::ceil(*options_.settle * kTicksPerSecond)), true});
+    document_.apply(AdvanceTime{static_cast<Ticks>(std::ceil(*options_.settle * kTicksPerSecond)), true});
     QueueRun how;
     how.progress = &falling;
     if (const Status ran = run_queue(document_, how); !ran) return error_or_stopped(ran.error());

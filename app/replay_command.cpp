@@ -48,8 +48,6 @@ Status play(Match& match, const Recording& recording, const std::optional<MatchF
   return Done{};
 }
 
-bool is_of_earlier_version(const Recording& recording) { return recording.version != kMatchVersion; }
-
 Status judge(const std::string& file, uint64_t hash, const Recording& recording,
              const std::optional<uint64_t>& expected) {
   const auto differs = [&](uint64_t wanted, const std::string& why) {
@@ -58,12 +56,6 @@ Status judge(const std::string& file, uint64_t hash, const Recording& recording,
   };
   if (expected && *expected != hash) return differs(*expected, ", as --expect says");
   if (!recording.hash || *recording.hash == hash) return Done{};
-  if (is_of_earlier_version(recording)) {
-    warn(file +
-         ": an earlier version of Kerf made this recording. Matches go otherwise since, and this one "
-         "ended otherwise here");
-    return Done{};
-  }
   if (recording.machine == machine_kind())
     return differs(*recording.hash, ": the match went otherwise than when it was recorded");
   warn(file + ": bodies moved on another kind of machine (" + recording.machine +
@@ -73,8 +65,8 @@ Status judge(const std::string& file, uint64_t hash, const Recording& recording,
 
 // Plays the recording of a match again, prints the hash of its end, and holds it against the one that was
 // recorded and, if given, an expected one. Films it if `film` is given. Fails if lines had to be left out, if
-// the hash differs from either, unless another kind of machine or an earlier version of Kerf explains that it
-// differs from the recorded one, and for bad input.
+// the hash differs from either, unless another kind of machine explains that it differs from the recorded
+// one, and for bad input.
 Status replay_match(const std::filesystem::path& file, const std::optional<uint64_t>& expected,
                     const std::optional<MatchFilm::Options>& film) {
   const auto recording = read_recording(file);
@@ -90,7 +82,7 @@ Status replay_match(const std::filesystem::path& file, const std::optional<uint6
   }
   const auto files = hash_of_files(recording->rules, (*rules)->description);
   if (!files) return files.error();
-  if (*files != recording->files && !is_of_earlier_version(*recording))
+  if (*files != recording->files)
     return bad_input(
         file.string() + ": the rules " + recording->rules.string() +
         " or files that they name are others than the match was played with: put the old ones back");

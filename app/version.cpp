@@ -2,11 +2,13 @@
 
 #include <commit.h>
 
+#include "core/base/version.h"
+
 namespace kerf {
 
 std::string version_text() {
   const std::string commit = KERF_COMMIT;
-  return "kerf " KERF_VERSION + (commit.empty() ? "" : " (" + commit + ")");
+  return std::string("kerf ") + kVersion + (commit.empty() ? "" : " (" + commit + ")");
 }
 
 }  // namespace kerf

@@ -32,8 +32,6 @@ using FaceId = Id<struct FaceTag>;
 // journal made; redo and replay of that command give the body the same id again.
 struct BodyId {
   static constexpr uint32_t kNone = kNoIndex;
-  // In commands of journals that name a body by its number alone (Body::number), until they are applied.
-  static constexpr uint32_t kUnknownGeneration = 0xffffffffu;
   uint32_t slot = kNone;
   uint32_t generation = 0;
   constexpr bool valid() const { return slot != kNone; }

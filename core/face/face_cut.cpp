@@ -166,7 +166,7 @@ Status cut_one(Document& document, std::span<const Command> stroke, const Progre
   job.begin_stroke();
   for (const Command& command : stroke) {
     document.apply(command);
-    job.steps += std::holds_alternative<MoveStroke>(command);
+    job.steps += std::holds_alternative<MoveBeam>(command);
   }
   auto began = Clock::now();
   QueueRun how;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/base/version.h"
 #include "core/face/call.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/read_mesh.h"
@@ -94,7 +95,7 @@ Soup soup_of(const kerf_mesh& mesh) {
 
 }  // namespace kerf
 
-const char* kerf_version(void) { return KERF_VERSION; }
+const char* kerf_version(void) { return kerf::kVersion; }
 
 const char* kerf_message(void) { return kerf::last_message(); }
 

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// The losses of a sheet to its surroundings, from both sides.
+// The losses of a sheet to its environment, from both sides.
 struct HeatLoss {
   double convection = 15;  // W/(m^2 K), from each side; still air
 };
@@ -26,7 +26,7 @@ constexpr double heat_lost_slope(const Substance& s, const HeatLoss& loss, doubl
 
 struct HeatMemory;
 
-// Lets heat flow between the faces of a mesh, and from them to the surroundings, for a time (s, >= 0).
+// Lets heat flow between the faces of a mesh, and from them to the environment, for a time (s, >= 0).
 // Changes the energies of `heat`, and records the hottest temperatures where they are above 500 K. Returns
 // the energy that was lost (J): what the faces had before less what they have after.
 //

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// The temperature of everything that was never heated, and of the surroundings (K).
+// The temperature of everything that was never heated, and of the environment (K).
 inline constexpr double kAmbient = 293;
 
 // The constants of a material, one row each. A row is all that a constant needs: its member of Substance, its

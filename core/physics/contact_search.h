@@ -6,7 +6,7 @@
 #include "core/physics/contact/contact.h"
 #include "core/physics/contact/moving_body.h"
 #include "core/physics/joint_constraints.h"
-#include "core/world/surroundings.h"
+#include "core/world/environment.h"
 
 namespace kerf {
 
@@ -15,7 +15,7 @@ namespace kerf {
 class ContactSearch {
  public:
   ContactSearch(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
-                const Surroundings& around, const ContactMemory& before)
+                const Environment& around, const ContactMemory& before)
       : bodies_(bodies), joints_(joints), around_(around), before_(before) {}
 
   // The contacts of all pairs of which a body moves, and with the ground, sorted by their bodies. Can be
@@ -49,7 +49,7 @@ class ContactSearch {
 
   std::span<const MovingBody> bodies_;
   std::span<const BodyJoint> joints_;
-  const Surroundings& around_;
+  const Environment& around_;
   const ContactMemory& before_;
   std::vector<TouchingPair> pairs_;
   size_t candidates_ = 0;

@@ -12,7 +12,7 @@ namespace {
 
 // The bodies whose contacts a change ends.
 std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
-  if (delta.anew || delta.surroundings) return world.ids();
+  if (delta.anew || delta.environment) return world.ids();
   std::vector<BodyId> ids;
   for (const BodyDelta& b : delta.bodies) {
     if (!b.born.empty() || !b.gone.empty()) ids.push_back(b.body);

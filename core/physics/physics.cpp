@@ -48,7 +48,7 @@ void set_way(MovingBody& b, const Vec3& gravity) {
 }
 
 // What a body is at the beginning of a tick. Precondition: `b` knows its body and its collider.
-void begin_tick(MovingBody& b, const Surroundings& around) {
+void begin_tick(MovingBody& b, const Environment& around) {
   const Body& body = *b.body;
   b.frame = rigid_frame(body);
   b.fixed = body.pinned || !(b.frame.mass > 0);
@@ -82,7 +82,7 @@ void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> j
 
 // Lifts bodies that the solver moved below the ground, where those that push them are heavier or faster than
 // its contacts can stop in a tick, back to it, or to where they were if that was deeper.
-void stay_above_ground(std::span<MovingBody> bodies, const Surroundings& around) {
+void stay_above_ground(std::span<MovingBody> bodies, const Environment& around) {
   for (MovingBody& b : bodies) {
     if (!b.moves()) continue;
     const double sunk = depth_below_ground(b, map_of(b.body->placement), around);
@@ -268,7 +268,7 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
     for (size_t i = begin; i < end; ++i) {
       bodies[i].id = ids[i];
       bodies[i].collider = &colliders_.at(ids[i]);
-      begin_tick(bodies[i], world.surroundings());
+      begin_tick(bodies[i], world.environment());
     }
   });
   return bodies;
@@ -293,21 +293,21 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
 
   const std::vector<BodyJoint> joints = joints_between(bodies, *joints_, world.joints());
   const ContactMemory& before = world.contact_memory();
-  set_rolling_loss(bodies, joints, before, world.surroundings().gravity);
-  ContactSearch search(bodies, joints, world.surroundings(), before);
+  set_rolling_loss(bodies, joints, before, world.environment().gravity);
+  ContactSearch search(bodies, joints, world.environment(), before);
   search.find();
   while (update_sleep(bodies, search.pairs(), joints, before, kTick)) {
-    for (MovingBody& b : bodies) set_way(b, world.surroundings().gravity);
+    for (MovingBody& b : bodies) set_way(b, world.environment().gravity);
     search.find();
   }
   std::vector<TouchingPair> resting = take_resting(bodies, search.pairs());
-  const Vec3& gravity = world.surroundings().gravity;
+  const Vec3& gravity = world.environment().gravity;
   const SpeedLimit limit(bodies, search.pairs(), joints,
-                         kTick * glm::length(gravity) + kPressedOut * world.surroundings().metre);
+                         kTick * glm::length(gravity) + kPressedOut * world.environment().metre);
   solve_contacts(bodies, search.pairs(), joints,
-                 {.seconds = kTick, .gravity = gravity, .metre = world.surroundings().metre}, *solver_);
+                 {.seconds = kTick, .gravity = gravity, .metre = world.environment().metre}, *solver_);
   limit.apply(bodies);
-  stay_above_ground(bodies, world.surroundings());
+  stay_above_ground(bodies, world.environment());
   set_solved_way(bodies);
   statistics_.held = hold_back(bodies, search);
   count_quiet(bodies, search.pairs(), joints);

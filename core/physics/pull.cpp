@@ -56,7 +56,7 @@ void pull(World& world, double seconds) {
   Body& body = world.body(spring->piece.body);
   if (body.pinned || body.hidden) return;
   body.motion.wake();
-  pull(body, *spring, world.surroundings().metre, seconds);
+  pull(body, *spring, world.environment().metre, seconds);
 }
 
 }  // namespace kerf

@@ -57,7 +57,7 @@ void release_pieces(World& world, uint32_t generation, Delta& delta) {
       rest.motion.wake();
       piece.motion.wake();
       // A piece that turns on a joint was not cut off.
-      if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece, world.surroundings().metre);
+      if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece, world.environment().metre);
     }
   }
 }

@@ -13,7 +13,7 @@ namespace kerf {
 struct SolverSettings {
   double seconds = 0;  // the length of the tick
   Vec3 gravity{0};     // m/s^2
-  double metre = 1;    // in units of length, see Surroundings
+  double metre = 1;    // in units of length, see Environment
   int iterations = 30;
   double friction = 0.6;        // coefficient
   double edge_friction = 0.05;  // of Contact::on_edge

@@ -108,7 +108,7 @@ void Delta::append(Delta later) {
   append_ids(came, later.came, later);
   append_bodies(bodies, later);
   for (const auto list : kChanged) append_ids(this->*list, later.*list, later);
-  surroundings |= later.surroundings;
+  environment |= later.environment;
   for (const Detached& d : later.detached) {
     const bool back = !detached.empty() && detached.back() == Detached{d.to, d.label, d.from, d.carries_on};
     if (back) {
@@ -132,7 +132,7 @@ Delta bodies_taken_back(const Delta& delta) {
   for (const auto list : kChanged) {
     for (const BodyId id : delta.*list) (back.*list).push_back(id_before(delta, id));
   }
-  back.surroundings = delta.surroundings;
+  back.environment = delta.environment;
   back.anew = delta.anew;
   return back;
 }

@@ -68,7 +68,7 @@ struct Delta {
   std::vector<BodyId> hid_or_showed;  // whose Body::hidden changed
   std::vector<BodyId> renamed;
   std::vector<BodyId> pinned;  // whose Body::pinned changed
-  bool surroundings = false;   // gravity or the ground changed
+  bool environment = false;    // gravity or the ground changed
   size_t removed_faces = 0;
   // Area that the bodies have lost (m^2): that of the removed faces, and what the faces around moved vertices
   // lost (or, negative, gained) by the moves. The removed area and the area that is left sum up to the area
@@ -83,8 +83,7 @@ struct Delta {
   // Whether anything but faces changed.
   bool changes_bodies() const {
     return anew || !came.empty() || !went.empty() || !detached.empty() || !moved.empty() ||
-           !reweighed.empty() || !hid_or_showed.empty() || !renamed.empty() || !pinned.empty() ||
-           surroundings;
+           !reweighed.empty() || !hid_or_showed.empty() || !renamed.empty() || !pinned.empty() || environment;
   }
 
   // Makes this the delta of this step and the next one together: what came and went in between is not listed.

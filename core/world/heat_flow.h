@@ -20,7 +20,7 @@ void cool_for_ticks(World& world, Ticks passed);
 // Lets heat flow in one body, and be lost from it, for a time (s, >= 0).
 void let_heat_flow(World& world, BodyId id, double seconds);
 
-// Whether any face is hotter than the surroundings. O(blocks of faces that were ever hot).
+// Whether any face is hotter than the environment. O(blocks of faces that were ever hot).
 bool is_hot(const World& world);
 
 }  // namespace kerf

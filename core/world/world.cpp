@@ -103,7 +103,6 @@ void Body::count(FaceId f, int faces, double area) {
 size_t Body::bytes() const { return ChangeOfParts<Body>::bytes_of(*this); }
 
 BodyId World::add(Body body, uint32_t generation) {
-  KERF_ASSERT(generation != BodyId::kUnknownGeneration);
   const auto slot = static_cast<uint32_t>(slots_.size());
   body.number = slot;
   if (!body.loaded_as.valid()) body.loaded_as = {slot, generation};

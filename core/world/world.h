@@ -17,6 +17,7 @@
 #include "core/mesh/one_to_four.h"
 #include "core/tree/aabb_tree.h"
 #include "core/world/contact_memory.h"
+#include "core/world/environment.h"
 #include "core/world/joint.h"
 #include "core/world/loaded_components.h"
 #include "core/world/motion.h"
@@ -25,7 +26,6 @@
 #include "core/world/shell_mass.h"
 #include "core/world/solid_mass.h"
 #include "core/world/spring.h"
-#include "core/world/surroundings.h"
 #include "core/world/wall_faces.h"
 
 namespace kerf {
@@ -49,8 +49,8 @@ struct Body {
   Sheet sheet;
   bool pinned = false;  // stays where it is whatever acts on it
   bool solid = false;   // its faces enclose a volume, which strokes with a smooth rim close again by walls
-  // The position of the body in state_hash, and its name in journals that predate generations: the slot to
-  // which it was added. When a piece is detached from a body, the larger of the two sides keeps the number.
+  // The position of the body in state_hash: the slot to which it was added. When a piece is detached from a
+  // body, the larger of the two sides keeps the number.
   uint32_t number = 0;
   Mesh mesh;
   AabbTree tree;
@@ -126,7 +126,7 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
 
 // Where the energy that beams have emitted has gone (J): emitted = absorbed + escaped. What was absorbed or
 // came from burning is stored in faces (FaceHeat::stored), went with faces that were removed (Body::ejected),
-// or was lost to the surroundings.
+// or was lost to the environment.
 struct EnergyLedger {
   double emitted = 0;
   double absorbed = 0;  // by faces
@@ -182,8 +182,8 @@ class World {
   // Advances the clock.
   void pass(Ticks ticks) { situation_.clock += ticks; }
 
-  const Surroundings& surroundings() const { return situation_.around; }
-  void set_surroundings(const Surroundings& around) { situation_.around = around; }
+  const Environment& environment() const { return situation_.around; }
+  void set_environment(const Environment& around) { situation_.around = around; }
 
   // Where the energy of the beams has gone; see EnergyLedger.
   const EnergyLedger& energy() const { return situation_.energy; }
@@ -235,7 +235,7 @@ class World {
   // The state of the world beside its bodies.
   struct Situation {
     Ticks clock = 0;
-    Surroundings around;
+    Environment around;
     EnergyLedger energy;
     std::optional<Spring> spring;
     // Never null; shared with the images of changes.

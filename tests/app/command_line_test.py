@@ -643,7 +643,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertEqual(done.stderr, "kerf: warning: torn.kerf: line 5: the last line is torn and was left out\n")
         lines = journal.splitlines(keepends=True)
-        for damage in ("no JSON\n", '{"do": "explode"}\n', '{"do": "move", "origin": [0, 0, 0]}\n'):
+        for damage in ("no JSON\n", '{"do": "explode"}\n', '{"do": "move-beam", "origin": [0, 0, 0]}\n'):
             self.write("middle.kerf", "".join(lines[:2] + [damage] + lines[2:]))
             done = self.run_here("replay", "middle.kerf")
             self.assertEqual(done.returncode, 1, done.stderr)

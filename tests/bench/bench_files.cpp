@@ -13,12 +13,12 @@
 #include "core/base/random.h"
 #include "core/document/files/extract.h"
 #include "core/mesh/load_mesh.h"
-#include "core/mesh/openmesh/decimate.h"
 #include "core/mesh/remesh/simplify.h"
 #include "core/mesh/write_mesh.h"
 #include "core/world/world.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"
+#include "tests/support/openmesh_simplify.h"
 
 namespace kerf::bench {
 
@@ -171,7 +171,7 @@ void simplify_row(const Subject& s, const Report& report) {
   const double ours = seconds_of([&] { std::ignore = simplify(s.mesh, target, {}, nullptr); });
   if (s.mesh.live_faces() > kMostForPeer)
     return report({"simplify to 7,000 faces / limit", s.name, "s", ours, kMostToSimplify, 1});
-  const double theirs = seconds_of([&] { std::ignore = decimate(s.mesh, target, {}, nullptr); });
+  const double theirs = seconds_of([&] { std::ignore = simplify_by_openmesh(s.mesh, target, {}, nullptr); });
   report({"simplify to 7,000 faces / OpenMesh", s.name, "s", ours, theirs, std::nullopt});
 }
 

@@ -54,7 +54,7 @@ std::shared_ptr<const Rules> strewn(const Rules& rules, uint64_t sheets) {
     Body& sheet = flying.body(ids[i]);
     const double flight = kLongestFlight * static_cast<double>(i + 1) / static_cast<double>(ids.size());
     sheet.placement.position.y = 1;
-    sheet.motion.velocity = -0.5 * flight * flying.surroundings().gravity;
+    sheet.motion.velocity = -0.5 * flight * flying.environment().gravity;
     add_sheet(more->arena, sheet);
   }
   return more;

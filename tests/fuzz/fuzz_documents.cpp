@@ -79,7 +79,9 @@ void check_journal(const fs::path& file) {
   const auto lines = journal_lines(journal->commands, journal->marks, folder());
   require(lines.ok(), "commands that cannot be written");
   const fs::path again = folder() / "again.kerf";
-  std::ofstream(again, std::ios::binary) << R"({"kerf":"journal","version":1,"bodies":[]})" << '\n' << *lines;
+  std::ofstream(again, std::ios::binary)
+      << R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[]})" << '\n'
+      << *lines;
   const auto back = read_journal(again);
   if (!back) return;  // a journal without bodies
   require(back->commands.size() == journal->commands.size() && back->damage.empty(),

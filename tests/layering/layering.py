@@ -84,8 +84,8 @@ TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
 FACE = {'core/kerf.h', 'core/kerf_c.h'}
 FACE_USERS = ('core/face/', 'app/python/', 'app/examples/', 'tests/face/', 'tests/fuzz/library/')
 PRIVATE_TO_MESH = {'core/mesh/half_edges.h', 'core/mesh/kernel.h', 'core/mesh/rings.h'}
-# OpenMesh's headers are slow to compile and their types belong to one folder; the benchmark compares with its kernel.
-OPENMESH_USERS = ('core/mesh/openmesh/', 'tests/bench/')
+# OpenMesh's headers are slow to compile and their types belong to one folder; benchmarks and tests compare with it.
+OPENMESH_USERS = ('core/mesh/openmesh/', 'tests/bench/', 'tests/support/openmesh_')
 PRIVATE_TO_OPENMESH = {'core/mesh/openmesh/sheets.h'}
 GRAPHICS = re.compile(r'imgui|imconfig|imstb_|backends/imgui_|GLFW/|epoxy/|GL/|GLES\d*/|EGL/|KHR/|X11/|vulkan/')
 
@@ -155,7 +155,8 @@ def objection(path, operand):
             return f'{name} is a file of the project: write its plain path from the root, in quotes'
         if name in PRIVATE_TO_MESH and not path.startswith('core/mesh/'):
             return f'{name} outside core/mesh'
-        if name in PRIVATE_TO_OPENMESH and not path.removeprefix('tests/').startswith('core/mesh/openmesh/'):
+        if name in PRIVATE_TO_OPENMESH and not path.removeprefix('tests/').startswith(
+                ('core/mesh/openmesh/', 'support/openmesh_')):
             return f'{name} outside core/mesh/openmesh and its tests'
         return against_the_arrows(path, name)
     if quoted:

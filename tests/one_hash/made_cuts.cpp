@@ -64,13 +64,13 @@ void draw(Document& document, const Kind& kind) {
   const Vec3 above = 0.5 * (bounds.min + bounds.max) + Vec3(0, d, 0);
   const CutSettings settings = settings_of(kind, d);
   document.apply(BeginStroke{settings, {above + Vec3(-0.6, 0, 0.05) * d, {0, -1, 0}}});
-  document.apply(MoveStroke{{above + Vec3(0.6, 0, -0.04) * d, glm::normalize(Vec3(0.1, -1, 0.2))}, 1});
+  document.apply(MoveBeam{{above + Vec3(0.6, 0, -0.04) * d, glm::normalize(Vec3(0.1, -1, 0.2))}, 1});
   document.apply(EndStroke{});
   document.apply(BeginStroke{settings, {above + Vec3(0.07, 0, -0.6) * d, glm::normalize(Vec3(0, -1, 0.3))}});
-  document.apply(MoveStroke{{above + Vec3(-0.02, 0, 0.3) * d, {0, -1, 0}}, 1});
-  document.apply(MoveStroke{{above + Vec3(0.3, 0, 0.3) * d, glm::normalize(Vec3(0.3, -1, 0))}, 1.5});
+  document.apply(MoveBeam{{above + Vec3(-0.02, 0, 0.3) * d, {0, -1, 0}}, 1});
+  document.apply(MoveBeam{{above + Vec3(0.3, 0, 0.3) * d, glm::normalize(Vec3(0.3, -1, 0))}, 1.5});
   document.apply(EndStroke{});
-  if (kind.hot) document.apply(Advance{16, false});
+  if (kind.hot) document.apply(AdvanceTime{16, false});
 }
 
 void print(const char* mesh, const char* kind, const World& world) {
@@ -89,11 +89,11 @@ Status print_preparation(const char* mesh) {
     const size_t faces = document.world().body(first).mesh.live_faces();
     for (const Command& command :
          {Command(SubdividePiece{piece, Subdivision::kLoop}), Command(SmoothPiece{piece, 2}),
-          Command(SimplifyPiece{piece, {.faces = 2 * faces}, SimplifyBy::kKerf}),
-          Command(SimplifyPiece{piece, {.faces = faces}, SimplifyBy::kOpenMesh}),
+          Command(SimplifyPiece{piece, {.faces = 2 * faces}}),
+          Command(SimplifyPiece{piece, {.faces = faces}}),
           Command(SubdividePiece{piece, Subdivision::kSqrt3}),
-          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 1000}, SimplifyBy::kKerf}),
-          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 500}, SimplifyBy::kOpenMesh})}) {
+          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 1000}}),
+          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 500}})}) {
       Command own = command;
       std::visit(
           [&](auto& c) {

@@ -39,9 +39,9 @@ std::shared_ptr<const Rules> flat_rules(size_t waves, size_t enemies) {
 }
 
 LoneVehicle::LoneVehicle() {
-  Surroundings around;
+  Environment around;
   around.ground = 0;
-  world.set_surroundings(around);
+  world.set_environment(around);
   Delta came;
   vehicle = add_vehicle(world, hatchback(), Placement{}, 0, came);
 }

@@ -117,7 +117,7 @@ bool crosses(const Body& edges, const Body& faces) {
 
 World world_with_ground() {
   World world;
-  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  world.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
   return world;
 }
 

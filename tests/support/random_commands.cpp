@@ -28,11 +28,9 @@ double random_positive(Random& random) { return std::abs(random_number(random)) 
 Vec3 random_point(Random& random) {
   return {random_number(random), random_number(random), random_number(random)};
 }
-// Some as journals named them before bodies had generations.
 PieceId random_piece(Random& random) {
   const auto slot = static_cast<uint32_t>(random.below(BodyId::kNone));
-  const auto generation =
-      random.below(4) == 0 ? BodyId::kUnknownGeneration : static_cast<uint32_t>(random.below(BodyId::kNone));
+  const auto generation = static_cast<uint32_t>(random.below(BodyId::kNone));
   return {{slot, generation}, static_cast<uint32_t>(random.below(9))};
 }
 Sheet random_sheet(Random& random) {
@@ -96,16 +94,16 @@ struct Bits {
     put(bits, c.settings);
     put(bits, c.pose);
   }
-  void operator()(const MoveStroke& c) {
+  void operator()(const MoveBeam& c) {
     put(bits, c.pose);
     put(bits, c.time);
   }
-  void operator()(const Advance& c) {
+  void operator()(const AdvanceTime& c) {
     bits.push_back(c.ticks);
     bits.push_back(c.bodies);
     bits.push_back(c.joins);
   }
-  void operator()(const Pull& c) {
+  void operator()(const DragBody& c) {
     put(bits, c.piece);
     put(bits, c.at);
     put(bits, c.to);
@@ -114,7 +112,7 @@ struct Bits {
     put(bits, c.piece);
     bits.push_back(c.pinned);
   }
-  void operator()(const SetSheet& c) {
+  void operator()(const SetSheetProperties& c) {
     put(bits, c.piece);
     const Substance& s = c.sheet.substance;
     for (const double x : {c.sheet.thickness, c.sheet.density, s.density, s.heat_solid, s.heat_liquid,
@@ -130,7 +128,6 @@ struct Bits {
     put(bits, c.piece);
     bits.push_back(c.target.faces);
     put(bits, c.target.error);
-    bits.push_back(static_cast<uint64_t>(c.by));
   }
   void operator()(const SubdividePiece& c) {
     put(bits, c.piece);
@@ -141,7 +138,7 @@ struct Bits {
     bits.push_back(c.times);
   }
   void operator()(const TurnShells& c) { put(bits, c.piece); }
-  void operator()(const SetSurroundings& c) {
+  void operator()(const SetEnvironment& c) {
     put(bits, c.around.gravity);
     bits.push_back(c.around.ground.has_value());
     put(bits, c.around.ground.value_or(0));
@@ -150,7 +147,7 @@ struct Bits {
     put(bits, c.moves);
     bits.push_back(c.ticks);
   }
-  void operator()(const LetGo&) {}
+  void operator()(const ReleaseBody&) {}
   void operator()(const Play&) {}
   void operator()(const Recut& c) { put(bits, c.settings); }
   void operator()(const AddMesh& c) {
@@ -235,29 +232,29 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 9:
       return Redo{};
     case 10:
-      return Advance{1 + random.below(Advance::kMostInALine), random.below(2) > 0, random.below(2) > 0};
+      return AdvanceTime{1 + random.below(AdvanceTime::kMostInALine), random.below(2) > 0,
+                         random.below(2) > 0};
     case 11:
       return DuplicatePiece{random_piece(random), random_placement(random)};
     case 12:
-      return Pull{random_piece(random), random_point(random), random_point(random)};
+      return DragBody{random_piece(random), random_point(random), random_point(random)};
     case 13:
-      return LetGo{};
+      return ReleaseBody{};
     case 14:
       return Play{};
     case 15:
       return PinPiece{random_piece(random), random.below(2) > 0};
     case 16: {
-      SetSurroundings set{{random_point(random), std::nullopt}};
+      SetEnvironment set{{random_point(random), std::nullopt}};
       if (random.below(2) > 0) set.around.ground = random_number(random);
       return set;
     }
     case 17:
-      return SetSheet{random_piece(random), random_sheet(random)};
+      return SetSheetProperties{random_piece(random), random_sheet(random)};
     case 18:
-      return SimplifyPiece{random_piece(random),
-                           random.below(2) > 0 ? SimplifyTarget{.faces = 1 + random.below(1u << 30)}
-                                               : SimplifyTarget{.error = random_positive(random)},
-                           static_cast<SimplifyBy>(random.below(2))};
+      return SimplifyPiece{random_piece(random), random.below(2) > 0
+                                                     ? SimplifyTarget{.faces = 1 + random.below(1u << 30)}
+                                                     : SimplifyTarget{.error = random_positive(random)}};
     case 19:
       return SubdividePiece{random_piece(random), static_cast<Subdivision>(random.below(3))};
     case 20:
@@ -269,7 +266,7 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 23:
       return TurnShells{random_piece(random)};
     default:
-      return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
+      return MoveBeam{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }
 }
 
@@ -279,7 +276,7 @@ std::vector<Command> random_commands(Random& random, size_t count) {
   while (commands.size() < count) {
     commands.push_back(random_command(random, beam));
     if (const auto* begin = std::get_if<BeginStroke>(&commands.back())) beam = {begin->pose, 0};
-    if (const auto* move = std::get_if<MoveStroke>(&commands.back())) beam = {move->pose, move->time};
+    if (const auto* move = std::get_if<MoveBeam>(&commands.back())) beam = {move->pose, move->time};
   }
   return commands;
 }

@@ -20,7 +20,7 @@ std::vector<Command> stroke_across(Random& random) {
   CutSettings settings;
   settings.laser.radius = 0.03;
   settings.resolution.target_edge = 0.1;
-  return {BeginStroke{settings, {{x, 3, -0.7}, {0, -1, 0}}}, MoveStroke{{{x, 3, 0.7}, {0, -1, 0}}},
+  return {BeginStroke{settings, {{x, 3, -0.7}, {0, -1, 0}}}, MoveBeam{{{x, 3, 0.7}, {0, -1, 0}}},
           EndStroke{}};
 }
 

@@ -13,7 +13,7 @@ World ring_and_book(bool solid) {
   const BodyId ring = world.add(make_body("torus", build(torus(16, 10, 0.5, 0.2))));
   if (solid) make_solid(world.body(ring), true);
   world.add(make_body("book", build(moved(book(5), {0.3, 0.1, 0}, 0.6))));
-  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = -0.5});
+  world.set_environment({.gravity = {0, -9.81, 0}, .ground = -0.5});
   return world;
 }
 
@@ -35,7 +35,7 @@ std::vector<Command> random_stroke_commands(Random& random, Beam beam) {
     return Pose{Vec3(random.uniform(-0.9, 0.9), 0, random.uniform(-0.9, 0.9)) - 2.0 * d, d};
   };
   std::vector<Command> commands{BeginStroke{s, pose()}};
-  for (size_t n = random.below(3) + 1; n > 0; --n) commands.emplace_back(MoveStroke{pose()});
+  for (size_t n = random.below(3) + 1; n > 0; --n) commands.emplace_back(MoveBeam{pose()});
   commands.emplace_back(EndStroke{});
   return commands;
 }

@@ -214,7 +214,7 @@ SolidCut::SolidCut(World world)
 
 bool SolidCut::draw(const SolidStroke& stroke, Random& random) {
   document_.apply(BeginStroke{stroke.settings, stroke.poses[0]});
-  for (size_t i = 1; i < stroke.poses.size(); ++i) document_.apply(MoveStroke{stroke.poses[i]});
+  for (size_t i = 1; i < stroke.poses.size(); ++i) document_.apply(MoveBeam{stroke.poses[i]});
   document_.apply(EndStroke{});
   const Result<StepResult> cut = run_all(document_);
   EXPECT_TRUE(cut.ok());

@@ -24,7 +24,7 @@ class LitScene {
 
   // What shines in a picture by itself.
   struct Shining {
-    bool spot = false;  // the spot of the beam, which lights its surroundings
+    bool spot = false;  // the spot of the beam, which lights its environment
     bool rims = false;  // the rims of cuts, and what is or was hot
   };
 

@@ -85,7 +85,7 @@ void Renderer::follow(const World& world, const Delta& delta, PreparedBodies pre
     passes_.lines.forget(d.body);
   }
   passes_.scene.shadows().follow(delta);
-  if (delta.surroundings) place_ground(world);
+  if (delta.environment) place_ground(world);
   contact_old_ = true;
 }
 

@@ -34,10 +34,10 @@ struct Redo {
 //   weight()   the memory that it owns besides its own size, in bytes; only where it owns some
 // and, where it has data, describe() beside it, the table of its keys in a journal (see Fields). Kinds are
 // always distinguished by std::visit, so that a case that is missing anywhere does not compile.
-using Command =
-    std::variant<BeginStroke, MoveStroke, EndStroke, StopStroke, Recut, Advance, Pull, LetGo, Play, AddMesh,
-                 MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet, SetSolid,
-                 SimplifyPiece, SubdividePiece, SmoothPiece, TurnShells, SetSurroundings, Undo, Redo>;
+using Command = std::variant<BeginStroke, MoveBeam, EndStroke, StopStroke, Recut, AdvanceTime, DragBody,
+                             ReleaseBody, Play, AddMesh, MovePiece, DuplicatePiece, HidePiece, DeletePiece,
+                             RenamePiece, PinPiece, SetSheetProperties, SetSolid, SimplifyPiece,
+                             SubdividePiece, SmoothPiece, TurnShells, SetEnvironment, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).
@@ -49,7 +49,8 @@ concept HappensAtOnce = requires(const C& command, World& world) {
 
 // A command that lets time pass or acts while it passes. It is queued behind the moves before it.
 template <typename C>
-concept HappensInTime = std::same_as<C, Advance> || std::same_as<C, Pull> || std::same_as<C, LetGo>;
+concept HappensInTime =
+    std::same_as<C, AdvanceTime> || std::same_as<C, DragBody> || std::same_as<C, ReleaseBody>;
 
 // Function objects for std::visit, one for each kind of command or for some of them.
 template <typename... Cases>

@@ -10,7 +10,7 @@ namespace kerf {
 namespace {
 
 // A move goes on from where the beam is, if it is anywhere.
-void check_follows(Fields& f, const MoveStroke& move, const std::optional<BeamAt>& beam) {
+void check_follows(Fields& f, const MoveBeam& move, const std::optional<BeamAt>& beam) {
   const BeamAt before = beam.value_or(BeamAt{move.pose, 0});
   f.check(!are_opposite(before.pose.direction, move.pose.direction), "direction",
           "is opposite to the one before");
@@ -23,7 +23,7 @@ void fields_of(Fields& f, C& command, const std::optional<BeamAt>& beam) {
   std::string name = C::kName;
   f.text("do", name);
   if constexpr (!std::is_empty_v<C>) describe(f, command);
-  if constexpr (std::is_same_v<C, MoveStroke>) check_follows(f, command, beam);
+  if constexpr (std::is_same_v<C, MoveBeam>) check_follows(f, command, beam);
   f.end();
 }
 

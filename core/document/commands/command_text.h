@@ -9,7 +9,8 @@
 
 namespace kerf {
 
-// A command as one line of a journal, without the line's end: {"do": "move", "origin": [..], "direction":
+// A command as one line of a journal, without the line's end: {"do": "move-beam", "origin": [..],
+// "direction":
 // [..]}. Numbers are exact. `folder` is the folder of the journal; mesh files are named as path_text does.
 // Bad input where a name or a path is not UTF-8.
 Result<std::string> command_text(const Command& command, const std::filesystem::path& folder);

@@ -20,14 +20,6 @@ Error no_such_piece(const PieceId& piece) {
                    std::to_string(piece.body.slot));
 }
 
-PieceId whole_id(const World& world, const PieceId& piece) {
-  if (piece.body.generation != BodyId::kUnknownGeneration) return piece;
-  for (const BodyId id : world.ids()) {
-    if (world.body(id).number == piece.body.slot) return {id, piece.label};
-  }
-  return piece;
-}
-
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
                          std::vector<BodyId> Delta::*told, const std::function<bool(const Body&)>& differs,
                          const std::function<void(Body&)>& edit) {

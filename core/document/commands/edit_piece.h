@@ -18,11 +18,6 @@ bool has_faces(const World& world, const PieceId& piece);
 // Bad input: it has not.
 Error no_such_piece(const PieceId& piece);
 
-// The id of a piece, made whole where a journal gave its body by the number alone (see
-// BodyId::kUnknownGeneration): the body that has this number in `world`. Others, and pieces of a body that is
-// not there, come back as they are.
-PieceId whole_id(const World& world, const PieceId& piece);
-
 // Makes the piece a body of its own of this generation, where it is not one already (see detach), and lets
 // `edit` change it, which the list `told` of the delta tells. The delta is empty where `differs`, asked about
 // the body that the piece is in, says that there is nothing to change. Bad input where there is no such

@@ -104,14 +104,16 @@ Result<Delta> PinPiece::run(World& world, uint32_t generation, const Progress*) 
       });
 }
 
-std::string SetSheet::words(const std::string& piece_name) const { return "Material of " + piece_name; }
+std::string SetSheetProperties::words(const std::string& piece_name) const {
+  return "Material of " + piece_name;
+}
 
-void describe(Fields& f, SetSheet& c) {
+void describe(Fields& f, SetSheetProperties& c) {
   piece_field(f, c.piece);
   describe(f, c.sheet);
 }
 
-Result<Delta> SetSheet::run(World& world, uint32_t generation, const Progress*) const {
+Result<Delta> SetSheetProperties::run(World& world, uint32_t generation, const Progress*) const {
   return edit_piece(
       world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.sheet != sheet; },
       [&](Body& own) { own.sheet = sheet; });

@@ -81,15 +81,15 @@ void describe(Fields& f, PinPiece& c);
 
 // Says what the sheet of a piece is: its thickness, its density and the constants of its material. Its faces
 // keep their energy.
-struct SetSheet {
+struct SetSheetProperties {
   PieceId piece;
   Sheet sheet;
 
-  static constexpr const char* kName = "set-sheet";
+  static constexpr const char* kName = "set-sheet-properties";
   std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
-void describe(Fields& f, SetSheet& c);
+void describe(Fields& f, SetSheetProperties& c);
 
 // Says whether the faces of a piece enclose a volume, which strokes with a smooth rim close again by walls
 // and which then has the mass of a solid, or are a sheet.

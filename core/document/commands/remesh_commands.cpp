@@ -6,7 +6,6 @@
 #include "core/document/commands/remake_piece.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/world_fields.h"
-#include "core/mesh/openmesh/decimate.h"
 #include "core/mesh/remesh/simplify.h"
 #include "core/mesh/remesh/turn_shells.h"
 
@@ -16,11 +15,6 @@ std::string SimplifyPiece::words(const std::string& piece_name) const { return "
 
 void describe(Fields& f, SimplifyPiece& c) {
   piece_field(f, c.piece);
-  if (f.present("by", c.by != SimplifyBy::kOpenMesh)) {
-    f.choice("by", c.by, kSimplifyByNames);
-  } else {
-    c.by = SimplifyBy::kOpenMesh;
-  }
   if (f.present("error", std::isfinite(c.target.error))) {
     f.number("error", c.target.error, kPositive);
     f.present("faces", false);
@@ -33,8 +27,7 @@ Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progre
   return remake_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
-        const auto method = by == SimplifyBy::kKerf ? simplify : decimate;
-        return method(mesh, target, heeded.kept, working, heeded.warm);
+        return simplify(mesh, target, heeded.kept, working, heeded.warm);
       },
       progress);
 }

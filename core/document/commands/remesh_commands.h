@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
 
 #include "core/base/progress.h"
@@ -18,17 +16,12 @@ class Fields;
 // Commands that give a piece another mesh. It becomes a body of its own (see remake_piece). run() does the
 // command (see HappensAtOnce).
 
-// The method of simplify() or that of decimate(). Journals that name none mean the latter.
-enum class SimplifyBy : uint8_t { kOpenMesh, kKerf };
-inline constexpr std::array<const char*, 2> kSimplifyByNames = {"openmesh", "kerf"};
-
 // Simplifies a piece to a number of faces or to an error in metres (see simplify).
 struct SimplifyPiece {
   PieceId piece;
   SimplifyTarget target;
-  SimplifyBy by = SimplifyBy::kKerf;
 
-  static constexpr const char* kName = "simplify";
+  static constexpr const char* kName = "simplify-piece";
   std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
@@ -39,7 +32,7 @@ struct SubdividePiece {
   PieceId piece;
   Subdivision scheme = Subdivision::kLoop;
 
-  static constexpr const char* kName = "subdivide";
+  static constexpr const char* kName = "subdivide-piece";
   std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
@@ -50,7 +43,7 @@ struct SmoothPiece {
   PieceId piece;
   size_t times = 1;
 
-  static constexpr const char* kName = "smooth";
+  static constexpr const char* kName = "smooth-piece";
   std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };

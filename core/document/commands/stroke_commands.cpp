@@ -34,8 +34,7 @@ std::string fineness(const Resolution& r, FileUnit unit) {
 
 }  // namespace
 
-// The settings of a stroke with everything that the result of its cut depends on. Keys that did not exist
-// from the beginning are written where their value differs from what Kerf did before.
+// The settings of a stroke with everything that the result of its cut depends on.
 static void describe(Fields& f, CutSettings& s) {
   f.number("radius", s.laser.radius, kPositive);
   f.interval("range", s.laser.range);
@@ -67,7 +66,7 @@ void describe(Fields& f, BeginStroke& c) {
   describe(f, c.pose);
 }
 
-void describe(Fields& f, MoveStroke& c) {
+void describe(Fields& f, MoveBeam& c) {
   describe(f, c.pose);
   f.number("t", c.time, kFinite, 0);
 }

@@ -21,24 +21,24 @@ struct BeginStroke {
   CutSettings settings;
   Pose pose;
 
-  static constexpr const char* kName = "begin";
+  static constexpr const char* kName = "begin-stroke";
   std::string words(FileUnit unit) const;
 };
 void describe(Fields& f, BeginStroke& c);
 
 // Moves the beam of the running stroke on, with the beam on all the way.
-struct MoveStroke {
+struct MoveBeam {
   Pose pose;        // world coordinates; the direction is not opposite to the one before
   double time = 0;  // s since the stroke began, not before the pose before; all 0 where times are not known
 
-  static constexpr const char* kName = "move";
+  static constexpr const char* kName = "move-beam";
   std::string words() const { return "Move the beam"; }
 };
-void describe(Fields& f, MoveStroke& c);
+void describe(Fields& f, MoveBeam& c);
 
 // Ends the running stroke: the beam is off. A stroke with a smooth rim is smoothed here.
 struct EndStroke {
-  static constexpr const char* kName = "end";
+  static constexpr const char* kName = "end-stroke";
   std::string words() const { return "End the stroke"; }
 };
 
@@ -50,7 +50,7 @@ struct StopStroke {
   double moves = 0;
   Ticks ticks = 0;  // after those, for which the beam stays on while bodies move
 
-  static constexpr const char* kName = "stop";
+  static constexpr const char* kName = "stop-stroke";
   std::string words() const { return "Stop the stroke"; }
 };
 void describe(Fields& f, StopStroke& c);

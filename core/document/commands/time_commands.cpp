@@ -6,15 +6,15 @@
 
 namespace kerf {
 
-void describe(Fields& f, Advance& c) {
-  f.whole("ticks", c.ticks, 1, Advance::kMostInALine);
+void describe(Fields& f, AdvanceTime& c) {
+  f.whole("ticks", c.ticks, 1, AdvanceTime::kMostInALine);
   f.flag("bodies", c.bodies, false);
   f.flag("joins", c.joins, false);
 }
 
-std::string Pull::words(const std::string& piece_name) const { return "Pull " + piece_name; }
+std::string DragBody::words(const std::string& piece_name) const { return "Pull " + piece_name; }
 
-void describe(Fields& f, Pull& c) {
+void describe(Fields& f, DragBody& c) {
   piece_field(f, c.piece);
   f.vector("at", c.at);
   f.vector("to", c.to);

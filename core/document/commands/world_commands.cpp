@@ -18,17 +18,17 @@ Result<Delta> AddMesh::run(World& world, uint32_t generation, const Progress* pr
   return delta;
 }
 
-void describe(Fields& f, SetSurroundings& c) {
+void describe(Fields& f, SetEnvironment& c) {
   f.vector("gravity", c.around.gravity);
   f.number("ground", c.around.ground, kFinite);
   f.number("metre", c.around.metre, kPositive, 1);
 }
 
-Result<Delta> SetSurroundings::run(World& world, uint32_t, const Progress*) const {
+Result<Delta> SetEnvironment::run(World& world, uint32_t, const Progress*) const {
   Delta delta;
-  if (world.surroundings() == around) return delta;
-  world.set_surroundings(around);
-  delta.surroundings = true;
+  if (world.environment() == around) return delta;
+  world.set_environment(around);
+  delta.environment = true;
   return delta;
 }
 

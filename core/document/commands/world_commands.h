@@ -25,14 +25,14 @@ struct AddMesh {
 void describe(Fields& f, AddMesh& c);
 
 // Sets gravity and the ground.
-struct SetSurroundings {
-  Surroundings around;
+struct SetEnvironment {
+  Environment around;
 
-  static constexpr const char* kName = "surroundings";
+  static constexpr const char* kName = "set-environment";
   std::string words() const { return "Gravity and ground"; }
   // Does it (see HappensAtOnce).
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
-void describe(Fields& f, SetSurroundings& c);
+void describe(Fields& f, SetEnvironment& c);
 
 }  // namespace kerf

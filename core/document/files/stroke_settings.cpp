@@ -33,7 +33,7 @@ std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings
   KERF_ASSERT(!stroke.keys.empty() && stroke.keys.size() == stroke.times.size());
   std::vector<Command> commands{BeginStroke{settings, stroke.keys.front()}};
   for (size_t k = 1; k < stroke.keys.size(); ++k)
-    commands.emplace_back(MoveStroke{stroke.keys[k], stroke.times[k] - stroke.times.front()});
+    commands.emplace_back(MoveBeam{stroke.keys[k], stroke.times[k] - stroke.times.front()});
   commands.emplace_back(EndStroke{});
   return commands;
 }

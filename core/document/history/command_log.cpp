@@ -6,22 +6,23 @@
 
 namespace kerf {
 
-void append_ticks(std::vector<Command>& commands, const Advance& advance, size_t first) {
+void append_ticks(std::vector<Command>& commands, const AdvanceTime& advance, size_t first) {
   Ticks left = advance.ticks;
   if (commands.size() > first) {
-    auto* last = std::get_if<Advance>(&commands.back());
+    auto* last = std::get_if<AdvanceTime>(&commands.back());
     if (last && last->bodies == advance.bodies && last->joins == advance.joins) {
-      const Ticks taken = std::min(left, Advance::kMostInALine - last->ticks);
+      const Ticks taken = std::min(left, AdvanceTime::kMostInALine - last->ticks);
       last->ticks += taken;
       left -= taken;
     }
   }
-  for (; left > 0; left -= std::min(left, Advance::kMostInALine))
-    commands.emplace_back(Advance{std::min(left, Advance::kMostInALine), advance.bodies, advance.joins});
+  for (; left > 0; left -= std::min(left, AdvanceTime::kMostInALine))
+    commands.emplace_back(
+        AdvanceTime{std::min(left, AdvanceTime::kMostInALine), advance.bodies, advance.joins});
 }
 
 void CommandLog::append(const Command& command) {
-  if (const auto* advance = std::get_if<Advance>(&command)) {
+  if (const auto* advance = std::get_if<AdvanceTime>(&command)) {
     append_ticks(commands_, *advance, sealed_);
   } else {
     commands_.push_back(command);
@@ -36,8 +37,8 @@ void CommandLog::shrink(size_t size) {
 
 size_t CommandLog::final_size() const {
   if (commands_.size() <= sealed_) return commands_.size();
-  const auto* last = std::get_if<Advance>(&commands_.back());
-  return commands_.size() - (last && last->ticks < Advance::kMostInALine ? 1 : 0);
+  const auto* last = std::get_if<AdvanceTime>(&commands_.back());
+  return commands_.size() - (last && last->ticks < AdvanceTime::kMostInALine ? 1 : 0);
 }
 
 }  // namespace kerf

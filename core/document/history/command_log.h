@@ -6,10 +6,10 @@
 
 namespace kerf {
 
-// Appends an Advance to commands of one step of the history. It is merged with the Advance commands at the
-// end of the list, from number `first` on, so that each but the last of them is a whole line of a journal
-// (Advance::kMostInALine).
-void append_ticks(std::vector<Command>& commands, const Advance& advance, size_t first = 0);
+// Appends an AdvanceTime to commands of one step of the history. It is merged with the AdvanceTime commands
+// at the end of the list, from number `first` on, so that each but the last of them is a whole line of a
+// journal (AdvanceTime::kMostInALine).
+void append_ticks(std::vector<Command>& commands, const AdvanceTime& advance, size_t first = 0);
 
 // The commands that were applied to a document, in their order, as its journal holds them. Consecutive
 // Advance commands of one kind belong to one step of the history and are merged, a second at most to each, so

@@ -26,7 +26,7 @@ Outcome Document::apply(const Command& command, const Progress* progress) {
   Outcome outcome;
   std::visit(Overloaded{
                  [&](const BeginStroke& c) { begin_stroke(c); },
-                 [&](const MoveStroke& c) { move_stroke(c); },
+                 [&](const MoveBeam& c) { move_stroke(c); },
                  [&](const EndStroke&) { end_stroke(); },
                  [&](const StopStroke& c) { outcome = stop(c, progress); },
                  [&](const HappensInTime auto& c) { add_in_time(c); },
@@ -52,7 +52,7 @@ void Document::begin_stroke(const BeginStroke& command) {
   journal_.append(command);
 }
 
-void Document::move_stroke(const MoveStroke& command) {
+void Document::move_stroke(const MoveBeam& command) {
   if (!execution_.in_stroke()) return;
   last().add(command);
   execution_.enqueue(history().position() - 1, command);
@@ -73,7 +73,7 @@ void Document::begin_step(const Command& first) {
 }
 
 void Document::add_in_time(const Command& command) {
-  const auto* time = std::get_if<Advance>(&command);
+  const auto* time = std::get_if<AdvanceTime>(&command);
   if (time && time->ticks == 0) return;
   execution_.history().drop_undone();
   const bool first = history().position() == 0;

@@ -47,14 +47,14 @@ class Outcome {
 
 // A world and the commands that led to it.
 //
-// The commands of a stroke, and Advance, only append moves of the beam and ticks of time to a queue, of which
-// step() executes a bounded part (see Execution). All other commands are executed at once, after everything
-// in the queue.
+// The commands of a stroke, and AdvanceTime, only append moves of the beam and ticks of time to a queue, of
+// which step() executes a bounded part (see Execution). All other commands are executed at once, after
+// everything in the queue.
 //
-// Time passes only by Advance commands. In the history, time belongs to the stroke before it: it is undone
-// with the stroke, and passes again when the stroke is cut again. After an edit it is a step of its own
-// unless it says that it joins the edit (see Advance), and so are time with nothing before it and what Play
-// begins.
+// Time passes only by AdvanceTime commands. In the history, time belongs to the stroke before it: it is
+// undone with the stroke, and passes again when the stroke is cut again. After an edit it is a step of its
+// own unless it says that it joins the edit (see AdvanceTime), and so are time with nothing before it and
+// what Play begins.
 //
 // Undo and redo exchange before-images of what each step of the history changed. They are exact to the bit,
 // and their cost is proportional to the change. If the before-images of a step were discarded to save memory,
@@ -82,15 +82,15 @@ class Document {
   // replay leads to.
   void set_face_budget(size_t slots) { execution_.set_face_budget(slots); }
 
-  // Applies the command and appends it to the journal. Every command except those of a stroke, Advance,
-  // Pull and LetGo ends a running stroke. A move without a running stroke, and a command that has no effect,
-  // are ignored and not written to the journal.
+  // Applies the command and appends it to the journal. Every command except those of a stroke, AdvanceTime,
+  // DragBody and ReleaseBody ends a running stroke. A move without a running stroke, and a command that has
+  // no effect, are ignored and not written to the journal.
   //
   // A command that is executed at once first executes the whole queue. The outcome lists all changes of both.
   // If the command fails, it has changed nothing itself, but the queue has been executed, and the outcome
   // lists these changes.
   Outcome apply(const Command& command, const Progress* progress = nullptr);
-  // Applies the commands of strokes and Advance commands and executes them to the end, all or nothing. On
+  // Applies the commands of strokes and AdvanceTime commands and executes them to the end, all or nothing. On
   // failure, also if `progress` stopped it, the world, the journal and the history with its undone steps are
   // as before. The queue is executed first, which `progress` does not stop. The outcome lists all changes.
   Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);
@@ -172,15 +172,15 @@ class Document {
 
   // All commands that were applied, including Undo and Redo.
   const std::vector<Command>& journal() const { return journal_.commands(); }
-  // The number of commands that do not change any more. The last one may be an Advance of less than a second,
-  // to which further time is added.
+  // The number of commands that do not change any more. The last one may be an AdvanceTime of less than a
+  // second, to which further time is added.
   size_t final_commands() const { return journal_.final_size(); }
   // Makes all of them final, so that they can be written to a file.
   void seal_journal() { journal_.seal(); }
 
  private:
   void begin_stroke(const BeginStroke& command);
-  void move_stroke(const MoveStroke& command);
+  void move_stroke(const MoveBeam& command);
   void end_stroke();
   void begin_step(const Command& first);
   void add_in_time(const Command& command);

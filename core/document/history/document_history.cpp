@@ -16,7 +16,7 @@ namespace {
 // Slots are not used again, and ids name them: they must not depend on how far a step was executed.
 bool bodies_move_in(const std::vector<Command>& commands) {
   return std::any_of(commands.begin(), commands.end(), [](const Command& command) {
-    const auto* advance = std::get_if<Advance>(&command);
+    const auto* advance = std::get_if<AdvanceTime>(&command);
     return advance != nullptr && advance->bodies;
   });
 }

@@ -26,7 +26,7 @@ void Execution::enqueue(size_t step, const Command& command) {
                    drawn_->beam = {c.pose, 0};
                    move_to({c.pose, 0});
                  },
-                 [&](const MoveStroke& c) {
+                 [&](const MoveBeam& c) {
                    move_to({c.pose, c.time});
                  },
                  [&](const EndStroke&) {
@@ -34,14 +34,14 @@ void Execution::enqueue(size_t step, const Command& command) {
                    if (drawn_->settings.smooth() && !drawn_->given_up) queue_.push_rim(step, drawn_);
                  },
                  [&](const StopStroke& c) { queue_.stop(step, c, world_); },
-                 [&](const Advance& c) {
+                 [&](const AdvanceTime& c) {
                    const bool beam = c.bodies && drawn_ && !drawn_->ended && !drawn_->given_up;
                    queue_.push_ticks(step, c.ticks, c.bodies, beam ? drawn_ : nullptr);
                  },
-                 [&](const Pull& c) {
+                 [&](const DragBody& c) {
                    queue_.push_spring(step, Spring{c.piece, c.at, c.to});
                  },
-                 [&](const LetGo&) { queue_.push_spring(step, std::nullopt); },
+                 [&](const ReleaseBody&) { queue_.push_spring(step, std::nullopt); },
                  [&](const Play&) {},
                  [&](const Recut&) { KERF_ASSERT(!"queued by the commands of its stroke"); },
                  [&](const Undo&) { KERF_ASSERT(!"never part of a step"); },
@@ -85,18 +85,15 @@ Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progr
   close_and_trim();
   step.begin(history_.window() > 0);
   recorder_.open(world_, at, history_.window() > 0);
-  Result<Delta> delta = std::visit(Overloaded{
-                                       [&](HappensAtOnce auto& c) {
-                                         if constexpr (requires { c.piece; })
-                                           c.piece = whole_id(world_, c.piece);
-                                         return c.run(world_, step.generation, progress);
-                                       },
-                                       [&](const auto&) -> Result<Delta> {
-                                         KERF_ASSERT(!"this command does not happen at once");
-                                         return Delta{};
-                                       },
-                                   },
-                                   step.first());
+  Result<Delta> delta =
+      std::visit(Overloaded{
+                     [&](HappensAtOnce auto& c) { return c.run(world_, step.generation, progress); },
+                     [&](const auto&) -> Result<Delta> {
+                       KERF_ASSERT(!"this command does not happen at once");
+                       return Delta{};
+                     },
+                 },
+                 step.first());
   if (delta) forget_contacts(world_, *delta);
   std::optional<World::Change> change = recorder_.close(world_);
   if (!delta) {

@@ -49,7 +49,7 @@ class Recorder {
 //
 // The result depends neither on the division into parts nor on when the queue runs empty: the same faces are
 // removed, and the same pieces are separated, with the same labels. A tick starts when the moves before it
-// have been executed and the search for separated pieces is finished. Bodies move in the ticks of Advance
+// have been executed and the search for separated pieces is finished. Bodies move in the ticks of AdvanceTime
 // commands that say so: pieces that came off become bodies first (see release_pieces), and what touched a
 // body that was changed wakes (see forget_contacts).
 class Execution {

@@ -23,13 +23,6 @@ void follow_with_spring(World& world, const Delta& delta) {
   if (spring != *world.spring()) world.set_spring(spring);
 }
 
-// Journals may name a body by its number alone.
-void hold_by_whole_id(World& world) {
-  Spring spring = *world.spring();
-  spring.piece = whole_id(world, spring.piece);
-  world.set_spring(spring);
-}
-
 }  // namespace
 
 size_t Execution::waiting() const { return queue_.empty() && must_separate() ? 1 : queue_.size(); }
@@ -183,7 +176,6 @@ StepResult Execution::change_spring() {
   const size_t step = queue_.front_step();
   begin(step);
   world_.set_spring(queue_.front_in_time().spring);
-  if (world_.spring()) hold_by_whole_id(world_);
   queue_.pop();
   keep_open(step);
   return {};
@@ -247,11 +239,11 @@ Result<StepResult> Execution::noted(size_t step, Result<StepResult> some) {
 // Queues what a command does in time before everything else.
 void Execution::enqueue_in_front(size_t step, const Command& command) {
   std::visit(Overloaded{
-                 [&](const Advance& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
-                 [&](const Pull& c) {
+                 [&](const AdvanceTime& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
+                 [&](const DragBody& c) {
                    queue_.push_spring_in_front(step, Spring{c.piece, c.at, c.to});
                  },
-                 [&](const LetGo&) { queue_.push_spring_in_front(step, std::nullopt); },
+                 [&](const ReleaseBody&) { queue_.push_spring_in_front(step, std::nullopt); },
                  [](const auto&) {},
              },
              command);

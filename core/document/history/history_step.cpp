@@ -24,9 +24,9 @@ struct BegunStep {
   std::optional<Kind> operator()(const Play&) const { return Kind::kTime; }
   std::optional<Kind> operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
   // Bodies move in steps that are begun for it, or in those of strokes (see Document).
-  std::optional<Kind> operator()(const Advance& c) const { return time(c.joins && !c.bodies); }
+  std::optional<Kind> operator()(const AdvanceTime& c) const { return time(c.joins && !c.bodies); }
   std::optional<Kind> operator()(const HappensInTime auto&) const { return time(false); }
-  std::optional<Kind> operator()(const MoveStroke&) const { return std::nullopt; }
+  std::optional<Kind> operator()(const MoveBeam&) const { return std::nullopt; }
   std::optional<Kind> operator()(const EndStroke&) const { return std::nullopt; }
   std::optional<Kind> operator()(const StopStroke&) const { return std::nullopt; }
   std::optional<Kind> operator()(const Undo&) const { return std::nullopt; }
@@ -55,7 +55,7 @@ PieceId piece_after(const Delta& delta, PieceId before) {
 }
 
 Ticks ticks_of_last(const std::vector<Command>& commands) {
-  const auto* advance = std::get_if<Advance>(&commands.back());
+  const auto* advance = std::get_if<AdvanceTime>(&commands.back());
   return advance ? advance->ticks : 0;
 }
 
@@ -82,7 +82,7 @@ HistoryStep::HistoryStep(const Command& first) {
 }
 
 void HistoryStep::add(const Command& command) {
-  if (const auto* advance = std::get_if<Advance>(&command)) {
+  if (const auto* advance = std::get_if<AdvanceTime>(&command)) {
     append_ticks(commands_, *advance);
   } else {
     commands_.push_back(command);

@@ -5,6 +5,7 @@
 #include "core/document/history/document.h"
 #include "core/document/journal/mark_fields.h"
 #include "core/document/text/fields.h"
+#include "core/document/text/file_format.h"
 #include "core/document/text/json_text.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
@@ -22,7 +23,7 @@ std::optional<BeamAt> beam_after(const Command& command) {
                         [](const BeginStroke& c) -> At {
                           return BeamAt{c.pose, 0};
                         },
-                        [](const MoveStroke& c) -> At {
+                        [](const MoveBeam& c) -> At {
                           return BeamAt{c.pose, c.time};
                         },
                         [](const auto&) -> At { return std::nullopt; },
@@ -65,7 +66,8 @@ class JournalReader {
     nlohmann::json json = nlohmann::json::parse(next_line(), nullptr, false);
     if (!json.is_object() || json.value("kerf", nlohmann::json()) != kKind)
       return bad_input(where() + ": this is not how a journal begins");
-    json.erase("kerf");
+    if (const Status format = check_format(json); !format) return format;
+    for (const char* const key : {"kerf", "format", "program"}) json.erase(key);
     if (json.contains("work_of") && json["work_of"].is_string()) {
       journal_.work_of = json["work_of"].get<std::string>();
       json.erase("work_of");
@@ -76,11 +78,18 @@ class JournalReader {
       }
       json.erase("opened");
     }
-    if (!json.contains("version")) return bad_input(where() + ": needs \"version\"");
     auto scene = parse_scene(JsonValue(json, where()), folder_);
     if (!scene) return scene.error();
     journal_.scene = std::move(*scene);
     return Done{};
+  }
+
+  Status check_format(const nlohmann::json& json) {
+    const JsonValue head(json, where());
+    Fields::Pass pass{folder_};
+    Fields fields(head, pass);
+    format_fields(fields, kJournalFormat);
+    return pass.status;
   }
 
   Status take_line(std::string_view line) {
@@ -125,10 +134,13 @@ Result<Journal> read_journal(const std::filesystem::path& file) {
 Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
                                  const std::filesystem::path& folder,
                                  std::span<const std::filesystem::path> opened) {
-  nlohmann::ordered_json json{{"kerf", "journal"}};
+  nlohmann::ordered_json json{{"kerf", kKind}};
+  json.update(visited_json(folder, [](Fields& f) { format_fields(f, kJournalFormat); }));
   SceneDescription without_strokes = scene;
   without_strokes.strokes.clear();
-  json.update(scene_json(without_strokes, folder));
+  nlohmann::ordered_json described = scene_json(without_strokes, folder);
+  described.erase("version");
+  json.update(described);
   if (!work_of.empty()) json["work_of"] = path_text(work_of, {});
   for (const std::filesystem::path& file : opened) json["opened"].push_back(path_text(file, {}));
   for (const SceneBody& body : scene.bodies) {

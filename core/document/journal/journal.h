@@ -26,8 +26,12 @@ struct StateMark {
   Ticks clock = 0;  // 0 where bodies did not move, and in journals that do not say it
 };
 
-// A document as its file (.kerf) holds it, one JSON object a line: first the scene, with "kerf": "journal"
-// and the hashes of its meshes, then the commands since (see command_text), and between them marks,
+// The format of journals: raised when journals change so that earlier versions of Kerf cannot read them.
+inline constexpr uint64_t kJournalFormat = 1;
+
+// A document as its file (.kerf) holds it, one JSON object a line: first the scene, with "kerf": "journal",
+// its format (see format_fields) and the hashes of its meshes, then the commands since (see command_text),
+// and between them marks,
 // {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" where bodies have moved (see
 // mark_fields.h).
 struct Journal {

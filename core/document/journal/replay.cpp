@@ -18,7 +18,7 @@ double Replay::fraction() const {
 size_t Replay::end_of_stopped() const {
   const auto goes_on = [](const Command& command) {
     return std::visit(Overloaded{
-                          [](const MoveStroke&) { return true; },
+                          [](const MoveBeam&) { return true; },
                           [](const EndStroke&) { return true; },
                           [](const HappensInTime auto&) { return true; },
                           [](const auto&) { return false; },
@@ -35,7 +35,7 @@ size_t Replay::end_of_stopped() const {
 size_t Replay::end_of_undone() const {
   if (!is_a<BeginStroke>(next_)) return next_ + 1;
   size_t end = next_ + 1;
-  while (is_a<MoveStroke>(end)) ++end;
+  while (is_a<MoveBeam>(end)) ++end;
   if (is_a<EndStroke>(end)) ++end;
   const bool marked = next_mark_ < journal_.marks.size() && journal_.marks[next_mark_].commands <= end;
   return is_a<Undo>(end) && !marked ? end + 1 : next_ + 1;

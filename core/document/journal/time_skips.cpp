@@ -10,22 +10,22 @@ namespace kerf {
 namespace {
 
 bool moves_bodies(const Command& command) {
-  const auto* advance = std::get_if<Advance>(&command);
+  const auto* advance = std::get_if<AdvanceTime>(&command);
   return advance != nullptr && advance->bodies;
 }
 
 // Whether a command may be a part of a run after its first one.
 bool goes_on(const Command& command) {
-  return moves_bodies(command) || std::holds_alternative<Pull>(command) ||
-         std::holds_alternative<LetGo>(command);
+  return moves_bodies(command) || std::holds_alternative<DragBody>(command) ||
+         std::holds_alternative<ReleaseBody>(command);
 }
 
 // Whether the beam is on after a command.
 bool is_beam_on(const Command& command, bool before) {
   if (std::holds_alternative<BeginStroke>(command)) return true;
-  const bool stays = std::holds_alternative<MoveStroke>(command) ||
-                     std::holds_alternative<Advance>(command) || std::holds_alternative<Pull>(command) ||
-                     std::holds_alternative<LetGo>(command);
+  const bool stays =
+      std::holds_alternative<MoveBeam>(command) || std::holds_alternative<AdvanceTime>(command) ||
+      std::holds_alternative<DragBody>(command) || std::holds_alternative<ReleaseBody>(command);
   return before && stays;
 }
 
@@ -50,7 +50,7 @@ std::optional<size_t> last_mark(const Journal& journal, size_t first, size_t end
 Ticks ticks_of(const std::vector<Command>& commands, size_t first, size_t end) {
   Ticks ticks = 0;
   for (size_t i = first; i < end; ++i) {
-    if (const auto* advance = std::get_if<Advance>(&commands[i])) ticks += advance->ticks;
+    if (const auto* advance = std::get_if<AdvanceTime>(&commands[i])) ticks += advance->ticks;
   }
   return ticks;
 }

@@ -8,14 +8,13 @@ namespace kerf {
 namespace {
 
 Status read_piece(const JsonValue& value, PieceId& piece) {
-  const auto n = value.whole_numbers({2, 3});
+  const auto n = value.whole_numbers({3});
   if (!n) return value.wrong("must be three whole numbers: a body's slot, its generation and a label");
-  piece = {{n->front(), n->size() == 3 ? (*n)[1] : BodyId::kUnknownGeneration}, n->back()};
+  piece = {{n->front(), (*n)[1]}, n->back()};
   return Done{};
 }
 
 nlohmann::ordered_json piece_json(const PieceId& piece) {
-  if (piece.body.generation == BodyId::kUnknownGeneration) return {piece.body.slot, piece.label};
   return {piece.body.slot, piece.body.generation, piece.label};
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 // Where a ray meets the ground.
 std::optional<SightHit> on_ground(const World& world, const Pose& ray, double length) {
-  const Surroundings& around = world.surroundings();
+  const Environment& around = world.environment();
   if (!around.ground) return std::nullopt;
   const Vec3 up = around.up();
   const double height = glm::dot(ray.origin, up) - *around.ground, sinking = -glm::dot(ray.direction, up);

@@ -259,7 +259,7 @@ void Match::move_bodies(PlacementsBefore& before) {
 }
 
 void Match::note_impacts(const std::vector<Vec3>& velocities_before) {
-  const Vec3 falling = world().surroundings().gravity / static_cast<double>(kTicksPerSecond);
+  const Vec3 falling = world().environment().gravity / static_cast<double>(kTicksPerSecond);
   for (size_t v = 0; v < vehicles_.size(); ++v) {
     const Body& chassis = world().body(vehicles_[v].chassis);
     const Vec3 change = chassis.motion.velocity - velocities_before[v] - falling;

@@ -22,9 +22,9 @@ constexpr Ticks kClearEvery = kTicksPerSecond / 10;
 }  // namespace
 
 MatchWorld::MatchWorld(const Arena& arena) {
-  Surroundings around;
+  Environment around;
   around.ground = arena.description.ground;
-  world_.set_surroundings(around);
+  world_.set_environment(around);
   for (const ModelBody& body : arena.bodies) arena_.push_back(add_body(world_, body, kGeneration));
   delta_.anew = true;
 }

@@ -10,9 +10,9 @@
 
 namespace kerf {
 
-// The version of the matches: raised whenever the same inputs lead to another world than before. Recordings
-// of earlier versions are read, and end otherwise than they say.
-inline constexpr size_t kMatchVersion = 5;
+// The format of recordings: raised when recordings change so that other versions of Kerf cannot read them, or
+// when the same inputs lead to another world than before.
+inline constexpr uint64_t kRecordingFormat = 1;
 
 // Limits of the seed and of the duration [s] of a match that can be recorded.
 inline constexpr uint64_t kMostSeed = 1'000'000'000'000'000;
@@ -20,12 +20,12 @@ inline constexpr size_t kMostSeconds = 36'000;
 
 // A match as its file holds it, one JSON object a line:
 //
-//   {"kerf": "match", "version": 3, "rules": "games/standard.json", "files": "0123456789abcdef", "seed": 1,
-//    "difficulty": "normal"}
+//   {"kerf": "match", "format": 1, "program": "0.1.0", "rules": "games/standard.json",
+//    "files": "0123456789abcdef", "seed": 1, "difficulty": "normal"}
 //   {"inputs": [[ticks, throttle, steer, buttons, fire, width, heading, pitch], ...]}
 //   {"hash": "0123456789abcdef", "machine": "..."}
 //
-// "version" is kMatchVersion as it was when the match was played. "files" is a hash of the rules and of all
+// "format" and "program" are those of format_fields. "files" is a hash of the rules and of all
 // files that they name. A vehicle file "player" is in the head where the player drove another vehicle than
 // that of the rules. Inputs are the player's controls, each for so many ticks; each line holds a second. Of
 // the buttons the handbrake counts 1, asking for a vehicle 2, and giving up 4. The hash is that of the world
@@ -39,7 +39,6 @@ struct Recording {
   std::string machine;  // on which it was made (see machine_kind); empty without a hash
   std::string damage;   // one sentence on what could not be read, or empty
   bool torn = false;    // only the last line could not be read, because it is incomplete
-  size_t version = kMatchVersion;
 };
 
 // Whether a file begins like a recording.

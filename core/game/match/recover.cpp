@@ -99,7 +99,7 @@ bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, con
   const bool caught = vehicle.stuck_s >= times.stuck && is_caught(vehicle);
   const bool stuck = (caught || vehicle.back_off.wedged) && vehicle.can_drive();
   if (!overturned && !stuck) return false;
-  const double ground = world.surroundings().ground.value_or(chassis.placement.position.y);
+  const double ground = world.environment().ground.value_or(chassis.placement.position.y);
   // The middle of a vehicle on its roof is not where its origin is.
   const Vec3 middle = chassis.placement.to_world(chassis.middle());
   const Placement here = upright({{middle.x, overturned ? middle.y : chassis.placement.position.y, middle.z},

@@ -124,7 +124,7 @@ class Drive {
       s.ground_velocity = s.below->motion.velocity_at(s.at, s.below->placement);
     }
     const double sinking = -glm::dot(motion_.velocity_at(s.at) - s.ground_velocity, s.normal);
-    const double at_rest = glm::length(world_.surroundings().gravity) / (kStiffness * wheels);
+    const double at_rest = glm::length(world_.environment().gravity) / (kStiffness * wheels);
     double spring = kStiffness * (rise + at_rest);
     if (rise > 0.5 * w.travel) spring += kBumpStop * kStiffness * (rise - 0.5 * w.travel);
     const double damper = sinking * (sinking > 0 ? kCompression : kRelaxation);

@@ -32,7 +32,7 @@ class Height {
 
 }  // namespace
 
-std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surroundings& around,
+std::vector<Contact> find_ground_contacts(const MovingBody& body, const Environment& around,
                                           const ContactLengths& lengths, const PairMemory& memory) {
   std::vector<Contact> contacts;
   if (!around.ground) return contacts;
@@ -55,7 +55,7 @@ std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surround
   return contacts;
 }
 
-double depth_below_ground(const MovingBody& body, const RigidMap& map, const Surroundings& around) {
+double depth_below_ground(const MovingBody& body, const RigidMap& map, const Environment& around) {
   if (!around.ground) return 0;
   const Height height(map, around.up(), *around.ground);
   if (height.least(body.collider->bounds) >= 0) return 0;

@@ -38,7 +38,7 @@ struct MovingBody {
   RigidMap now, next;  // body to world: at the beginning of the tick, and where it goes
   double margin = 0;   // in units of length: what is nearer than this beside its way matters, too
   Box bounds;          // in the world, of its way within the tick and the margin
-  double metre = 1;    // in units of length, see Surroundings
+  double metre = 1;    // in units of length, see Environment
   double scale = 1;    // of all lengths of contact, see ContactLengths; in units of length
   double sunk = 0;     // how far it is below the ground at the beginning of the tick, in units of length
 

@@ -210,8 +210,8 @@ class Files(WindowTest):
         left, = self.unsaved()
         with open(left) as file:
             lines = file.read().splitlines()
-        self.assertEqual(sum('"do":"begin"' in line for line in lines), 2)
-        self.assertIn('"do":"move"', lines[-1])
+        self.assertEqual(sum('"do":"begin-stroke"' in line for line in lines), 2)
+        self.assertIn('"do":"move-beam"', lines[-1])
 
         later = self.open_again(SPHERE)
         later.press("Escape")

@@ -77,7 +77,7 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
     stroke.settings.bite = bite;
     document.apply(BeginStroke{stroke.settings, stroke.poses.front()});
     for (size_t i = 1; i < stroke.poses.size(); ++i) {
-      document.apply(MoveStroke{stroke.poses[i]});
+      document.apply(MoveBeam{stroke.poses[i]});
       for (size_t n = random.below(20); n > 0; --n) step();
     }
     document.apply(EndStroke{});
@@ -165,7 +165,7 @@ TEST(Bite, leaves_a_whole_world_and_tells_of_all_that_changed_after_every_step) 
     Document document(several_bodies());
     Follower follower(document.world());
     document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
-    document.apply(MoveStroke{stroke.poses[1]});
+    document.apply(MoveBeam{stroke.poses[1]});
     document.apply(EndStroke{});
     for (size_t steps = 0; document.waiting() > 0; ++steps) {
       const auto result = document.step(1);

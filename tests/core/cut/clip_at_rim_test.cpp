@@ -9,7 +9,7 @@ namespace {
 
 void draw(Document& document, const SolidStroke& stroke) {
   document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
-  for (size_t i = 1; i < stroke.poses.size(); ++i) document.apply(MoveStroke{stroke.poses[i]});
+  for (size_t i = 1; i < stroke.poses.size(); ++i) document.apply(MoveBeam{stroke.poses[i]});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
 }

@@ -225,7 +225,7 @@ TEST(CloseByWalls, leads_to_the_same_state_in_steps_of_any_size) {
       ASSERT_TRUE(document.apply(SetSolid{{document.world().ids().front(), 0}, true}).ok());
       for (const SolidStroke& stroke : c.strokes) {
         document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
-        for (size_t i = 1; i < stroke.poses.size(); ++i) document.apply(MoveStroke{stroke.poses[i]});
+        for (size_t i = 1; i < stroke.poses.size(); ++i) document.apply(MoveBeam{stroke.poses[i]});
         document.apply(EndStroke{});
         while (document.waiting() > 0) ASSERT_TRUE(document.step(moves).ok());
       }
@@ -247,7 +247,7 @@ TEST(CloseByWalls, comes_back_from_a_journal_and_goes_on_as_before) {
     ASSERT_TRUE(note_hashes(scene).ok());
     const auto draw = [](Document& document, const SolidStroke& stroke) {
       document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
-      for (size_t i = 1; i < stroke.poses.size(); ++i) document.apply(MoveStroke{stroke.poses[i]});
+      for (size_t i = 1; i < stroke.poses.size(); ++i) document.apply(MoveBeam{stroke.poses[i]});
       document.apply(EndStroke{});
       ASSERT_TRUE(run_all(document).ok());
     };
@@ -281,7 +281,7 @@ TEST(CloseByWalls, leaves_sheets_as_they_are_and_closes_what_is_closed) {
   ASSERT_TRUE(document.apply(SetSolid{{document.world().ids().front(), 0}, true}).ok());
   const SolidStroke stroke = slot_at(0.1);
   document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
-  document.apply(MoveStroke{stroke.poses[1]});
+  document.apply(MoveBeam{stroke.poses[1]});
   document.apply(EndStroke{});
   const Result<StepResult> cut = run_all(document);
   ASSERT_TRUE(cut.ok());

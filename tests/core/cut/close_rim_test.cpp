@@ -28,7 +28,7 @@ CutSettings smooth_settings(double radius, double target_edge) {
 
 void draw(Document& document, const CutSettings& settings, const std::vector<Pose>& poses, size_t steps = 1) {
   document.apply(BeginStroke{settings, poses[0]});
-  for (size_t i = 1; i < poses.size(); ++i) document.apply(MoveStroke{poses[i]});
+  for (size_t i = 1; i < poses.size(); ++i) document.apply(MoveBeam{poses[i]});
   document.apply(EndStroke{});
   const size_t moves = document.waiting();
   for (size_t i = 0; i < steps; ++i) {
@@ -315,7 +315,7 @@ TEST(SmoothRim, stopped_half_way_leaves_a_sound_mesh_in_a_tree_that_finds_every_
       const auto poses = random_poses(random, 1, false, 2);
       Document document(world_of(plate(1)));
       document.apply(BeginStroke{settings, poses[0]});
-      document.apply(MoveStroke{poses[1]});
+      document.apply(MoveBeam{poses[1]});
       document.apply(EndStroke{});
       ASSERT_TRUE(run_moves(document, document.waiting() - 1).ok());
       int left = answers;
@@ -399,7 +399,7 @@ TEST(SmoothRim, of_real_meshes_is_conforming_and_true) {
     stroke.settings.most_faces = 200'000;
     Document document(std::move(world));
     document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
-    document.apply(MoveStroke{stroke.moves[stroke.moves.size() / 4].to});
+    document.apply(MoveBeam{stroke.moves[stroke.moves.size() / 4].to});
     document.apply(EndStroke{});
     if (!run_all(document).ok()) continue;  // as many faces as that would take long to look at
     const Mesh& mesh = document.world().body(document.world().ids()[0]).mesh;

@@ -193,7 +193,7 @@ StraightCut cut_straight(const Soup& soup, const Vec3& a, const Vec3& b, const C
                          size_t steps) {
   Document document(world_of(soup));
   document.apply(BeginStroke{settings, {a, {0, -1, 0}}});
-  document.apply(MoveStroke{{b, {0, -1, 0}}});
+  document.apply(MoveBeam{{b, {0, -1, 0}}});
   document.apply(EndStroke{});
   StraightCut cut;
   const size_t moves = document.waiting();

@@ -30,7 +30,7 @@ std::vector<Command> stroke_through_the_middle(Random& random, Rim rim, Scheme s
     const Vec3 to(side, 0, random.uniform(-0.3, 0.3)), from(0, 3, 0);
     return Pose{from, glm::normalize(to - from)};
   };
-  return {BeginStroke{settings, pose(-0.7)}, MoveStroke{pose(0.7)}, EndStroke{}};
+  return {BeginStroke{settings, pose(-0.7)}, MoveBeam{pose(0.7)}, EndStroke{}};
 }
 
 // The hidden body is compared with a copy that no cut ever saw.

@@ -185,11 +185,11 @@ TEST(DepositHeat, cools_with_the_clock_and_is_undone_with_its_stroke) {
   const uint64_t before = state_hash(slot.world);
   Document document(slot.world);
   document.apply(BeginStroke{slot.settings, slot.moves.front().from});
-  document.apply(MoveStroke{slot.moves.back().to, 1});
+  document.apply(MoveBeam{slot.moves.back().to, 1});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
   const double hot = hottest(document.world());
-  document.apply(Advance{240, false});
+  document.apply(AdvanceTime{240, false});
   ASSERT_TRUE(run_all(document).ok());
   EXPECT_LT(hottest(document.world()), hot - 50);
   const uint64_t after = state_hash(document.world());
@@ -204,10 +204,10 @@ TEST(DepositHeat, cools_alike_however_the_ticks_are_divided_into_steps) {
     Slot slot(0.002, Rim::kSmooth);
     Document document(slot.world);
     document.apply(BeginStroke{slot.settings, slot.moves.front().from});
-    document.apply(MoveStroke{slot.moves.back().to, 1});
+    document.apply(MoveBeam{slot.moves.back().to, 1});
     document.apply(EndStroke{});
     EXPECT_TRUE(run_all(document).ok());
-    document.apply(Advance{61, false});
+    document.apply(AdvanceTime{61, false});
     while (document.waiting() > 0) EXPECT_TRUE(document.step(most_at_once).ok());
     return state_hash(document.world());
   };

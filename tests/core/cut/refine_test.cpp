@@ -43,7 +43,7 @@ Cut cut(const Soup& soup, const Resolution& resolution, uint64_t seed, bool tilt
   const Pose from = pose(), to = pose();
   Document document(world_of(soup));
   document.apply(BeginStroke{settings, from});
-  document.apply(MoveStroke{to});
+  document.apply(MoveBeam{to});
   document.apply(EndStroke{});
   Cut result;
   const auto stepped = run_all(document);

@@ -40,7 +40,7 @@ CutSettings settings_of(const RandomStroke& stroke, Rim rim, Scheme scheme) {
 // One stroke; what its steps say that they removed (m^2).
 double draw(Document& document, const RandomStroke& stroke, const CutSettings& settings) {
   document.apply(BeginStroke{settings, stroke.moves.front().from});
-  document.apply(MoveStroke{stroke.moves.back().to});
+  document.apply(MoveBeam{stroke.moves.back().to});
   document.apply(EndStroke{});
   const auto walked = run_all(document);
   EXPECT_TRUE(walked.ok());

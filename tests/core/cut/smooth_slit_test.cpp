@@ -80,7 +80,7 @@ World random_world(Random& random) {
 // The moves of the beam, as they were walked.
 std::vector<BeamMove> draw(Document& document, const Slit& slit) {
   document.apply(BeginStroke{slit.settings, slit.from});
-  document.apply(MoveStroke{slit.to});
+  document.apply(MoveBeam{slit.to});
   document.apply(EndStroke{});
   std::vector<BeamMove> moves;
   while (document.waiting() > 0) {

@@ -26,7 +26,7 @@ CutSettings settings() {
 // A stroke straight down along x, at z, over everything.
 std::vector<Command> stroke_at(double z) {
   const Vec3 down(0, -1, 0);
-  return {BeginStroke{settings(), {{-2, 3, z}, down}}, MoveStroke{{{2, 3, z}, down}}, EndStroke{}};
+  return {BeginStroke{settings(), {{-2, 3, z}, down}}, MoveBeam{{{2, 3, z}, down}}, EndStroke{}};
 }
 
 class BodiesInTime : public testing::Test {
@@ -34,14 +34,14 @@ class BodiesInTime : public testing::Test {
   static World made_world() {
     World world;
     add(world, rectangle(1, 1, 8), {0, 0.5, 0});
-    world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    world.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
     return world;
   }
   void apply(const Command& command) { ASSERT_TRUE(document_.apply(command).ok()); }
   void cut(double z) {
     for (const Command& c : stroke_at(z)) apply(c);
   }
-  void fall(Ticks ticks) { document_.apply(Advance{ticks, true}); }
+  void fall(Ticks ticks) { document_.apply(AdvanceTime{ticks, true}); }
   void run() { ASSERT_TRUE(run_all(document_).ok()); }
   // A stroke and 50 ticks, with a mark at their end.
   Journal cut_and_fallen() {
@@ -65,7 +65,7 @@ class BodiesInTime : public testing::Test {
 
 TEST_F(BodiesInTime, without_moving_bodies_nothing_is_detached) {
   cut(0.1);
-  document_.apply(Advance{30});
+  document_.apply(AdvanceTime{30});
   run();
   EXPECT_EQ(world().ids().size(), 1u);
   EXPECT_EQ(world().live_pieces(), 2u);
@@ -86,7 +86,7 @@ TEST_F(BodiesInTime, pieces_fall_as_far_as_free_bodies_do) {
 }
 
 TEST_F(BodiesInTime, pieces_are_pushed_apart_slowly_and_keep_their_common_centre) {
-  apply(SetSurroundings{{.gravity = Vec3(0), .ground = std::nullopt}});
+  apply(SetEnvironment{{.gravity = Vec3(0), .ground = std::nullopt}});
   cut(0.1);
   run();
   apply(Play{});
@@ -126,7 +126,7 @@ TEST_F(BodiesInTime, what_a_cut_takes_the_support_from_wakes_and_falls) {
   const BodyId top = add(table, rectangle(1, 1, 8), {0, 0.5, 0});
   table.body(top).pinned = true;
   const BodyId box = add(table, closed_box({0.2, 0.1, 0.2}), {0, 0.57, 0.3});
-  table.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  table.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
   document_ = Document(std::move(table));
   apply(Play{});
   fall(240);
@@ -143,7 +143,7 @@ TEST_F(BodiesInTime, moving_a_body_by_hand_stops_it_and_wakes_what_lay_on_it) {
   World pile;
   const BodyId low = add(pile, closed_box({0.5, 0.2, 0.5}), {0, 0.1, 0});
   const BodyId high = add(pile, closed_box({0.3, 0.2, 0.3}), {0, 0.31, 0});
-  pile.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  pile.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
   document_ = Document(std::move(pile));
   apply(Play{});
   fall(240);
@@ -276,7 +276,8 @@ TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
   ASSERT_TRUE(lines);
   write_text(
       folder / "fall.kerf",
-      std::string(R"({"kerf":"journal","version":1,"bodies":[{"mesh":"plate.obj"}]})") + '\n' + *lines);
+      std::string(R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[{"mesh":"plate.obj"}]})") +
+          '\n' + *lines);
   const auto read = read_journal(folder / "fall.kerf");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->damage, "");
@@ -292,11 +293,11 @@ TEST_F(BodiesInTime, a_spring_lifts_a_plate_and_lets_it_go) {
   const BodyId plate = world().ids().front();
   apply(Play{});
   fall(120);
-  document_.apply(Pull{{plate, 0}, {0, 0, 0}, {0.2, 1, 0}});
+  document_.apply(DragBody{{plate, 0}, {0, 0, 0}, {0.2, 1, 0}});
   fall(240);
   run();
   EXPECT_LT(glm::distance(world().body(plate).placement.position, Vec3(0.2, 1, 0)), 0.05);
-  document_.apply(LetGo{});
+  document_.apply(ReleaseBody{});
   fall(240);
   run();
   EXPECT_LT(world().body(plate).placement.position.y, 0.05);
@@ -310,7 +311,7 @@ class MovingPlate : public testing::TestWithParam<Rim> {
     World world;
     const BodyId id = add(world, rectangle(1, 1, 6), {0, 0, 0});
     world.body(id).motion = motion;
-    world.set_surroundings({.gravity = Vec3(0), .ground = std::nullopt});
+    world.set_environment({.gravity = Vec3(0), .ground = std::nullopt});
     return world;
   }
 
@@ -328,7 +329,7 @@ class MovingPlate : public testing::TestWithParam<Rim> {
     document.apply(Play{});
     document.apply(BeginStroke{settings_of(GetParam()), beam});
     for (Ticks i = 0; i < ticks; ++i) {
-      document.apply(Advance{1, true});
+      document.apply(AdvanceTime{1, true});
       EXPECT_TRUE(run_all(document).ok());
       seen.push_back(document.world().body(plate).placement.to_body(beam));
     }
@@ -339,7 +340,7 @@ class MovingPlate : public testing::TestWithParam<Rim> {
 
   static void cut_still(Document& document, const Pose& beam, const std::vector<Pose>& seen) {
     document.apply(BeginStroke{settings_of(GetParam()), beam});
-    for (const Pose& pose : seen) document.apply(MoveStroke{pose});
+    for (const Pose& pose : seen) document.apply(MoveBeam{pose});
     document.apply(EndStroke{});
     EXPECT_TRUE(run_all(document).ok());
   }
@@ -396,7 +397,7 @@ TEST_F(BodiesInTime, a_smooth_rim_is_closed_in_pieces_that_came_off_and_fell_dur
   apply(PinPiece{{world().ids().front(), 0}, true});
   apply(Play{});
   apply(BeginStroke{smooth, {{-0.7, 3, 0.3}, down}});
-  apply(MoveStroke{{{0.7, 3, 0.3}, down}});
+  apply(MoveBeam{{{0.7, 3, 0.3}, down}});
   fall(20);
   apply(EndStroke{});
   fall(1);

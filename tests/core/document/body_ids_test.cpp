@@ -111,27 +111,5 @@ TEST_F(BodyIds, are_equal_after_undo_redo_replay_and_recovery_and_are_never_give
   }
 }
 
-// Piece 1 of the plate in two is the larger side, which kept the slot then.
-TEST_F(BodyIds, journals_without_generations_mean_the_bodies_that_they_meant) {
-  CutSettings settings;
-  settings.laser.radius = 0.02;
-  settings.resolution.target_edge = 0.05;
-  apply(BeginStroke{settings, {{0.3, 1, -0.7}, {0, -1, 0}}});
-  apply(MoveStroke{{{0.3, 1, 0.7}, {0, -1, 0}}});
-  apply(EndStroke{});
-  const auto& pieces = document_.world().body({0, 0}).pieces;
-  ASSERT_EQ(document_.world().live_pieces(), 2u);
-  const uint32_t larger = pieces[0].faces > pieces[1].faces ? 0 : 1;
-  const auto old = [](uint32_t slot, uint32_t label) {
-    return PieceId{{slot, BodyId::kUnknownGeneration}, label};
-  };
-  apply(MovePiece{old(0, larger), {{0, 1, 0}, {1, 0, 0, 0}}});
-  apply(MovePiece{old(1, 1 - larger), {{0, 2, 0}, {1, 0, 0, 0}}});
-  apply(MovePiece{old(0, larger), {{0, 3, 0}, {1, 0, 0, 0}}});
-  EXPECT_EQ(document_.world().body({1, 4}).placement.position.y, 3);
-  EXPECT_EQ(document_.world().body({0, 0}).placement.position.y, 2);
-  EXPECT_EQ(std::get<MovePiece>(document_.journal().back()).piece, (PieceId{{1, 4}, larger}));
-}
-
 }  // namespace
 }  // namespace kerf::test

@@ -29,14 +29,14 @@ void stroke(Document& document, const Vec3& from, const Vec3& to, const Vec3& di
   settings.laser.range = {0, 10};
   settings.resolution.target_edge = target_edge;
   document.apply(BeginStroke{settings, {from, direction}});
-  document.apply(MoveStroke{{to, direction}});
+  document.apply(MoveBeam{{to, direction}});
   document.apply(EndStroke{});
   ASSERT_TRUE(test::run_all(document).ok());
 }
 
 void play(Document& document, Ticks ticks) {
   document.apply(Play{});
-  document.apply(Advance{ticks, true});
+  document.apply(AdvanceTime{ticks, true});
   ASSERT_TRUE(test::run_all(document).ok());
 }
 
@@ -68,7 +68,7 @@ TEST(CarScene, nothing_stays_in_the_air_when_the_car_is_cut_in_two) {
 
 TEST(CarScene, a_standing_car_comes_to_rest_on_wheels_that_turn) {
   Document document = car();
-  document.apply(Command(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
+  document.apply(Command(SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
   play(document, 1200);
   const World& world = document.world();
   EXPECT_EQ(world.ids().size(), 6u);
@@ -100,7 +100,7 @@ TEST(CarScene, joints_do_not_change_what_a_cut_does_while_no_time_passes) {
 
 TEST(CarScene, a_wheel_whose_hub_is_burnt_away_comes_off) {
   Document document = car();
-  document.apply(Command(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
+  document.apply(Command(SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
   const auto wheels = [&] {
     size_t held = 0;
     for (const HeldJoint& h : held_joints(document.world()))
@@ -145,7 +145,7 @@ TEST(CarScene, the_halves_of_a_car_that_lean_on_each_other_roll_apart_and_drop_t
   for (const Cut cut : {Cut{-0.3, 0.0015}, {-0.1, 0.0015}, {0, 0.03}, {0.2, 0.0015}, {0.5, 0.0015}}) {
     SCOPED_TRACE("z " + std::to_string(cut.z) + ", target edge " + std::to_string(cut.target_edge));
     Document document = car();
-    document.apply(Command(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = 0}}));
+    document.apply(Command(SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = 0}}));
     stroke(document, {-1.5, 3, cut.z}, {1.5, 3, cut.z}, {0, -1, 0}, 0.006, cut.target_edge);
     play(document, 6 * kTicksPerSecond);
     for (const bool ahead : {false, true})

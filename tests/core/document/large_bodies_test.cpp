@@ -23,7 +23,7 @@ TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_
     add(world, rectangle(1, 1, 120), {0, 0.5, 0});
     add(world, rectangle(1, 1, 8), {0, 0.8, 0});
     world.body(world.ids()[0]).pinned = true;
-    world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    world.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
     return world;
   };
   Document document(made());
@@ -32,7 +32,7 @@ TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_
   size_t large_colliders = 0;
   const auto pass = [&](Ticks ticks) {
     for (Ticks t = 0; t < ticks; ++t) {
-      document.apply(Advance{1, true});
+      document.apply(AdvanceTime{1, true});
       while (document.waiting() > 0) {
         large_colliders += document.execution().next_makes_ready() > Physics::kMostUnderBeam;
         ASSERT_TRUE(document.step(64).ok());
@@ -45,7 +45,7 @@ TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_
   const Vec3 down(0, -1, 0);
   document.apply(BeginStroke{narrow_beam(), {{-0.3, 3, 0}, down}});
   for (int i = 0; i < 10; ++i) {
-    document.apply(MoveStroke{{{-0.28 + 0.02 * i, 3, 0}, down}});
+    document.apply(MoveBeam{{{-0.28 + 0.02 * i, 3, 0}, down}});
     pass(1);
   }
   EXPECT_EQ(large_colliders, 2u) << "one where the step begins, none while it is cut";

@@ -49,11 +49,11 @@ std::vector<std::filesystem::path> mesh_files() {
 World world_on_ground(const std::filesystem::path& file, bool of_own_size) {
   World world = world_of_file(file);
   const World::Bounds bounds = world.bounds();
-  Surroundings around;
+  Environment around;
   around.ground = bounds.min.y - 0.02 * bounds.diagonal();
   if (of_own_size) around.metre = bounds.diagonal() / 3;
   around.gravity *= around.metre;
-  world.set_surroundings(around);
+  world.set_environment(around);
   return world;
 }
 
@@ -150,16 +150,16 @@ class User {
     };
     apply(BeginStroke{settings(), pose(0)});
     for (size_t i = 1; i < poses; ++i) {
-      apply(MoveStroke{pose(i), static_cast<double>(i) / 60});
-      if (time > 0 && random_.below(8) == 0) apply(Advance{1 + random_.below(3), time == 2});
+      apply(MoveBeam{pose(i), static_cast<double>(i) / 60});
+      if (time > 0 && random_.below(8) == 0) apply(AdvanceTime{1 + random_.below(3), time == 2});
     }
     if (random_.below(8) != 0) apply(EndStroke{});
-    if (random_.below(2) == 0) apply(Advance{1 + random_.below(20), random_.below(2) == 0});
+    if (random_.below(2) == 0) apply(AdvanceTime{1 + random_.below(20), random_.below(2) == 0});
   }
 
   void play() {
     apply(Play{});
-    for (size_t i = 1 + random_.below(3); i > 0; --i) apply(Advance{1 + random_.below(15), true});
+    for (size_t i = 1 + random_.below(3); i > 0; --i) apply(AdvanceTime{1 + random_.below(15), true});
   }
 
   void edit_piece() {
@@ -195,7 +195,8 @@ Journal journal_of(User& user) {
   const auto lines = journal_lines(user.document().journal(), user.marks(), folder.path());
   EXPECT_TRUE(lines.ok());
   write_text(folder / "work.kerf",
-             std::string(R"({"kerf":"journal","version":1,"bodies":[{"mesh":"a.obj"}]})") + '\n' + *lines);
+             std::string(R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[{"mesh":"a.obj"}]})") +
+                 '\n' + *lines);
   auto journal = read_journal(folder / "work.kerf");
   EXPECT_TRUE(journal.ok());
   EXPECT_EQ(journal->damage, "");

@@ -32,7 +32,7 @@ World car_on_the_ground() {
   World world;
   body->sheet.thickness = 0.0008;
   world.add(std::move(*body));
-  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = world.bounds().min.y});
+  world.set_environment({.gravity = {0, -9.81, 0}, .ground = world.bounds().min.y});
   return world;
 }
 
@@ -52,11 +52,11 @@ void draw_at_random(Document& document, Random& random) {
   const Vec3 from = 5.0 * out;
   document.apply(BeginStroke{settings, pose(from)});
   for (size_t moves = 1 + random.below(2); moves > 0; --moves) {
-    document.apply(MoveStroke{pose(from)});
-    document.apply(Advance{1 + random.below(kTicksBetween), true});
+    document.apply(MoveBeam{pose(from)});
+    document.apply(AdvanceTime{1 + random.below(kTicksBetween), true});
   }
   document.apply(EndStroke{});
-  document.apply(Advance{1 + random.below(2 * kTicksBetween), true});
+  document.apply(AdvanceTime{1 + random.below(2 * kTicksBetween), true});
 }
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -119,7 +119,7 @@ TEST(Soak, random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
   Random random(kSeed);
   Document document(car_on_the_ground());
   const uint64_t start = state_hash(document.world());
-  const double area = area_of(document.world()), ground = *document.world().surroundings().ground;
+  const double area = area_of(document.world()), ground = *document.world().environment().ground;
   double deleted = 0;
   document.apply(Play{});
   for (size_t i = 0; i < strokes_of_the_soak(); ++i) {

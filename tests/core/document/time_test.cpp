@@ -25,21 +25,21 @@ const Pose kFrom{{-0.7, 1, 0.1}, {0, -1, 0}}, kTo{{0.7, 1, 0.12}, {0, -1, 0}};
 class Time : public testing::Test {
  protected:
   void begin() { document_.apply(BeginStroke{settings_with_radius(0.05), kFrom}); }
-  void move() { document_.apply(MoveStroke{kTo, 0.5}); }
+  void move() { document_.apply(MoveBeam{kTo, 0.5}); }
   void end() { document_.apply(EndStroke{}); }
   void draw() {
     begin();
     move();
     end();
   }
-  void pass(Ticks ticks) { document_.apply(Advance{ticks}); }
+  void pass(Ticks ticks) { document_.apply(AdvanceTime{ticks}); }
   void walk() { ASSERT_TRUE(run_all(document_).ok()); }
   void apply(const Command& command) { ASSERT_TRUE(document_.apply(command).ok()); }
   Ticks clock() const { return document_.world().clock(); }
   Ticks ticks_of_step(size_t i) const {
     Ticks ticks = 0;
     for (const Command& c : document_.history().step(i).commands()) {
-      if (const auto* advance = std::get_if<Advance>(&c)) ticks += advance->ticks;
+      if (const auto* advance = std::get_if<AdvanceTime>(&c)) ticks += advance->ticks;
     }
     return ticks;
   }
@@ -50,7 +50,7 @@ class Time : public testing::Test {
 TEST_F(Time, changes_nothing_but_the_clock) {
   Document without(world_of(plate(1)));
   without.apply(BeginStroke{settings_with_radius(0.05), kFrom});
-  without.apply(MoveStroke{kTo});
+  without.apply(MoveBeam{kTo});
   without.apply(EndStroke{});
   ASSERT_TRUE(run_all(without).ok());
   begin();
@@ -87,7 +87,7 @@ TEST_F(Time, begins_when_what_came_apart_is_known) {
   settings.search_a_move = 1;
   document_ = Document(world_of(torus(64, 40, 0.5, 0.2)));
   document_.apply(BeginStroke{settings, {{-0.8, 1, 0}, {0, -1, 0}}});
-  document_.apply(MoveStroke{{{0.8, 1, 0.01}, {0, -1, 0}}});
+  document_.apply(MoveBeam{{{0.8, 1, 0.01}, {0, -1, 0}}});
   pass(1);
   bool searched = false;
   while (document_.waiting() > 0) {
@@ -160,9 +160,9 @@ TEST_F(Time, that_joins_an_edit_is_undone_and_done_again_with_it) {
     walk();
     const uint64_t cut = state_hash(document_.world());
     apply(RenamePiece{{document_.world().ids()[0], 0}, "plate"});
-    document_.apply(Advance{10, false, true});
+    document_.apply(AdvanceTime{10, false, true});
     walk();
-    document_.apply(Advance{20, false, true});
+    document_.apply(AdvanceTime{20, false, true});
     walk();
     const uint64_t later = state_hash(document_.world());
     EXPECT_EQ(clock(), 37u);
@@ -175,7 +175,7 @@ TEST_F(Time, that_joins_an_edit_is_undone_and_done_again_with_it) {
     walk();
     EXPECT_EQ(state_hash(document_.world()), later);
     EXPECT_EQ(document_.history().size(), 2u);
-    apply(SetSurroundings{{.gravity = {0, -1, 0}, .ground = std::nullopt}});
+    apply(SetEnvironment{{.gravity = {0, -1, 0}, .ground = std::nullopt}});
     ASSERT_TRUE(document_.travel(0).ok());
     ASSERT_TRUE(document_.travel(2).ok());
     walk();
@@ -186,7 +186,7 @@ TEST_F(Time, that_joins_an_edit_is_undone_and_done_again_with_it) {
 TEST_F(Time, that_joins_an_edit_does_so_only_while_bodies_stand_still) {
   draw();
   apply(RenamePiece{{document_.world().ids()[0], 0}, "plate"});
-  document_.apply(Advance{2, true, true});
+  document_.apply(AdvanceTime{2, true, true});
   walk();
   ASSERT_EQ(document_.history().size(), 3u);
   EXPECT_EQ(document_.history().step(2).kind(), Kind::kTime);
@@ -212,9 +212,9 @@ TEST_F(Time, in_which_bodies_move_and_that_waits_when_its_step_is_undone_does_no
   draw();
   walk();
   document_.apply(Play{});
-  document_.apply(Advance{30, true});
+  document_.apply(AdvanceTime{30, true});
   walk();
-  document_.apply(Advance{12, true});
+  document_.apply(AdvanceTime{12, true});
   Document walked(world_of(plate(1)));
   for (const Command& c : document_.journal()) ASSERT_TRUE(walked.apply(c).ok());
   ASSERT_TRUE(run_all(walked).ok());
@@ -270,9 +270,9 @@ TEST_F(Time, in_a_stroke_keeps_its_place_between_the_moves_when_the_stroke_is_cu
   };
   begin();
   pass(3);
-  document_.apply(MoveStroke{{{0, 1, 0.1}, {0, -1, 0}}, 0.1});
+  document_.apply(MoveBeam{{{0, 1, 0.1}, {0, -1, 0}}, 0.1});
   pass(4);
-  document_.apply(MoveStroke{kTo, 0.2});
+  document_.apply(MoveBeam{kTo, 0.2});
   end();
   const auto drawn = clocks();
   pass(2);
@@ -288,8 +288,8 @@ TEST_F(Time, passes_once_in_a_stroke_that_cannot_be_cut_to_its_end) {
     too_fine.most_faces = 40;
     document_ = Document(world_of(plate(1)));
     bool failed = false;
-    for (const Command& c : std::vector<Command>{BeginStroke{too_fine, kFrom}, Advance{3}, MoveStroke{kTo},
-                                                 Advance{4}, EndStroke{}, Advance{5}}) {
+    for (const Command& c : std::vector<Command>{BeginStroke{too_fine, kFrom}, AdvanceTime{3}, MoveBeam{kTo},
+                                                 AdvanceTime{4}, EndStroke{}, AdvanceTime{5}}) {
       apply(c);
       while (step_between && document_.waiting() > 0) failed = !document_.step(8).ok() || failed;
     }
@@ -305,8 +305,8 @@ TEST_F(Time, is_merged_in_the_journal_up_to_whole_seconds) {
   draw();
   for (int i = 0; i < 50; ++i) pass(7);
   ASSERT_EQ(document_.journal().size(), 6u);
-  for (const size_t i : {3u, 4u}) EXPECT_EQ(std::get<Advance>(document_.journal()[i]).ticks, 120u);
-  EXPECT_EQ(std::get<Advance>(document_.journal()[5]).ticks, 110u);
+  for (const size_t i : {3u, 4u}) EXPECT_EQ(std::get<AdvanceTime>(document_.journal()[i]).ticks, 120u);
+  EXPECT_EQ(std::get<AdvanceTime>(document_.journal()[5]).ticks, 110u);
   EXPECT_EQ(document_.final_commands(), 5u);
   EXPECT_EQ(ticks_of_step(0), 350u);
   document_.seal_journal();
@@ -327,7 +327,7 @@ TEST_F(Time, of_different_steps_of_the_history_is_not_merged) {
   pass(7);
   const std::vector<Command>& journal = document_.journal();
   EXPECT_EQ(std::count_if(journal.begin(), journal.end(),
-                          [](const Command& c) { return std::holds_alternative<Advance>(c); }),
+                          [](const Command& c) { return std::holds_alternative<AdvanceTime>(c); }),
             3);
   EXPECT_EQ(ticks_of_step(0), 14u);
 }
@@ -348,7 +348,7 @@ TEST_F(Time, of_the_poses_is_shared_among_the_moves) {
   EXPECT_EQ(seconds_of_moves(document_), 0);
   move();
   EXPECT_EQ(seconds_of_moves(document_), 0.5);
-  document_.apply(MoveStroke{kFrom, 0.75});
+  document_.apply(MoveBeam{kFrom, 0.75});
   EXPECT_EQ(seconds_of_moves(document_), 0.25);
 }
 
@@ -358,8 +358,8 @@ TEST_F(Time, of_the_keys_of_a_path_file_counts_from_the_first_and_is_not_rounded
   path.times = {-1.0, -0.9, 0.2};
   const std::vector<Command> commands = stroke_commands(path, settings_with_radius(0.05));
   ASSERT_EQ(commands.size(), 4u);
-  EXPECT_EQ(std::get<MoveStroke>(commands[1]).time, -0.9 - -1.0);
-  EXPECT_EQ(std::get<MoveStroke>(commands[2]).time, 1.2);
+  EXPECT_EQ(std::get<MoveBeam>(commands[1]).time, -0.9 - -1.0);
+  EXPECT_EQ(std::get<MoveBeam>(commands[2]).time, 1.2);
 }
 
 }  // namespace

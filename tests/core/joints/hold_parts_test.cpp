@@ -207,7 +207,7 @@ TEST(HoldParts, undo_and_redo_of_a_stroke_take_what_joints_did_with_them) {
   settings.laser.range = {0, 0.5};
   settings.resolution.target_edge = 0.01;
   document.apply(BeginStroke{settings, {{0.3, 0.01, -0.02}, down}});
-  document.apply(MoveStroke{{{0.3, 0.01, 0.02}, down}});
+  document.apply(MoveBeam{{{0.3, 0.01, 0.02}, down}});
   document.apply(EndStroke{});
   ASSERT_TRUE(test::run_all(document).ok());
   const World after = document.world();

@@ -18,7 +18,7 @@ Body cut_sheet(const std::vector<Vec3>& balls) {
   settings.laser.radius = settings.resolution.target_edge = 0.02;
   const Vec3 down(0, -1, 0);
   document.apply(BeginStroke{settings, {{0, 3, -1.3}, down}});
-  document.apply(MoveStroke{{{0, 3, 1.3}, down}});
+  document.apply(MoveBeam{{{0, 3, 1.3}, down}});
   document.apply(EndStroke{});
   EXPECT_TRUE(run_all(document).ok());
   return document.world().body(document.world().ids().front());

@@ -67,7 +67,7 @@ double largest_error(const World& world, const LinearColour& linear) {
 
 void draw(Document& document, const RandomStroke& stroke, const CutSettings& settings) {
   document.apply(BeginStroke{settings, stroke.moves.front().from});
-  document.apply(MoveStroke{stroke.moves.back().to});
+  document.apply(MoveBeam{stroke.moves.back().to});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
 }

@@ -24,7 +24,7 @@ class SearchOfPlates : public testing::Test {
   }
 
   test::MovingSheets sheets_;
-  Surroundings around_;
+  Environment around_;
   ContactMemory before_;
   std::vector<BodyJoint> joints_;
 };

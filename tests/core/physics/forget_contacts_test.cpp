@@ -66,7 +66,7 @@ TEST_F(SleepingSheets, wake_when_faces_were_born_or_went_and_not_when_they_were_
 
 TEST_F(SleepingSheets, all_wake_when_gravity_changes) {
   Delta delta;
-  delta.surroundings = true;
+  delta.environment = true;
   forget_contacts(world_, delta);
   EXPECT_EQ(awake(), "012");
   EXPECT_EQ(known(), 0u);

@@ -34,7 +34,7 @@ class PlateOverSheet : public testing::Test {
   double speed() { return -sheets_.body(0).motion.velocity.y * kTick; }
 
   test::MovingSheets sheets_;
-  Surroundings around_;
+  Environment around_;
   ContactMemory before_;
 };
 
@@ -75,7 +75,7 @@ TEST(HoldBack, shortens_the_way_of_a_body_that_meets_two_others_once_where_that_
     sheets.body(below).pinned = true;
   }
   sheets.body(0).motion.velocity = {0, -0.15 / kTick, 0};
-  const Surroundings around;
+  const Environment around;
   const ContactMemory before;
   std::vector<MovingBody>& bodies = sheets.bodies();
   ContactSearch search(bodies, {}, around, before);

@@ -87,9 +87,9 @@ TEST(Joints, a_door_stops_at_the_limits_of_its_hinge_and_does_not_bounce) {
   Body& door = door_of(world);
   Physics physics;
   for (const double sign : {1.0, -1.0}) {
-    Surroundings around = world.surroundings();
+    Environment around = world.environment();
     around.gravity = {0, -3, -sign * 9};
-    world.set_surroundings(around);
+    world.set_environment(around);
     door.motion = {};
     const double limit = sign > 0 ? 15 : -25;
     bool reached = false;
@@ -121,7 +121,7 @@ TEST(Joints, a_weld_between_two_bodies_keeps_them_together_as_they_fall) {
   const std::vector<BodyId> bodies = world.ids();
   Body &plate = world.body(bodies[0]), &flag = world.body(bodies[1]);
   plate.motion.spin = {1, 2, 3};
-  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = -1});
+  world.set_environment({.gravity = {0, -9.81, 0}, .ground = -1});
   Physics physics;
   for (int t = 0; t < 240; ++t) {
     physics.tick(world);
@@ -160,7 +160,7 @@ TEST(Joints, parts_that_turn_on_joints_are_not_pushed_apart) {
 TEST(Joints, wheels_roll_on_their_hubs) {
   World world = cart();
   constexpr double kRadius = 0.2, kSpeed = 3, kSeconds = 1.5;
-  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  world.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
   const std::vector<BodyId> bodies = world.ids();
   for (const BodyId id : bodies) world.body(id).motion.velocity = {0, 0, kSpeed};
   Physics physics;
@@ -177,7 +177,7 @@ TEST(Joints, wheels_roll_on_their_hubs) {
 TEST(Joints, a_part_that_was_moved_away_by_hand_is_let_go) {
   for (const double way : {0.01, 2.0}) {
     World world = cart();
-    world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    world.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
     const BodyId wheel = world.ids()[1];
     world.body(wheel).placement.position.x += way;
     const Vec3 anchor = world.joints().all[0].anchor;
@@ -192,7 +192,7 @@ TEST(Joints, a_part_that_was_moved_away_by_hand_is_let_go) {
 
 // Walks time in which bodies move.
 void play(Document& document, double seconds) {
-  document.apply(Advance{static_cast<Ticks>(seconds * static_cast<double>(kTicksPerSecond)), true});
+  document.apply(AdvanceTime{static_cast<Ticks>(seconds * static_cast<double>(kTicksPerSecond)), true});
   ASSERT_TRUE(test::run_all(document).ok());
 }
 
@@ -224,7 +224,7 @@ void burn_hinge(Document& document, double x) {
   settings.laser.range = {0, 3};
   settings.resolution.target_edge = 0.02;
   document.apply(BeginStroke{settings, {{x, -0.05, 1}, {0, 0, -1}}});
-  document.apply(MoveStroke{{{x, -0.06, 1}, {0, 0, -1}}});
+  document.apply(MoveBeam{{{x, -0.06, 1}, {0, 0, -1}}});
   document.apply(EndStroke{});
   ASSERT_TRUE(test::run_all(document).ok());
 }
@@ -264,7 +264,7 @@ TEST(Joints, a_sleeping_door_wakes_when_the_faces_of_the_frame_that_held_it_are_
   settings.resolution.target_edge = 0.02;
   for (const double x : {-0.3, 0.3}) {
     document.apply(BeginStroke{settings, {{x, 0.12, 1}, {0, 0, -1}}});
-    document.apply(MoveStroke{{{x, 0.121, 1}, {0, 0, -1}}});
+    document.apply(MoveBeam{{{x, 0.121, 1}, {0, 0, -1}}});
     document.apply(EndStroke{});
     ASSERT_TRUE(test::run_all(document).ok());
   }
@@ -298,7 +298,7 @@ TEST(Joints, physics_that_is_made_anew_at_any_tick_goes_on_to_the_bit) {
   Random random(7);
   World one = cart(), other = one;
   for (World* world : {&one, &other}) {
-    world->set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    world->set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
     for (const BodyId id : world->ids()) world->body(id).motion.velocity = {0.5, 0, 2};
   }
   Physics kept, made_anew;

@@ -213,7 +213,7 @@ TEST(Fall, nothing_passes_a_sheet_that_is_pinned_however_fast) {
 TEST(Fall, a_world_in_another_unit_falls_and_comes_to_rest_like_one_in_metres) {
   const auto made = [](double metre) {
     World world;
-    world.set_surroundings({.gravity = {0, -9.81 * metre, 0}, .ground = 0, .metre = metre});
+    world.set_environment({.gravity = {0, -9.81 * metre, 0}, .ground = 0, .metre = metre});
     for (int i = 0; i < 4; ++i) {
       const glm::dquat tilted = glm::normalize(glm::dquat(1, 0.1 * i, 0.05, -0.08 * i));
       test::add(world, test::rectangle(0.1 * metre, 0.07 * metre, 2),

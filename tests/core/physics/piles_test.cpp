@@ -99,7 +99,7 @@ TEST(Piles, plates_that_are_born_crossing_come_apart_slowly_and_sleep) {
   for (const double depth : {0.01, 0.05, 0.09}) {
     SCOPED_TRACE("depth " + std::to_string(depth));
     World world;
-    world.set_surroundings({.gravity = {0, 0, 0}, .ground = std::nullopt});
+    world.set_environment({.gravity = {0, 0, 0}, .ground = std::nullopt});
     const glm::dquat upright = glm::normalize(glm::dquat(1, 1, 0, 0));
     const BodyId flat = test::add(world, test::rectangle(0.6, 0.6, 6), {0, 0, 0});
     const BodyId other = test::add(world, test::rectangle(0.4, 0.4, 6), {0.03, 0.2 - depth, 0.02}, upright);

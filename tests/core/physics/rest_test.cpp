@@ -103,7 +103,7 @@ TEST(Rest, nothing_passes_a_free_sheet_however_fast) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " at " + std::to_string(speed) + " m/s");
       Random random(seed);
       World world;
-      world.set_surroundings({.gravity = {0, 0, 0}, .ground = std::nullopt});
+      world.set_environment({.gravity = {0, 0, 0}, .ground = std::nullopt});
       const BodyId sheet = test::add(world, test::rectangle(3, 3, 6), {0, 0, 0});
       const BodyId plate = test::add(world, test::rectangle(0.3, 0.2, 4), {0, 1, 0}, random_turn(random));
       world.body(plate).motion.velocity = {0, -speed, 0};

@@ -64,7 +64,7 @@ TEST(Shapes, halves_on_both_sides_of_a_wavy_kerf_do_not_move_by_themselves) {
   for (const double bulge : {0.0, 0.1}) {
     SCOPED_TRACE("bulge " + std::to_string(bulge));
     World world;
-    world.set_surroundings({.gravity = {0, 0, 0}, .ground = std::nullopt});
+    world.set_environment({.gravity = {0, 0, 0}, .ground = std::nullopt});
     const BodyId left = test::add(world, half_at_wavy_kerf(true, bulge), Vec3(0)),
                  right = test::add(world, half_at_wavy_kerf(false, bulge), Vec3(0));
     Physics physics;

@@ -215,7 +215,7 @@ TEST(Delta, undo_of_a_cut_lists_the_faces_of_the_piece_as_relabelled) {
   settings.laser.radius = 0.03;
   settings.resolution.target_edge = 0.03;
   document.apply(BeginStroke{settings, {{0.26, 3, -0.7}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.26, 3, 0.7}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.26, 3, 0.7}, {0, -1, 0}}});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
   ASSERT_EQ(document.world().live_pieces(), 2u);

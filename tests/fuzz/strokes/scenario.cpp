@@ -76,7 +76,7 @@ void Scenario::act() {
     case 6:
       return apply(Play{});
     case 7:
-      return apply(Advance{1 + bytes_.below(12), bytes_.below(2) == 0});
+      return apply(AdvanceTime{1 + bytes_.below(12), bytes_.below(2) == 0});
     case 8:
       return apply(StopStroke{bytes_.between(0, 4), bytes_.below(3)});
     default:
@@ -150,8 +150,8 @@ void Scenario::draw() {
     const bool turns = bytes_.below(solid_ ? 8 : 2) == 0 && glm::dot(next.direction, at.direction) > -0.9;
     at = {next.origin, turns ? next.direction : at.direction};
     time += 0.01 * bytes_.factor_below(8);
-    apply(MoveStroke{at, time});
-    if (bytes_.below(8) == 0) apply(Advance{1 + bytes_.below(3), bytes_.below(2) == 0});
+    apply(MoveBeam{at, time});
+    if (bytes_.below(8) == 0) apply(AdvanceTime{1 + bytes_.below(3), bytes_.below(2) == 0});
   }
   if (bytes_.below(8) != 0) apply(EndStroke{});
 }
@@ -199,8 +199,7 @@ void Scenario::prepare(const PieceId& of) {
   const size_t faces = document_.world().live_faces();
   switch (bytes_.below(4)) {
     case 0:
-      return apply(SimplifyPiece{
-          of, {.faces = faces / 2}, bytes_.below(2) == 0 ? SimplifyBy::kKerf : SimplifyBy::kOpenMesh});
+      return apply(SimplifyPiece{of, {.faces = faces / 2}});
     case 1:
       if (faces < kMostFaces / 4) apply(SubdividePiece{of, static_cast<Subdivision>(bytes_.below(3))});
       return;

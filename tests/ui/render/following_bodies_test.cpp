@@ -65,7 +65,7 @@ TEST(FollowingBodies, that_fall_sends_no_face_and_edits_neither_mesh_nor_tree) {
   for (int i = 0; i < 8; ++i)
     soups.push_back(test::moved(test::torus(6, 8, 0.05, 0.02), {0.3 * i - 1.2, 0.6, 1.5}, 1));
   test::Stage stage(test::world_of_all(soups));
-  stage.apply(SetSurroundings{{{0, -9.81, 0}, -1}});
+  stage.apply(SetEnvironment{{{0, -9.81, 0}, -1}});
   const ViewOptions options = under_lamp();
   stage.pass(1);
   stage.draw(view_from_above(), options, kFollowingWidth, kFollowingHeight);

@@ -92,7 +92,7 @@ TEST(ShadowLighting, the_light_is_added_where_the_stencil_is_zero_and_nowhere_el
     shadow += in_shadow;
     EXPECT_GE(gain, -1);
     if (in_shadow) {
-      EXPECT_LE(std::abs(gain), 6);  // what is mirrored of the light's surroundings
+      EXPECT_LE(std::abs(gain), 6);  // what is mirrored of the light's environment
     } else {
       brighter += gain > 6;
     }

@@ -30,7 +30,7 @@ void Stage::begin_cut(const Pose& from, const Pose& to, double radius, double he
   settings.resolution.target_edge = radius;
   settings.heat_width = heat_width;
   document_.apply(BeginStroke{settings, from});
-  document_.apply(MoveStroke{to});
+  document_.apply(MoveBeam{to});
   document_.apply(EndStroke{});
 }
 
@@ -55,7 +55,7 @@ void Stage::cut(const Pose& from, const Pose& to, double radius, double heat_wid
 
 void Stage::pass(Ticks ticks) {
   document_.apply(Play{});
-  document_.apply(Advance{ticks, true});
+  document_.apply(AdvanceTime{ticks, true});
   while (document_.waiting() > 0) {
     const auto step = document_.step(1);
     ASSERT_TRUE(step.ok());

@@ -22,7 +22,7 @@ Status write_all(OpenWork& work, const ViewState& view, const fs::path& file) {
 
 // Whether nobody misses it: what is hot has cooled down.
 bool only_cools(const Command& command) {
-  const Advance* time = std::get_if<Advance>(&command);
+  const AdvanceTime* time = std::get_if<AdvanceTime>(&command);
   return time != nullptr && !time->bodies;
 }
 

@@ -9,7 +9,7 @@
 namespace kerf {
 
 // A field of a panel in which a graph is drawn. The wheel zooms to the pointer, and a drag moves the graph.
-// At first the surroundings of a node are shown, as near as it takes to tell nodes apart.
+// At first the environment of a node are shown, as near as it takes to tell nodes apart.
 class GraphCanvas {
  public:
   struct Pointer {
@@ -28,7 +28,7 @@ class GraphCanvas {
   // for each node, and `lit` and `start` are nodes.
   Pointer draw(const Drawn& drawn, float height);
 
-  // Shows the whole graph from the next draw() on, or the surroundings of its `start`.
+  // Shows the whole graph from the next draw() on, or the environment of its `start`.
   void fit() { wish_ = Wish::kAll; }
   void come_near() { wish_ = Wish::kStart; }
   // Whether the pointer was over it when it was drawn last.

@@ -184,7 +184,7 @@ class MaterialFeature : public Feature {
     const MaterialChange change = panel_.draw(on_);
     if (change.sheet) {
       ask_for_all("Set the material", [sheet = *change.sheet](const PieceId& p) {
-        return SetSheet{p, sheet};
+        return SetSheetProperties{p, sheet};
       });
     }
     if (change.solid) {

@@ -51,7 +51,7 @@ bool is_quick(const Document& document, const Command& command) {
   return std::visit(
       Overloaded{
           [](const BeginStroke&) { return true; },
-          [](const MoveStroke&) { return true; },
+          [](const MoveBeam&) { return true; },
           [](const EndStroke&) { return true; },
           [&](const StopStroke&) { return document.execution().stop_here().has_value(); },
           [](const Recut&) { return true; },

@@ -64,8 +64,8 @@ bool chosen_are_pinned(const World& world, const ViewState& view) {
   return any;
 }
 
-SetSurroundings with_gravity(const World& world, const FileFrame& frame, bool on) {
-  Surroundings around = usual_surroundings(world, frame);
+SetEnvironment with_gravity(const World& world, const FileFrame& frame, bool on) {
+  Environment around = default_environment(world, frame);
   if (!on) around.gravity = Vec3(0);
   if (!on && frame.up != UpAxis::kY) around.ground.reset();
   return {around};
@@ -86,7 +86,7 @@ void ask_to_pin(Workspace& on, bool pinned) {
 
 std::vector<UserAction> body_actions(Workspace& on, PlayState& play) {
   std::vector<UserAction> actions = time_actions(on, play);
-  const auto has_gravity = [&on] { return on.world().surroundings().gravity != Vec3(0); };
+  const auto has_gravity = [&on] { return on.world().environment().gravity != Vec3(0); };
   const auto are_pinned = [&on] { return chosen_are_pinned(on.world(), on.view); };
   actions.push_back(
       {.name = "Gravity",

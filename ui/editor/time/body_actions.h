@@ -18,6 +18,6 @@ bool chosen_are_pinned(const World& world, const ViewState& view);
 
 // Gravity on or off. Without gravity there is a ground only if +Y points upwards. The value is that of the
 // earth, and the ground lies where it is drawn.
-SetSurroundings with_gravity(const World& world, const FileFrame& frame, bool on);
+SetEnvironment with_gravity(const World& world, const FileFrame& frame, bool on);
 
 }  // namespace kerf

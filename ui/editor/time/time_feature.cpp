@@ -56,7 +56,7 @@ class BodiesPanel {
   void draw(Workspace& on, PlayState& play);
 
  private:
-  void draw_surroundings(Workspace& on);
+  void draw_environment(Workspace& on);
 
   NumberFields fields_;
 };
@@ -106,31 +106,31 @@ void draw_statistics(const TickStatistics& statistics) {
   ImGui::PopStyleColor();
 }
 
-void BodiesPanel::draw_surroundings(Workspace& on) {
+void BodiesPanel::draw_environment(Workspace& on) {
   const World& world = on.work.document.world();
   const FileFrame& frame = on.view.frame;
-  Surroundings around = world.surroundings();
+  Environment around = world.environment();
   const double metres = metres_per_unit(frame.unit);
   bool gravity = around.gravity != Vec3(0);
   property("Gravity");
   if (ImGui::Checkbox("##gravity", &gravity)) on.changes.ask(with_gravity(world, frame, gravity));
   mark_last_item("gravity on");
   tooltip("Without gravity pieces float apart.");
-  if (!around.ground) around = usual_surroundings(world, frame);
+  if (!around.ground) around = default_environment(world, frame);
   around.metre = 1 / metres;
   double value = metres * glm::length(around.gravity);
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
   if (gravity && fields_.number("Its value", value, "%.3g m/s\xc2\xb2",
                                 "9.81 on the earth, 1.62 on the moon.", {}, kPositive)) {
     around.gravity = value / metres * down;
-    on.changes.ask(SetSurroundings{around});
+    on.changes.ask(SetEnvironment{around});
   }
   double height = around.ground.value_or(0);
   const LengthUnit unit = label_unit(0.1 * world.loaded_bounds().diagonal(), frame.unit);
   if (gravity &&
       length_field(fields_, "Ground", height, unit, "The height of the ground on which pieces rest.")) {
     around.ground = height;
-    on.changes.ask(SetSurroundings{around});
+    on.changes.ask(SetEnvironment{around});
   }
 }
 
@@ -138,7 +138,7 @@ void BodiesPanel::draw(Workspace& on, PlayState& play) {
   draw_time(on, play);
   if (begin_properties("bodies")) {
     draw_speed(play);
-    draw_surroundings(on);
+    draw_environment(on);
     end_properties();
   }
   draw_pin(on);
@@ -265,9 +265,9 @@ void TimeFeature::report(nlohmann::ordered_json& report) const {
       {"ticks", world.clock()},
       {"playing", play_.playing},
       {"speed", play_.speed().of_real_time},
-      {"gravity", vector_json(world.surroundings().gravity)},
-      {"ground", world.surroundings().ground ? nlohmann::ordered_json(*world.surroundings().ground)
-                                             : nlohmann::ordered_json(nullptr)}};
+      {"gravity", vector_json(world.environment().gravity)},
+      {"ground", world.environment().ground ? nlohmann::ordered_json(*world.environment().ground)
+                                            : nlohmann::ordered_json(nullptr)}};
   report["heat"] = heat_of(world);
 }
 

@@ -57,11 +57,11 @@ bool TimeFlow::begin() {
   if (begun_) return true;
   Document& document = on_.work.document;
   stand_together(on_);
-  const Surroundings fitting = fitting_surroundings(document.world(), on_.view.frame);
-  if (fitting != document.world().surroundings()) {
+  const Environment fitting = fitting_environment(document.world(), on_.view.frame);
+  if (fitting != document.world().environment()) {
     if (document.execution().in_stroke()) return false;
     before_ground_ = document.history().position();
-    on_.changes.apply(SetSurroundings{fitting});
+    on_.changes.apply(SetEnvironment{fitting});
     return false;
   }
   if (!document.execution().in_stroke()) document.apply(Play{});
@@ -76,9 +76,9 @@ bool TimeFlow::begin() {
 // The spring of the document becomes the one that the user pulls.
 void TimeFlow::queue_spring() {
   Document& document = on_.work.document;
-  if (!spring_ && document.world().spring()) document.apply(LetGo{});
+  if (!spring_ && document.world().spring()) document.apply(ReleaseBody{});
   if (spring_ && document.world().spring() != spring_)
-    document.apply(Pull{spring_->piece, spring_->at, spring_->to});
+    document.apply(DragBody{spring_->piece, spring_->at, spring_->to});
 }
 
 // Up to a full minute at most.
@@ -89,7 +89,7 @@ void TimeFlow::queue_ticks(Ticks ticks) {
   ticks = std::min(ticks, Execution::kTicksToForget - of_minute);
   pace_.take(ticks);
   queue_spring();
-  work.document.apply(Advance{ticks, true});
+  work.document.apply(AdvanceTime{ticks, true});
 }
 
 // Cooling
@@ -127,7 +127,7 @@ void Cooling::advance(double seconds) {
   const auto ticks = static_cast<Ticks>(pace_.due);
   if (ticks == 0) return;
   pace_.take(ticks);
-  document.apply(Advance{ticks, false, true});
+  document.apply(AdvanceTime{ticks, false, true});
   unseen_ = !seen;
   passed_at_ = on_.clock->seconds();
 }

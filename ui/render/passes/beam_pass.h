@@ -33,7 +33,7 @@ class BeamPass {
  public:
   explicit BeamPass(Shaders& shaders);
 
-  // Sets the uniforms for the light that the spot casts on its surroundings.
+  // Sets the uniforms for the light that the spot casts on its environment.
   static void fill_in(FrameUniforms& frame, const FrameSpace& space, const BeamPicture& beam);
   // Adds the beam to a picture of width x height pixels whose opaque surfaces and depth are drawn already,
   // with the near plane at a distance of `near` (m).

@@ -29,7 +29,7 @@ struct Scorch {
 
 // What is drawn of lasers and of what they throw off.
 struct Effects {
-  std::vector<BeamPicture> beams;  // besides the one whose spot lights its surroundings
+  std::vector<BeamPicture> beams;  // besides the one whose spot lights its environment
   std::vector<Spark> sparks;
   std::vector<Puff> puffs;
   std::vector<Scorch> scorches;

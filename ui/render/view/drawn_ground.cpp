@@ -9,23 +9,23 @@ constexpr double kEarthGravity = 9.81;  // m/s^2
 }  // namespace
 
 double height_of_drawn_ground(const World& world, UpAxis up) {
-  const Surroundings& around = world.surroundings();
+  const Environment& around = world.environment();
   if (around.ground && around.up() == from_y_up({0, 1, 0}, up)) return *around.ground;
   const World::Bounds bounds = world.loaded_bounds();
   const double diagonal = bounds.diagonal() > 0 ? bounds.diagonal() : 1;
   return height_of(bounds.min, up) - kGapToGround * diagonal;
 }
 
-Surroundings usual_surroundings(const World& world, const FileFrame& frame) {
+Environment default_environment(const World& world, const FileFrame& frame) {
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
   const double metre = 1 / metres_per_unit(frame.unit);
   return {kEarthGravity * metre * down, height_of_drawn_ground(world, frame.up), metre};
 }
 
-Surroundings fitting_surroundings(const World& world, const FileFrame& frame) {
-  Surroundings around = world.surroundings();
+Environment fitting_environment(const World& world, const FileFrame& frame) {
+  Environment around = world.environment();
   if (around.gravity == Vec3(0)) return around;
-  if (!around.ground) return usual_surroundings(world, frame);
+  if (!around.ground) return default_environment(world, frame);
   const double metre = 1 / metres_per_unit(frame.unit);
   if (around.metre == metre) return around;
   around.gravity *= metre / around.metre;

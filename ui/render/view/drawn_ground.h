@@ -10,12 +10,12 @@ namespace kerf {
 // as they were loaded.
 double height_of_drawn_ground(const World& world, UpAxis up);
 
-// The surroundings with the ground where it is drawn, and gravity of the earth against the upward axis in the
+// The environment with the ground where it is drawn, and gravity of the earth against the upward axis in the
 // unit of the file.
-Surroundings usual_surroundings(const World& world, const FileFrame& frame);
+Environment default_environment(const World& world, const FileFrame& frame);
 
-// The surroundings in which time passes: those of the world, with gravity in the unit of the file; the usual
+// The environment in which time passes: those of the world, with gravity in the unit of the file; the usual
 // ones where there is gravity and no ground yet.
-Surroundings fitting_surroundings(const World& world, const FileFrame& frame);
+Environment fitting_environment(const World& world, const FileFrame& frame);
 
 }  // namespace kerf

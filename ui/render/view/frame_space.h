@@ -38,7 +38,7 @@ struct FrameSpace {
   }
 };
 
-// The colours of the surroundings of a scene in linear light, a part of the uniform block "Frame"; frame.glsl
+// The colours of the environment of a scene in linear light, a part of the uniform block "Frame"; frame.glsl
 // documents its members. They are uniforms because a software renderer would compute them anew for every
 // pixel.
 struct StageColours {
@@ -50,7 +50,7 @@ struct StageColours {
 // The colours of a workshop at dusk, or by day.
 const StageColours& stage_colours(bool by_day);
 // The same for an eye under the ground, which is not drawn then: a lamp lights what it looks at from below,
-// and the surroundings are brighter than what is dark there.
+// and the environment are brighter than what is dark there.
 StageColours stage_colours_from_below(bool by_day);
 
 // The uniform block "Frame" of the shaders; frame.glsl documents its members.

@@ -106,7 +106,7 @@ struct ViewOptions {
   bool legends = true;      // colours of overlays are explained in the picture, by strips
   Shading shading = Shading::kByAngle;
   double mark_scale = 1;                // of numbers and lines over the picture; 1 is for a screen
-  bool by_day = false;                  // the surroundings are bright, otherwise dark
+  bool by_day = false;                  // the environment are bright, otherwise dark
   std::optional<SectionPlane> section;  // where ShowOptions::section cuts; see shown_section()
   TreeOverlay tree;
   std::vector<Light> lights = std::vector<Light>(1);  // only the first kMostLights are used

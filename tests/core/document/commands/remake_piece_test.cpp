@@ -13,7 +13,6 @@
 #include "core/joints/held_joints.h"
 #include "core/joints/hold_parts.h"
 #include "core/joints/loaded_part.h"
-#include "core/mesh/openmesh/decimate.h"
 #include "core/mesh/point_to_triangle.h"
 #include "core/mesh/remesh/simplify.h"
 #include "core/world/state_hash.h"
@@ -105,29 +104,6 @@ TEST(PrepareCommands, are_undone_and_done_again_to_the_bit) {
     expect_same_world(document.world(), before);
     ASSERT_TRUE(document.apply(Redo{}).ok());
     expect_same_world(document.world(), after);
-  }
-}
-
-// The faces of a piece are told to the method in another order than those of its body, which changes a
-// little.
-TEST(PrepareCommands, simplify_by_the_method_that_the_command_names) {
-  const World before = world_of(torus(30, 20, 1, 0.3));
-  const Mesh& mesh = before.body(before.ids().front()).mesh;
-  const SimplifyTarget target{.faces = 400};
-  const auto area_by = [&](auto method) {
-    const auto made = method(mesh, target, {}, nullptr, {});
-    double area = 0;
-    for (const auto& [a, b, c] : made->triangles)
-      area += triangle_area({made->positions[a], made->positions[b], made->positions[c]});
-    return area;
-  };
-  const double by_kerf = area_by(simplify), by_open_mesh = area_by(decimate);
-  for (const SimplifyBy by : {SimplifyBy::kKerf, SimplifyBy::kOpenMesh}) {
-    Document document(before);
-    ASSERT_TRUE(document.apply(SimplifyPiece{only_piece(before), target, by}).ok());
-    const double area = live_area(document.world().body(document.world().ids().front()).mesh);
-    const double own = by == SimplifyBy::kKerf ? by_kerf : by_open_mesh;
-    EXPECT_LT(std::abs(area - own), 0.4 * std::abs(by_kerf - by_open_mesh));
   }
 }
 

@@ -41,7 +41,7 @@ std::vector<Command> random_stroke(Random& random) {
   double time = 0;
   std::vector<Command> commands{BeginStroke{random_cut_settings(random), pose()}};
   for (size_t n = 1 + random.below(4); n > 0; --n)
-    commands.emplace_back(MoveStroke{pose(), time += random.unit()});
+    commands.emplace_back(MoveBeam{pose(), time += random.unit()});
   commands.emplace_back(EndStroke{});
   return commands;
 }
@@ -109,7 +109,7 @@ TEST(StopStroke, cuts_no_further_than_a_part_of_a_move) {
   settings.laser.radius = 0.05;
   settings.resolution.target_edge = 0.05;
   document.apply(BeginStroke{settings, {{-0.8, 1, 0.02}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.8, 1, 0.02}, {0, -1, 0}}, 1});
+  document.apply(MoveBeam{{{0.8, 1, 0.02}, {0, -1, 0}}, 1});
   document.apply(EndStroke{});
   double reached = -0.8;
   while (reached < 0) {
@@ -152,9 +152,9 @@ TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
   const Vec3 down(0, -1, 0);
   Document stopped = stopped_document(), shorter = stopped_document();
   draw_stroke(stopped,
-              {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0.8, 1, 0}, down}}, EndStroke{}});
+              {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveBeam{{{0.8, 1, 0}, down}}, EndStroke{}});
   draw_stroke(shorter,
-              {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0, 1, 0}, down}}, EndStroke{}});
+              {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveBeam{{{0, 1, 0}, down}}, EndStroke{}});
   ASSERT_TRUE(stopped.apply(StopStroke{1.5}).ok());
   for (Document* document : {&stopped, &shorter}) {
     ASSERT_TRUE(document->apply(Recut{finer}).ok());
@@ -171,11 +171,11 @@ TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Document document = stopped_document();
-    document.apply(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = -2}});
+    document.apply(SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = -2}});
     document.apply(Play{});
     for (const Command& c : random_stroke(random)) {
       ASSERT_TRUE(document.apply(c).ok());
-      if (random.below(2) == 0) document.apply(Advance{1 + random.below(9), true});
+      if (random.below(2) == 0) document.apply(AdvanceTime{1 + random.below(9), true});
     }
     step(document, 1 + random.below(60));
     const auto here = document.execution().stop_here();

@@ -5,18 +5,18 @@
 namespace kerf {
 namespace {
 
-TEST(SurroundingsText, of_a_world_in_millimetres_is_read_back) {
-  const Command metres = SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = 0}};
-  const Command millimetres = SetSurroundings{{.gravity = {0, -9810, 0}, .ground = 5, .metre = 1000}};
+TEST(EnvironmentText, of_a_world_in_millimetres_is_read_back) {
+  const Command metres = SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = 0}};
+  const Command millimetres = SetEnvironment{{.gravity = {0, -9810, 0}, .ground = 5, .metre = 1000}};
   for (const Command& command : {metres, millimetres}) {
     const auto text = command_text(command, {});
     ASSERT_TRUE(text.ok());
     const nlohmann::json json = nlohmann::json::parse(*text);
     const auto read = parse_command(JsonValue(json, "test"), {}, std::nullopt);
     ASSERT_TRUE(read.ok()) << read.error().message;
-    EXPECT_EQ(std::get<SetSurroundings>(*read).around, std::get<SetSurroundings>(command).around);
+    EXPECT_EQ(std::get<SetEnvironment>(*read).around, std::get<SetEnvironment>(command).around);
   }
-  const nlohmann::json wrong = {{"do", "surroundings"}, {"gravity", {0, -1, 0}}, {"metre", 0}};
+  const nlohmann::json wrong = {{"do", "environment"}, {"gravity", {0, -1, 0}}, {"metre", 0}};
   EXPECT_FALSE(parse_command(JsonValue(wrong, "test"), {}, std::nullopt).ok());
 }
 

@@ -16,7 +16,7 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
   settings.laser.radius = 0.02;
   settings.resolution.target_edge = 0.01;
   document.apply(BeginStroke{settings, {{-0.7, 1, 0.1}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.7, 1, 0.1}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.7, 1, 0.1}, {0, -1, 0}}});
   ASSERT_TRUE(run_all(document).ok());
   const Body& body = document.world().body(document.world().ids()[0]);
   const auto groups = faces_by_piece(body, false);

@@ -26,7 +26,7 @@ TEST(Document, replays_its_journal_to_the_same_world) {
   first.apply(BeginStroke{settings_of(0.02), {{-0.8, 1, 0.1}, {0, -1, 0}}});
   while (first.waiting() > 0) ASSERT_TRUE(first.step(1).ok());
   for (int i = 1; i <= 10; ++i) {
-    first.apply(MoveStroke{{{-0.8 + 0.16 * i, 1, 0.1}, glm::normalize(Vec3(0.02 * i, -1, 0.01 * i))}});
+    first.apply(MoveBeam{{{-0.8 + 0.16 * i, 1, 0.1}, glm::normalize(Vec3(0.02 * i, -1, 0.01 * i))}});
     while (first.waiting() > 0) ASSERT_TRUE(first.step(3).ok());
   }
   first.apply(EndStroke{});
@@ -42,7 +42,7 @@ TEST(Document, replays_its_journal_to_the_same_world) {
 TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
   const auto draw = [](Document& document, double radius, double z) {
     document.apply(BeginStroke{settings_of(radius), {{-0.8, 1, z}, {0, -1, 0}}});
-    document.apply(MoveStroke{{{0.8, 1, z + 0.03}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{0.8, 1, z + 0.03}, {0, -1, 0}}});
     document.apply(EndStroke{});
     ASSERT_TRUE(run_all(document).ok());
   };
@@ -72,7 +72,7 @@ TEST(Document, the_same_pieces_come_off_however_moves_are_dealt_out_to_steps) {
           return Pose{{random.uniform(-0.6, 0.6), 1, random.uniform(-0.6, 0.6)}, {0, -1, 0}};
         };
         document.apply(BeginStroke{settings_of(0.02), pose()});
-        for (int i = 0; i < 5; ++i) document.apply(MoveStroke{pose()});
+        for (int i = 0; i < 5; ++i) document.apply(MoveBeam{pose()});
         document.apply(EndStroke{});
         while (document.waiting() > 0) ASSERT_TRUE(document.step(moves).ok());
       }
@@ -106,7 +106,7 @@ uint64_t hash_of_wide_strokes(uint64_t seed, bool walk_between) {
     document.apply(BeginStroke{settings, pose()});
     for (int i = 0; i < (radius < 0.1 ? 6 : 3); ++i) {
       if (walk_between) run_all();
-      document.apply(MoveStroke{pose()});
+      document.apply(MoveBeam{pose()});
     }
     if (walk_between) run_all();
   }
@@ -144,7 +144,7 @@ TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
       return Pose{{x, 1, i / 2 % 2 == 0 ? 0.8 : -0.8}, {0, -1, 0}};
     };
     apply(BeginStroke{settings, pose(0)});
-    for (int i = 1; i < 16; ++i) apply(MoveStroke{pose(i)});
+    for (int i = 1; i < 16; ++i) apply(MoveBeam{pose(i)});
     apply(EndStroke{});
     for (Document& document : documents) ASSERT_TRUE(run_all(document).ok());
     EXPECT_GT(documents[0].world().live_pieces(), 3u);
@@ -161,7 +161,7 @@ TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   const auto strokes = [&](Document& document, bool step_between) {
     for (const double z : {0.2, -0.2}) {
       document.apply(BeginStroke{z > 0 ? too_fine : settings_of(0.02), {{-0.7, 1, z}, {0, -1, 0}}});
-      document.apply(MoveStroke{{{0.7, 1, z}, {0, -1, 0}}});
+      document.apply(MoveBeam{{{0.7, 1, z}, {0, -1, 0}}});
       document.apply(EndStroke{});
       while (step_between && document.waiting() > 0) (void)document.step(4).ok();
     }
@@ -180,7 +180,7 @@ TEST(Document, a_stroke_that_failed_is_over_and_is_not_tried_again_by_redo) {
   Document document(world_of(plate(1)));
   const uint64_t whole = state_hash(document.world());
   document.apply(BeginStroke{too_fine, {{-0.7, 1, 0.2}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.7, 1, 0.2}, {0, -1, 0}}});
   document.apply(EndStroke{});
   EXPECT_FALSE(run_all(document).ok());
   EXPECT_TRUE(document.history().last().done());
@@ -194,7 +194,7 @@ TEST(Document, a_stroke_that_failed_is_over_and_is_not_tried_again_by_redo) {
 TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.7, 1, 0.2}, {0, -1, 0}}});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
   const uint64_t cut = state_hash(document.world());
@@ -221,7 +221,7 @@ TEST(Document, what_is_drawn_of_a_stroke_after_it_failed_is_cut_with_other_setti
     const bool at_once = &document == &documents[0];
     document.apply(BeginStroke{too_fine, {{-0.3, 1, 0.2}, {0, -1, 0}}});
     if (at_once) drain(document);
-    for (const double x : {0.0, 0.3}) document.apply(MoveStroke{{{x, 1, 0.2}, {0, -1, 0}}});
+    for (const double x : {0.0, 0.3}) document.apply(MoveBeam{{{x, 1, 0.2}, {0, -1, 0}}});
     document.apply(EndStroke{});
     drain(document);
     EXPECT_EQ(document.history().removed_area(), 0);
@@ -260,7 +260,7 @@ TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
       CutSettings settings = settings_of(0.02);
       settings.most_faces = most_faces;
       document.apply(BeginStroke{settings, {{-0.7, 1, z}, {0, -1, 0}}});
-      document.apply(MoveStroke{{{0.7, 1, z}, {0, -1, 0}}});
+      document.apply(MoveBeam{{{0.7, 1, z}, {0, -1, 0}}});
     };
     draw(0.2, CutSettings{}.most_faces);
     if (too_fine) draw(-0.2, 40);
@@ -279,7 +279,7 @@ TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
 TEST(Document, a_recut_tells_which_faces_of_the_stroke_are_back) {
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.7, 1, 0.2}, {0, -1, 0}}});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
   std::set<FaceId> known = live_faces(document.world());
@@ -297,7 +297,7 @@ TEST(Document, a_journey_through_the_history_that_fails_tells_how_far_it_came) {
   Document document(world_of(plate(1)), [](const Progress*) { return Result<World>(world_of(plate(1))); });
   document.set_window(0);
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.7, 1, 0.2}, {0, -1, 0}}});
   ASSERT_TRUE(document.apply(AddMesh{file, "sphere"}).ok());
   ASSERT_TRUE(document.apply(Undo{}).ok());
   std::set<FaceId> known = live_faces(document.world());
@@ -311,11 +311,11 @@ TEST(Document, a_journey_through_the_history_that_fails_tells_how_far_it_came) {
 
 TEST(Document, does_nothing_for_moves_outside_a_stroke) {
   Document document(world_of(plate(1)));
-  document.apply(MoveStroke{{{0, 1, 0}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0, 1, 0}, {0, -1, 0}}});
   EXPECT_EQ(document.waiting(), 0u);
   document.apply(BeginStroke{settings_of(0.02), {{0, 1, 0}, {0, -1, 0}}});
   document.apply(EndStroke{});
-  document.apply(MoveStroke{{{0.3, 1, 0}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.3, 1, 0}, {0, -1, 0}}});
   EXPECT_EQ(document.waiting(), 1u);
 }
 
@@ -325,7 +325,7 @@ TEST(Document, cuts_through_all_bodies) {
   world.add(make_body("lower", build(moved(plate(1), {0, -0.3, 0}, 1))));
   Document document(std::move(world));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.1}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.7, 1, 0.12}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.7, 1, 0.12}, {0, -1, 0}}});
   ASSERT_TRUE(run_all(document).ok());
   EXPECT_EQ(document.world().live_pieces(), 4u);
 }

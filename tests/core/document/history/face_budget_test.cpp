@@ -16,7 +16,7 @@ void draw(Document& document, double z, double target_edge) {
   settings.laser.radius = 0.02;
   settings.resolution.target_edge = target_edge;
   document.apply(BeginStroke{settings, {{-0.7, 1, z}, {0, -1, 0}}});
-  for (double x = -0.6; x < 0.65; x += 0.1) document.apply(MoveStroke{{{x, 1, z}, {0, -1, 0}}});
+  for (double x = -0.6; x < 0.65; x += 0.1) document.apply(MoveBeam{{{x, 1, z}, {0, -1, 0}}});
   document.apply(EndStroke{});
 }
 

@@ -136,9 +136,9 @@ TEST(History, ids_of_bodies_do_not_depend_on_how_far_a_stroke_was_walked_when_it
       if (walks) finish(document);
     };
     apply(BeginStroke{settings, {{0.05, 2, -0.9}, {0, -1, 0}}});
-    apply(MoveStroke{{{0.05, 2, 0.9}, {0, -1, 0}}});
+    apply(MoveBeam{{{0.05, 2, 0.9}, {0, -1, 0}}});
     apply(EndStroke{});
-    apply(Advance{3, true});
+    apply(AdvanceTime{3, true});
     apply(Recut{wider});
     finish(document);
   };
@@ -164,7 +164,7 @@ TEST(History, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_al
   finer.resolution.target_edge = 0.05;
   const auto draw = [](Document& document, const CutSettings& s, double x) {
     document.apply(BeginStroke{s, {{x, 1, -0.7}, {0, -1, 0}}});
-    document.apply(MoveStroke{{{x, 1, 0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{x, 1, 0.7}, {0, -1, 0}}});
     document.apply(EndStroke{});
   };
   Document fresh(world_of(plate(1)));

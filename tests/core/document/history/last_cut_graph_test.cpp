@@ -13,7 +13,7 @@ void stroke_across(Document& document, double x) {
   settings.laser.radius = settings.resolution.target_edge = 0.03;
   const Vec3 down(0, -1, 0);
   document.apply(BeginStroke{settings, {{x, 3, -1.3}, down}});
-  document.apply(MoveStroke{{{x, 3, 1.3}, down}});
+  document.apply(MoveBeam{{{x, 3, 1.3}, down}});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
 }

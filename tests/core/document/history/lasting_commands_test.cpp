@@ -44,17 +44,17 @@ void act(Document& document, Random& random) {
       document.apply(Recut{some_settings(random)});
       break;
     case 3:
-      ASSERT_TRUE(document.apply(SetSurroundings{{.gravity = {0, -random.unit(), 0}, .ground = {}}}).ok());
+      ASSERT_TRUE(document.apply(SetEnvironment{{.gravity = {0, -random.unit(), 0}, .ground = {}}}).ok());
       break;
     case 4:
-      document.apply(Advance{1 + random.below(200), false, random.below(2) == 0});
+      document.apply(AdvanceTime{1 + random.below(200), false, random.below(2) == 0});
       break;
     case 5:
       document.apply(StopStroke{random.uniform(0, 2)});
       break;
     default:
       document.apply(BeginStroke{some_settings(random), random_pose(random)});
-      document.apply(MoveStroke{random_pose(random)});
+      document.apply(MoveBeam{random_pose(random)});
       document.apply(EndStroke{});
   }
   ASSERT_TRUE(run_all(document).ok());
@@ -64,7 +64,7 @@ void act(Document& document, Random& random) {
 std::vector<Command> merged(const std::vector<Command>& commands) {
   std::vector<Command> all;
   for (const Command& c : commands) {
-    if (const auto* time = std::get_if<Advance>(&c)) {
+    if (const auto* time = std::get_if<AdvanceTime>(&c)) {
       append_ticks(all, *time);
     } else {
       all.push_back(c);
@@ -85,7 +85,7 @@ std::vector<Command> commands_of_history(const History& history) {
 }
 
 TEST(LastingCommands, leaves_out_what_was_undone_and_undo_itself) {
-  const Command begin = BeginStroke{}, move = MoveStroke{}, end = EndStroke{}, undo = Undo{}, redo = Redo{};
+  const Command begin = BeginStroke{}, move = MoveBeam{}, end = EndStroke{}, undo = Undo{}, redo = Redo{};
   EXPECT_EQ(lasting_commands({}), Flags{});
   EXPECT_EQ(lasting_commands(std::vector{begin, move, end}), (Flags{1, 1, 1}));
   EXPECT_EQ(lasting_commands(std::vector{begin, end, undo, begin, end}), (Flags{0, 0, 0, 1, 1}));
@@ -95,13 +95,15 @@ TEST(LastingCommands, leaves_out_what_was_undone_and_undo_itself) {
 }
 
 TEST(LastingCommands, takes_the_last_recut_for_the_stroke) {
-  const Command begin = BeginStroke{}, end = EndStroke{}, recut = Recut{}, undo = Undo{}, tick = Advance{1};
+  const Command begin = BeginStroke{}, end = EndStroke{}, recut = Recut{}, undo = Undo{},
+                tick = AdvanceTime{1};
   EXPECT_EQ(lasting_commands(std::vector{begin, end, recut, recut}), (Flags{0, 0, 0, 1}));
   EXPECT_EQ(lasting_commands(std::vector{begin, end, tick, recut, undo}), (Flags{1, 1, 1, 0, 0}));
 }
 
 TEST(LastingCommands, time_that_joins_an_edit_is_undone_with_it) {
-  const Command edit = RenamePiece{}, own = Advance{1}, joins = Advance{1, false, true}, undo = Undo{};
+  const Command edit = RenamePiece{}, own = AdvanceTime{1}, joins = AdvanceTime{1, false, true},
+                undo = Undo{};
   EXPECT_EQ(lasting_commands(std::vector{edit, own, undo}), (Flags{1, 0, 0}));
   EXPECT_EQ(lasting_commands(std::vector{edit, joins, undo}), (Flags{0, 0, 0}));
 }
@@ -131,7 +133,7 @@ TEST(LastingCommands, takes_any_journal) {
     const std::vector<Command> journal = random_commands(random, 1 + random.below(20));
     EXPECT_EQ(lasting_commands(journal).size(), journal.size());
   }
-  EXPECT_EQ(lasting_commands(std::vector<Command>{MoveStroke{}, EndStroke{}, Undo{}, Redo{}, Recut{}}),
+  EXPECT_EQ(lasting_commands(std::vector<Command>{MoveBeam{}, EndStroke{}, Undo{}, Redo{}, Recut{}}),
             (Flags{0, 0, 0, 0, 1}));
 }
 

@@ -23,7 +23,7 @@ std::map<uint32_t, uint32_t> labels_of(const Mesh& mesh) {
 void draw_one_stroke(Document& document, Random& random) {
   const RandomStroke stroke = random_stroke(document.world(), random, 0.03, true);
   document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
-  document.apply(MoveStroke{stroke.moves.back().to});
+  document.apply(MoveBeam{stroke.moves.back().to});
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
 }

@@ -76,7 +76,7 @@ struct Model {
     ++at;
   }
   // Time belongs to the stroke before it, cut again or not, and to other time; to an edit where it joins it.
-  void pass(const Advance& time) {
+  void pass(const AdvanceTime& time) {
     const bool joins = time.joins && !time.bodies;
     const auto is_edit = [](const Command& first) {
       return std::visit(
@@ -122,7 +122,7 @@ Command random_piece_command(const PieceId& piece, Random& random) {
 }
 
 // Bodies move in some of it.
-Advance random_time(Random& random) {
+AdvanceTime random_time(Random& random) {
   if (random.below(2) == 0) return {1 + random.below(300), false, random.below(2) == 0};
   return {1 + random.below(12), true};
 }
@@ -184,12 +184,12 @@ void act(Document& document, Model& model, Random& random) {
     model.at = random.below(model.steps.size() + 1);
     ASSERT_TRUE(document.travel(model.at).ok());
   } else if (what == 12) {
-    const Advance time{1 + random.below(12), true};
+    const AdvanceTime time{1 + random.below(12), true};
     document.apply(Play{});
     document.apply(time);
     model.add({Play{}, time});
   } else if (what >= 13) {
-    const Advance time = random_time(random);
+    const AdvanceTime time = random_time(random);
     document.apply(time);
     model.pass(time);
   }

@@ -17,7 +17,7 @@ using StageKind = StageRecord::Kind;
 
 void draw(Document& document, const RandomStroke& stroke) {
   document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
-  document.apply(MoveStroke{stroke.moves.back().to});
+  document.apply(MoveBeam{stroke.moves.back().to});
   document.apply(EndStroke{});
 }
 
@@ -113,7 +113,7 @@ std::vector<Command> random_commands(const World& world, Random& random) {
   RandomStroke stroke = random_stroke(world, random, 0.05, random.below(2) == 0);
   if (random.below(2) == 0) stroke.settings.resolution.rim = Rim::kSmooth;
   std::vector<Command> commands{BeginStroke{stroke.settings, stroke.moves.front().from},
-                                MoveStroke{stroke.moves.back().to}, EndStroke{}};
+                                MoveBeam{stroke.moves.back().to}, EndStroke{}};
   stroke.settings.resolution.target_edge *= 1.5;
   if (random.below(2) == 0) commands.emplace_back(Recut{stroke.settings});
   return commands;
@@ -175,7 +175,7 @@ TEST(SingleStep, goes_back_while_a_stroke_is_being_drawn) {
   CutSettings settings;
   settings.laser.radius = settings.resolution.target_edge = 0.05;
   const BeginStroke begin{settings, {{-0.5, 1, 0.03}, {0, -1, 0}}};
-  const MoveStroke half{{{0, 1, 0.03}, {0, -1, 0}}}, rest{{{0.5, 1, 0.1}, {0, -1, 0}}};
+  const MoveBeam half{{{0, 1, 0.03}, {0, -1, 0}}}, rest{{{0.5, 1, 0.1}, {0, -1, 0}}};
   stepped.apply(begin);
   stepped.apply(half);
   SingleStep single(stepped);
@@ -196,7 +196,7 @@ Document sheet_with_stroke() {
   CutSettings settings;
   settings.laser.radius = settings.resolution.target_edge = 0.05;
   document.apply(BeginStroke{settings, {{-0.5, 1, 0.03}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.5, 1, 0.03}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.5, 1, 0.03}, {0, -1, 0}}});
   document.apply(EndStroke{});
   return document;
 }
@@ -256,7 +256,7 @@ TEST(SingleStep, cuts_what_steps_cut_to_the_bit) {
 TEST(SingleStep, tells_time_from_the_closing_of_a_rim) {
   Document document(world_of(sphere(12, 16, 1)));
   SingleStep single(document);
-  document.apply(Advance{3, true});
+  document.apply(AdvanceTime{3, true});
   while (document.waiting() > 0) {
     const auto stage = single.next();
     ASSERT_TRUE(stage.ok());

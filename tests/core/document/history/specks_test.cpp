@@ -40,7 +40,7 @@ Document strips() {
   settings.resolution.rule = Resolution::Rule::kTargetEdge;
   settings.resolution.target_edge = 0.005;
   document.apply(BeginStroke{settings, {{-1, 0.5, 1}, {0, 0, -1}}});
-  document.apply(MoveStroke{{{2, 0.5, 1}, {0, 0, -1}}});
+  document.apply(MoveBeam{{{2, 0.5, 1}, {0, 0, -1}}});
   document.apply(EndStroke{});
   return document;
 }

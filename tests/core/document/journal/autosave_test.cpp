@@ -136,7 +136,7 @@ TEST_F(AutosaveFolder, names_what_it_cannot_read_and_leaves_it) {
   for (uint32_t i = 0;; ++i) {
     const Pose pose{{random.unit(), 1, random.unit()}, {0, -1, 0}};
     if (i % 40 == 0) document.apply(BeginStroke{random_settings(random), pose});
-    document.apply(MoveStroke{pose});
+    document.apply(MoveBeam{pose});
     if (!autosave.follow(document, {})) ::_exit(1);
     const auto kept = static_cast<uint32_t>(document.journal().size());
     if (::write(pipe, &kept, sizeof kept) != sizeof kept) ::_exit(1);

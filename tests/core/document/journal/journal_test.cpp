@@ -43,7 +43,7 @@ class JournalFile : public testing::Test {
     CutSettings settings;
     settings.laser.radius = 0.02;
     settings.resolution.target_edge = 0.02;
-    return {BeginStroke{settings, {{-0.7, 1, z}, {0, -1, 0}}}, MoveStroke{{{0.7, 1, z}, {0, -1, 0}}},
+    return {BeginStroke{settings, {{-0.7, 1, z}, {0, -1, 0}}}, MoveBeam{{{0.7, 1, z}, {0, -1, 0}}},
             EndStroke{}};
   }
 
@@ -145,10 +145,10 @@ TEST_F(JournalFile, with_garbage_in_it_is_read_up_to_the_damage_and_names_its_li
       "{\"do\":7}",
       "{\"hash\":\"short\"}",
       "{\"do\":\"end\",\"more\":1}",
-      R"({"do":"move","origin":[0,1e999,0],"direction":[0,-1,0]})",
-      R"({"do":"move","origin":[0,1,0],"direction":[0,-2,0]})",
-      R"({"do":"move","origin":[0,1,0],"direction":[0,1,0]})",
-      R"({"do":"end","\u0000":1})",
+      R"({"do":"move-beam","origin":[0,1e999,0],"direction":[0,-1,0]})",
+      R"({"do":"move-beam","origin":[0,1,0],"direction":[0,-2,0]})",
+      R"({"do":"move-beam","origin":[0,1,0],"direction":[0,1,0]})",
+      R"({"do":"end-stroke","\u0000":1})",
       R"({"do":"recut","settings":{"radius\u0000":1}})",
       R"({"do":"hide-piece","piece":[-1,0],"hidden":true})",
       R"({"do":"hide-piece","piece":[0,0],"hidden":1})",
@@ -157,7 +157,7 @@ TEST_F(JournalFile, with_garbage_in_it_is_read_up_to_the_damage_and_names_its_li
       R"({"do":"hide-piece","piece":[0,4294967295,0],"hidden":true})",
       R"({"do":"delete-piece","piece":[0,4294967296]})",
       R"({"do":"duplicate-piece","piece":[0,0],"position":[0,0,0]})",
-      R"({"do":"begin","settings":{},"origin":[0,1,0],"direction":[0,-1,0]})",
+      R"({"do":"begin-stroke","settings":{},"origin":[0,1,0],"direction":[0,-1,0]})",
       R"({"do":"move-piece","piece":[0,0],"position":[0,0,0],"orientation":[1,1,0,0]})"};
   save(stroke(0.1));
   const std::string good = read_text(file());
@@ -195,9 +195,9 @@ TEST_F(JournalFile, refuses_a_head_that_is_none) {
   for (const char* head :
        {"", "{}", "[]", "\xff", R"({"kerf":"scene","version":1,"bodies":[{"mesh":"plate.obj"}]})",
         R"({"kerf":"journal","bodies":[{"mesh":"plate.obj"}]})",
-        R"({"kerf":"journal","version":2,"bodies":[{"mesh":"plate.obj"}]})",
-        R"({"kerf":"journal","version":1,"bodies":[]})",
-        R"({"kerf":"journal","version":1,"bodies":[{"mesh":"plate.obj","hash":"7"}]})"}) {
+        R"({"kerf":"journal","format":99,"program":"9.0.0","bodies":[{"mesh":"plate.obj"}]})",
+        R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[]})",
+        R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[{"mesh":"plate.obj","hash":"7"}]})"}) {
     SCOPED_TRACE(head);
     write_text(file(), std::string(head) + "\n{\"do\":\"end\"}\n");
     const auto journal = read_journal(file());
@@ -206,6 +206,16 @@ TEST_F(JournalFile, refuses_a_head_that_is_none) {
     EXPECT_NE(journal.error().message.find("plate.kerf: line 1: "), std::string::npos)
         << journal.error().message;
   }
+}
+
+TEST_F(JournalFile, made_before_formats_had_numbers_is_refused_as_such) {
+  write_text(file(),
+             R"({"kerf":"journal","version":1,"bodies":[{"mesh":"plate.obj","hash":"0000000000000007"}]})"
+             "\n");
+  const auto journal = read_journal(file());
+  ASSERT_FALSE(journal.ok());
+  EXPECT_EQ(journal.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(journal.error().message.find("before Kerf 0.2"), std::string::npos) << journal.error().message;
 }
 
 TEST_F(JournalFile, is_not_written_with_a_name_that_json_cannot_hold) {

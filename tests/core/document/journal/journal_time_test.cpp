@@ -28,8 +28,8 @@ TEST(JournalTime, after_an_edit_that_does_not_say_that_it_joins_it_is_a_step_of_
     const nlohmann::json json = nlohmann::json::parse(line);
     return *parse_command(JsonValue(json, "line 1"), {}, std::nullopt);
   };
-  const Command own = parse(R"({"do": "advance", "ticks": 7})");
-  const Command joins = parse(R"({"do": "advance", "ticks": 7, "joins": true})");
+  const Command own = parse(R"({"do": "advance-time", "ticks": 7})");
+  const Command joins = parse(R"({"do": "advance-time", "ticks": 7, "joins": true})");
   for (const bool joined : {false, true}) {
     Document document(world_of(plate(1)));
     const BodyId id = document.world().ids()[0];
@@ -50,14 +50,14 @@ TEST(JournalTime, of_a_journal_without_times_is_none) {
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "plate.obj"));
   ASSERT_TRUE(note_hashes(scene).ok());
-  const std::vector<Command> commands{BeginStroke{thin_beam(0.05), kAtOneEnd}, MoveStroke{kAtTheOther},
+  const std::vector<Command> commands{BeginStroke{thin_beam(0.05), kAtOneEnd}, MoveBeam{kAtTheOther},
                                       EndStroke{}};
   ASSERT_TRUE(save_journal(folder / "old.kerf", scene, commands, {}).ok());
   EXPECT_EQ(read_text(folder / "old.kerf").find("\"t\":"), std::string::npos);
   const auto journal = read_journal(folder / "old.kerf");
   ASSERT_TRUE(journal.ok());
   ASSERT_EQ(journal->commands.size(), 3u);
-  EXPECT_EQ(std::get<MoveStroke>(journal->commands[1]).time, 0);
+  EXPECT_EQ(std::get<MoveBeam>(journal->commands[1]).time, 0);
 }
 
 // Drawn live, with time, undone and cut again at random; then replayed from its journal.
@@ -82,13 +82,13 @@ TEST(JournalTime, a_journal_with_time_replays_to_the_same_world_command_by_comma
           if (document.can_recut()) ASSERT_TRUE(document.apply(Recut{thin_beam(0.03)}).ok());
           break;
         case 3:
-          document.apply(MoveStroke{pose, time += random.unit()});
+          document.apply(MoveBeam{pose, time += random.unit()});
           break;
         case 4:
           mark_state(document, journal.marks, true);
           break;
         default:
-          document.apply(Advance{1 + random.below(70)});
+          document.apply(AdvanceTime{1 + random.below(70)});
       }
       if (random.below(2) == 0) ASSERT_TRUE(document.step(random.below(50)).ok());
     }

@@ -20,7 +20,7 @@ constexpr Ticks kMinute = Execution::kTicksToForget;
 World falling_world() {
   World world;
   for (const double height : {0.3, 0.5, 0.8}) add(world, rectangle(1, 1, 8), {0.1 * height, height, 0});
-  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  world.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
   return world;
 }
 
@@ -34,7 +34,7 @@ class Recorded {
     settings.heat_width = heat_width;
     const Vec3 down(0, -1, 0);
     document.apply(BeginStroke{settings, {{-2, 3, z}, down}});
-    document.apply(MoveStroke{{{2, 3, z}, down}});
+    document.apply(MoveBeam{{{2, 3, z}, down}});
     document.apply(EndStroke{});
     walk();
   }
@@ -43,7 +43,7 @@ class Recorded {
     pass(ticks);
   }
   void pass(Ticks ticks) {
-    document.apply(Advance{ticks, true});
+    document.apply(AdvanceTime{ticks, true});
     walk();
   }
   void walk() { ASSERT_TRUE(run_all(document).ok()); }
@@ -131,7 +131,7 @@ TEST(TimeSkips, time_goes_on_to_the_bit_from_the_mark_of_a_full_minute) {
   Recorded a;
   a.document.apply(Play{});
   const BodyId plate = a.document.world().ids()[0];
-  a.document.apply(Pull{{plate, 0}, {0.4, 0, 0.3}, {0.2, 0.7, 0.1}});
+  a.document.apply(DragBody{{plate, 0}, {0.4, 0, 0.3}, {0.2, 0.7, 0.1}});
   a.pass(kMinute - 100);
   a.mark();
   a.pass(100);
@@ -160,8 +160,8 @@ StateMark mark_at(size_t commands, Ticks clock) {
 }
 
 TEST(TimeSkips, are_runs_without_a_beam_up_to_a_mark_from_which_time_goes_on_alike) {
-  const Command time = Advance{100, true}, cools = Advance{100, false};
-  const Command begin = BeginStroke{}, move = MoveStroke{}, end = EndStroke{};
+  const Command time = AdvanceTime{100, true}, cools = AdvanceTime{100, false};
+  const Command begin = BeginStroke{}, move = MoveBeam{}, end = EndStroke{};
   const auto firsts = [](std::vector<Command> commands, std::vector<StateMark> marks) {
     Journal journal;
     journal.commands = std::move(commands);
@@ -180,7 +180,7 @@ TEST(TimeSkips, are_runs_without_a_beam_up_to_a_mark_from_which_time_goes_on_ali
   EXPECT_EQ(firsts({begin, move, end, time, time, Play{}}, {mark_at(5, 200)}), Firsts({3}));
   EXPECT_EQ(firsts({begin, move, Play{}, time, time}, {mark_at(5, 200)}), Firsts({2}));
   EXPECT_EQ(firsts({Play{}, cools, time, time}, {mark_at(4, 300)}), Firsts({2}));
-  EXPECT_EQ(firsts({Play{}, time, LetGo{}, time, Undo{}}, {mark_at(4, 200)}), Firsts({0}));
+  EXPECT_EQ(firsts({Play{}, time, ReleaseBody{}, time, Undo{}}, {mark_at(4, 200)}), Firsts({0}));
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ bool stops_all(BodyId) { return true; }
 class SheetInSight : public testing::Test {
  protected:
   SheetInSight() {
-    Surroundings around;
+    Environment around;
     around.ground = 0;
-    world_.set_surroundings(around);
+    world_.set_environment(around);
     sheet_ = test::add(world_, test::rectangle(2, 2, 2), {0, 1, 0});
   }
   std::optional<SightHit> look(const Vec3& from, const Vec3& direction, double length,

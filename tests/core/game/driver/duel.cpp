@@ -7,9 +7,9 @@
 namespace kerf::test {
 
 Duel::Duel(std::span<const Vec3> places) {
-  Surroundings around;
+  Environment around;
   around.ground = 0;
-  world_.set_surroundings(around);
+  world_.set_environment(around);
   Delta came;
   for (const Vec3& place : places) {
     if (!vehicles_.empty()) opponents_.push_back(vehicles_.size());

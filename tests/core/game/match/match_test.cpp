@@ -76,22 +76,6 @@ TEST(Match, its_recording_leads_to_the_same_world) {
   EXPECT_EQ(state_hash(again.world()), read->hash);
 }
 
-TEST(Match,
-     a_recording_of_an_earlier_version_is_read_and_known_as_such_and_one_of_a_later_version_is_not_read) {
-  test::TemporaryFolder folder;
-  Recording recording;
-  recording.rules = standard();
-  for (const size_t version : {size_t{1}, kMatchVersion, kMatchVersion + 1}) {
-    recording.version = version;
-    const auto text = recording_text(recording, folder.path());
-    ASSERT_TRUE(text);
-    test::write_text(folder / "match.kerf", *text);
-    const auto read = read_recording(folder / "match.kerf");
-    ASSERT_EQ(read.ok(), version <= kMatchVersion);
-    if (read) EXPECT_EQ(read->version, version);
-  }
-}
-
 TEST(Match, a_bot_plays_on_and_nothing_leaves_the_arena) {
   const auto rules = load_rules(standard());
   ASSERT_TRUE(rules) << rules.error().message;

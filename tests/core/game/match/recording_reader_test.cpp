@@ -8,7 +8,7 @@ namespace kerf {
 namespace {
 
 const std::string kHead =
-    R"({"kerf":"match","version":2,"rules":"rules.json","files":"0123456789abcdef","seed":7,)"
+    R"({"kerf":"match","format":1,"program":"0.1.0","rules":"rules.json","files":"0123456789abcdef","seed":7,)"
     R"("difficulty":"hard"})";
 const std::string kInputs = R"({"inputs":[[2,100,-5,0,1,30,-200,17]]})";
 
@@ -95,8 +95,19 @@ TEST_F(RecordingFile, is_refused_where_its_head_is_wrong) {
   EXPECT_TRUE(refused("abcdef", "abcdxf"));
   EXPECT_TRUE(refused("\"hard\"", "\"lethal\""));
   EXPECT_TRUE(refused(",\"seed\":7", ""));
-  EXPECT_TRUE(refused("\"version\":2", "\"version\":" + std::to_string(kMatchVersion + 1)));
+  EXPECT_TRUE(refused("\"format\":1", "\"format\":" + std::to_string(kRecordingFormat + 1)));
   EXPECT_FALSE(read(""));
+}
+
+TEST_F(RecordingFile, made_before_formats_had_numbers_is_refused_as_such) {
+  std::string head = kHead;
+  const std::string format = R"("format":1,"program":"0.1.0")";
+  head.replace(head.find(format), format.size(), R"("version":5)");
+  const auto recording = read(head + "\n" + kInputs + "\n");
+  ASSERT_FALSE(recording);
+  EXPECT_EQ(recording.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(recording.error().message.find("before Kerf 0.2"), std::string::npos)
+      << recording.error().message;
 }
 
 TEST_F(RecordingFile, is_known_by_its_first_bytes) {

@@ -10,11 +10,11 @@
 #include "core/base/angle.h"
 #include "core/mesh/load_mesh.h"
 #include "core/mesh/longest_edge.h"
-#include "core/mesh/openmesh/decimate.h"
 #include "core/mesh/point_to_triangle.h"
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/openmesh_simplify.h"
 #include "tests/support/real_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/surface_distance.h"
@@ -35,9 +35,10 @@ class Simplify : public testing::TestWithParam<Method> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(by, Simplify, testing::Values(&simplify, &decimate), [](const auto& method) {
-  return std::string(method.param == &simplify ? "kerf" : "openmesh");
-});
+INSTANTIATE_TEST_SUITE_P(by, Simplify, testing::Values(&simplify, &simplify_by_openmesh),
+                         [](const auto& method) {
+                           return std::string(method.param == &simplify ? "kerf" : "openmesh");
+                         });
 
 Mesh mesh_of(const Remeshed& remeshed, const Mesh& from) {
   return std::move(build_remeshed(remeshed, from, nullptr)->mesh);
@@ -261,11 +262,11 @@ double error_of(const Mesh& mesh, const Remeshed& made) {
   return std::max(SurfaceDistance(mesh).of(other, 4, random), SurfaceDistance(other).of(mesh, 2, random));
 }
 
-// The error of simplify() over that of decimate(), with so many times fewer faces.
+// The error of simplify() over that of simplify_by_openmesh(), with so many times fewer faces.
 double beside_openmesh(const Mesh& mesh, size_t divisor) {
   const SimplifyTarget target{.faces = mesh.live_faces() / divisor};
   return error_of(mesh, *simplify(mesh, target, {}, nullptr)) /
-         error_of(mesh, *decimate(mesh, target, {}, nullptr));
+         error_of(mesh, *simplify_by_openmesh(mesh, target, {}, nullptr));
 }
 
 TEST(SimplifyBeside, openmesh_the_error_on_made_surfaces_is_no_larger) {

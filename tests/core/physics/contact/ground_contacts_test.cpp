@@ -11,7 +11,7 @@ namespace {
 TEST(GroundContacts, are_where_the_lowest_corners_are) {
   test::MovingSheets sheets;
   sheets.add(test::closed_box({0.4, 0.4, 0.4}), {0, 0.205, 0});
-  Surroundings around;
+  Environment around;
   const PairMemory memory{};
   EXPECT_TRUE(find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory).empty())
       << "no ground";
@@ -32,7 +32,7 @@ TEST(GroundContacts, are_where_the_lowest_corners_are) {
 TEST(GroundContacts, of_a_body_that_is_sunk_tell_how_deep_its_lowest_corner_is) {
   test::MovingSheets sheets;
   sheets.add(test::closed_box({0.4, 0.4, 0.4}), {0, 0.15, 0}, glm::angleAxis(0.1, Vec3(0, 0, 1)));
-  Surroundings around;
+  Environment around;
   const auto sunk = [&] {
     const MovingBody& box = sheets.bodies()[0];
     return depth_below_ground(box, box.now, around);

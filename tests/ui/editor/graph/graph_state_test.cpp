@@ -21,7 +21,7 @@ void cut_at(Document& document, double x) {
   settings.resolution.target_edge = 0.15;  // few faces, so that none are joined to clusters
   const Vec3 down(0, -1, 0);
   document.apply(BeginStroke{settings, {{x, 3, -1.3}, down}});
-  document.apply(MoveStroke{{{x, 3, 1.3}, down}});
+  document.apply(MoveBeam{{{x, 3, 1.3}, down}});
   document.apply(EndStroke{});
 }
 
@@ -68,12 +68,12 @@ TEST(GraphState, is_read_again_while_time_passes_only_when_pieces_become_bodies)
   ASSERT_TRUE(graph.follow(document));
   ASSERT_FALSE(graph.drawn()->loops.empty());
   document.apply(Play{});
-  document.apply(Advance{1, true});
+  document.apply(AdvanceTime{1, true});
   run_queue(document);
   EXPECT_TRUE(graph.follow(document));
   const auto drawn = graph.drawn();
   for (int second = 0; second < 3; ++second) {
-    document.apply(Advance{kTicksPerSecond, true});
+    document.apply(AdvanceTime{kTicksPerSecond, true});
     EXPECT_FALSE(graph.follow(document));
     run_queue(document);
     EXPECT_FALSE(graph.follow(document));
@@ -89,7 +89,7 @@ TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   document.apply(Play{});
-  document.apply(Advance{1, true});
+  document.apply(AdvanceTime{1, true});
   run_queue(document);
   GraphState graph;
   graph.follow(document);
@@ -97,7 +97,7 @@ TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
   const LoopPath& loop = drawn.loops.back();
   const Body& body = document.world().body(loop.body);
   const Vec3 read = loop.points.front(), in_body = body.placement.to_body(read);
-  document.apply(Advance{60, true});
+  document.apply(AdvanceTime{60, true});
   run_queue(document);
   ASSERT_GT(glm::length(body.placement.to_world(in_body) - read), 0.5);
   const Vec3 now = drawn.moved_with(loop.body, read, document.world());

@@ -23,7 +23,7 @@ class CutProgressTest : public testing::Test {
     settings.resolution.target_edge = 0.02;
     settings.resolution.rim = rim;
     document.apply(BeginStroke{settings, {{-0.6, 1, 0.01}, {0, -1, 0}}});
-    document.apply(MoveStroke{{{0.6, 1, 0.01}, {0, -1, 0}}, 1});
+    document.apply(MoveBeam{{{0.6, 1, 0.01}, {0, -1, 0}}, 1});
     document.apply(EndStroke{});
   }
   std::string follow(double seconds, bool held_back = false) {
@@ -90,7 +90,7 @@ TEST_F(CutProgressTest, the_end_of_a_stroke_with_a_smooth_rim_is_told_and_not_st
 }
 
 TEST_F(CutProgressTest, time_and_what_is_held_back_are_no_work) {
-  document.apply(Advance{100, false, true});
+  document.apply(AdvanceTime{100, false, true});
   follow(0);
   EXPECT_EQ(follow(1), "");
   draw();

@@ -42,7 +42,7 @@ TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_mov
   CutSettings settings;
   settings.laser.radius = 0.1;
   on.work.document.apply(BeginStroke{settings, {{-0.5, 0, 5}, {0, 0, -1}}});
-  on.work.document.apply(MoveStroke{{{0.5, 0, 5}, {0, 0, -1}}, 1});
+  on.work.document.apply(MoveBeam{{{0.5, 0, 5}, {0, 0, -1}}, 1});
   on.work.document.apply(EndStroke{});
   EXPECT_TRUE(laser->stop());  // in the frame in which the button was released
   EXPECT_TRUE(on.changes.is_asked());

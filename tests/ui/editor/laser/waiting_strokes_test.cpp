@@ -20,7 +20,7 @@ class WaitingStrokesTest : public testing::Test {
     settings.resolution.target_edge = 0.02;
     settings.resolution.rim = Rim::kFaces;
     document.apply(BeginStroke{settings, {{-0.6, 1, z}, {0, -1, 0}}});
-    document.apply(MoveStroke{{{0.6, 1, z}, {0, -1, 0}}, 1});
+    document.apply(MoveBeam{{{0.6, 1, z}, {0, -1, 0}}, 1});
     document.apply(EndStroke{});
   }
   bool follow(double seconds, bool held_back = false) {

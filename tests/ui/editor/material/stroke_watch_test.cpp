@@ -36,7 +36,7 @@ class Watched : public testing::Test {
     document_.apply(BeginStroke{settings_, pose(0)});
     for (int i = 1; i <= kFrames; ++i) {
       const double share = static_cast<double>(i) / kFrames;
-      document_.apply(MoveStroke{pose(share), share * kWay / speed});
+      document_.apply(MoveBeam{pose(share), share * kWay / speed});
       while (document_.waiting() > 0) ASSERT_TRUE(document_.step(8).ok());
       watch_.follow(document_, picture_of_beam(document_.world(), settings_, pose(share), 0.2));
       if (watch_.now() && watch_.now()->through) ++open_;

@@ -72,7 +72,7 @@ TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
   for (const InputEvent& e : arc()) bench.hear(e);
   std::vector<double> times;
   for (const Command& c : bench.on.work.document.journal()) {
-    if (const auto* move = std::get_if<MoveStroke>(&c)) times.push_back(move->time);
+    if (const auto* move = std::get_if<MoveBeam>(&c)) times.push_back(move->time);
   }
   ASSERT_EQ(times.size(), 40u);
   for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i + 1) / 40, 1e-12);

@@ -24,7 +24,7 @@ Document sheet(bool turns = false) {
   settings.resolution.target_edge = 0.08;
   const Vec3 down(0, -1, 0), aslant = glm::normalize(Vec3(0.2, -1, 0));
   document.apply(BeginStroke{settings, {{0.1, 3, -1.3}, down}});
-  document.apply(MoveStroke{{{0.1, 3, 1.3}, turns ? aslant : down}});
+  document.apply(MoveBeam{{{0.1, 3, 1.3}, turns ? aslant : down}});
   document.apply(EndStroke{});
   return document;
 }

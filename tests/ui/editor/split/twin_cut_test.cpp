@@ -23,7 +23,7 @@ class TwinCutTest : public testing::Test {
   }
   void draw_stroke(double y) {
     first.apply(BeginStroke{settings(0.025), {{-0.3, y, 5}, {0, 0, -1}}});
-    first.apply(MoveStroke{{{0.3, y, 5}, {0, 0, -1}}});
+    first.apply(MoveBeam{{{0.3, y, 5}, {0, 0, -1}}});
     first.apply(EndStroke{});
     while (first.waiting() > 0) ASSERT_TRUE(first.step(8).ok());
   }
@@ -53,7 +53,7 @@ TEST_F(TwinCutTest, goes_on_with_a_stroke_that_goes_on) {
   EXPECT_TRUE(twin.follow(first, fine));
   EXPECT_EQ(twin.waiting(), 1u);
   cut_twin();
-  first.apply(MoveStroke{{{0.3, 0, 5}, {0, 0, -1}}});
+  first.apply(MoveBeam{{{0.3, 0, 5}, {0, 0, -1}}});
   EXPECT_FALSE(twin.follow(first, fine));
   EXPECT_GT(twin.waiting(), 0u);
   EXPECT_FALSE(twin.follow(first, fine));

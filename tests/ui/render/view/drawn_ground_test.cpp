@@ -15,26 +15,26 @@ TEST(DrawnGround, bodies_fall_in_the_unit_of_the_file_and_against_its_upward_axi
   FileFrame frame;
   frame.unit = FileUnit::kMillimetre;
   frame.up = UpAxis::kZ;
-  const Surroundings first = fitting_surroundings(world, frame);
+  const Environment first = fitting_environment(world, frame);
   EXPECT_NEAR(first.gravity.z, -1000 * kEarth, 1e-9);
   EXPECT_NEAR(first.metre, 1000, 1e-9);
   ASSERT_TRUE(first.ground);
   EXPECT_LT(*first.ground, -49);
-  world.set_surroundings(first);
-  EXPECT_EQ(fitting_surroundings(world, frame), first);
+  world.set_environment(first);
+  EXPECT_EQ(fitting_environment(world, frame), first);
 }
 
 TEST(DrawnGround, gravity_that_was_set_keeps_its_value_in_metres_when_the_unit_is_another_one) {
   World world = test::world_of_all({test::sphere(6, 8, 50)});
   FileFrame frame;
-  world.set_surroundings({.gravity = {0, -1.62, 0}, .ground = -60});
-  EXPECT_EQ(fitting_surroundings(world, frame), world.surroundings());
+  world.set_environment({.gravity = {0, -1.62, 0}, .ground = -60});
+  EXPECT_EQ(fitting_environment(world, frame), world.environment());
   frame.unit = FileUnit::kMillimetre;
-  const Surroundings moon = fitting_surroundings(world, frame);
+  const Environment moon = fitting_environment(world, frame);
   EXPECT_NEAR(moon.gravity.y, -1620, 1e-9);
   EXPECT_EQ(moon.ground, -60);
-  world.set_surroundings({.gravity = Vec3(0), .ground = std::nullopt});
-  EXPECT_EQ(fitting_surroundings(world, frame), world.surroundings()) << "without gravity";
+  world.set_environment({.gravity = Vec3(0), .ground = std::nullopt});
+  EXPECT_EQ(fitting_environment(world, frame), world.environment()) << "without gravity";
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
 void LaserTool::move_to(Document& document, const Pose& pose, double heard) {
   const Pose before = std::exchange(pose_, pose);
   told_ = std::max(told_, heard - began_);
-  const MoveStroke move{pose_, told_};
+  const MoveBeam move{pose_, told_};
   if (held_.empty()) {
     document.apply(move);
     return;
@@ -145,7 +145,7 @@ void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, d
 void LaserTool::go_on(Document& document, double heard) {
   if (!emits() || document.waiting() > 0 || heard - began_ <= told_) return;
   told_ = heard - began_;
-  document.apply(MoveStroke{pose_, told_});
+  document.apply(MoveBeam{pose_, told_});
 }
 
 bool LaserTool::release(Document& document) {

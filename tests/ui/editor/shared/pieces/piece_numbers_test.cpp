@@ -32,8 +32,8 @@ class CutStrips : public testing::Test {
     document.apply(BeginStroke{settings(0.005), {{at.front(), 1, -0.7}, {0, -1, 0}}});
     double z = 0.7;
     for (const double x : at) {
-      document.apply(MoveStroke{{{x, 1, -z}, {0, -1, 0}}});
-      document.apply(MoveStroke{{{x, 1, z}, {0, -1, 0}}});
+      document.apply(MoveBeam{{{x, 1, -z}, {0, -1, 0}}});
+      document.apply(MoveBeam{{{x, 1, z}, {0, -1, 0}}});
       z = -z;
     }
     document.apply(EndStroke{});
@@ -116,11 +116,11 @@ TEST_F(CutStrips, numbers_stay_with_their_places_where_labels_are_exchanged) {
   document = Document(std::move(world));
   numbers.follow(document.world(), true, true, looks);
   document.apply(BeginStroke{settings(0.005), {{0.4, 1, -0.7}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.4, 1, 0.7}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{-0.2, 1, 0.7}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{-0.2, 1, -0.7}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{-0.4, 1, -0.7}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{-0.4, 1, 0.7}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{0.4, 1, 0.7}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{-0.2, 1, 0.7}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{-0.2, 1, -0.7}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{-0.4, 1, -0.7}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{-0.4, 1, 0.7}, {0, -1, 0}}});
   document.apply(EndStroke{});
   while (document.waiting() > 0) {
     ASSERT_TRUE(document.step(1).ok());

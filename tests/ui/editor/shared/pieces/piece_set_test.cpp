@@ -39,7 +39,7 @@ class CutSphere : public testing::Test {
     settings.laser.range = {0, 10};
     settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 1};
     document.apply(BeginStroke{settings, {{-1.5, 0, 5}, {0, 0, -1}}});
-    document.apply(MoveStroke{{{1.5, 0, 5}, {0, 0, -1}}});
+    document.apply(MoveBeam{{{1.5, 0, 5}, {0, 0, -1}}});
     document.apply(EndStroke{});
     while (document.waiting() > 0) EXPECT_TRUE(document.step(64).ok());
   }
@@ -101,9 +101,9 @@ TEST(PieceSet, parts_that_turn_on_joints_are_listed_behind_pieces_by_their_names
   settings.laser.radius = 0.01;
   settings.laser.range = {0, 10};
   document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
-  document.apply(MoveStroke{{{2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(MoveBeam{{{2, 1.25, 5}, {0, 0, -1}}});
   document.apply(Play{});
-  document.apply(Advance{1, true});
+  document.apply(AdvanceTime{1, true});
   while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
   const std::vector<PieceRow> rows = list_pieces(document.world());
   ASSERT_EQ(rows.size(), 7u);

@@ -30,7 +30,7 @@ void stroke_across(Document& document, double radius) {
   settings.laser.radius = radius;
   settings.laser.range = {0, 10};
   document.apply(BeginStroke{settings, {middle - way - down, down}});
-  document.apply(MoveStroke{{middle + way - down, down}});
+  document.apply(MoveBeam{{middle + way - down, down}});
   document.apply(EndStroke{});
 }
 

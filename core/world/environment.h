@@ -8,7 +8,7 @@
 namespace kerf {
 
 // The influences on all bodies of a world.
-struct Surroundings {
+struct Environment {
   Vec3 gravity{0, -9.81, 0};     // m/s^2
   std::optional<double> ground;  // m, the height of a plane on which bodies rest, against gravity
   // How many units of length of the world are a metre: 1000 where positions are in millimetres, and gravity,
@@ -16,7 +16,7 @@ struct Surroundings {
   // follow it.
   double metre = 1;
 
-  friend bool operator==(const Surroundings&, const Surroundings&) = default;
+  friend bool operator==(const Environment&, const Environment&) = default;
 
   // Unit, against gravity; +Y without gravity.
   Vec3 up() const {

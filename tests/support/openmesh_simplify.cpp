@@ -1,4 +1,4 @@
-#include "core/mesh/openmesh/decimate.h"
+#include "tests/support/openmesh_simplify.h"
 
 #include <algorithm>
 #include <array>
@@ -228,8 +228,9 @@ void collapse_edges(Work& work, double error) {
 
 }  // namespace
 
-Result<Remeshed> decimate(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
-                          const Progress* progress, std::span<const FaceId> followed) {
+Result<Remeshed> simplify_by_openmesh(const Mesh& mesh, const SimplifyTarget& target,
+                                      std::span<const FaceId> kept, const Progress* progress,
+                                      std::span<const FaceId> followed) {
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.15), decimating = shares.next(0.8), back = shares.next(0.05);
   auto sheets = to_sheets(mesh, kept, &copying);

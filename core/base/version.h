@@ -1,0 +1,8 @@
+#pragma once
+
+namespace kerf {
+
+// The version of Kerf. CMake reads it from this line.
+inline constexpr const char* kVersion = "0.1.0";
+
+}  // namespace kerf

@@ -39,10 +39,20 @@ void keep_walls(Body& copy) {
                                    [&](FaceId f) { copy.walls.set(copy.mesh, f, copy.mesh.data(f).base); });
 }
 
+// What comes off a piece later is named after it.
+void name_after(Body& body, uint32_t label) {
+  const auto given = body.piece_names.find(label);
+  if (given == body.piece_names.end()) return;
+  body.name = given->second;
+  body.named = label;
+  body.piece_names.clear();
+}
+
 Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, bool of_piece) {
   Body copy;
   copy.name = body.name;
   copy.named = body.named;
+  copy.piece_names = body.piece_names;
   copy.placement = body.placement;
   copy.hidden = body.hidden;
   copy.motion = body.motion;
@@ -83,6 +93,7 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   const std::vector<FaceId> going = body.faces_of(piece.label, piece_goes);
   const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
   BodyEdit(world.body(piece.body)).take_out(going);
+  name_after(world.body(piece_goes ? own : piece.body), piece.label);
   if (!piece_goes) world.exchange_bodies(piece.body, own);
   Delta step;
   step.came = {piece_goes ? own : piece.body};
@@ -99,6 +110,7 @@ BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta&
   Body copy = copy_out(body, faces, piece.label, true);
   copy.name = body.name_of(piece.label) + " copy";
   copy.named = piece.label;
+  copy.piece_names.clear();
   Delta step;
   step.came = {world.add(std::move(copy), generation)};
   delta.append(step);

@@ -162,6 +162,7 @@ Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& reme
   auto made = make_body(body.name, std::move(*built), &making);
   if (!made) return made.error();
   made->named = body.named;
+  made->piece_names = body.piece_names;
   made->placement = body.placement;
   made->hidden = body.hidden;
   made->motion = body.motion;

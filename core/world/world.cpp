@@ -53,6 +53,7 @@ uint32_t Body::label(FaceId f) const {
 }
 
 std::string Body::name_of(uint32_t label) const {
+  if (const auto given = piece_names.find(label); given != piece_names.end()) return given->second;
   return label == named ? name : name + " " + std::to_string(label);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +44,7 @@ struct Piece : FaceCounts {
 struct Body {
   std::string name;
   uint32_t named = 0;  // the label of the piece that has this name; the others are named after it
+  std::map<uint32_t, std::string> piece_names{};  // by label, of pieces that were given a name of their own
   Placement placement;
   bool hidden = false;  // neither drawn nor cut
   Motion motion;
@@ -74,7 +76,8 @@ struct Body {
   // The label of f, or the label that an unfinished search will give it.
   uint32_t label(FaceId f) const;
 
-  // The name of a piece for the user: "car", or "car 9" for the piece with label 9.
+  // The name of a piece for the user: the one that it was given, else "car", or "car 9" for the piece with
+  // label 9.
   std::string name_of(uint32_t label) const;
   // The name of the body: the name of its piece if it has only one.
   std::string own_name() const;
@@ -110,9 +113,9 @@ struct Body {
   // follows the mesh (see World::BodyChange).
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned,
-                    self.solid, self.mesh, self.refinement, self.ejected, self.pieces, self.enclosed,
-                    self.components, self.separation);
+    return std::tie(self.name, self.named, self.piece_names, self.placement, self.hidden, self.motion,
+                    self.sheet, self.pinned, self.solid, self.mesh, self.refinement, self.ejected,
+                    self.pieces, self.enclosed, self.components, self.separation);
   }
 
   // Memory of its arrays, in bytes.

@@ -26,6 +26,7 @@ std::vector<std::tuple<double, double, bool>> leaves(const Body& body) {
 void expect_same_body(const Body& a, const Body& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.named, b.named);
+  EXPECT_EQ(a.piece_names, b.piece_names);
   EXPECT_EQ(a.hidden, b.hidden);
   EXPECT_EQ(a.solid, b.solid);
   EXPECT_EQ(a.placement.position, b.placement.position);

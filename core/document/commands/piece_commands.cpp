@@ -76,14 +76,20 @@ void describe(Fields& f, RenamePiece& c) {
   f.text("name", c.name);
 }
 
-Result<Delta> RenamePiece::run(World& world, uint32_t generation, const Progress*) const {
-  return edit_piece(
-      world, piece, generation, &Delta::renamed,
-      [&](const Body& body) { return body.name_of(piece.label) != name; },
-      [&](Body& own) {
-        own.name = name;
-        own.named = piece.label;
-      });
+Result<Delta> RenamePiece::run(World& world, uint32_t, const Progress*) const {
+  if (!has_faces(world, piece)) return no_such_piece(piece);
+  Delta delta;
+  Body& body = world.body(piece.body);
+  if (body.name_of(piece.label) == name) return delta;
+  if (stands_alone(world, piece)) {
+    body.name = name;
+    body.named = piece.label;
+    body.piece_names.clear();
+  } else {
+    body.piece_names[piece.label] = name;
+  }
+  delta.renamed = {piece.body};
+  return delta;
 }
 
 std::string PinPiece::words(const std::string& piece_name) const {

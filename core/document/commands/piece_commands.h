@@ -56,7 +56,7 @@ struct DeletePiece {
 };
 void describe(Fields& f, DeletePiece& c);
 
-// Gives a piece a name, after which pieces that come off it later are named.
+// Gives a piece a name. Once it is a body of its own, pieces that come off it are named after it.
 struct RenamePiece {
   PieceId piece;
   std::string name;

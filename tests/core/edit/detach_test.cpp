@@ -155,6 +155,38 @@ TEST(Detach, knows_of_every_face_where_it_was_loaded) {
   }
 }
 
+TEST(Detach, is_not_needed_to_name_a_piece_which_takes_the_name_with_it_later) {
+  Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
+  const BodyId first = document.world().ids().front();
+  const World before = document.world();
+  const std::string name = document.world().body(first).name;
+  const Outcome renamed = document.apply(RenamePiece{{first, 1}, "door"});
+  ASSERT_TRUE(renamed.ok());
+  EXPECT_TRUE(renamed.delta.came.empty() && renamed.delta.detached.empty());
+  EXPECT_EQ(renamed.delta.renamed, std::vector<BodyId>{first});
+  EXPECT_EQ(document.world().ids(), before.ids());
+  EXPECT_EQ(document.world().body(first).name_of(0), name);
+  EXPECT_EQ(document.world().body(first).name_of(1), "door");
+  EXPECT_TRUE(document.apply(RenamePiece{{first, 1}, "door"}).delta.empty());
+  for (const bool piece_goes : {true, false}) {
+    SCOPED_TRACE(piece_goes);
+    const uint32_t label = piece_goes ? 1 : 0;
+    ASSERT_TRUE(document.apply(HidePiece{{first, label}, true}).ok());
+    size_t doors = 0;
+    for (const BodyId id : document.world().ids()) {
+      const Body& body = document.world().body(id);
+      if (body.pieces[1].faces == 0) continue;
+      ++doors;
+      EXPECT_EQ(body.name_of(1), "door");
+      if (piece_goes) EXPECT_EQ(body.name_of(5), "door 5");
+    }
+    EXPECT_EQ(doors, 1u);
+    ASSERT_TRUE(document.apply(Undo{}).ok());
+  }
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  expect_same_world(document.world(), before);
+}
+
 TEST(Detach, leaves_a_piece_its_name_and_names_after_it_what_comes_off_later) {
   Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
   const BodyId first = document.world().ids().front();

@@ -15,7 +15,8 @@ namespace {
 
 std::string name_of(const World& world, const PieceRow& row) {
   const Body& body = world.body(row.id.body);
-  if (row.id.label == body.named) return body.name;
+  if (row.id.label == body.named || body.piece_names.contains(row.id.label))
+    return body.name_of(row.id.label);
   const std::string part = row.part ? loaded_part_name(world, row.id) : "";
   return part.empty() ? body.name + " " + std::to_string(row.part ? row.id.label : row.number) : part;
 }

@@ -161,7 +161,7 @@ struct PartlyClosed {
     only_body(world).solid = true;
     Document document(std::move(world));
     document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
-    document.apply(MoveStroke{stroke.poses[1]});
+    document.apply(MoveBeam{stroke.poses[1]});
     document.apply(EndStroke{});
     Result<StepResult> cut = run_all(document);
     EXPECT_TRUE(cut.ok());

@@ -2,6 +2,7 @@
 
 // Private to core/cut.
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,13 +43,16 @@ class WallClosing {
   ClosedRim take() { return closing_->take(); }
 
  private:
+  // Sides on edges of several sheets that were visited with all others there: face and corner.
+  using SidesOfRings = std::set<std::pair<FaceId, VertexId>>;
+
   Resumable<ClosedRim> close();
   Resumable<Done> find_open_faces();
   Resumable<Done> find_sides();
-  bool is_unmatched(const Mesh::Side& side) const;
+  bool is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const;
   Resumable<std::vector<bool>> parts_around(const std::vector<FaceId>& faces);
   Resumable<std::vector<uint32_t>> parts_with_sides();
-  void append_connected(FaceId f, std::vector<FaceId>& out);
+  void append_connected(FaceId f, SidesOfRings& seen, std::vector<FaceId>& out);
   Resumable<bool> remove_ears();
   bool is_at_rim(const Mesh::Side& side);
   bool is_ear(std::span<const RimSide> of_face) const;

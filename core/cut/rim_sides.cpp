@@ -43,12 +43,15 @@ bool WallClosing::is_at_rim(const Mesh::Side& side) {
 
 // Whether the faces on an edge of several sheets do not bound solids: more of them run one way along it than
 // the other.
-bool WallClosing::is_unmatched(const Mesh::Side& side) const {
+bool WallClosing::is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const {
+  if (seen.contains({side.face, side.from})) return false;
   std::vector<Mesh::Side> others;
   mesh().append_edge_sides(side.face, side.from, side.to, others);
   int balance = 1;
-  for (const Mesh::Side& s : others)
+  for (const Mesh::Side& s : others) {
+    seen.insert({s.face, s.from});
     balance += mesh().position(s.from) == mesh().position(side.from) ? 1 : -1;
+  }
   return balance != 0;
 }
 
@@ -59,6 +62,7 @@ Resumable<Done> WallClosing::find_sides() {
   std::vector<FaceId> elsewhere;
   std::optional<Mesh::Side> open_side, unmatched;
   std::vector<SheetSide> open;
+  SidesOfRings seen;
   for (const FaceId f : open_faces_) {
     co_await worked(1);
     open.clear();
@@ -69,7 +73,7 @@ Resumable<Done> WallClosing::find_sides() {
       } else if (!is_shared) {
         elsewhere.push_back(s.face);
         if (!open_side) open_side = s;
-      } else if (!unmatched && is_unmatched(s)) {
+      } else if (!unmatched && is_unmatched(s, seen)) {
         unmatched = s;
       }
     }
@@ -93,15 +97,16 @@ Resumable<Done> WallClosing::find_sides() {
 
 // Appends the faces that belong to the part of a face: those on its sheet, and where its sheet ends at an
 // edge of several, but not at the rim, those of other sheets that end there.
-void WallClosing::append_connected(FaceId f, std::vector<FaceId>& out) {
+void WallClosing::append_connected(FaceId f, SidesOfRings& seen, std::vector<FaceId>& out) {
   append_sheet_neighbours(mesh(), f, out);
   std::vector<SheetSide> ends, beyond;
   append_sheet_sides_of(mesh(), f, ends);
   for (const auto& [side, is_shared] : ends) {
-    if (!is_shared || is_at_rim(side)) continue;
+    if (!is_shared || seen.contains({f, side.from}) || is_at_rim(side)) continue;
     std::vector<Mesh::Side> others;
     mesh().append_edge_sides(f, side.from, side.to, others);
     for (const Mesh::Side& other : others) {
+      seen.insert({other.face, other.from});
       beyond.clear();
       append_sheet_sides_of(mesh(), other.face, beyond);
       const bool ends_there = std::ranges::any_of(
@@ -114,6 +119,7 @@ void WallClosing::append_connected(FaceId f, std::vector<FaceId>& out) {
 // The faces of the connected parts that hold some faces.
 Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>& faces) {
   std::vector<bool> reached(mesh().face_slots());
+  SidesOfRings seen;
   std::vector<FaceId> waiting, neighbours;
   const auto reach = [&](FaceId f) {
     if (reached[f.index]) return;
@@ -125,7 +131,7 @@ Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>
     const FaceId f = waiting.back();
     waiting.pop_back();
     neighbours.clear();
-    append_connected(f, neighbours);
+    append_connected(f, seen, neighbours);
     for (const FaceId n : neighbours) reach(n);
     co_await worked(1);
   }
@@ -135,6 +141,7 @@ Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>
 // The number of the connected part of each face, of those parts that hold sides along the rim.
 Resumable<std::vector<uint32_t>> WallClosing::parts_with_sides() {
   std::vector<uint32_t> part(mesh().face_slots(), kNoPart);
+  SidesOfRings seen;
   std::vector<FaceId> waiting, neighbours;
   uint32_t parts = 0;
   for (const RimSide& side : sides_) {
@@ -145,7 +152,7 @@ Resumable<std::vector<uint32_t>> WallClosing::parts_with_sides() {
       const FaceId f = waiting.back();
       waiting.pop_back();
       neighbours.clear();
-      append_connected(f, neighbours);
+      append_connected(f, seen, neighbours);
       for (const FaceId n : neighbours) {
         if (part[n.index] != kNoPart) continue;
         part[n.index] = parts;

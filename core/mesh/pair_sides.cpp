@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <glm/geometric.hpp>
 #include <map>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/union_find.h"
 #include "core/mesh/vertex_fans.h"
@@ -129,18 +132,24 @@ class ShellPairing {
 
   void pair_balanced(std::vector<AroundEdge> around) {
     rotate_to_outside(around);
-    std::vector<AroundEdge> begun;
+    std::deque<uint32_t> begun;                              // those of any patch, some of them paired
+    std::unordered_map<uint32_t, std::deque<uint32_t>> own;  // by patch
+    std::unordered_set<uint32_t> paired;
     for (const AroundEdge& a : around) {
       if (a.begins) {
-        begun.push_back(a);
+        begun.push_back(a.side);
+        own[a.patch].push_back(a.side);
         continue;
       }
-      auto first =
-          std::find_if(begun.begin(), begun.end(), [&](const AroundEdge& b) { return b.patch == a.patch; });
-      if (first == begun.end()) first = begun.begin();
+      std::deque<uint32_t>* first = &begun;
+      for (std::deque<uint32_t>* list : {&begun, &own[a.patch]}) {
+        while (!list->empty() && paired.contains(list->front())) list->pop_front();
+        if (!list->empty()) first = list;
+      }
+      const uint32_t side = first->front();
+      paired.insert(side);
       // Copies of one triangle stay apart (see Mesh).
-      if (corner(first->side, 2) != corner(a.side, 2)) pair(a.side, first->side);
-      begun.erase(first);
+      if (corner(side, 2) != corner(a.side, 2)) pair(a.side, side);
     }
   }
 

@@ -50,10 +50,10 @@ struct BuiltMesh {
 // Builds a conforming half-edge mesh from a soup: equal positions are welded, unusable faces are dropped and
 // counted, components are oriented consistently, closed parts that face inward are turned outward unless they
 // lie inside another closed part, where they may be cavities, edges of three or more faces are split into
-// rings, and where several fans of faces meet in a vertex each gets a vertex of its own. Face slots have the
-// order of the soup's triangles. Fails if no face remains, or with cancelled() when stopped; `progress` may
-// be null. Precondition: all indices of the soup are in range. O(n log d), where d is the largest number of
-// edges at a vertex.
+// rings, in which each closed shell has one edge, and where several fans of faces meet in a vertex each gets
+// a vertex of its own. Face slots have the order of the soup's triangles. Fails if no face remains, or with
+// cancelled() when stopped; `progress` may be null. Precondition: all indices of the soup are in range. O(n
+// log d), where d is the largest number of edges at a vertex.
 Result<BuiltMesh> build_mesh(const Soup& soup, const Progress* progress = nullptr);
 
 }  // namespace kerf

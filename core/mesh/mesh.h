@@ -52,9 +52,10 @@ class Positions {
 //
 // It is conforming: two faces share an edge, a corner or nothing, and splitting an edge splits all faces on
 // it. A half-edge structure stores at most two faces per edge. Where three or more faces meet, or two that
-// cannot be oriented consistently, each face has an edge of its own, and these coincident edges are linked in
-// a *ring*. Faces that coincide corner by corner are linked along all their edges and are always split
-// together. Adjacency includes rings: two faces are neighbours if they share an edge by position.
+// cannot be oriented consistently, each closed shell has an edge of its own for its two faces, and each other
+// face one for itself (see pair_sides.h). These coincident edges are linked in a *ring*. Faces that coincide
+// corner by corner are linked along all their edges and are always split together. Adjacency includes rings:
+// two faces are neighbours if they share an edge by position.
 //
 // Vertices belong to sheets: where sheets touch in a vertex or a ring, each sheet has its own vertex at a
 // bit-equal position. The numbers of face and vertex slots never decrease; a removed face keeps its slot,
@@ -168,8 +169,9 @@ class Mesh {
   // other data are those given. The sides that two of them have in common are one edge, and a side along a
   // boundary closes it; columns and colours of what is new are zero. A vertex at which the faces no longer
   // hang together over edges gives way to several at its position. Preconditions: the mesh stays orientable:
-  // no side occurs twice in one direction, or along a live face that has it already; no corner is the end of
-  // an edge in a ring. O(n log n) in the new faces and those around their corners. See also FaceAddition.
+  // no side occurs twice in one direction, or along a live face that has it already. New edges are in no
+  // ring, even if they lie on edges of other sheets. O(n log n) in the new faces and those around their
+  // corners. See also FaceAddition.
   std::vector<FaceId> add_faces(std::span<const std::array<VertexId, 3>> corners,
                                 std::span<const FaceData> data);
 

@@ -134,10 +134,19 @@ class RandomExpression {
   }
 
   Made number() {
-    constexpr std::array kFormats{"%.0f", "%.3f", "%.17g", "%.4g", "%.2e"};
     std::array<char, 64> text{};
     const double value = random_.uniform(1, 10) * std::pow(10.0, random_.uniform(-4, 8));
-    std::snprintf(text.data(), text.size(), kFormats.at(random_.below(kFormats.size())), value);
+    const int digits = static_cast<int>(random_.below(17));
+    switch (random_.below(3)) {
+      case 0:
+        std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+        break;
+      case 1:
+        std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+        break;
+      default:
+        std::snprintf(text.data(), text.size(), "%.*e", digits, value);
+    }
     return {text.data(), std::strtod(text.data(), nullptr)};
   }
 
@@ -152,8 +161,12 @@ TEST(NumberExpression, random_expressions_have_the_value_that_they_were_made_wit
     const Result<double> value = evaluate_number(made.text);
     if (std::isfinite(made.value) && value) ++finite;
     // One that divides by zero somewhere may be finite again by a second division.
-    if (value) EXPECT_EQ(*value, made.value) << made.text;
-    if (!std::isfinite(made.value)) EXPECT_FALSE(value.ok()) << made.text;
+    if (value) {
+      EXPECT_EQ(*value, made.value) << made.text;
+    }
+    if (!std::isfinite(made.value)) {
+      EXPECT_FALSE(value.ok()) << made.text;
+    }
     if (HasFailure()) return;
   }
   EXPECT_GT(finite, runs(20'000) / 2);
@@ -171,9 +184,12 @@ TEST(NumberExpression, random_texts_give_a_finite_number_or_a_reason) {
     if (random.below(50) == 0) text += '\0';
     const NumberUnit units[] = {{}, kMillimetres, kSpeed, kDegrees, kWatts, kKelvin};
     const Result<double> value = evaluate_number(text, units[random.below(std::size(units))]);
-    if (value) ++read;
-    if (value) EXPECT_TRUE(std::isfinite(*value)) << text;
-    if (!value) EXPECT_FALSE(value.error().message.empty()) << text;
+    if (value) {
+      ++read;
+      EXPECT_TRUE(std::isfinite(*value)) << text;
+    } else {
+      EXPECT_FALSE(value.error().message.empty()) << text;
+    }
   }
   EXPECT_GT(read, 100u);
 }

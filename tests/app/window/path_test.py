@@ -188,7 +188,7 @@ class Path(WindowTest):
         editor.do("u")
         self.save_as(editor, "fired")
         editor.wait_for_title("fired.kerf - Kerf")
-        moves = [c for c in commands_of(os.path.join(self.folder, "fired.kerf")) if c["do"] == "move"]
+        moves = [c for c in commands_of(os.path.join(self.folder, "fired.kerf")) if c["do"] == "move-beam"]
         editor.do("ctrl", "z")
         report = editor.quit()
         self.assertGreater(len(moves), 10)

@@ -39,13 +39,15 @@ void keep_walls(Body& copy) {
                                    [&](FaceId f) { copy.walls.set(copy.mesh, f, copy.mesh.data(f).base); });
 }
 
-// What comes off a piece later is named after it.
-void name_after(Body& body, uint32_t label) {
+// Gives the body of a piece the name of the piece, if it has one of its own, so that what comes off it later
+// is named after it. Returns whether it has.
+bool name_after(Body& body, uint32_t label) {
   const auto given = body.piece_names.find(label);
-  if (given == body.piece_names.end()) return;
+  if (given == body.piece_names.end()) return false;
   body.name = given->second;
   body.named = label;
   body.piece_names.clear();
+  return true;
 }
 
 Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, bool of_piece) {
@@ -93,11 +95,12 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   const std::vector<FaceId> going = body.faces_of(piece.label, piece_goes);
   const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
   BodyEdit(world.body(piece.body)).take_out(going);
-  name_after(world.body(piece_goes ? own : piece.body), piece.label);
+  const bool renamed = name_after(world.body(piece_goes ? own : piece.body), piece.label);
   if (!piece_goes) world.exchange_bodies(piece.body, own);
   Delta step;
   step.came = {piece_goes ? own : piece.body};
   step.detached = {{piece.body, piece.label, own, !piece_goes}};
+  if (renamed && !piece_goes) step.renamed = {own};
   step.bodies.push_back({piece_goes ? piece.body : own, {}, going, {}, {}, {}});
   delta.append(std::move(step));
   return own;

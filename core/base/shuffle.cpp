@@ -1,5 +1,6 @@
 #include "core/base/shuffle.h"
 
+#include <atomic>
 #include <cstdlib>
 
 namespace kerf {
@@ -11,6 +12,11 @@ const Shuffle& Shuffle::chosen() {
     return shuffle;
   }();
   return chosen;
+}
+
+bool Shuffle::once_in(uint64_t times) const {
+  static std::atomic<uint64_t> calls = 0;
+  return on() && random(hash_combine(1, ++calls)).below(times) == 0;
 }
 
 }  // namespace kerf

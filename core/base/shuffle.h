@@ -21,6 +21,9 @@ class Shuffle {
   // A generator for one choice, which `about` tells from others; the same for equal seeds and choices.
   Random random(uint64_t about) const { return Random(hash_combine(seed_, about)); }
 
+  // Whether this is one of the calls, one of `times` on average, for which it returns true; false if off.
+  bool once_in(uint64_t times) const;
+
   // Brings the items from index `first` on into a random order, which depends on how many they are.
   template <typename T>
   void reorder(std::vector<T>& items, size_t first) const {

@@ -49,8 +49,7 @@ void AabbTree::enlarge_bounds(const Vec3& corner) {
 }
 
 void AabbTree::vary(const Mesh& mesh) {
-  const Shuffle& shuffle = Shuffle::chosen();
-  if (!shuffle.on() || shuffle.random(hash_combine(1, leaf_count_)).below(8) != 0) return;
+  if (!Shuffle::chosen().once_in(32)) return;
   rebuild(mesh, TreeFrame::around(*bounds_of(mesh, nullptr)));
 }
 

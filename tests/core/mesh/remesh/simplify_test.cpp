@@ -145,6 +145,7 @@ TEST_P(Simplify, faces_that_must_stay_do) {
 // Two cones on one base, and the same flat, whose rim is a boundary. What is around the vertices of many
 // faces goes before them.
 TEST_P(Simplify, vertices_of_many_faces_do_not_hold_up_those_around_them) {
+  if (GetParam() != &simplify) GTEST_SKIP() << "OpenMesh takes quadratic time there";
   const int around = 3000;
   for (const bool is_flat : {false, true}) {
     Soup soup;

@@ -56,12 +56,14 @@ def random_strokes(rng, bounds):
 def cut_case(rng, folder):
     mesh = rng.choice(MESHES)
     bounds = json.loads(run(["info", mesh]))["bounds"]
+    size = math.dist(bounds["min"], bounds["max"])
     path = os.path.join(folder, "path.json")
     with open(path, "w") as file:
         json.dump(random_strokes(rng, bounds), file)
     options = ["--scheme", rng.choice(["longest-edge", "one-to-four"])]
     options += rng.choice([["--rim", "faces"], ["--rim", "smooth"], ["--solid"], ["--pattern", "rays4"],
-                           ["--model", "thermal", "--material", "mild-steel"]])
+                           ["--model", "thermal", "--material", "mild-steel", "--power", "40000",
+                            "--target-edge", str(size / 20)]])
     if rng.random() < 0.4:
         options += ["--settle", "0.3"]
     return ["cut", mesh, "--path", path, *options]

@@ -5,7 +5,6 @@
 #include "core/document/history/document.h"
 #include "core/document/journal/mark_fields.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/file_format.h"
 #include "core/document/text/json_text.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
@@ -88,7 +87,7 @@ class JournalReader {
     const JsonValue head(json, where());
     Fields::Pass pass{folder_};
     Fields fields(head, pass);
-    format_fields(fields, kJournalFormat);
+    fields.format(kJournalFormat);
     return pass.status;
   }
 
@@ -135,7 +134,7 @@ Result<std::string> journal_head(const SceneDescription& scene, const std::files
                                  const std::filesystem::path& folder,
                                  std::span<const std::filesystem::path> opened) {
   nlohmann::ordered_json json{{"kerf", kKind}};
-  json.update(visited_json(folder, [](Fields& f) { format_fields(f, kJournalFormat); }));
+  json.update(visited_json(folder, [](Fields& f) { f.format(kJournalFormat); }));
   SceneDescription without_strokes = scene;
   without_strokes.strokes.clear();
   nlohmann::ordered_json described = scene_json(without_strokes, folder);

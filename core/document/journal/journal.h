@@ -30,10 +30,9 @@ struct StateMark {
 inline constexpr uint64_t kJournalFormat = 1;
 
 // A document as its file (.kerf) holds it, one JSON object a line: first the scene, with "kerf": "journal",
-// its format (see format_fields) and the hashes of its meshes, then the commands since (see command_text),
-// and between them marks,
-// {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" where bodies have moved (see
-// mark_fields.h).
+// its format (see Fields::format) and the hashes of its meshes, then the commands since (see command_text),
+// and between them marks, {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" where
+// bodies have moved (see mark_fields.h).
 struct Journal {
   SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
   std::filesystem::path

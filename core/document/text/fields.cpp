@@ -7,6 +7,7 @@
 
 #include "core/base/angle.h"
 #include "core/base/unit_vector.h"
+#include "core/base/version.h"
 #include "core/document/text/json_text.h"
 #include "core/document/text/json_value.h"
 #include "core/document/text/nearest_name.h"
@@ -286,6 +287,17 @@ void Fields::version(const char* key, uint64_t& version, uint64_t newest, Presen
         return assign(whole_within(value, 1, newest), version);
       },
       [&] { return Json(version); }, presence);
+}
+
+void Fields::format(uint64_t newest) {
+  check(
+      present("format", true), nullptr,
+      "the file was made before Kerf 0.2, in a format that is no longer read: open it with the version that "
+      "made it");
+  uint64_t format = newest;
+  version("format", format, newest);
+  std::string program = kVersion;
+  text("program", program);
 }
 
 void Fields::check(bool holds, const char* key, const std::string& wrong) {

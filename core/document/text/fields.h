@@ -176,6 +176,10 @@ class Fields {
   // The version of the format of a file, from 1 to the newest one. A file of a newer version is refused as
   // such.
   void version(const char* key, uint64_t& version, uint64_t newest, Presence presence = kNeeded);
+  // The keys of a file that records what was done: "format", the number of its format, and "program", the
+  // version of Kerf that wrote it. Refuses a file of a format later than `newest`, and one without a format,
+  // as Kerf wrote it before 0.2.
+  void format(uint64_t newest);
   // Refuses the value of a key while reading, or the object where the key is null or missing.
   void check(bool holds, const char* key, const std::string& wrong);
   // Keeps the values of these keys as JSON, an object.

@@ -7,7 +7,6 @@
 #include "core/base/hash.h"
 #include "core/document/files/file_hash.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/file_format.h"
 #include "core/document/text/hash_text.h"
 #include "core/document/text/json_text.h"
 #include "core/document/text/json_value.h"
@@ -81,7 +80,7 @@ void describe_head(Fields& f, Recording& recording) {
   std::string kind = "match";
   f.text("kerf", kind);
   f.check(kind == "match", "kerf", "this is no recording of a match");
-  format_fields(f, kRecordingFormat);
+  f.format(kRecordingFormat);
   f.path("rules", recording.rules);
   if (f.present("player", !recording.player.empty())) f.path("player", recording.player);
   f.coded("files", recording.files, parse_hash, hash_text, kHashRule);

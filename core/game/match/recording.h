@@ -25,7 +25,7 @@ inline constexpr size_t kMostSeconds = 36'000;
 //   {"inputs": [[ticks, throttle, steer, buttons, fire, width, heading, pitch], ...]}
 //   {"hash": "0123456789abcdef", "machine": "..."}
 //
-// "format" and "program" are those of format_fields. "files" is a hash of the rules and of all
+// "format" and "program" are those of Fields::format. "files" is a hash of the rules and of all
 // files that they name. A vehicle file "player" is in the head where the player drove another vehicle than
 // that of the rules. Inputs are the player's controls, each for so many ticks; each line holds a second. Of
 // the buttons the handbrake counts 1, asking for a vehicle 2, and giving up 4. The hash is that of the world

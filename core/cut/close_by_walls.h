@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/cut.
 #include <optional>
 #include <set>
 #include <span>

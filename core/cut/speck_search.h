@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/cut.
 #include <span>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/face.
 #include <functional>
 #include <string>
 

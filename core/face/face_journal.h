@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/face.
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/face.
 #include <atomic>
 #include <functional>
 #include <optional>

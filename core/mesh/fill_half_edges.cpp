@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kTriangles = 1 << 14;  // a range
+constexpr size_t kTrianglesTogether = 1 << 14;  // a range
 
 class HalfEdgeFilling {
  public:
@@ -24,12 +24,12 @@ class HalfEdgeFilling {
     m_.grow_to(static_cast<uint32_t>(last_side_.size()), edges, static_cast<uint32_t>(triangles_.size()));
     half_edge_.resize(partner_.size());
     const auto name = [&](size_t t, size_t end) { name_edges(t, end); };
-    if (!for_each_range(triangles_.size(), kTriangles, &naming, name)) return cancelled();
+    if (!for_each_range(triangles_.size(), kTrianglesTogether, &naming, name)) return cancelled();
     const auto link = [&](size_t t, size_t end) {
       for (; t < end; ++t) link_triangle(static_cast<uint32_t>(t));
     };
-    if (!for_each_range(triangles_.size(), kTriangles, &linking, link)) return cancelled();
-    for_each_range(last_side_.size(), kTriangles, [&](size_t v, size_t end) {
+    if (!for_each_range(triangles_.size(), kTrianglesTogether, &linking, link)) return cancelled();
+    for_each_range(last_side_.size(), kTrianglesTogether, [&](size_t v, size_t end) {
       for (; v < end; ++v) m_.set_outgoing(VertexId(static_cast<uint32_t>(v)), half_edge_[last_side_[v]]);
     });
     close_boundaries();
@@ -41,18 +41,18 @@ class HalfEdgeFilling {
   bool names_edge(size_t side) const { return partner_[side] == kNoSide || partner_[side] > side; }
 
   uint32_t count_edges() {
-    edges_before_.assign(range_count(triangles_.size(), kTriangles) + 1, 0);
-    for_each_range(triangles_.size(), kTriangles, [&](size_t t, size_t end) {
+    edges_before_.assign(range_count(triangles_.size(), kTrianglesTogether) + 1, 0);
+    for_each_range(triangles_.size(), kTrianglesTogether, [&](size_t t, size_t end) {
       uint32_t edges = 0;
       for (size_t s = 3 * t; s < 3 * end; ++s) edges += names_edge(s);
-      edges_before_[t / kTriangles + 1] = edges;
+      edges_before_[t / kTrianglesTogether + 1] = edges;
     });
     for (size_t r = 1; r < edges_before_.size(); ++r) edges_before_[r] += edges_before_[r - 1];
     return edges_before_.back();
   }
 
   void name_edges(size_t triangle, size_t end) {
-    uint32_t edge = edges_before_[triangle / kTriangles];
+    uint32_t edge = edges_before_[triangle / kTrianglesTogether];
     for (size_t s = 3 * triangle; s < 3 * end; ++s) {
       if (!names_edge(s)) continue;
       half_edge_[s] = half_edge(EdgeId(edge++), 0);

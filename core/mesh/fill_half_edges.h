@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/mesh.
 #include <array>
 #include <cstdint>
 #include <span>

@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/mesh.
 #include "core/mesh/half_edges.h"
 #include "core/mesh/mesh.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/mesh.
 #include "core/mesh/kernel.h"
 
 namespace kerf {

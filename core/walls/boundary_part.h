@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/walls.
 #include <limits>
 #include <optional>
 #include <span>

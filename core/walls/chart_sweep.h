@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/walls.
 #include <vector>
 
 #include "core/base/resumable.h"

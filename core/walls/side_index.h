@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/walls.
 #include <array>
 #include <cstdint>
 #include <span>

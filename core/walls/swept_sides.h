@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/walls.
 #include <span>
 
 #include "core/base/result.h"

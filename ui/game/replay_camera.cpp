@@ -13,7 +13,7 @@ namespace {
 constexpr double kNearest = 8, kFarthest = 13;  // m
 constexpr double kFarApart = 12;                // m, between vehicles that do not fit into one picture
 constexpr double kChassisMiddle = 0.8;          // m, above the ground
-constexpr double kTurn = 0.16;                  // rad/s
+constexpr double kTurnRate = 0.16;                  // rad/s
 constexpr double kMiddleRate = 3;               // 1/s, at which the middle is followed
 constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
 constexpr int kAngles = 24;
@@ -107,7 +107,7 @@ void ReplayCamera::follow(const Match& match, double seconds) {
   if (!placed_) stand_at_best(match, sight, aim);
   placed_ = true;
   const double share = 1 - std::exp(-kMiddleRate * seconds);
-  stand_.angle += kTurn * seconds;
+  stand_.angle += kTurnRate * seconds;
   middle_ += (aim.middle - middle_) * share;
   eye_ = glm::mix(eye_, eye_at({middle_, aim.distance}, stand_), share);
   free_eye_ = free_eye(match, sight);

@@ -7,7 +7,7 @@ namespace kerf {
 namespace {
 
 constexpr double kRadius = 3.2;  // over that of the beam
-constexpr double kApart = 0.6;   // radii between two of them
+constexpr double kScorchSpacing = 0.6;   // radii between two of them
 constexpr double kCoolSeconds = 1.4;
 constexpr size_t kLooked = 24;  // of the latest ones, for one that is there already
 
@@ -22,7 +22,7 @@ void Scorches::burn(const Match& match, const BeamPicture& beam, const Sight& si
   const double radius = kRadius * beam.radius;
   const size_t from = places_.size() - std::min(places_.size(), kLooked);
   for (size_t i = from; i < places_.size(); ++i) {
-    if (glm::length(places_[i].at - beam.to) > kApart * radius) continue;
+    if (glm::length(places_[i].at - beam.to) > kScorchSpacing * radius) continue;
     places_[i].heat = 1;
     return;
   }

@@ -8,14 +8,14 @@ namespace kerf {
 
 namespace {
 
-constexpr double kNear = 0.5;          // m, of a place on the chassis to the part that it is named after
+constexpr double kPartWithin = 0.5;          // m, of a place on the chassis to the part that it is named after
 constexpr double kMiddleHeight = 0.8;  // m, of a vehicle over its origin
 
 // The name of a place on the chassis (m, in its frame), after the nearest part that hangs on it there.
 std::string name_on_chassis(const Vehicle& vehicle, const Vec3& at) {
   const VehicleDescription& what = vehicle.what();
   std::string name = "body";
-  double nearest = kNear;
+  double nearest = kPartWithin;
   const auto offer = [&](const Vec3& part, bool works, const std::string& called) {
     const double distance = glm::distance(part, at);
     if (!works || distance >= nearest) return;

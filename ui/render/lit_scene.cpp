@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 
 constexpr float kPaperDark = 0.5f;  // how black the paper's quad is
-constexpr gl::Stencil kLit{.test = GL_EQUAL};
+constexpr gl::Stencil kLitPixels{.test = GL_EQUAL};
 
 bool shows_edges(const ViewOptions& options) { return options.show.wire || options.show.face_numbers; }
 
@@ -92,7 +92,7 @@ void LitScene::add_direct(const Subject& subject, size_t light, std::optional<gl
       ground_.project_shadow(subject.space, place,
                              [&](const gl::Program& program) { draw_bodies(subject, program); });
   adding.culled = GL_NONE;
-  if (projected) adding.stencil = kLit;
+  if (projected) adding.stencil = kLitPixels;
   state.set(adding);
   ground_.add_light(subject.space, place, colour);
 }
@@ -129,7 +129,7 @@ void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod m
   if (subject.options.shadow.paper_look) {
     darken_shadows(subject);
   } else {
-    add_direct(subject, light, kLit);
+    add_direct(subject, light, kLitPixels);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr size_t kLoops = static_cast<size_t>(Sounds::Loop::kCount);
 constexpr size_t kShots = static_cast<size_t>(Sounds::Shot::kCount);
 constexpr size_t kShotSources = 12;
-constexpr float kNear = 5;  // m, within which sounds are at their full volume
+constexpr float kFullVolumeWithin = 5;  // m, within which sounds are at their full volume
 
 void fill(ALuint buffer, const Wave& wave) {
   const auto samples = to_16_bits(wave);
@@ -93,9 +93,9 @@ struct Sounds::Device {
     for (size_t i = 0; i < loops.size(); ++i) {
       alSourcei(loops[i], AL_BUFFER, static_cast<ALint>(buffers[i / kVoices]));
       alSourcei(loops[i], AL_LOOPING, AL_TRUE);
-      alSourcef(loops[i], AL_REFERENCE_DISTANCE, kNear);
+      alSourcef(loops[i], AL_REFERENCE_DISTANCE, kFullVolumeWithin);
     }
-    for (const ALuint source : shots) alSourcef(source, AL_REFERENCE_DISTANCE, kNear);
+    for (const ALuint source : shots) alSourcef(source, AL_REFERENCE_DISTANCE, kFullVolumeWithin);
     return alGetError() == AL_NO_ERROR;
   }
 };

@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kTurn = 2 * kPi;
+constexpr double kFullTurn = 2 * kPi;
 
 size_t samples_of(double seconds) { return static_cast<size_t>(seconds * kSampleRate); }
 double time_of(size_t sample) { return static_cast<double>(sample) / kSampleRate; }
@@ -27,7 +27,7 @@ Wave noise(size_t samples, uint64_t seed) {
 // its end leads to its beginning.
 Wave band(const Wave& in, double frequency, double width, bool loop) {
   const double r = std::exp(-kPi * width / kSampleRate);
-  const double a1 = 2 * r * std::cos(kTurn * frequency / kSampleRate), a2 = -r * r, gain = (1 - r * r) * 0.5;
+  const double a1 = 2 * r * std::cos(kFullTurn * frequency / kSampleRate), a2 = -r * r, gain = (1 - r * r) * 0.5;
   Wave out(in.size());
   double y1 = 0, y2 = 0, x2 = 0, x1 = 0;
   for (int turn = loop ? 0 : 1; turn < 2; ++turn) {
@@ -55,7 +55,7 @@ struct Mode {
 void ring(Wave& wave, const Mode& mode, double phase = 0) {
   for (size_t i = 0; i < wave.size(); ++i) {
     const double t = time_of(i);
-    wave[i] += static_cast<float>(mode.gain * std::sin(kTurn * mode.frequency * t + phase) *
+    wave[i] += static_cast<float>(mode.gain * std::sin(kFullTurn * mode.frequency * t + phase) *
                                   std::exp(-t / mode.decay));
   }
 }
@@ -80,9 +80,9 @@ Wave engine_loop() {
   for (int harmonic = 1; harmonic <= 14; ++harmonic) {
     const double gain = (harmonic % 2 == 0 ? 1.0 : 0.55) / std::pow(harmonic, 1.15);
     for (size_t i = 0; i < wave.size(); ++i) {
-      const double t = time_of(i), uneven = 1 + 0.18 * std::sin(kTurn * 14 * t + harmonic);
+      const double t = time_of(i), uneven = 1 + 0.18 * std::sin(kFullTurn * 14 * t + harmonic);
       wave[i] +=
-          static_cast<float>(gain * uneven * std::sin(kTurn * 28 * harmonic * t + 0.7 * harmonic * harmonic));
+          static_cast<float>(gain * uneven * std::sin(kFullTurn * 28 * harmonic * t + 0.7 * harmonic * harmonic));
     }
   }
   add(wave, band(noise(wave.size(), 3), 240, 180, true), 1.6);
@@ -95,8 +95,8 @@ Wave laser_loop() {
       {{96, 0.9}, {97, 0.6}, {192, 0.5}, {289, 0.35}, {577, 0.22}, {1154, 0.12}}};
   for (const auto& [frequency, gain] : kPartials) {
     for (size_t i = 0; i < wave.size(); ++i) {
-      const double t = time_of(i), tremble = 1 + 0.3 * std::sin(kTurn * 31 * t);
-      wave[i] += static_cast<float>(gain * tremble * std::sin(kTurn * frequency * t));
+      const double t = time_of(i), tremble = 1 + 0.3 * std::sin(kFullTurn * 31 * t);
+      wave[i] += static_cast<float>(gain * tremble * std::sin(kFullTurn * frequency * t));
     }
   }
   add(wave, band(noise(wave.size(), 5), 3100, 1400, true), 0.5);

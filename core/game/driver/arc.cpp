@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kStep = 0.15;                // s
+constexpr double kArcStep = 0.15;                // s
 constexpr double kGaining = 4, kBraking = 7;  // m/s^2
 constexpr double kHalfWidth = 1.0;            // m, of the discs of a vehicle
 constexpr double kDeeper = 0.04;              // m
@@ -75,19 +75,19 @@ ArcEnd follow_arc(const FreeSpace& space, std::span<const Disc> traffic, const C
   ArcEnd end{at, heading, kArcTime, 0, around.room_at(at, direction_of(heading, 0))};
   double least = std::min(end.room, FreeSpace::kVehicle);
   double deepest = around.overlap_at(at, direction_of(heading, 0), 0);
-  for (double t = kStep; t < kArcTime + 0.5 * kStep; t += kStep) {
+  for (double t = kArcStep; t < kArcTime + 0.5 * kArcStep; t += kArcStep) {
     const double rate = std::abs(arc.speed) < std::abs(speed) || arc.speed * speed < 0 ? kBraking : kGaining;
-    speed = towards(speed, arc.speed, rate * kStep);
+    speed = towards(speed, arc.speed, rate * kArcStep);
     const SinCos lock = sin_cos(arc.steer * full_lock(std::abs(speed)));
     double turning = speed * lock.sin / (lock.cos * course.wheelbase);
     if (std::abs(turning * speed) > kMostSide) turning *= kMostSide / std::abs(turning * speed);
-    heading = wrapped(heading + turning * kStep);
+    heading = wrapped(heading + turning * kArcStep);
     const Vec3 ahead = direction_of(heading, 0);
-    Vec3 next = at + speed * kStep * ahead;
+    Vec3 next = at + speed * kArcStep * ahead;
     next.y = around.height_at(next);
     const double room = around.room_at(next, ahead), overlap = around.overlap_at(next, ahead, t);
     if (room < least - kDeeper || overlap > deepest + kDeeper) {
-      end.free_s = t - kStep;
+      end.free_s = t - kArcStep;
       break;
     }
     least = std::min(FreeSpace::kVehicle, std::max(least, room));

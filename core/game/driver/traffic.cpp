@@ -12,7 +12,7 @@ namespace {
 constexpr double kSmall = 0.8;  // m, the diagonal of what vehicles drive over
 constexpr double kFlat = 0.25;  // m, likewise the height
 constexpr double kTall = 3.5;   // m, the height from which on what is above a vehicle does not count
-constexpr double kRoof = 2.2;   // m
+constexpr double kUnderRoof = 2.2;   // m
 
 bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
   return std::any_of(vehicles.begin(), vehicles.end(),
@@ -84,7 +84,7 @@ std::vector<Disc> find_traffic(const World& world, std::span<const Vehicle> vehi
     Bounds box = body.bounds();
     if (glm::length(box.max - box.min) < kSmall || is_carried(vehicles, id)) continue;
     const Interval heights = heights_of(body, box);
-    if (heights.high - heights.low > kTall) box = low_box(body, heights.low + kRoof);
+    if (heights.high - heights.low > kTall) box = low_box(body, heights.low + kUnderRoof);
     if (box.min.x <= box.max.x) cover(body, id, box, discs);
   }
   return discs;

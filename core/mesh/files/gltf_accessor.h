@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/mesh/files.
 #include "core/base/vec3.h"
 #include "core/mesh/files/gltf_file.h"
 #include "core/mesh/files/vertex_colour.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/mesh/files.
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>

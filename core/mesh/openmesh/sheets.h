@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to core/mesh/openmesh and its tests.
 #include <span>
 #include <vector>
 

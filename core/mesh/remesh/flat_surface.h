@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to what simplifies meshes.
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,5 @@
 #pragma once
 
-// Private to what simplifies meshes.
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kMost = 8;
+constexpr uint32_t kMostInLeaf = 8;
 constexpr uint32_t kSmaller = 4;  // times than the cluster around it, at least, unless it holds the items
 
 }  // namespace
@@ -22,7 +22,7 @@ class ClusterDivision {
 
   // `around`: how many items the cluster around these has.
   void divide(uint32_t begin, uint32_t end, uint32_t around) {
-    const bool holds_items = end - begin <= kMost;
+    const bool holds_items = end - begin <= kMostInLeaf;
     const bool is_node = holds_items || kSmaller * (end - begin) <= around;
     const size_t node = out_.clusters.nodes_.size();
     if (is_node) out_.clusters.nodes_.push_back({ball_around(begin, end), 0});

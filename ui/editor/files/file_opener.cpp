@@ -5,7 +5,7 @@
 namespace kerf {
 
 namespace {
-constexpr double kPatience = 0.2;  // s, at the start, until the window shows something
+constexpr double kShowWindowAfter = 0.2;  // s, at the start, until the window shows something
 }  // namespace
 
 // What is read in a moment is there at once.
@@ -15,7 +15,7 @@ Status FileOpener::open_first(std::filesystem::path default_scene,
   if (files.empty()) return open_default_scene();
   show_empty_stage();
   on_.opening.loader.start(order_of(files), stage_is_empty_);
-  if (on_.opening.loader.is_over(kPatience)) take_loaded();
+  if (on_.opening.loader.is_over(kShowWindowAfter)) take_loaded();
   return Done{};
 }
 

@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kApart = 0.5;   // radii, between places
+constexpr double kPlaceSpacing = 0.5;   // radii, between places
 constexpr double kBehind = 2;    // radii, from where on the beam does nothing more
 constexpr double kSteepest = 5;  // the slant that is assumed where a beam meets a sheet beside its axis
 constexpr double kRests = 0.25;  // s in one place, after which a beam is judged there
@@ -60,7 +60,7 @@ void StrokeWatch::pass(const Document& document, const BeamPicture& beam) {
   if (!way_.empty()) {
     const Place& before = way_.back();
     const double way = way_across(place.axis, before.strike, place.strike), time = place.clock - before.clock;
-    if (way < kApart * radius) return rest(world, before);
+    if (way < kPlaceSpacing * radius) return rest(world, before);
     if (time <= 0) return;
     place.speed = way / time;
   }

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPatience = 2;  // s, that a thumbnail waits for a picture that goes on changing
+constexpr double kLongestWait = 2;  // s, that a thumbnail waits for a picture that goes on changing
 
 // The file that the picture shows, as it was opened; empty where it shows none, or several.
 fs::path file_shown(const OpenWork& work) {
@@ -81,7 +81,7 @@ bool RecentFeature::is_due() {
     wanted_at_ = on_.clock->seconds();
   }
   if (!on_.window->draws() || on_.opening.loader.busy() || on_.picture->first().is_sending()) return false;
-  return !on_.picture->busy() || on_.clock->seconds() - wanted_at_ > kPatience;
+  return !on_.picture->busy() || on_.clock->seconds() - wanted_at_ > kLongestWait;
 }
 
 // A file that is not among the recent ones, as the default scene, has none. One that cannot be written is not

@@ -123,25 +123,24 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
 }
 
 const char* meaning_of(StageMarks::Kind kind) {
-  using Kind = StageMarks::Kind;
   switch (kind) {
-    case Kind::kSwept:
+    case StageMarks::Kind::kSwept:
       return "what the beam sweeps";
-    case Kind::kHit:
+    case StageMarks::Kind::kHit:
       return "faces that it hits";
-    case Kind::kBorn:
+    case StageMarks::Kind::kBorn:
       return "faces that splits made";
-    case Kind::kRemoved:
+    case StageMarks::Kind::kRemoved:
       return "removed faces";
-    case Kind::kEntered:
+    case StageMarks::Kind::kEntered:
       return "boxes that the query entered";
-    case Kind::kCulled:
+    case StageMarks::Kind::kCulled:
       return "boxes that it culled";
-    case Kind::kMissed:
+    case StageMarks::Kind::kMissed:
       return "boxes of faces that the beam misses";
-    case Kind::kTouched:
+    case StageMarks::Kind::kTouched:
       return "boxes of faces that it hits";
-    case Kind::kLast:
+    case StageMarks::Kind::kLast:
       break;
   }
   return "the box that was tested last";

@@ -19,11 +19,11 @@ class CurvedArea {
   }
   // The sine that nine tenths of the area do not exceed; 0 without area.
   float deviation() const {
-    constexpr double kShare = 0.9;
+    constexpr double kLargeShare = 0.9;
     double all = 0, below = 0;
     for (const double area : by_sine_) all += area;
     float sine = 0;
-    for (size_t i = 0; i < kSteps && below < kShare * all; ++i) {
+    for (size_t i = 0; i < kSteps && below < kLargeShare * all; ++i) {
       below += by_sine_[i];
       sine = static_cast<float>(i + 1) / kSteps;
     }

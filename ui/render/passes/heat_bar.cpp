@@ -12,13 +12,13 @@ namespace kerf {
 namespace {
 
 constexpr double kLabelEvery = 250;  // K
-constexpr double kApart = 120;       // K, between a label and that of an end
+constexpr double kLabelSpacing = 120;       // K, between a label and that of an end
 
 // The temperatures (K) with labels: both ends of the scale, and round numbers between them.
 std::vector<double> labelled(double end) {
   std::vector<double> at{kAmbient, end};
-  for (double t = kLabelEvery; t < end - kApart; t += kLabelEvery) {
-    if (t > kAmbient + kApart) at.push_back(t);
+  for (double t = kLabelEvery; t < end - kLabelSpacing; t += kLabelEvery) {
+    if (t > kAmbient + kLabelSpacing) at.push_back(t);
   }
   return at;
 }

@@ -18,6 +18,12 @@ constexpr NumberRange kFall{0.001, 3600, "s", true};
 
 using Names = std::vector<std::string>;
 
+Names format_names() {
+  Names names;
+  for (const MeshFormatRow& row : kMeshFormats) names.emplace_back(row.ending);
+  return names;
+}
+
 // The options that a settings file may hold, too, each once: its key, what is allowed, and its help.
 template <typename Visitor>
 void visit_options(CutOptions& o, Visitor& v) {
@@ -47,8 +53,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.number("power", o.power, kPositive, "Of the beam in watts (2000, or what the path file says)");
   v.choice("assist", o.assist, {"none", "oxygen"},
            "The gas that is blown into the cut, for the thermal model: in oxygen mild steel burns (none)");
-  v.choice("format", o.format, {"obj", "ply", "stl", "off", "glb", "gltf"},
-           "Of the pieces: obj, ply, stl, off, glb or gltf (obj)");
+  v.choice("format", o.format, format_names(),
+           ("Of the pieces: " + list_mesh_endings("") + " (obj)").c_str());
   v.flag("split-all", o.split_all, "Every connected component is a piece");
   v.flag("recentre", o.recentre,
          "The files hold coordinates about an origin near the meshes, which the report states (\"origin\")");
@@ -190,7 +196,8 @@ bool is_resolution(const std::string& key) {
 void add_cut_options(CLI::App& command, CutOptions& o) {
   command.footer(kPathFile);
   command
-      .add_option("MESH", o.meshes, "Mesh files (OBJ, STL, PLY, OFF, glTF), cut together, or a scene (.json)")
+      .add_option("MESH", o.meshes,
+                  "Mesh files (" + list_mesh_titles(", ") + "), cut together, or a scene (.json)")
       ->required();
   command.add_option("--path", o.path, "The strokes of the laser (JSON); without it nothing is cut");
   command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();

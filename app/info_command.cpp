@@ -57,7 +57,7 @@ Status run_info(const std::string& file) {
 void add_info_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("info", "What is in a mesh file, as JSON on standard output");
   auto file = std::make_shared<std::string>();
-  command->add_option("MESH", *file, "An OBJ, STL, PLY, OFF or glTF file")->required();
+  command->add_option("MESH", *file, "A mesh file: " + list_mesh_titles())->required();
   on_call(
       *command, invocation, [file] { return run_info(*file); }, "kerf info assets/meshes/car.obj");
 }

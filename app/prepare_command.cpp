@@ -48,7 +48,7 @@ Status check(const PrepareOptions& o) {
                      "\" is not offered by this version; there is: loop, sqrt3, midpoint");
   }
   if (!mesh_format(std::filesystem::path(o.out).extension().string()))
-    return bad_input("--out: " + o.out + " must end in .obj, .ply, .stl, .off, .glb or .gltf");
+    return bad_input("--out: " + o.out + " must end in " + list_mesh_endings());
   return Done{};
 }
 
@@ -162,11 +162,9 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       "Boundaries, edges of three faces or more and edges between materials are features: they stay where "
       "they "
       "are.");
-  command->add_option("MESH", o->mesh, "An OBJ, STL, PLY, OFF or glTF file")->required();
+  command->add_option("MESH", o->mesh, "A mesh file: " + list_mesh_titles())->required();
   command
-      ->add_option("--out", o->out,
-                   "The file to write; its ending says the format: obj, ply, stl, off, glb or "
-                   "gltf")
+      ->add_option("--out", o->out, "The file to write; its ending says the format: " + list_mesh_endings(""))
       ->required();
   command->add_flag("--turn-shells", o->turn_shells,
                     "Turn closed parts that lie in others and face the same way, so that they are cavities");

@@ -133,8 +133,7 @@ kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path) {
   return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
     const std::filesystem::path file = path;
     const auto format = kerf::mesh_format(file.extension().string());
-    if (!format)
-      return kerf::bad_input(std::string(path) + ": must end in .obj, .ply, .stl, .off, .glb or .gltf");
+    if (!format) return kerf::bad_input(std::string(path) + ": must end in " + kerf::list_mesh_endings());
     return kerf::write_mesh({mesh->positions,
                              mesh->triangles,
                              mesh->materials,

@@ -90,8 +90,8 @@ Result<FileBytes> read_bytes(const std::filesystem::path& path, const std::strin
 
 Error not_a_mesh(const std::string& name, std::string_view kind) {
   const std::string what = kind.empty() ? "" : std::string(kind) + ", which is ";
-  return bad_input(name + ": this is " + what +
-                   "no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
+  return bad_input(name + ": this is " + what + "no mesh that Kerf reads; it reads " +
+                   list_mesh_titles(" and ") + ".");
 }
 
 Result<Soup> parse(std::string_view bytes, const std::string& name, const std::filesystem::path& path,

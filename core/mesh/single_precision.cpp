@@ -67,7 +67,7 @@ PrecisionLoss precision_loss(const MeshView& mesh, MeshFormat format) {
 std::optional<std::string> precision_note(const PrecisionLoss& loss, MeshFormat format,
                                           const std::string& advice) {
   if (!loss.matters()) return std::nullopt;
-  std::string text = format == MeshFormat::kStl ? "STL" : "glTF";
+  std::string text(format_row(format).title);
   text += " holds single precision: vertices move by up to " + length_text(loss.largest_move) +
           ", where the shortest edge has " + length_text(loss.shortest_edge);
   if (loss.merged > 0) {

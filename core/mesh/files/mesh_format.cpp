@@ -1,10 +1,9 @@
 #include "core/mesh/files/mesh_format.h"
 
 #include <algorithm>
-#include <array>
-#include <string>
+#include <span>
+#include <vector>
 
-#include "core/base/assert.h"
 #include "core/mesh/files/gltf_file.h"
 #include "core/mesh/files/off_reader.h"
 #include "core/mesh/files/scanner.h"
@@ -13,8 +12,13 @@
 namespace kerf {
 namespace {
 
-// In the order of MeshFormat.
-constexpr std::array<std::string_view, 6> kNames{"obj", "ply", "stl", "off", "glb", "gltf"};
+constexpr bool are_in_order() {
+  for (size_t i = 0; i < kMeshFormats.size(); ++i) {
+    if (static_cast<size_t>(kMeshFormats[i].format) != i) return false;
+  }
+  return true;
+}
+static_assert(are_in_order());
 
 constexpr std::array<std::string_view, 13> kObjKeywords{"v", "vt",     "vn",     "vp", "f", "g", "o",
                                                         "s", "usemtl", "mtllib", "l",  "p", "mg"};
@@ -120,18 +124,35 @@ std::string_view kind_by(const std::array<Signature, N>& signatures, std::string
   return found == signatures.end() ? std::string_view() : found->kind;
 }
 
+std::string listed(std::span<const std::string> names, std::string_view last) {
+  std::string list;
+  for (size_t i = 0; i < names.size(); ++i)
+    list.append(i == 0 ? "" : i + 1 == names.size() ? last : ", ").append(names[i]);
+  return list;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(std::string_view name) {
   if (name.starts_with('.')) name.remove_prefix(1);
-  const auto found = std::find(kNames.begin(), kNames.end(), lower(name));
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<MeshFormat>(found - kNames.begin());
+  const auto found = std::find_if(kMeshFormats.begin(), kMeshFormats.end(),
+                                  [&](const MeshFormatRow& row) { return row.ending == lower(name); });
+  if (found == kMeshFormats.end()) return std::nullopt;
+  return found->format;
 }
 
-std::string_view format_name(MeshFormat format) {
-  KERF_ASSERT(static_cast<size_t>(format) < kNames.size());
-  return kNames[static_cast<size_t>(format)];
+std::string list_mesh_endings(std::string_view before, std::string_view last) {
+  std::vector<std::string> names;
+  for (const MeshFormatRow& row : kMeshFormats) names.push_back(std::string(before) += row.ending);
+  return listed(names, last);
+}
+
+std::string list_mesh_titles(std::string_view last) {
+  std::vector<std::string> names;
+  for (const MeshFormatRow& row : kMeshFormats) {
+    if (names.empty() || names.back() != row.title) names.emplace_back(row.title);
+  }
+  return listed(names, last);
 }
 
 std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_view ending) {
@@ -143,12 +164,10 @@ std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_v
 }
 
 std::string_view kind_of_file(std::string_view bytes) {
-  constexpr std::array<std::string_view, kNames.size()> kMeshes{"an OBJ mesh", "a PLY mesh",  "an STL mesh",
-                                                                "an OFF mesh", "a glTF file", "a glTF file"};
   const std::string_view start = bytes.substr(0, kLongestPreface);
   const std::string_view foreign = kind_by(kSignatures, start);
   if (!foreign.empty()) return foreign;
-  if (const auto format = recognise_format(bytes, {})) return kMeshes[static_cast<size_t>(*format)];
+  if (const auto format = recognise_format(bytes, {})) return format_row(*format).a_file;
   const size_t first = start.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : kind_by(kTextSignatures, start.substr(first));
 }

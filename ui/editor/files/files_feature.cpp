@@ -178,10 +178,8 @@ std::vector<UserAction> FilesFeature::open_actions() {
                  .run = [this] { leave_for([this] { opener_.open_fresh(); }); }},
       UserAction{.name = "Open...",
                  .shortcut = "Ctrl+O",
-                 .tip =
-                     "A scene (.json), a journal (.kerf) or a mesh (.obj .stl .ply .off). Files can also be "
-                     "dropped on "
-                     "the window.",
+                 .tip = "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
+                        "). Files can also be dropped on the window.",
                  .run = [this] { choose_file_to_open(); }},
   };
 }

@@ -116,7 +116,7 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
 Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
                                      const std::map<std::string, Paint>& paints, const fs::path& file) {
   const auto format = mesh_format(file.extension().string());
-  if (!format) return bad_input("The name must end in .obj, .ply, .stl, .off or .glb");
+  if (!format) return bad_input("The name must end in " + list_mesh_endings());
   std::vector<PieceFile> files = files_to_export(world, looks, file);
   if (files.empty()) return bad_input("No piece is chosen");
   PrecisionLoss precision;

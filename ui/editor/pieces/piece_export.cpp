@@ -8,7 +8,7 @@ namespace kerf {
 // The chosen piece, or a "*" for the names of several.
 std::string PieceExport::suggested_name() const {
   const PieceMap& looks = on_.view.look.pieces;
-  const std::string ending = "." + std::string(format_name(on_.browser.format));
+  const std::string ending = "." + std::string(format_row(on_.browser.format).ending);
   if (chosen_pieces(looks) != 1) return "*" + ending;
   for (const PieceRow& row : list_pieces(on_.world(), looks)) {
     if (row.id == first_chosen(looks)) return file_name_of(row.name) + ending;

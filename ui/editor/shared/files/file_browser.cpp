@@ -113,7 +113,7 @@ void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
 fs::path with_ending(fs::path file, const FileBrowser& b) {
   const std::string ending = file.extension().string();
   const std::vector<std::string>& endings = b.wish.endings;
-  if (exports(b) && !mesh_format(ending)) file += "." + std::string(format_name(b.format));
+  if (exports(b) && !mesh_format(ending)) file += "." + std::string(format_row(b.format).ending);
   if (!endings.empty() && std::find(endings.begin(), endings.end(), ending) == endings.end())
     file += endings.front();
   return file;

@@ -23,7 +23,7 @@ bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) 
 std::string mesh_kind(const SceneDescription& scene) {
   if (scene.bodies.size() != 1) return "";
   const auto format = mesh_format(scene.bodies.front().mesh.extension().string());
-  return format ? std::string(format_name(*format)) : "";
+  return format ? std::string(format_row(*format).ending) : "";
 }
 
 FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,

@@ -3,22 +3,17 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/cut_options.h"
-#include "app/cut_summary.h"
-#include "app/load.h"
-#include "app/pieces_folder.h"
-#include "app/progress_line.h"
-#include "app/tell.h"
-#include "core/base/assets.h"
-#include "core/base/atomic_file.h"
-#include "core/base/machine_memory.h"
+#include "app/cut_output.h"
+#include "core/base/platform.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
-#include "core/document/files/material_reader.h"
-#include "core/document/files/stroke_settings.h"
-#include "core/document/history/face_budget.h"
-#include "core/document/history/run_queue.h"
-#include "core/document/journal/journal.h"
+#include "core/document/document.h"
+#include "core/document/execution.h"
+#include "core/document/journal.h"
+#include "core/document/material_table.h"
+#include "core/document/stroke_settings.h"
 
 namespace kerf {
 

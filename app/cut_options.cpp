@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "app/parse_values.h"
-#include "core/document/files/stroke_settings.h"
+#include "app/arguments.h"
+#include "core/document/stroke_settings.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/json_value.h"
+#include "core/document/text/json.h"
 #include "core/document/text/nearest_name.h"
 #include "core/document/text/world_fields.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/base/result.h"
 #include "core/cut/cut_step.h"
-#include "core/document/files/path_file.h"
-#include "core/mesh/write_mesh.h"
+#include "core/document/stroke_path.h"
+#include "core/mesh/mesh_file.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;

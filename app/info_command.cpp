@@ -2,11 +2,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/load.h"
-#include "app/tell.h"
-#include "core/document/text/json_value.h"
-#include "core/mesh/enclosed_volume.h"
-#include "core/mesh/load_notes.h"
+#include "app/console.h"
+#include "core/base/platform.h"
+#include "core/document/material_table.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/mesh_file.h"
 
 namespace kerf {
 
@@ -60,6 +62,29 @@ void add_info_command(CLI::App& app, Invocation& invocation) {
   command->add_option("MESH", *file, "A mesh file: " + list_mesh_titles())->required();
   on_call(
       *command, invocation, [file] { return run_info(*file); }, "kerf info assets/meshes/car.obj");
+}
+
+namespace {
+
+Status run_materials() {
+  const auto materials = load_materials(assets_folder() / "materials.json");
+  if (!materials) return materials.error();
+  nlohmann::ordered_json json{{"units", "SI: kg/m3, J/(kg K), W/(m K), K, J/kg, m"}};
+  json["materials"] = nlohmann::ordered_json::array();
+  for (const Material& material : *materials) {
+    auto& entry = json["materials"].emplace_back(fields_json(material, {}));
+    entry["enthalpy_of_removal"] = enthalpy_of_removal(material.substance);
+  }
+  std::cout << json.dump(2) << '\n';
+  return flush_output();
+}
+
+}  // namespace
+
+void add_materials_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("materials", "The table of materials with sources, as JSON on standard output");
+  on_call(*command, invocation, run_materials, "kerf materials");
 }
 
 }  // namespace kerf

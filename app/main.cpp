@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/commands.h"
-#include "app/progress_line.h"
+#include "app/console.h"
 #include "app/version.h"
 #include "core/base/parallel.h"
 #include "core/document/text/nearest_name.h"

@@ -4,18 +4,14 @@
 #include <iostream>
 #include <optional>
 
+#include "app/arguments.h"
 #include "app/commands.h"
-#include "app/load.h"
-#include "app/parse_values.h"
-#include "app/progress_line.h"
-#include "app/tell.h"
-#include "core/document/files/input_files.h"
-#include "core/mesh/openmesh/smooth.h"
-#include "core/mesh/openmesh/subdivide.h"
+#include "app/console.h"
+#include "core/document/input_files.h"
+#include "core/mesh/mesh_file.h"
+#include "core/mesh/remesh/openmesh_tools.h"
+#include "core/mesh/remesh/remeshed.h"
 #include "core/mesh/remesh/simplify.h"
-#include "core/mesh/remesh/turn_shells.h"
-#include "core/mesh/single_precision.h"
-#include "core/mesh/write_mesh.h"
 
 namespace kerf {
 

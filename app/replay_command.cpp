@@ -1,23 +1,20 @@
 #include <chrono>
 #include <iostream>
 
+#include "app/arguments.h"
 #include "app/commands.h"
-#include "app/load.h"
-#include "app/parse_values.h"
-#include "app/picture_arguments.h"
-#include "app/pieces_folder.h"
-#include "app/progress_line.h"
-#include "app/tell.h"
+#include "app/console.h"
+#include "app/cut_output.h"
 #include "core/cut/stopwatch.h"
-#include "core/document/commands/command_words.h"
-#include "core/document/history/lasting_commands.h"
-#include "core/document/journal/replay.h"
-#include "core/document/text/hash_text.h"
+#include "core/document/command_log.h"
+#include "core/document/commands.h"
+#include "core/document/replay.h"
+#include "core/document/text/hash.h"
 #include "core/game/match/recording.h"
-#include "core/physics/machine_kind.h"
-#include "core/world/state_hash.h"
-#include "ui/game/match_film.h"
-#include "ui/render/picture/film.h"
+#include "core/physics/physics.h"
+#include "core/world/world.h"
+#include "ui/game/match_picture.h"
+#include "ui/render/offscreen_renderer.h"
 
 namespace kerf {
 

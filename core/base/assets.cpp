@@ -1,4 +1,4 @@
-#include "core/base/assets.h"
+#include "core/base/platform.h"
 
 #include <dlfcn.h>
 

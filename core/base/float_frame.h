@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "core/base/assert.h"
-#include "core/base/vec3.h"
+#include "core/base/geometry.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "core/base/chunk_memory.h"
+#include "core/base/records.h"
 
 namespace {
 

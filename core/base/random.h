@@ -1,11 +1,28 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
-
-#include "core/base/hash.h"
+#include <vector>
 
 namespace kerf {
+
+// A bijective 64-bit mixing function: the finaliser of SplitMix64 (G. Steele, D. Lea, C. Flood: Fast
+// splittable pseudorandom number generators, 2014).
+constexpr uint64_t mix64(uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+// Extends the hash of a sequence by one word; the order of the words matters.
+constexpr uint64_t hash_combine(uint64_t seed, uint64_t word) { return mix64(seed ^ mix64(word)); }
+
+// The bit pattern of a number, the same for -0.0 and +0.0, so that numbers that compare equal hash alike.
+constexpr uint64_t number_bits(double x) { return std::bit_cast<uint64_t>(x == 0.0 ? 0.0 : x); }
 
 // A pseudorandom generator (SplitMix64; see mix64) whose sequence is the same on every platform. It brings
 // its own distributions because those of the standard library differ between implementations.
@@ -31,6 +48,34 @@ class Random {
 
  private:
   uint64_t state_;
+};
+
+// Varies what no result may depend on: the order in which a query of a tree lists faces, the shape of trees,
+// and the number of faces that are processed together. Off unless the environment variable KERF_SHUFFLE
+// holds a seed, for tests that compare results.
+class Shuffle {
+ public:
+  // The one of this process; the environment is read once.
+  static const Shuffle& chosen();
+
+  bool on() const { return seed_ != 0; }
+  // A generator for one choice, which `about` tells from others; the same for equal seeds and choices.
+  Random random(uint64_t about) const { return Random(hash_combine(seed_, about)); }
+
+  // Whether this is one of the calls, one of `times` on average, for which it returns true; false if off.
+  bool once_in(uint64_t times) const;
+
+  // Brings the items from index `first` on into a random order, which depends on how many they are.
+  template <typename T>
+  void reorder(std::vector<T>& items, size_t first) const {
+    if (!on()) return;
+    Random random = this->random(items.size());
+    for (size_t i = items.size(); i > first + 1; --i)
+      std::swap(items[i - 1], items[first + random.below(i - first)]);
+  }
+
+ private:
+  uint64_t seed_ = 0;
 };
 
 }  // namespace kerf

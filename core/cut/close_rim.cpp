@@ -5,11 +5,11 @@
 
 #include "core/base/assert.h"
 #include "core/base/tolerances.h"
-#include "core/cut/cuttable.h"
-#include "core/cut/deposit_heat.h"
-#include "core/cut/rim_state.h"
+#include "core/cut/cut_stages.h"
+#include "core/cut/cut_step.h"
+#include "core/cut/rim_stages_internal.h"
 #include "core/cut/stopwatch.h"
-#include "core/joints/hold_parts.h"
+#include "core/joints/joined_parts.h"
 
 namespace kerf {
 

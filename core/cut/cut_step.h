@@ -1,19 +1,97 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/base/progress.h"
+#include "core/base/containers.h"
+#include "core/base/ids.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
-#include "core/cut/unfinished_rim.h"
-#include "core/joints/hold_parts.h"
+#include "core/cut/close_by_walls_internal.h"
+#include "core/cut/stroke_region.h"
+#include "core/joints/joined_parts.h"
 #include "core/laser/laser.h"
-#include "core/world/delta.h"
 #include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
+
+// The bodies that a beam can cut: all that are not hidden, in the order of World::ids(). O(bodies).
+std::vector<BodyId> cuttable(const World& world);
+
+// Returns whether a beam touches a face of such a body during a move in world coordinates. If not, the move
+// removes nothing and heats nothing. A move of very many parts (see subdivide) is taken for one that does.
+// O(log n) for each part. Preconditions: directions are unit vectors and not opposite.
+bool meets_anything(const World& world, const Laser& laser, const BeamMove& move);
+// The same for a beam that stands still.
+bool meets_anything(const World& world, const Laser& laser, const Pose& pose);
+
+// A vertex near the boundary of a stroke and a point of the boundary for it. `other` is the end of the edge
+// along which it would move, invalid where it would move within the plane of its faces.
+struct RimSnap {
+  VertexId vertex, other;
+  FaceId face;
+  Vec3 to;
+  double share = 0;  // of the edges at hand that lies between
+};
+
+// The state of the end of a stroke with a smooth rim that a step left unfinished, so that a later step can
+// continue it: the body, the stage, and what the stages know of that body. A default-constructed one is at
+// the start. It is valid only for the world as the step left it; any other change of the world invalidates
+// it, and what was cut stays cut.
+struct UnfinishedRim {
+  enum class Stage {
+    kSweep,           // collects what the beam has swept in the body
+    kFindNear,        // queries the tree for the faces near the boundary of that
+    kSort,            // brings them into the order of their slots
+    kRefine,          // splits faces until each can be cut along one chord
+    kListInPlane,     // lists vertices that may move onto the boundary in the plane of their faces
+    kMoveInPlane,     // moves them, nearest first
+    kListAlongEdges,  // lists vertices that may move onto the boundary along edges
+    kMoveAlongEdges,
+    kSplitInTheWay,    // splits the faces that kept a vertex from moving; then back to kRefine
+    kListNear,         // lists vertices that cannot be moved but lie very near the boundary
+    kSettle,           // treats them as lying on it
+    kClip,             // splits edges where they cross the boundary
+    kChoose,           // lists the faces inside
+    kRemove,           // removes them
+    kChooseBesideRim,  // lists the faces at the rim
+    kFlip,             // flips edges of theirs that make small angles
+    kCloseByWalls,     // closes a solid body
+    kHeatWalls,        // gives the walls the heat of the cut
+    kSeparate,         // searches for separated pieces
+    kMeasure,          // measures the angles of all faces that are new
+  };
+
+  size_t bodies = 0;  // bodies that are completed
+  Stage stage = Stage::kSweep;
+  size_t next = 0;       // the number of items of the stage that are processed
+  int rounds = 0;        // of kRefine .. kSplitInTheWay, then of kFlip
+  bool flipped = false;  // an edge was flipped in this round
+  bool removed = false;  // faces were removed
+  StrokeRegion region;
+  std::vector<FaceId> faces;  // on or near the boundary of the region, followed by the parts of split ones
+  // The faces to process: a heap of near faces, those to split (the next one is last), to remove, to flip,
+  // or to heat.
+  std::vector<FaceId> waiting;
+  std::vector<RimSnap> snaps;      // a heap of vertices to move or to settle, the nearest on top
+  std::vector<FaceId> in_the_way;  // faces to split because a vertex very near the boundary cannot be moved
+  std::vector<FaceId> changed;     // faces that splits, moves and flips have changed, with repeats
+  PagedArray<uint32_t>
+      distance_of;  // by vertex: an index of `distances` plus one, or 0 where it is not known
+  std::vector<double> distances;
+  std::shared_ptr<WallClosing> closing;  // from kCloseByWalls on; of copies, one alone can be continued
+
+  // Whether the body is in a state that nothing but the following steps may end: some of its walls are there
+  // and others not.
+  bool must_go_on() const { return closing && closing->is_adding(); }
+  // Whether a step has begun it.
+  bool begun() const { return bodies > 0 || stage != Stage::kSweep || next > 0; }
+};
 
 // How a face is split.
 enum class Scheme {
@@ -174,5 +252,11 @@ bool is_settled(const World& world);
 // Once all are finished, joints hold what they can as `hold` says. Precondition with Hold::kStill: nothing
 // edits the bodies until is_settled().
 StepResult go_on_separating(World& world, size_t most, Hold hold = Hold::kStill);
+
+// Executes moves of the beam through one body as cut_body does, but leaves parts that joints do not hold any
+// more for the next call of go_on_separating(): for callers that cut many bodies between two ticks. Fails
+// like cut_step. Precondition: the body is not hidden.
+Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId id,
+                             std::span<const BeamMove> moves);
 
 }  // namespace kerf

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <limits>
+#include <utility>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -147,6 +151,154 @@ Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside
     (held ? low : high) = middle;
   }
   return inside + high * way;
+}
+
+namespace {
+
+constexpr size_t kMostOfLeaf = 4;
+constexpr size_t kDeepest = 64;  // more halvings than there can be
+
+}  // namespace
+
+SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) {
+  KERF_ASSERT(region.parts() == moves.size() && !moves.empty());
+  for (size_t i = 0; i < region.parts(); ++i) parts_.push_back(region.part(i));
+  nodes_.push_back({0, moves.size(), {}, {}});
+  for (uint32_t i = 0; i < nodes_.size(); ++i) {
+    bound(i, moves);
+    const auto [first, end] = std::pair(nodes_[i].first, nodes_[i].end);
+    if (end - first <= kMostOfLeaf) continue;
+    nodes_[i].halves = static_cast<uint32_t>(nodes_.size());
+    const size_t middle = first + (end - first) / 2;
+    nodes_.push_back({first, middle, {}, {}});
+    nodes_.push_back({middle, end, {}, {}});
+  }
+}
+
+void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
+  Node& n = nodes_[node];
+  const Pose& middle = moves[n.first + (n.end - n.first) / 2].from;
+  n.origin = middle.origin;
+  n.direction = middle.direction;
+  for (const BeamMove& m : moves.subspan(n.first, n.end - n.first)) {
+    for (const Pose* pose : {&m.from, &m.to}) {
+      n.aside = std::max(n.aside, glm::length(pose->origin - n.origin));
+      n.apart = std::max(n.apart, glm::length(pose->direction - n.direction));
+    }
+  }
+}
+
+// A bound of the distances from the parts of a node.
+double SweptDistance::at_least(const Node& node, const Vec3& p) const {
+  constexpr double kRounding = 1e-9;  // beside which the parts of a beam that tilts err by the angle squared
+  const Vec3 from = p - node.origin;
+  const double away = glm::length(from);
+  const double from_axis = glm::length(from - glm::dot(from, node.direction) * node.direction);
+  const double aside = node.aside + node.apart * (1 + node.apart) * (away + node.aside);
+  return from_axis - aside - parts_[node.first].radius() - kRounding * (away + node.aside);
+}
+
+double SweptDistance::operator()(const Vec3& p) const {
+  struct Visit {
+    double at_least;
+    uint32_t node;
+  };
+  std::array<Visit, kDeepest> stack;
+  size_t waiting = 0;
+  stack[waiting++] = {-std::numeric_limits<double>::infinity(), 0};
+  double least = std::numeric_limits<double>::infinity();
+  while (waiting > 0) {
+    const Visit visit = stack[--waiting];
+    if (visit.at_least >= least) continue;
+    const Node& node = nodes_[visit.node];
+    if (node.halves == 0) {
+      for (size_t i = node.first; i < node.end; ++i) least = std::min(least, parts_[i].signed_distance(p));
+      continue;
+    }
+    Visit nearer{at_least(nodes_[node.halves], p), node.halves};
+    Visit farther{at_least(nodes_[node.halves + 1], p), node.halves + 1};
+    if (farther.at_least < nearer.at_least) std::swap(nearer, farther);
+    KERF_ASSERT(waiting + 2 <= kDeepest);
+    stack[waiting++] = farther;
+    stack[waiting++] = nearer;
+  }
+  return least;
+}
+
+namespace {
+
+class ChordTest {
+ public:
+  ChordTest(const StrokeRegion& region, FaceId face, const Triangle& at, const std::array<double, 3>& d,
+            double chord, double graze)
+      : region_(region), face_(face), at_(at), d_(d), chord_(chord), graze_(graze) {}
+
+  bool fails() {
+    const bool any_inside = d_[0] < 0 || d_[1] < 0 || d_[2] < 0;
+    const bool any_outside = d_[0] > 0 || d_[1] > 0 || d_[2] > 0;
+    if (!any_inside && any_outside && region_.reaches_into(face_, at_, graze_)) return true;
+    for (int i = 0; i < 3; ++i) {
+      if (edge_fails(i, (i + 1) % 3)) return true;
+    }
+    if (!any_outside) return region_.signed_distance(face_, (at_[0] + at_[1] + at_[2]) / 3.0) > graze_;
+    return any_inside && cut_fails();
+  }
+
+ private:
+  bool edge_fails(int i, int k) {
+    if (d_[i] > 0 && d_[k] > 0) return passes_through(at_[i], at_[k]);
+    if (d_[i] == 0 && d_[k] == 0) return leaves_boundary(at_[i], at_[k]);
+    if (d_[i] <= 0 && d_[k] <= 0) return leaves_region(at_[i], at_[k]);
+    const int in = d_[i] < d_[k] ? i : k, out = in == i ? k : i;
+    if (d_[in] == 0) return passes_through(at_[in], at_[out]);
+    const Vec3 crossing = region_.crossing(face_, at_[in], at_[out]);
+    if (leaves_region(at_[in], crossing) || passes_through(crossing, at_[out])) return true;
+    ends_[ends_count_++] = crossing;
+    return false;
+  }
+
+  bool passes_through(const Vec3& a, const Vec3& b) const {
+    return region_.reaches_into(face_, {a, b, b}, graze_);
+  }
+
+  bool leaves_region(const Vec3& a, const Vec3& b) const {
+    return any_between(a, b, [&](double distance) { return distance > graze_; });
+  }
+
+  bool leaves_boundary(const Vec3& a, const Vec3& b) const {
+    return any_between(a, b, [&](double distance) { return std::abs(distance) > chord_; });
+  }
+
+  template <typename Wrong>
+  bool any_between(const Vec3& a, const Vec3& b, Wrong wrong) const {
+    for (int eighth = 1; eighth < 8; ++eighth) {
+      if (wrong(region_.signed_distance(face_, a + 0.125 * eighth * (b - a)))) return true;
+    }
+    return false;
+  }
+
+  // The chord runs between two crossings, or from one to a corner on the boundary.
+  bool cut_fails() {
+    for (int i = 0; i < 3; ++i) {
+      if (d_[i] == 0 && ends_count_ < 2) ends_[ends_count_++] = at_[i];
+    }
+    return ends_count_ == 2 && leaves_boundary(ends_[0], ends_[1]);
+  }
+
+  const StrokeRegion& region_;
+  FaceId face_;
+  const Triangle& at_;
+  const std::array<double, 3>& d_;
+  double chord_, graze_;
+  std::array<Vec3, 3> ends_{};
+  int ends_count_ = 0;
+};
+
+}  // namespace
+
+bool chord_fails(const StrokeRegion& region, FaceId face, const Triangle& at,
+                 const std::array<double, 3>& distances, double chord, double graze) {
+  return ChordTest(region, face, at, distances, chord, graze).fails();
 }
 
 }  // namespace kerf

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/mesh/enclosed_volume.h"
-#include "core/mesh/longest_edge.h"
-#include "core/world/solid_body.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/refinement.h"
+#include "core/world/body_mass.h"
 
 namespace kerf {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/edit/separation.h"
-#include "core/mesh/face_addition.h"
-#include "core/world/delta.h"
+#include "core/mesh/mesh.h"
 #include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/assert.h"
 #include "core/edit/body_edit.h"
-#include "core/mesh/extract_mesh.h"
+#include "core/mesh/mesh.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/world/delta.h"
 #include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
 

@@ -1,13 +1,46 @@
 #pragma once
 
+#include <cassert>
 #include <queue>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "core/base/containers.h"
+#include "core/base/ids.h"
 #include "core/base/tolerances.h"
 #include "core/edit/separation.h"
-#include "core/mesh/face_walk.h"
+#include "core/mesh/face_batches.h"
+#include "core/world/world.h"
 
 namespace kerf {
+
+// The connected components of a graph of faces whose edges are ties. A tie is a pair of a removed face and
+// one of its former neighbours.
+class TieClusters {
+ public:
+  // Linear time. All items of `scratch` must be 0, and are 0 afterwards.
+  TieClusters(std::span<const std::pair<FaceId, FaceId>> ties, PagedArray<uint32_t>& scratch);
+
+  // The faces of all ties, each once, in the order in which they first appear.
+  std::span<const FaceId> faces() const { return faces_; }
+  // The cluster of faces()[place], named by the place of its first face. Precondition: place <
+  // faces().size().
+  uint32_t cluster(uint32_t place) {
+    assert(place < faces_.size());
+    return together_.find(place);
+  }
+
+ private:
+  std::vector<FaceId> faces_;
+  UnionFind together_;
+};
+
+// Estimates which of two fronts of the open search of a body will turn out to be the larger part: faces that
+// are sampled over the component belong to the front that has reached them, or else to the one whose frontier
+// is nearer in the mean. Preconditions: both fronts grow in one component, and both have a frontier. Reads a
+// few hundred faces. Private to core/edit.
+uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b);
 
 // Searches for the parts into which components were separated. A front of faces spreads breadth-first from
 // every former neighbour of a removed face, and fronts that meet are merged. The front that has visited the

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,5 +49,59 @@ class GraphLinks {
  private:
   std::vector<uint32_t> first_, linked_;
 };
+
+// The test of the paper ("Laser Mesh Separation") of whether a mesh has been cut through: a breadth-first
+// search marks the nodes that can be reached from one of them. If it marks fewer than there are, the marked
+// and the unmarked nodes are two sets between which no link exists.
+//
+// Kerf itself decides by the loops that a cut closes and searches only where one did (see CutLoops and
+// PartSearch); the traversal shows what the paper does, and the tests hold the two against each other.
+struct Traversal {
+  static constexpr uint32_t kNone = 0xffffffffu;
+
+  std::vector<uint32_t> order;  // the nodes in the order in which they were marked, the start first
+  std::vector<uint32_t> from;   // by index of `order`: the node over whose link it was reached; kNone: start
+  std::vector<uint32_t> rank;   // by node: its index in `order`, or kNone if it was not reached
+
+  size_t reached() const { return order.size(); }
+};
+
+// Traverses the graph from a node. The links of a node are followed in ascending order, so that the order is
+// a function of the graph alone. Precondition: start < links.nodes(). Linear time.
+Traversal traverse(const GraphLinks& links, uint32_t start);
+
+// The components of a graph: the result of traversals from the lowest node that none has reached yet, until
+// there is none left.
+struct GraphComponents {
+  std::vector<uint32_t> of;    // by node: the number of its component, in the order of their lowest nodes
+  std::vector<uint32_t> size;  // by component: its nodes
+};
+GraphComponents find_components(const GraphLinks& links);
+
+// The reason why a piece stays where it is and in one.
+enum class Holder {
+  kNothing,  // the piece came off: it only stays until it is moved or time passes
+  kItself,   // a body in one part, on which nothing else acts
+  kBody,     // several parts that are not connected; they move together because they are one body
+  kPin,      // the body is pinned
+};
+
+// "nothing", "itself", "body" or "pin".
+const char* name_of(Holder holder);
+
+// A node of the graph of pieces.
+struct PieceNode {
+  PieceId piece;
+  // The piece from which it came off, as it is named at the position of the history, and the step that did
+  // it. Nothing for what is left of a body, and where it is not known (see HistoryStep::came_off).
+  std::optional<PieceId> came_off;
+  size_t step = 0;
+  Holder held_by = Holder::kNothing;
+  size_t parts = 1;   // components of its faces
+  size_t beside = 0;  // other pieces of the same body that have faces
+};
+
+// The pieces that have faces, ascending by piece, without what they came off. O(pieces + loaded components).
+std::vector<PieceNode> piece_nodes(const World& world);
 
 }  // namespace kerf

@@ -1,11 +1,27 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
+#include "core/base/geometry.h"
+#include "core/graph/component_graph.h"
 #include "core/graph/cut_graph.h"
-#include "core/graph/loop_paths.h"
 
 namespace kerf {
+
+// Joins linked nodes of one kind until at most `most` clusters are left, the smallest clusters first, so that
+// their sizes stay alike; fewer than `most` nodes are left apart. Nodes that no link joins stay apart, too:
+// the result has at least one cluster for each connected set of nodes of one kind, even if these are more
+// than `most`. The method is the coarsening of G. Karypis, V. Kumar: A fast and high quality multilevel
+// scheme for partitioning irregular graphs (1998), with the sizes of clusters in place of the weights of
+// edges.
+//
+// Returns by node the cluster that it belongs to; a cluster is a connected set of nodes of one kind, and they
+// are numbered in the order of their lowest nodes. `kind` has one value for each node. Precondition:
+// kind.size() == links.nodes(). O(n log n) in nodes and links.
+std::vector<uint32_t> cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most);
 
 // The part of the graph of a cut that is drawn: at most kMost nodes, each of them a face or a cluster of
 // linked faces of one set.
@@ -61,5 +77,27 @@ enum class GraphScope {
 // plus linear time in the graph.
 DrawnGraph draw_graph(const CutGraph& graph, const CutTraversal& traversal, GraphScope scope,
                       std::span<const uint32_t> opened = {});
+
+// Places of nodes in a plane, one for each node of a drawn graph. The plane is scaled so that the larger side
+// of their bounding box is from -1 to 1 and the smaller one is centred.
+using GraphLayout = std::vector<Vec2>;
+
+// Where the nodes are in space, projected onto a plane: that of the two directions in which the nodes extend
+// most (principal components: K. Pearson: On lines and planes of closest fit to systems of points in space,
+// 1901). Linear time.
+GraphLayout lay_out_by_position(const DrawnGraph& graph);
+
+// Unrolled along the cut, where the removed faces run around: as if the nodes lay on a ring around the middle
+// of the removed faces, which is opened at its widest gap. From left to right is the way around, and upwards
+// the distance from the cut, with one of its sides above and the other below; the height is stretched to two
+// fifths of the width where it is less. Nothing where the removed faces leave a gap of a quarter turn or run
+// through the middle: such a cut is seen as a whole by position. O(n log n).
+std::optional<GraphLayout> lay_out_unrolled(const DrawnGraph& graph);
+
+// As if links were springs and nodes repelled each other (T. M. J. Fruchterman, E. M. Reingold: Graph drawing
+// by force-directed placement, 1991; nodes farther apart than two lengths of a spring do not repel). Starts
+// from the layout by position and takes a fixed number of turns, so that the result is a function of the
+// graph. O(turns * (nodes + links)) if the nodes spread evenly; at most quadratic in the nodes.
+GraphLayout lay_out_by_force(const DrawnGraph& graph);
 
 }  // namespace kerf

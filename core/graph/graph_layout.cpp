@@ -1,10 +1,10 @@
-#include "core/graph/graph_layout.h"
+#include "core/graph/drawn_graph.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 
 namespace kerf {

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "core/graph/component_graph.h"
-#include "core/graph/piece_node.h"
 
 namespace kerf {
 

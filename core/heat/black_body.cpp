@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/exponential.h"
+#include "core/base/deterministic_math.h"
 
 namespace kerf {
 namespace {

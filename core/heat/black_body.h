@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/vec3.h"
+#include "core/base/geometry.h"
 
 namespace kerf {
 

@@ -6,17 +6,12 @@
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/base/count_text.h"
+#include "core/base/number_format.h"
 #include "core/base/parallel.h"
-#include "core/mesh/fill_half_edges.h"
-#include "core/mesh/kernel.h"
-#include "core/mesh/orient.h"
+#include "core/mesh/half_edges_internal.h"
+#include "core/mesh/orientation.h"
 #include "core/mesh/pair_sides.h"
-#include "core/mesh/patches.h"
-#include "core/mesh/rings.h"
-#include "core/mesh/soup_edges.h"
-#include "core/mesh/usable_triangles.h"
-#include "core/mesh/vertex_fans.h"
+#include "core/mesh/soup_topology.h"
 #include "core/mesh/weld.h"
 
 namespace kerf {

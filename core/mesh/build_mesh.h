@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/mesh/files/soup.h"
 #include "core/mesh/mesh.h"

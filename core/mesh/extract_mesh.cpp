@@ -1,4 +1,4 @@
-#include "core/mesh/extract_mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/mesh/kernel.h"
-#include "core/mesh/rings.h"
+#include "core/mesh/half_edges_internal.h"
 
 namespace kerf {
 

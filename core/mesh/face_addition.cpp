@@ -1,11 +1,10 @@
-#include "core/mesh/face_addition.h"
+#include "core/mesh/mesh.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/mesh/kernel.h"
-#include "core/mesh/rings.h"
+#include "core/mesh/half_edges_internal.h"
 
 namespace kerf {
 

@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/base/union_find.h"
-#include "core/mesh/vertex_fans.h"
+#include "core/base/containers.h"
+#include "core/mesh/half_edges_internal.h"
 
 namespace kerf {
 

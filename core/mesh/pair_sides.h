@@ -5,9 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/vec3.h"
-#include "core/mesh/patches.h"
-#include "core/mesh/soup_edges.h"
+#include "core/base/geometry.h"
+#include "core/mesh/soup_topology.h"
 
 namespace kerf {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "core/mesh/kernel.h"
-#include "core/mesh/rings.h"
+#include "core/mesh/half_edges_internal.h"
 
 namespace kerf {
 

@@ -1,9 +1,13 @@
 #include "core/mesh/weld.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
+#include <cmath>
 
-#include "core/base/hash.h"
+#include "core/base/parallel.h"
+#include "core/base/random.h"
 
 namespace kerf {
 
@@ -63,6 +67,116 @@ Result<std::vector<uint32_t>> weld_positions(std::span<const Vec3> positions, co
 
 std::vector<uint32_t> weld_positions(std::span<const Vec3> positions) {
   return std::move(*weld_positions(positions, nullptr));
+}
+
+namespace {
+
+constexpr size_t kTrianglesOfRange = 1 << 12;
+
+bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+class Choice {
+ public:
+  Choice(const Soup& soup, std::span<const uint32_t> welded)
+      : soup_(soup),
+        welded_(welded),
+        all_finite_(std::all_of(soup.positions.begin(), soup.positions.end(), is_finite)) {}
+
+  Result<UsableTriangles> run(const Progress* progress) {
+    ProgressShares shares(progress);
+    const Progress counting = shares.next(0.5), copying = shares.next(0.5);
+    counts_.resize(range_count(soup_.triangles.size(), kTrianglesOfRange) + 1);
+    const auto count = [&](size_t t, size_t end) {
+      count_usable(t, end, counts_[t / kTrianglesOfRange + 1]);
+    };
+    if (!for_each_range(soup_.triangles.size(), kTrianglesOfRange, &counting, count)) return cancelled();
+    for (size_t r = 1; r < counts_.size(); ++r) {
+      counts_[r].usable += counts_[r - 1].usable;
+      usable_.degenerate += counts_[r].degenerate;
+      usable_.non_finite += counts_[r].non_finite;
+    }
+    usable_.triangles.resize(counts_.back().usable);
+    if (!soup_.materials.empty()) usable_.materials.resize(counts_.back().usable);
+    const auto copy = [&](size_t t, size_t end) {
+      copy_usable(t, end, counts_[t / kTrianglesOfRange].usable);
+    };
+    if (!for_each_range(soup_.triangles.size(), kTrianglesOfRange, &copying, copy)) return cancelled();
+    copy_parts();
+    return std::move(usable_);
+  }
+
+ private:
+  struct Counts {
+    size_t usable = 0, degenerate = 0, non_finite = 0;
+  };
+
+  Soup::Triangle corners(size_t t) const {
+    const auto& [a, b, c] = soup_.triangles[t];
+    assert(std::max({a, b, c}) < welded_.size());
+    return {welded_[a], welded_[b], welded_[c]};
+  }
+  bool has_finite_corners(const Soup::Triangle& w) const {
+    const auto finite = [&](uint32_t p) { return is_finite(soup_.positions[p]); };
+    return all_finite_ || std::all_of(w.begin(), w.end(), finite);
+  }
+  static bool has_equal_corners(const Soup::Triangle& w) {
+    return w[0] == w[1] || w[1] == w[2] || w[2] == w[0];
+  }
+  bool is_usable(size_t t) const {
+    const Soup::Triangle w = corners(t);
+    return has_finite_corners(w) && !has_equal_corners(w);
+  }
+
+  void count_usable(size_t t, size_t end, Counts& counts) const {
+    for (; t < end; ++t) {
+      const Soup::Triangle w = corners(t);
+      if (!has_finite_corners(w))
+        ++counts.non_finite;
+      else if (has_equal_corners(w))
+        ++counts.degenerate;
+      else
+        ++counts.usable;
+    }
+  }
+
+  void copy_usable(size_t t, size_t end, size_t to) {
+    for (; t < end; ++t) {
+      if (!is_usable(t)) continue;
+      usable_.triangles[to] = corners(t);
+      if (!soup_.materials.empty()) usable_.materials[to] = soup_.materials[t];
+      ++to;
+    }
+  }
+
+  // The number of usable triangles before triangle t of the soup.
+  uint32_t usable_before(uint32_t t) const {
+    if (counts_.back().usable == soup_.triangles.size()) return t;
+    const size_t range = t / kTrianglesOfRange;
+    size_t count = counts_[range].usable;
+    for (size_t i = range * kTrianglesOfRange; i < t; ++i) count += is_usable(i);
+    return static_cast<uint32_t>(count);
+  }
+
+  void copy_parts() {
+    for (const MeshPart& part : soup_.parts) {
+      const uint32_t first = usable_before(part.first), last = usable_before(part.last);
+      if (first < last) usable_.parts.push_back({part.name, first, last});
+    }
+  }
+
+  const Soup& soup_;
+  std::span<const uint32_t> welded_;
+  bool all_finite_;
+  std::vector<Counts> counts_;  // by range, from 1 on; `usable` is then the number in all ranges before
+  UsableTriangles usable_;
+};
+
+}  // namespace
+
+Result<UsableTriangles> usable_triangles(const Soup& soup, std::span<const uint32_t> welded,
+                                         const Progress* progress) {
+  assert(welded.size() == soup.positions.size());
+  return Choice(soup, welded).run(progress);
 }
 
 }  // namespace kerf

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/base/progress.h"
+#include "core/base/geometry.h"
+#include "core/base/ids.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
-#include "core/base/vec3.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 
@@ -15,5 +18,53 @@ namespace kerf {
 std::vector<uint32_t> weld_positions(std::span<const Vec3> positions);
 // Finds these indices, or fails with cancelled() when stopped. `progress` may be null.
 Result<std::vector<uint32_t>> weld_positions(std::span<const Vec3> positions, const Progress* progress);
+
+// The triangles of a soup of which a mesh can be built, in its order.
+struct UsableTriangles {
+  std::vector<Soup::Triangle> triangles;  // of welded positions
+  std::vector<uint16_t> materials;        // one per triangle; empty if the soup's are
+  std::vector<MeshPart> parts;            // of these triangles; those without any are left out
+  size_t degenerate = 0;                  // left out: two corners at the same position
+  size_t non_finite = 0;                  // left out: a corner that is not a finite number
+};
+
+// Chooses the usable triangles, or fails with cancelled() when stopped. `welded` is what weld_positions()
+// makes of the soup's positions. `progress` may be null. Linear time, on several threads.
+Result<UsableTriangles> usable_triangles(const Soup& soup, std::span<const uint32_t> welded,
+                                         const Progress* progress);
+
+// Collects triangles over welded positions: those with two corners at one position are left out, and
+// positions are numbered in the order in which triangles use them.
+class WeldedTriangles {
+ public:
+  // The positions must outlive the collection. Expected linear time.
+  explicit WeldedTriangles(std::span<const Vec3> from)
+      : from_(from), first_(weld_positions(from)), number_(from.size(), kNoIndex) {}
+
+  // Adds a triangle of these positions. Returns whether it has three different corners.
+  bool add(std::array<uint32_t, 3> corners) {
+    for (uint32_t& v : corners) v = first_[v];
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return false;
+    for (uint32_t& v : corners) {
+      if (number_[v] == kNoIndex) {
+        number_[v] = static_cast<uint32_t>(positions.size());
+        positions.push_back(from_[v]);
+        sources.push_back(v);
+      }
+      v = number_[v];
+    }
+    triangles.push_back(corners);
+    return true;
+  }
+
+  std::vector<Vec3> positions;
+  std::vector<uint32_t> sources;                   // by position: the lowest index of an equal one in `from`
+  std::vector<std::array<uint32_t, 3>> triangles;  // indices of positions
+
+ private:
+  std::span<const Vec3> from_;
+  std::vector<uint32_t> first_;   // by position: the lowest index of an equal one
+  std::vector<uint32_t> number_;  // by that: its index in `positions`
+};
 
 }  // namespace kerf

@@ -6,16 +6,31 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "core/joints/held_joints.h"
-#include "core/physics/collider/collider.h"
+#include "core/joints/joined_parts.h"
+#include "core/physics/contact/collider.h"
 #include "core/physics/contact/contact.h"
-#include "core/physics/contact/moving_body.h"
-#include "core/world/delta.h"
+#include "core/physics/contact/rigid_body.h"
 #include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
+
+// The kind of machine on which bodies move to the same bits: its processor, C library and solver, and the
+// revision of Kerf's own part, such as "x86_64 glibc-2.36 bullet-3.24 motion-2". The solver uses functions of
+// the C library whose last bits differ between kinds.
+std::string machine_kind();
+
+// Lets the spring of the world act on the body that it holds for one tick of so many seconds: its velocity
+// and spin change as by a critically damped spring between the held point and the far end, which accelerates
+// the point by at most kMostPull. The body wakes. Nothing happens without a spring, or if the piece does not
+// exist, is pinned, hidden or has no mass.
+void pull(World& world, double seconds);
+
+inline constexpr double kPullFrequency = 20;  // rad/s, of the undamped spring with the mass that it feels
+inline constexpr double kMostPull = 100;      // m/s^2
 
 class SolverMemory;
 

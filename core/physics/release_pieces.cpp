@@ -5,8 +5,8 @@
 
 #include "core/base/assert.h"
 #include "core/edit/detach.h"
-#include "core/physics/contact/rigid_frame.h"
-#include "core/world/weigh.h"
+#include "core/physics/contact/rigid_body.h"
+#include "core/world/body_mass.h"
 
 namespace kerf {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "core/world/delta.h"
 #include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
 

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/base/assert.h"
-#include "core/base/unit_vector.h"
+#include "core/base/geometry.h"
 #include "core/mesh/build_mesh.h"
-#include "core/shadow/shadow_caster.h"
+#include "core/shadow/shadow_volume.h"
 
 namespace kerf {
 

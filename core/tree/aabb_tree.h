@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "core/base/bounds.h"
+#include "core/base/geometry.h"
 #include "core/base/ids.h"
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/replacement.h"
+#include "core/mesh/refinement.h"
 #include "core/tree/swept_cylinder.h"
 #include "core/tree/tree_store.h"
 

@@ -1,4 +1,4 @@
-#include "core/tree/edit_tree.h"
+#include "core/tree/tree_internal.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "core/base/unit_vector.h"
+#include "core/base/geometry.h"
 
 namespace kerf {
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/base/interval.h"
-#include "core/base/pose.h"
-#include "core/base/vec3.h"
+#include "core/base/geometry.h"
 #include "core/mesh/mesh.h"
 
 namespace kerf {

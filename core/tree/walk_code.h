@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/tolerances.h"
-#include "core/tree/ray_axes.h"
 #include "core/tree/walks.h"
 
 namespace kerf {

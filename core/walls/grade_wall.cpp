@@ -3,7 +3,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/walls/wall_mesh.h"
+#include "core/walls/wall_mesh_internal.h"
 
 namespace kerf {
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/base/resumable.h"
+#include "core/base/task.h"
 #include "core/laser/laser.h"
 #include "core/mesh/mesh.h"
 
@@ -71,5 +72,23 @@ struct MadeWalls {
 // Preconditions: `sides` are all sides without another face on their sheet of some connected parts of the
 // mesh that were closed before; until the walls are made, all arguments live and the mesh stays unchanged.
 Resumable<MadeWalls> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke);
+
+// A side of walls, as indices of vertices of a patch.
+using PatchSide = std::pair<uint32_t, uint32_t>;
+
+// What is wrong with a patch of faces for a rim, and the vertex where.
+struct PatchFault {
+  const char* why;
+  uint32_t vertex;
+};
+
+// Whether every side of the patch has exactly one other face: another one of the patch, or the one beyond a
+// side of the rim, and every side of the rim is one of the patch. Nothing if so. O(n log n).
+Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim);
+
+// Fills in which connected wall the faces and the sides of the rim are in. `sides` are those beyond `rim`.
+// Precondition: the patch has no fault.
+Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> rim,
+                                 std::span<const RimSide> sides);
 
 }  // namespace kerf

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/angle.h"
 #include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/resumable.h"
-#include "core/base/vec3.h"
+#include "core/base/geometry.h"
+#include "core/base/task.h"
 
 namespace kerf {
 

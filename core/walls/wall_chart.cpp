@@ -1,14 +1,103 @@
-#include "core/walls/wall_chart.h"
+#include "core/walls/wall_chart_internal.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <map>
 
-#include "core/base/angle.h"
 #include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
+#include "core/base/tolerances.h"
 
 namespace kerf {
+
+namespace {
+
+// Directions that differ by less are parallel: over the longest ranges, lines then deviate by a thousandth of
+// the radius at most.
+constexpr double kParallel = 1e-9;
+// The largest distance of a line from the apex, relative to the radius.
+constexpr double kAtApex = 1e-3;
+// The least cosine of the angle between a direction and the middle one.
+constexpr double kLeastCosine = 0.3;
+
+template <typename Visit>
+void for_each_pose(std::span<const BeamMove> moves, Visit visit) {
+  for (const BeamMove& m : moves) {
+    visit(m.from);
+    visit(m.to);
+  }
+}
+
+// The point with the least sum of squared distances from the lines.
+Vec3 nearest_to_lines(std::span<const BeamMove> moves) {
+  glm::dmat3 sum(0.0);
+  Vec3 right(0);
+  const Vec3 near = moves.front().from.origin;
+  for_each_pose(moves, [&](const Pose& pose) {
+    const glm::dmat3 across = glm::dmat3(1.0) - glm::outerProduct(pose.direction, pose.direction);
+    sum += across;
+    right += across * (pose.origin - near);
+  });
+  return near + glm::inverse(sum) * right;
+}
+
+}  // namespace
+
+std::optional<BeamPencil> BeamPencil::of(std::span<const BeamMove> moves, double radius) {
+  KERF_ASSERT(!moves.empty());
+  BeamPencil pencil;
+  const Vec3 first = moves.front().from.direction;
+  Vec3 sum(0);
+  pencil.parallel_ = true;
+  pencil.origin_ = moves.front().from.origin;
+  for_each_pose(moves, [&](const Pose& pose) {
+    sum += pose.direction;
+    pencil.parallel_ = pencil.parallel_ && glm::length(pose.direction - first) <= kParallel;
+  });
+  if (!(glm::length(sum) > 0)) return std::nullopt;
+  pencil.axis_ = pencil.parallel_ ? first : glm::normalize(sum);
+  pencil.right_ = across(pencil.axis_);
+  pencil.up_ = glm::cross(pencil.axis_, pencil.right_);
+  if (pencil.parallel_) return pencil;
+  const Vec3 apex = nearest_to_lines(moves);
+  bool meet = true;
+  for_each_pose(moves, [&](const Pose& pose) {
+    const Vec3 from = apex - pose.origin;
+    const double distance = glm::length(from - glm::dot(from, pose.direction) * pose.direction);
+    meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > kLeastCosine;
+  });
+  if (!meet) return std::nullopt;
+  pencil.origin_ = apex;
+  return pencil;
+}
+
+BeamPencil::Seen BeamPencil::see(const Vec3& p) const {
+  const Vec3 a = p - origin_;
+  return {{glm::dot(a, right_), glm::dot(a, up_)}, glm::dot(a, axis_)};
+}
+
+Vec3 BeamPencil::point(Vec2 place, double depth) const {
+  return origin_ + depth * axis_ + place.x * right_ + place.y * up_;
+}
+
+double BeamPencil::longest_ellipse(std::span<const BeamMove> moves) const {
+  double longest = 1;
+  for_each_pose(moves,
+                [&](const Pose& pose) { longest = std::max(longest, 1 / glm::dot(pose.direction, axis_)); });
+  return longest;
+}
+
+DiscMove BeamPencil::at_depth(const BeamMove& move, double depth) const {
+  const auto centre = [&](const Pose& pose) {
+    if (parallel_) return see(pose.origin).place;
+    const Vec3 d = pose.direction * (depth / glm::dot(pose.direction, axis_));
+    return Vec2(glm::dot(d, right_), glm::dot(d, up_));
+  };
+  return {centre(move.from), centre(move.to)};
+}
 
 namespace {
 
@@ -239,6 +328,64 @@ std::vector<double> WallChart::corners(uint32_t curve, double turn) const {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
+}
+
+namespace {
+
+std::optional<double> end_at(const BeamPencil& pencil, std::span<const BeamMove> moves, double along,
+                             double radius) {
+  const auto depth_of = [&](const Pose& p) { return pencil.see(p.origin).depth + along; };
+  const double depth = depth_of(moves.front().from);
+  for (const BeamMove& m : moves) {
+    for (const Pose* p : {&m.from, &m.to}) {
+      if (std::abs(depth_of(*p) - depth) > kRimOn * radius) return std::nullopt;
+    }
+  }
+  return depth;
+}
+
+double from_corner(const NearBoundary& n) { return std::max(n.from_side, n.from_end); }
+
+bool is_on_end_alone(const NearBoundary& n) {
+  return n.end != BoundaryPart::kSide && n.from_end < n.from_side;
+}
+
+}  // namespace
+
+RangeEnds range_ends(const BeamPencil& pencil, std::span<const BeamMove> moves, Interval range,
+                     double radius) {
+  KERF_ASSERT(!moves.empty() && radius > 0);
+  if (!pencil.parallel()) return {};
+  return {end_at(pencil, moves, range.low, radius), end_at(pencil, moves, range.high, radius)};
+}
+
+NearBoundary near_boundary(const WallChart& chart, const RangeEnds& ends, const Vec3& p, double depth,
+                           double reach) {
+  KERF_ASSERT(reach > 0);
+  NearBoundary near;
+  near.place = chart.place_of(p, reach);
+  if (near.place) near.from_side = glm::length(chart.point_at(*near.place) - p);
+  for (const auto& [end, part] :
+       {std::pair(ends.low, BoundaryPart::kLowEnd), std::pair(ends.high, BoundaryPart::kHighEnd)}) {
+    if (!end || std::abs(depth - *end) >= near.from_end) continue;
+    near.from_end = std::abs(depth - *end);
+    near.end = part;
+  }
+  if (near.from_end > reach) near.end = BoundaryPart::kSide;
+  return near;
+}
+
+std::optional<BoundaryPart> part_along(const NearBoundary& a, const NearBoundary& b) {
+  if (!is_on_end_alone(a) && !is_on_end_alone(b)) {
+    if (!a.place || !b.place) return std::nullopt;
+    return BoundaryPart::kSide;
+  }
+  const bool first_on_end = is_on_end_alone(a);
+  const NearBoundary &at_end = first_on_end ? a : b, &other = first_on_end ? b : a;
+  if (other.end == at_end.end && (is_on_end_alone(other) || from_corner(other) <= from_corner(at_end)))
+    return at_end.end;
+  if (!at_end.place) return std::nullopt;
+  return BoundaryPart::kSide;
 }
 
 }  // namespace kerf

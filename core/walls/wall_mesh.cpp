@@ -1,12 +1,43 @@
-#include "core/walls/wall_mesh.h"
+#include "core/walls/wall_mesh_internal.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/walls/side_index.h"
 
 namespace kerf {
+
+SideIndex::SideIndex(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices)
+    : first_(vertices + 1), sides_(3 * triangles.size()) {
+  for (const auto& t : triangles) {
+    for (const uint32_t v : t) {
+      KERF_ASSERT(v < vertices);
+      ++first_[v + 1];
+    }
+  }
+  for (size_t v = 0; v < vertices; ++v) first_[v + 1] += first_[v];
+  std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
+  for (uint32_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
+    for (uint32_t k = 0; k < 3; ++k) sides_[next[t[k]]++] = {t[(k + 1) % 3], i, k};
+  }
+}
+
+const SideIndex::Side* SideIndex::find(uint32_t v, uint32_t to) const {
+  for (const Side& s : from(v)) {
+    if (s.to == to) return &s;
+  }
+  return nullptr;
+}
+
+const SideIndex::Side* SideIndex::find_repeated() const {
+  for (uint32_t v = 0; v + 1 < first_.size(); ++v) {
+    for (const Side& s : from(v)) {
+      if (s.to == v || find(v, s.to) != &s) return &s;
+    }
+  }
+  return nullptr;
+}
 
 namespace {
 
@@ -323,6 +354,42 @@ Resumable<Done> WallMesh::split_between(uint32_t fixed, const std::function<bool
     }
   }
   co_return Done{};
+}
+
+Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
+                                                   std::span<const std::pair<uint32_t, uint32_t>> sides,
+                                                   double least, const std::function<Vec3(Vec2)>& lift,
+                                                   uint32_t& conflict) {
+  KERF_ASSERT(!sides.empty() && places.size() == at.size());
+  constexpr int64_t kSize = int64_t{1} << 30, kWidth = 4 * kSize;
+  Vec2 low = places[0], high = places[0];
+  for (const Vec2 p : places) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double scale = static_cast<double>(kSize - 2) / std::max(high.x - low.x, high.y - low.y);
+  const auto whole = [&](double x) { return static_cast<int64_t>(x * scale + 0.5); };
+  std::vector<ChartVertex> placed;
+  for (const Vec2 p : places) placed.push_back({whole(p.x - low.x), whole(p.y - low.y)});
+  std::vector<ChartEdge> edges;
+  for (const auto& [from, to] : sides) edges.push_back({from, to, placed[to].x - placed[from].x});
+  std::vector<uint32_t> conflicts;
+  const auto triangles = co_await ChartRegion(placed, edges, kWidth).triangles(&conflicts);
+  if (!triangles) {
+    conflict = conflicts.empty() ? 0 : conflicts.front();
+    co_return std::nullopt;
+  }
+  std::vector<WallMesh::Vertex> vertices;
+  for (size_t i = 0; i < placed.size(); ++i) vertices.push_back({at[i], placed[i]});
+  WallMesh cap(
+      std::move(vertices), *triangles, kWidth,
+      [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; }, 0);
+  co_await cap.improve();
+  const WallMesh::Middle lifted = [&](const ChartVertex& v) {
+    return std::optional(lift(low + Vec2(static_cast<double>(v.x), static_cast<double>(v.y)) / scale));
+  };
+  co_await cap.grade(least, lifted);
+  co_return cap;
 }
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "core/heat/conduct.h"
+#include "core/heat/face_heat.h"
 
 namespace kerf {
 

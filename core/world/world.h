@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,28 +9,35 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/base/bounds.h"
-#include "core/base/change_of_parts.h"
+#include "core/base/geometry.h"
 #include "core/base/ids.h"
+#include "core/base/records.h"
 #include "core/base/tick.h"
 #include "core/heat/face_heat.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/one_to_four.h"
+#include "core/mesh/refinement.h"
 #include "core/tree/aabb_tree.h"
-#include "core/world/contact_memory.h"
-#include "core/world/environment.h"
-#include "core/world/joint.h"
-#include "core/world/loaded_components.h"
-#include "core/world/motion.h"
-#include "core/world/placement.h"
-#include "core/world/separation_state.h"
-#include "core/world/shell_mass.h"
-#include "core/world/solid_mass.h"
-#include "core/world/spring.h"
-#include "core/world/wall_faces.h"
+#include "core/world/connectivity.h"
+#include "core/world/mass_properties.h"
+#include "core/world/rigid_body.h"
 
 namespace kerf {
+
+// Which faces of a mesh are walls, i.e. were made on the boundary of what a beam swept to close a solid body
+// (see core/walls). A wall is its own base face, and knows the base face of a face beside it, through which
+// it belongs to a part of what was loaded.
+struct WallFaces {
+  FaceColumn<uint32_t> beside_of;  // the index of that base face plus one; 0 for other faces
+
+  // Precondition: no change of the mesh is open.
+  static WallFaces attach(Mesh& mesh) { return {mesh.columns().attach_copied<uint32_t>()}; }
+
+  bool contain(const Mesh& mesh, FaceId f) const { return mesh.columns().get(beside_of, f) != 0; }
+  // The base face beside a wall; invalid for other faces.
+  FaceId beside(const Mesh& mesh, FaceId f) const { return FaceId(mesh.columns().get(beside_of, f) - 1); }
+  void set(Mesh& mesh, FaceId f, FaceId base) const { mesh.columns().set(beside_of, f, base.index + 1); }
+};
 
 // A piece of a body: the faces with one label (FaceData::piece). They are connected, except that loaded
 // components may belong to the piece beside them: all that were loaded together have the label 0, and joints
@@ -291,5 +299,11 @@ class World::Change {
   std::vector<uint32_t> died_;                            // slots of removed bodies
   std::vector<Slot> added_;                               // added slots, while the change is undone
 };
+
+// A number for the state of the world, equal for equal states on every machine: a sum over the live faces of
+// a mix of the bits of their corners (least corner first), level, body and energy, where they have any, and
+// of the placements. It does not depend on slots or on the order of edits. The clock is part of it once time
+// has passed, and the motion of a body once it has moved. O(faces).
+uint64_t state_hash(const World& world);
 
 }  // namespace kerf

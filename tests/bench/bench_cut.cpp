@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "core/cut/cut_step.h"
-#include "core/document/files/extract.h"
+#include "core/document/extract.h"
 #include "core/edit/separation.h"
 #include "core/mesh/build_mesh.h"
-#include "core/world/solid_body.h"
+#include "core/world/body_mass.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/mesh/one_to_four.h"
+#include "core/mesh/refinement.h"
 #include "core/tree/aabb_tree.h"
-#include "core/tree/sheared_ray.h"
+#include "core/tree/tree_internal.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"
 

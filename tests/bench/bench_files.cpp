@@ -11,10 +11,9 @@
 #include <unordered_map>
 
 #include "core/base/random.h"
-#include "core/document/files/extract.h"
-#include "core/mesh/load_mesh.h"
+#include "core/document/extract.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/remesh/simplify.h"
-#include "core/mesh/write_mesh.h"
 #include "core/world/world.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/tick.h"
-#include "core/game/match/bot_player.h"
+#include "core/game/match/match.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"
 #include "tests/support/checkout.h"

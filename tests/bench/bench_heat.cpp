@@ -1,8 +1,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/heat/conduct.h"
-#include "core/heat/heat_memory.h"
+#include "core/heat/conduction_solver.h"
+#include "core/heat/face_heat.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"
 

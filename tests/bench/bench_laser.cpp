@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <string>
 
-#include "core/document/files/material_reader.h"
+#include "core/document/material_table.h"
 #include "core/heat/lumped_cut.h"
 #include "tests/bench/published_cuts.h"
 #include "tests/bench/sections.h"

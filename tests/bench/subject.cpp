@@ -5,8 +5,7 @@
 #include <filesystem>
 
 #include "core/base/random.h"
-#include "core/mesh/load_mesh.h"
-#include "core/mesh/read_mesh.h"
+#include "core/mesh/mesh_file.h"
 
 namespace kerf::bench {
 

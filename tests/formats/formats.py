@@ -3,7 +3,7 @@
 
 formats.py ROOT prints `file:line: why` for each breach below ROOT/ui and exits with 1 if there is one. Widgets for
 numbers take their format as a plain pointer; it has to come from RealFormat or WholeFormat (see
-ui/window/number_format.h).
+ui/window/number_text.h).
 """
 import os
 import re

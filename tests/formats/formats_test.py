@@ -13,7 +13,7 @@ import formats
 HEAD = """
 #include <imgui.h>
 #include <cstdio>
-#include "ui/window/number_format.h"
+#include "ui/window/number_text.h"
 #include "ui/window/number_text.h"
 void widget(kerf::RealFormat);
 void whole(kerf::WholeFormat);

@@ -6,17 +6,16 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/document/files/material_reader.h"
-#include "core/document/files/path_file.h"
-#include "core/document/files/path_text.h"
-#include "core/document/files/scene.h"
-#include "core/document/journal/journal.h"
-#include "core/document/journal/save.h"
+#include "core/document/journal.h"
+#include "core/document/material_table.h"
+#include "core/document/save.h"
+#include "core/document/scene.h"
+#include "core/document/stroke_path.h"
 #include "core/game/arena/arena.h"
 #include "core/game/match/recording.h"
 #include "core/game/match/rules.h"
-#include "core/game/vehicle/vehicle_file.h"
-#include "ui/editor/shared/settings/settings.h"
+#include "core/game/vehicle/vehicle_model.h"
+#include "ui/editor/shared/settings.h"
 #include "ui/figures/figure.h"
 
 namespace kerf::fuzz {

@@ -1,4 +1,4 @@
-#include "core/mesh/files/obj_reader.h"
+#include "core/mesh/files/readers.h"
 #include "tests/fuzz/reader_check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {  // NOLINT: libFuzzer's name

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/mesh/files/soup.h"

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "core/document/history/document.h"
-#include "core/document/journal/opened_file.h"
-#include "core/document/journal/replay.h"
-#include "core/document/journal/save.h"
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/document/save.h"
 
 namespace kerf {
 namespace {

@@ -11,20 +11,15 @@ import sys
 LAYERS = ['app', 'ui', 'core']
 # All folders of core that hold sources.
 CORE = [
-    'face',
+    'api',
     'game/match',
     'game/driver',
-    'game/laser',
     'game/vehicle',
     'game/arena',
-    'document/journal',
-    'document/history',
-    'document/files',
-    'document/commands',
+    'document',
     'document/text',
     'physics',
     'physics/contact',
-    'physics/collider',
     'cut',
     'joints',
     'walls',
@@ -35,7 +30,6 @@ CORE = [
     'heat',
     'laser',
     'tree',
-    'mesh/openmesh',
     'mesh/remesh',
     'mesh',
     'mesh/files',
@@ -50,21 +44,11 @@ UI = [
     FEATURE,
     'editor/shell',
     'editor/shared',
-    'editor/shared/panels',
-    'editor/shared/laser',
-    'editor/shared/files',
-    'editor/shared/picture',
-    'editor/shared/statistics',
-    'editor/shared/pieces',
-    'editor/shared/settings',
     'figures',
     'game',
-    'sound',
     'screen',
     'window',
-    'render/picture',
     'render',
-    'render/shadow',
     'render/passes',
     'render/bodies',
     'render/view',
@@ -82,11 +66,12 @@ INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
 TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
 # What outsiders include is installed as it lies: the standard library and each other alone.
 FACE = {'core/kerf.h', 'core/kerf_c.h'}
-FACE_USERS = ('core/face/', 'app/python/', 'app/examples/', 'tests/face/', 'tests/fuzz/library/')
-PRIVATE_TO_MESH = {'core/mesh/half_edges.h', 'core/mesh/kernel.h', 'core/mesh/rings.h'}
+FACE_USERS = ('core/api/', 'app/python/', 'app/examples/', 'tests/api/', 'tests/fuzz/library/')
+# Private headers: for their own folder, its tests, and the benchmarks, fuzzers and references of the tests.
+INTERNAL = re.compile(r'(core|ui|app)/.*_internal\.h$')
+INTERNAL_USERS = ('tests/bench/', 'tests/fuzz/', 'tests/support/')
 # OpenMesh's headers are slow to compile and their types belong to one folder; benchmarks and tests compare with it.
-OPENMESH_USERS = ('core/mesh/openmesh/', 'tests/bench/', 'tests/support/openmesh_')
-PRIVATE_TO_OPENMESH = {'core/mesh/openmesh/sheets.h'}
+OPENMESH_USERS = ('core/mesh/remesh/openmesh_', 'tests/bench/', 'tests/support/openmesh_')
 GRAPHICS = re.compile(r'imgui|imconfig|imstb_|backends/imgui_|GLFW/|epoxy/|GL/|GLES\d*/|EGL/|KHR/|X11/|vulkan/')
 
 
@@ -149,23 +134,26 @@ def objection(path, operand):
         own = quoted and f'core/{name}' in FACE
         return None if own or (not quoted and '/' not in name) else f'{name}: outsiders have the standard library alone'
     if name in FACE and not path.startswith(FACE_USERS):
-        return f'{name}: it is for outsiders, and core/face makes it'
+        return f'{name}: it is for outsiders, and core/api makes it'
     if name.split('/')[0] in SOURCE_FOLDERS:
         if not quoted or os.path.normpath(name) != name:
             return f'{name} is a file of the project: write its plain path from the root, in quotes'
-        if name in PRIVATE_TO_MESH and not path.startswith('core/mesh/'):
-            return f'{name} outside core/mesh'
-        if name in PRIVATE_TO_OPENMESH and not path.removeprefix('tests/').startswith(
-                ('core/mesh/openmesh/', 'support/openmesh_')):
-            return f'{name} outside core/mesh/openmesh and its tests'
+        if INTERNAL.match(name) and not may_know(path, name):
+            return f'{name} is private to {os.path.dirname(name)}'
         return against_the_arrows(path, name)
     if quoted:
         return f'"{name}" is not written from the root (or is not of the project and belongs in angle brackets)'
     if GRAPHICS.match(name) and path.startswith('core/'):
         return f'<{name}>: core draws nothing and has no window'
     if name.startswith('OpenMesh/') and not path.startswith(OPENMESH_USERS):
-        return f'<{name}>: only core/mesh/openmesh knows OpenMesh'
+        return f'<{name}>: only core/mesh/remesh/openmesh_* knows OpenMesh'
     return None
+
+
+def may_know(path, internal):
+    """Whether the file at path may include a private header."""
+    folder = os.path.dirname(internal)
+    return os.path.dirname(path).removeprefix('tests/') == folder or path.startswith(INTERNAL_USERS)
 
 
 def against_the_arrows(path, name):

@@ -13,11 +13,11 @@ GOOD = {
     'ui/window/window.cpp': '#include <GLFW/glfw3.h>\n#include "ui/window/window.h"\n#include "core/base/result.h"\n',
     'core/cut/step.cpp': '#include <glm/vec3.hpp>\n#include "core/cut/step.h"\n#include "core/graph/pieces.h"\n',
     'core/kerf.h': '#include <vector>\n#include "kerf_c.h"\n',
-    'core/face/face_cut.cpp': '#include "core/kerf_c.h"\n#include "core/cut/step.h"\n',
-    'core/mesh/kernel.h': '#include "core/mesh/half_edges.h"\n#include "core/base/result.h"\n',
-    'core/mesh/openmesh/sheets.h': '#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>\n',
+    'core/api/api_cut.cpp': '#include "core/kerf_c.h"\n#include "core/cut/step.h"\n',
+    'core/mesh/half_edges_internal.h': '#include "core/mesh/half_edges_internal.h"\n#include "core/base/result.h"\n',
+    'core/mesh/remesh/openmesh_internal.h': '#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>\n',
     'tests/bench/openmesh_peer.cpp': '#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>\n',
-    'tests/core/mesh/openmesh/sheets_test.cpp': '#include "core/mesh/openmesh/sheets.h"\n',
+    'tests/core/mesh/remesh/openmesh_sheets_test.cpp': '#include "core/mesh/remesh/openmesh_internal.h"\n',
     'tests/core/cut/step_test.cpp': '#include "tests/support/plate.h"\n#include "core/cut/step.h"\n',
 }
 
@@ -77,8 +77,8 @@ class Layering(unittest.TestCase):
             self.assertEqual([], breaches_of({**GOOD, f'ui/{here}/good.cpp': includes}), here)
 
     def test_refuses_a_room_of_ui_without_a_place(self):
-        for room in ('ui', 'ui/misc', 'ui/editor/light/misc'):
-            self.refuses(f'{room}/bad.h', '#include "ui/gl/objects.h"\n', 0, 'has no place', reported=room)
+        for room in ('ui', 'ui/misc', 'ui/editor/view/misc'):
+            self.refuses(f'{room}/bad.h', '#include "ui/gl/buffers.h"\n', 0, 'has no place', reported=room)
 
     def test_names_what_has_a_place_and_is_not_there(self):
         with tempfile.TemporaryDirectory() as root:
@@ -88,10 +88,10 @@ class Layering(unittest.TestCase):
             self.assertTrue({'core/mesh', 'core/mesh/files'}.isdisjoint(missing))
 
     def test_refuses_a_feature_of_the_editor_that_knows_another_one(self):
-        self.refuses('ui/editor/light/bad.h', '#include "ui/editor/path/x.h"\n', 1, 'do not know each other')
+        self.refuses('ui/editor/view/bad.h', '#include "ui/editor/path/x.h"\n', 1, 'do not know each other')
         self.refuses('ui/editor/shell/bad.h', '#include "ui/editor/path/x.h"\n', 1, 'comes after')
-        self.assertEqual([], breaches_of({**GOOD, 'ui/editor/light/good.h': '#include "ui/editor/light/x.h"\n',
-                                          'ui/editor/features.cpp': '#include "ui/editor/light/x.h"\n'}))
+        self.assertEqual([], breaches_of({**GOOD, 'ui/editor/view/good.h': '#include "ui/editor/view/x.h"\n',
+                                          'ui/editor/editor.cpp': '#include "ui/editor/view/x.h"\n'}))
 
     def test_refuses_what_outsiders_do_not_have_in_the_face(self):
         for text in ('<glm/vec3.hpp>', '"core/base/result.h"'):
@@ -99,16 +99,18 @@ class Layering(unittest.TestCase):
         for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'app/bad.cpp'):
             self.refuses(path, '#include "core/kerf.h"\n', 1, 'it is for outsiders')
 
-    def test_refuses_half_edges_outside_core_mesh(self):
-        for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'tests/core/mesh/bad.cpp'):
-            self.refuses(path, '#include "core/mesh/half_edges.h"\n', 1, 'outside core/mesh')
+    def test_refuses_private_headers_outside_their_folder(self):
+        for path in ('core/cut/bad.cpp', 'core/mesh/remesh/bad.cpp', 'ui/gl/bad.cpp', 'tests/core/cut/bad.cpp'):
+            self.refuses(path, '#include "core/mesh/half_edges_internal.h"\n', 1, 'is private to core/mesh')
 
-    def test_refuses_openmesh_outside_its_folder(self):
-        for path in ('core/mesh/bad.cpp', 'core/document/files/bad.h', 'ui/gl/bad.cpp', 'tests/core/mesh/openmesh/bad.cpp'):
+    def test_lets_tests_and_references_include_private_headers(self):
+        for path in ('core/mesh/good.cpp', 'tests/core/mesh/good.cpp', 'tests/support/good.cpp'):
+            self.assertEqual([], breaches_of({**GOOD, path: '#include "core/mesh/half_edges_internal.h"\n'}))
+
+    def test_refuses_openmesh_outside_its_files(self):
+        for path in ('core/mesh/bad.cpp', 'core/document/bad.h', 'ui/gl/bad.cpp', 'tests/core/walls/bad.cpp'):
             self.refuses(path, '#include <OpenMesh/Tools/Decimater/DecimaterT.hh>\n', 1,
-                         'only core/mesh/openmesh knows OpenMesh')
-        for path in ('core/mesh/bad.cpp', 'core/world/bad.cpp', 'tests/bench/bad.cpp'):
-            self.refuses(path, '#include "core/mesh/openmesh/sheets.h"\n', 1, 'outside core/mesh/openmesh')
+                         'only core/mesh/remesh/openmesh_* knows OpenMesh')
 
     def test_refuses_graphics_in_core(self):
         for header in ('imgui.h', 'imgui_internal.h', 'backends/imgui_impl_glfw.h', 'GLFW/glfw3.h', 'epoxy/gl.h',

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/tick.h"
-#include "core/game/match/bot_player.h"
-#include "core/world/state_hash.h"
+#include "core/game/match/match.h"
+#include "core/world/world.h"
 
 namespace kerf {
 

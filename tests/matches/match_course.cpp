@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/base/tick.h"
-#include "core/game/match/bot_player.h"
+#include "core/game/match/match.h"
 
 namespace kerf {
 

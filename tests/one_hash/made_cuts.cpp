@@ -1,11 +1,11 @@
 // Cuts each mesh in several ways and prints a line with the state hash for each: `made_cuts MESH...`.
 #include <cstdio>
 
-#include "core/document/commands/command_words.h"
-#include "core/document/files/scene.h"
-#include "core/document/history/document.h"
-#include "core/document/text/hash_text.h"
-#include "core/world/state_hash.h"
+#include "core/document/commands.h"
+#include "core/document/document.h"
+#include "core/document/scene.h"
+#include "core/document/text/hash.h"
+#include "core/world/world.h"
 
 namespace kerf {
 namespace {

@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <numeric>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/edit/separation.h"
-#include "core/mesh/enclosed_volume.h"
+#include "core/mesh/measures.h"
 #include "tests/solids_oracle/cgal_difference.h"
 #include "tests/support/solids.h"
 #include "tests/support/strokes.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/editor/features.h"
+#include "ui/editor/editor.h"
 #include "ui/editor/shared/workspace.h"
 
 namespace kerf::test {

@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
-#include "core/base/union_find.h"
+#include "core/base/containers.h"
 #include "core/edit/separation.h"
-#include "core/mesh/point_to_triangle.h"
+#include "core/mesh/measures.h"
 
 namespace kerf::test {
 

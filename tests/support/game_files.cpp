@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/cut/cut_apart.h"
-#include "core/game/vehicle/vehicle_bodies.h"
-#include "core/game/vehicle/vehicle_file.h"
+#include "core/cut/cut_step.h"
+#include "core/game/vehicle/vehicle.h"
+#include "core/game/vehicle/vehicle_model.h"
 #include "core/physics/release_pieces.h"
 #include "tests/support/checkout.h"
 

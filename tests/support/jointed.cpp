@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/edit/detach.h"
-#include "core/joints/hold_parts.h"
+#include "core/joints/joined_parts.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

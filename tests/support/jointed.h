@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/files/scene_joint.h"
+#include "core/document/scene.h"
 #include "core/world/world.h"
 
 namespace kerf::test {

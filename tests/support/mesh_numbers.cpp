@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "core/base/union_find.h"
+#include "core/base/containers.h"
 #include "core/edit/separation.h"
 
 namespace kerf::test {

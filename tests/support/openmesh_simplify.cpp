@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/openmesh/sheets.h"
-#include "core/mesh/point_to_triangle.h"
-#include "core/mesh/remesh/followed_faces.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/remesh/collapser_internal.h"
+#include "core/mesh/remesh/openmesh_internal.h"
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/mesh/remesh/remeshed.h"
-#include "core/mesh/remesh/simplify_target.h"
+#include "core/mesh/remesh/simplify.h"
 
 namespace kerf {
 

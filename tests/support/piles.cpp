@@ -5,9 +5,9 @@
 #include "core/cut/cut_step.h"
 #include "core/edit/detach.h"
 #include "core/edit/separation.h"
-#include "core/physics/collider/box.h"
+#include "core/physics/contact/bounding_volumes.h"
 #include "core/physics/physics.h"
-#include "core/world/load_body.h"
+#include "core/world/body_creation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
 

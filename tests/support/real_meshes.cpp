@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/mesh/read_mesh.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/runs.h"
 
 namespace kerf::test {

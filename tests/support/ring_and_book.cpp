@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/world/solid_body.h"
+#include "core/world/body_mass.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/document/commands/command.h"
+#include "core/document/commands.h"
 #include "core/world/world.h"
 
 namespace kerf::test {

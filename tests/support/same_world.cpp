@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 
 namespace kerf::test {
 

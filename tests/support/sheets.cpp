@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/world/load_body.h"
+#include "core/world/body_creation.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

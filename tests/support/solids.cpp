@@ -7,9 +7,9 @@
 #include <limits>
 #include <map>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/edit/separation.h"
-#include "core/mesh/enclosed_volume.h"
+#include "core/mesh/measures.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {

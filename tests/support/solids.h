@@ -5,7 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/cut/cut_step.h"
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/run_queue.h"
+#include "core/document/document.h"
 #include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/cut/cut_step.h"
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "core/world/world.h"
 
 namespace kerf::test {

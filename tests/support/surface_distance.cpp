@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mesh/point_to_triangle.h"
+#include "core/mesh/measures.h"
 
 namespace kerf::test {
 

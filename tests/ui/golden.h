@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "ui/render/picture/png.h"
+#include "ui/render/png.h"
 
 namespace kerf::test {
 

@@ -1,15 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/environment.h"
-#include "ui/editor/laser/hint_box.h"
+#include "ui/editor/laser/laser_overlay.h"
 #include "ui/editor/path/path_work.h"
-#include "ui/editor/shared/files/file_loader.h"
-#include "ui/editor/shared/files/opening.h"
-#include "ui/editor/shared/laser/laser_controls.h"
-#include "ui/editor/shared/laser/laser_tool.h"
-#include "ui/editor/shared/statistics/frame_statistics.h"
+#include "ui/editor/shared/document_session.h"
+#include "ui/editor/shared/laser_controls.h"
+#include "ui/editor/shared/laser_tool.h"
+#include "ui/editor/shared/statistics.h"
 #include "ui/render/view/camera.h"
-#include "ui/render/view/spread.h"
+#include "ui/render/view/view_options.h"
 #include "ui/window/layout.h"
 
 namespace kerf {

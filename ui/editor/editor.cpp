@@ -4,20 +4,49 @@
 #include <random>
 #include <utility>
 
-#include "core/base/assets.h"
-#include "core/base/atomic_file.h"
-#include "core/document/journal/save.h"
-#include "core/game/vehicle/vehicle_bodies.h"
-#include "ui/editor/features.h"
-#include "ui/editor/path/emitter_entry.h"
-#include "ui/editor/shared/files/document_head.h"
+#include "core/base/platform.h"
+#include "core/document/save.h"
+#include "core/game/vehicle/vehicle.h"
+#include "ui/editor/path/emitter.h"
+#include "ui/editor/shared/document_session.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shell/dialogs.h"
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
-#include "ui/game/high_scores.h"
+#include "ui/game/game_settings.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/window.h"
 
 namespace kerf {
+
+Features make_features(Workspace& on, const Catalogue& catalogue) {
+  Features features;
+  features.push_back(files_feature(on));
+  features.push_back(recent_feature(on));
+  features.push_back(dialogs(on, catalogue));
+  features.push_back(welcome_feature(on));
+  features.push_back(view_feature(on));
+  features.push_back(light_feature(on));
+  features.push_back(section_feature(on));
+  features.push_back(emitter_feature(on));
+  features.push_back(path_feature(on));
+  features.push_back(moving_feature(on));
+  features.push_back(time_feature(on));
+  features.push_back(inspect_feature(on));
+  features.push_back(ruler_feature(on));
+  features.push_back(pieces_feature(on));
+  features.push_back(history_feature(on));
+  features.push_back(material_feature(on));
+  features.push_back(prepare_feature(on));
+  features.push_back(tree_feature(on));
+  features.push_back(scalar_map_feature(on));
+  features.push_back(graph_feature(on));
+  features.push_back(single_step_feature(on));
+  features.push_back(statistics_feature(on));
+  features.push_back(split_feature(on));
+  features.push_back(laser_feature(on));
+  return features;
+}
 
 namespace {
 

@@ -1,10 +1,17 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "ui/editor/shared/settings/editor_options.h"
+#include "ui/editor/shared/settings.h"
+#include "ui/editor/shell/catalogue.h"
 #include "ui/game/game.h"
 
 namespace kerf {
+
+struct Workspace;
+
+// All features of the editor. The order says who is asked first, and whose marks lie below those of others.
+// The workspace and the catalogue, which is filled later, must outlive them.
+Features make_features(Workspace& on, const Catalogue& catalogue);
 
 // Runs the editor until its window is closed or its script ends. Fails if there is no display or no
 // OpenGL 3.3, if not even the default scene can be read, at a line of the script that is wrong, or if the

@@ -7,17 +7,17 @@
 
 #include "core/base/assert.h"
 #include "core/base/tick.h"
-#include "core/document/journal/opened_file.h"
+#include "core/document/journal.h"
 #include "core/game/match/recording.h"
 #include "ui/figures/split_diagram.h"
 #include "ui/game/game_camera.h"
 #include "ui/game/hud.h"
 #include "ui/game/match_picture.h"
-#include "ui/gl/offscreen_context.h"
-#include "ui/render/picture/picture.h"
-#include "ui/render/picture/png.h"
-#include "ui/render/picture/studio.h"
-#include "ui/window/offscreen_gui.h"
+#include "ui/gl/context.h"
+#include "ui/render/offscreen_renderer.h"
+#include "ui/render/picture.h"
+#include "ui/render/png.h"
+#include "ui/window/gui.h"
 #include "ui/window/theme.h"
 
 namespace kerf {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/geometry.h"
 #include "core/base/result.h"
-#include "core/base/vec3.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "ui/figures/figure.h"
 
 namespace kerf {

@@ -7,8 +7,8 @@
 
 #include "core/base/assert.h"
 #include "core/mesh/build_mesh.h"
-#include "core/mesh/one_to_four.h"
-#include "core/mesh/point_to_triangle.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/refinement.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/vec3.h"
+#include "core/base/geometry.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/document/files/scene.h"
+#include "core/document/scene.h"
 #include "core/game/match/match.h"
 #include "ui/window/gui_look.h"
 

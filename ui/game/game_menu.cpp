@@ -1,20 +1,62 @@
 #include "ui/game/game_menu.h"
 
 #include <imgui.h>
-
 #include <array>
 
 #include "core/base/assert.h"
-#include "ui/game/debug_keys.h"
-#include "ui/game/hud_paint.h"
-#include "ui/game/menu_items.h"
+#include "ui/game/hud.h"
+#include "ui/game/player_input.h"
 #include "ui/render/view/view_switches.h"
-#include "ui/window/landmarks.h"
-#include "ui/window/number_format.h"
-#include "ui/window/slider.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar;
+
+}  // namespace
+
+void begin_menu(const char* name, float across, float least_width) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({across * size.x, 0.5f * size.y}, ImGuiCond_Always, {across, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({least_width * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
+  ImGui::Begin(name, nullptr, kFixed);
+}
+
+void menu_heading(const char* text, float scale) {
+  ImGui::SetWindowFontScale(scale);
+  ImGui::TextUnformatted(text);
+  ImGui::SetWindowFontScale(1);
+  ImGui::Spacing();
+}
+
+bool menu_button(const char* label, const char* landmark) {
+  const bool pressed = ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
+  mark_last_item(landmark);
+  return pressed;
+}
+
+void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights) {
+  if (scores.empty()) return;
+  ImGui::TextDisabled("%s", title.c_str());
+  for (size_t i = 0; i < scores.size(); ++i) {
+    const HighScore& s = scores[i];
+    const bool is_now = i + 1 == now;
+    ImGui::PushStyleColor(ImGuiCol_Text, is_now ? colours::accent() : colours::text());
+    const std::string outcome =
+        std::string(s.won ? "won   " : "lost  ") + std::to_string(s.enemies_destroyed) + " destroyed  ";
+    ImGui::Text("%2zu  %6.0f  %s%s%s", i + 1, s.score, fights ? outcome.c_str() : "",
+                clock_text(s.seconds).c_str(), is_now ? "  this match" : "");
+    ImGui::PopStyleColor();
+  }
+  ImGui::Spacing();
+}
 
 namespace {
 
@@ -132,6 +174,66 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   if (menu_button(ways.from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::End();
   return choice;
+}
+
+namespace {
+
+constexpr const char* kWhatIsPlayed[] = {
+    "Five waves of one to five cars, against the clock. You have three cars.",
+    "Take a van apart in two minutes. Parts that come off whole count most.",
+    "Nobody fights. V brings another car to cut.",
+};
+
+// A row of choices of equal width. Returns whether another one was chosen.
+template <typename Enum, size_t n>
+bool draw_choice(const char* what, Enum& value, const std::array<const char*, n>& titles) {
+  ImGui::TextDisabled("%s", what);
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap * (n - 1)) / n;
+  bool other = false;
+  for (size_t i = 0; i < n; ++i) {
+    if (i > 0) ImGui::SameLine();
+    const bool chosen = static_cast<size_t>(value) == i;
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetColorU32(chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+    if (ImGui::Button(titles[i], {width, 0}) && !chosen) {
+      value = static_cast<Enum>(i);
+      other = true;
+    }
+    ImGui::PopStyleColor();
+  }
+  ImGui::Spacing();
+  return other;
+}
+
+}  // namespace
+
+MenuChoice draw_start_menu(const StartView& view) {
+  GameSettings& s = view.settings;
+  MenuChoice choice = MenuChoice::kNone;
+  begin_menu("Start", 0.04f, 27);
+  menu_heading("Kerf", 2.6f);
+  ImGui::TextUnformatted("A laser on the roof, and whatever it cuts comes off.");
+  ImGui::Spacing();
+  bool other = draw_choice("What is played", s.mode, kModeTitles);
+  ImGui::TextWrapped("%s", kWhatIsPlayed[static_cast<size_t>(s.mode)]);
+  ImGui::Spacing();
+  if (s.mode == GameMode::kWaves)
+    other = draw_choice("Level", s.difficulty, std::array{"Easy", "Normal", "Hard"}) || other;
+  other = draw_choice("Your car", s.vehicle, kVehicleTitles) || other;
+  ImGui::TextDisabled("What puts a car out");
+  ImGui::TextWrapped(
+      "%s", "Its engine or its driver's seat is cut off. Cut through a hub, and the wheel comes off.");
+  ImGui::Spacing();
+  draw_scores(view.scores, "Best scores", 0, s.mode == GameMode::kWaves);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+  if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
+  ImGui::PopStyleColor();
+  if (menu_button("The first lesson", "lesson")) choice = MenuChoice::kLesson;
+  if (menu_button(view.from_editor ? "Back to the editor (Esc)" : "Quit (Esc)", "leave"))
+    choice = MenuChoice::kLeave;
+  ImGui::End();
+  return choice == MenuChoice::kNone && other ? MenuChoice::kOther : choice;
 }
 
 }  // namespace kerf

@@ -1,15 +1,30 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/game/match/match.h"
 #include "ui/game/game_settings.h"
-#include "ui/game/high_scores.h"
 #include "ui/game/match_replay.h"
 #include "ui/render/view/view_options.h"
 #include "ui/window/gui_look.h"
 
 namespace kerf {
+
+// What the menus of the game are made of.
+
+// Begins a menu at a share of the width of the window, in the middle of its height, at least so many times as
+// wide as the text is high. Ends with ImGui::End().
+void begin_menu(const char* name, float across, float least_width = 22);
+
+void menu_heading(const char* text, float scale = 1.5f);
+
+// Draws a button as wide as the menu, named `landmark` among the landmarks. Returns whether it was pressed.
+bool menu_button(const char* label, const char* landmark);
+
+// Draws a list of scores, best first, of which the one with the rank `now`, from 1, is of the match that is
+// over (0: none is). Nothing where there are none. `fights`: whether such matches are won or lost.
+void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights);
 
 // What the player chose in a menu.
 enum class MenuChoice {
@@ -55,5 +70,17 @@ struct MatchResult {
 
 // Draws the result of a match at the left of the window, beside the replay of its best moment.
 MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways);
+
+// What the menu before a match shows and changes.
+struct StartView {
+  GameSettings& settings;
+  const std::vector<HighScore>& scores;  // of the chosen mode and level, best first
+  bool from_editor = false;
+};
+
+// Draws the menu before a match over the window: what is played, how hard, with which car, what puts a car
+// out of action, and the best scores. Its choices are kStart, kLesson, kLeave, and kOther where the mode or
+// the car is another one now.
+MenuChoice draw_start_menu(const StartView& view);
 
 }  // namespace kerf

@@ -1,20 +1,22 @@
 #include "ui/game/game_screen.h"
 
-#include <imgui.h>
-
 #include <GLFW/glfw3.h>
-
+#include <imgui.h>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.h"
 #include "core/game/match/recording.h"
-#include "ui/game/debug_keys.h"
+#include "ui/game/game.h"
+#include "ui/game/game_camera.h"
+#include "ui/game/game_menu.h"
 #include "ui/game/hud.h"
-#include "ui/game/match_words.h"
-#include "ui/game/start_menu.h"
-#include "ui/game/start_view.h"
+#include "ui/game/hud_state.h"
+#include "ui/game/player_input.h"
+#include "ui/screen/frame_loop.h"
+#include "ui/window/gui.h"
 #include "ui/window/number_text.h"
+#include "ui/window/window.h"
 
 namespace kerf {
 
@@ -403,6 +405,96 @@ void GameScreen::took(const FrameTime& time) {
   if (presets_.choose(settings_.preset) == PicturePreset::kLow) resolution_.took(time.whole);
   frame_s_ += kFrameShare * (time.whole - frame_s_);
   frame_seconds_.push_back(time.whole);
+}
+
+}  // namespace kerf
+
+// What happens before a match: the menu, the lesson, and loading what was chosen.
+
+namespace kerf {
+
+void GameScreen::go_to_start() {
+  show_choice();
+  enter(State::kStart);
+}
+
+// The yard with the chosen car is behind the menu.
+void GameScreen::show_choice() {
+  load(load_mode(settings_.mode, settings_.vehicle));
+  begin_match();
+  scores_ =
+      high_scores_of(match_->rules().description.name, name_of(settings_.difficulty), high_scores_file());
+}
+
+// Where a file of the game is missing or wrong, the player stays with what there was.
+void GameScreen::load(Result<std::shared_ptr<const Rules>> rules) {
+  if (rules) options_.setup.rules = std::move(*rules);
+}
+
+void GameScreen::begin_chosen() {
+  if (!settings_.taught) return begin_lesson();
+  lesson_.reset();
+  ++options_.setup.seed;
+  start();
+}
+
+void GameScreen::begin_lesson() {
+  load(load_lesson(settings_.vehicle));
+  begin_match();
+  lesson_.emplace(*match_);
+  enter(State::kPlaying);
+}
+
+// The first match comes after it.
+void GameScreen::end_lesson() {
+  lesson_.reset();
+  settings_.taught = true;
+  load(load_mode(settings_.mode, settings_.vehicle));
+  start();
+}
+
+WindowedGame::WindowedGame(std::unique_ptr<GameScreen> screen) : screen_(std::move(screen)) {}
+WindowedGame::~WindowedGame() = default;
+WindowedGame::WindowedGame(WindowedGame&&) noexcept = default;
+WindowedGame& WindowedGame::operator=(WindowedGame&&) noexcept = default;
+
+Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options, LeftMatch left) {
+  auto picture = MatchPicture::create();
+  if (!picture) return picture.error();
+  return WindowedGame(std::make_unique<GameScreen>(window, std::move(*picture), options, std::move(left)));
+}
+
+void WindowedGame::play(FrameLoop& loop) {
+  screen_->go_on();
+  loop.run(*screen_);
+}
+
+bool WindowedGame::wants_inspection() const { return screen_->leave() == GameScreen::Leave::kInspect; }
+GuiLook WindowedGame::look() const { return screen_->look(); }
+const Match& WindowedGame::match() const { return screen_->match(); }
+View WindowedGame::view() const { return screen_->view(); }
+
+GameOutcome WindowedGame::outcome() {
+  GameOutcome outcome;
+  outcome.inspect = wants_inspection();
+  outcome.view = view();
+  outcome.frame_seconds = screen_->frame_seconds();
+  outcome.last.played = screen_->played();
+  outcome.last.match = screen_->take_match();
+  return outcome;
+}
+
+Result<GameOutcome> play(const GameOptions& options, const WindowOptions& wanted) {
+  auto opened = open_window(wanted);
+  if (!opened) return opened.error();
+  Window& window = **opened;
+  Gui gui(window);
+  FrameLoop loop(window, gui);
+  auto game = WindowedGame::begin(window, options);
+  if (!game) return game.error();
+  game->play(loop);
+  if (!loop.fault().empty()) return bad_input(loop.fault());
+  return game->outcome();
 }
 
 }  // namespace kerf

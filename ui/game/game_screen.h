@@ -5,21 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "core/game/match/bot_player.h"
+#include "core/game/match/match.h"
 #include "ui/game/game.h"
 #include "ui/game/game_camera.h"
 #include "ui/game/game_menu.h"
 #include "ui/game/game_settings.h"
 #include "ui/game/hud_state.h"
-#include "ui/game/lesson.h"
-#include "ui/game/match_clock.h"
 #include "ui/game/match_picture.h"
 #include "ui/game/match_replay.h"
-#include "ui/game/match_sounds.h"
 #include "ui/game/player_input.h"
-#include "ui/game/sighted_part.h"
+#include "ui/game/sounds.h"
 #include "ui/screen/screen.h"
-#include "ui/window/landmarks.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
 

@@ -4,9 +4,81 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "ui/render/bodies/body_marks.h"
+#include "core/base/tick.h"
+#include "ui/render/bodies/overlay_marks.h"
+#include "ui/render/png.h"
 
 namespace kerf {
+
+void MatchGraph::clear() { *this = MatchGraph(); }
+
+void MatchGraph::watch(BodyId body) {
+  if (body == body_) return;
+  clear();
+  body_ = body;
+}
+
+void MatchGraph::follow(const Match& match) {
+  for (const Event& event : match.events()) {
+    const bool enemy = event.vehicle != Match::kPlayer && event.vehicle != Event::kNobody;
+    if (event.kind == Event::Kind::kCut && event.by == Match::kPlayer && enemy)
+      watch(match.vehicles()[event.vehicle].chassis);
+  }
+  if (!body_.valid()) return;
+  for (const Detached& piece : match.delta().detached) changed_ = changed_ || piece.from == body_;
+  for (const BodyDelta& body : match.delta().bodies) {
+    if (body.body != body_) continue;
+    changed_ = true;
+    std::vector<CutFace>& all = removed_[body_];
+    all.insert(all.end(), body.removed.begin(), body.removed.end());
+    if (all.size() > DrawnGraph::kMost) all.erase(all.begin(), all.end() - DrawnGraph::kMost);
+  }
+}
+
+const std::shared_ptr<const DrawnGraph>& MatchGraph::drawn(const Match& match) {
+  const Ticks now = match.standing().ticks;
+  KERF_ASSERT(!drawn_ || now >= made_);
+  const bool waits = drawn_ && seconds_of_ticks(now - made_) < kPause;
+  if (!changed_ || waits || !match.world().contains(body_)) return drawn_;
+  const CutGraph graph = cut_graph(match.world(), removed_);
+  const auto start = start_beside_cut(graph);
+  if (!start) return drawn_;
+  drawn_ =
+      std::make_shared<DrawnGraph>(draw_graph(graph, traverse_cut(graph, *start), GraphScope::kAroundCut));
+  changed_ = false;
+  made_ = now;
+  return drawn_;
+}
+
+namespace {
+
+constexpr double kRadius = 3.2;         // over that of the beam
+constexpr double kScorchSpacing = 0.6;  // radii between two of them
+constexpr double kCoolSeconds = 1.4;
+constexpr size_t kLooked = 24;  // of the latest ones, for one that is there already
+
+}  // namespace
+
+void Scorches::burn(const Match& match, const BeamPicture& beam, const Sight& sight) {
+  const double length = glm::length(beam.to - beam.from);
+  if (!(length > 0)) return;
+  const auto hit = sight.nearest({beam.from, (beam.to - beam.from) / length}, length * 1.001 + 1e-3,
+                                 [&](BodyId id) { return match.is_wall(id); });
+  if (!hit) return;
+  const double radius = kRadius * beam.radius;
+  const size_t from = places_.size() - std::min(places_.size(), kLooked);
+  for (size_t i = from; i < places_.size(); ++i) {
+    if (glm::length(places_[i].at - beam.to) > kScorchSpacing * radius) continue;
+    places_[i].heat = 1;
+    return;
+  }
+  places_.push_back({beam.to, hit->normal, radius, 1});
+  if (places_.size() > kMost) places_.pop_front();
+}
+
+void Scorches::advance(double seconds) {
+  for (Scorch& s : places_) s.heat = std::max(0.0, s.heat - seconds / kCoolSeconds);
+}
 
 namespace {
 
@@ -181,6 +253,56 @@ void MatchPicture::draw(const Match& match, const CameraView& view, const Target
   glBlitFramebuffer(0, 0, small.width, small.height, target.x, target.y, target.x + target.width,
                     target.y + target.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+}
+
+namespace {
+
+constexpr double kFilmedView = 55;  // degrees
+
+}  // namespace
+
+Result<MatchFrames> MatchFrames::open(const std::filesystem::path& folder, int width, int height) {
+  auto context = gl::OffscreenContext::create();
+  if (!context) return context.error();
+  auto picture = MatchPicture::create();
+  if (!picture) return picture.error();
+  gl::Framebuffer frame({width, height, 1, false});
+  if (!frame.complete())
+    return bad_input("--size: this machine draws no pictures of " + std::to_string(width) + "x" +
+                     std::to_string(height));
+  return MatchFrames{std::move(*context), std::move(*picture), std::move(frame), folder};
+}
+
+Status MatchFrames::take(const Match& match, const CameraView& view) {
+  const int width = frame.shape().width, height = frame.shape().height;
+  picture.draw(match, view, {frame.name(), 0, 0, width, height}, PicturePreset::kHigh);
+  return write_png(read_pixels(frame.name(), width, height), frame_file(folder, taken++));
+}
+
+MatchFilm::MatchFilm(MatchFrames frames, const Options& options)
+    : frames_(std::move(frames)), options_(options) {
+  camera_.viewpoint = Viewpoint::kChase;
+}
+
+Result<MatchFilm> MatchFilm::begin(const Match& match, const Options& options) {
+  KERF_ASSERT(options.frames_per_second > 0);
+  auto frames = MatchFrames::open(options.folder, options.width, options.height);
+  if (!frames) return frames.error();
+  frames->picture.show(match);
+  return MatchFilm(std::move(*frames), options);
+}
+
+Status MatchFilm::follow(const Match& match, const Controls& controls) {
+  frames_.picture.follow(match);
+  camera_.follow(match, aim_of(controls), kTick);
+  frames_.picture.advance(match, kTick);
+  const double due = seconds_of_ticks(match.standing().elapsed()) * options_.frames_per_second;
+  while (static_cast<double>(frames_.taken) < due) {
+    CameraView view = camera_.view(frames_.aspect(), kFilmedView);
+    if (options_.eye && options_.target) view = look_at(*options_.eye, *options_.target, frames_.aspect());
+    if (const Status taken = frames_.take(match, view); !taken) return taken;
+  }
+  return Done{};
 }
 
 }  // namespace kerf

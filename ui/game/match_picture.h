@@ -1,16 +1,59 @@
 #pragma once
 
+#include <deque>
+#include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "core/game/match/match.h"
+#include "core/graph/drawn_graph.h"
+#include "ui/game/game_camera.h"
 #include "ui/game/game_settings.h"
-#include "ui/game/match_graph.h"
-#include "ui/game/scorches.h"
+#include "ui/gl/context.h"
 #include "ui/gl/framebuffer.h"
+#include "ui/render/passes/beam_effects.h"
 #include "ui/render/renderer.h"
-#include "ui/screen/particles.h"
 
 namespace kerf {
+
+// The component graph of the vehicle that the player cut last, with the faces that the beams removed from it.
+class MatchGraph {
+ public:
+  // Takes what the last tick changed. To be called after every tick.
+  void follow(const Match& match);
+  void clear();
+
+  // The graph, made anew at most every kPause seconds of the match while it changes; null before the first
+  // cut. Linear in the faces of the body when it is made. Precondition: the match is the one that was
+  // followed since clear().
+  const std::shared_ptr<const DrawnGraph>& drawn(const Match& match);
+  static constexpr double kPause = 0.25;
+
+ private:
+  void watch(BodyId body);
+
+  BodyId body_;
+  CutFaces removed_;  // from body_, at most the last DrawnGraph::kMost
+  bool changed_ = false;
+  Ticks made_ = 0;
+  std::shared_ptr<const DrawnGraph> drawn_;
+};
+
+// The places of walls and ground that beams have burnt. Only the latest ones are kept.
+class Scorches {
+ public:
+  static constexpr size_t kMost = 400;
+
+  // Burns where a beam ends, if that is on a wall or the ground.
+  void burn(const Match& match, const BeamPicture& beam, const Sight& sight);
+  // Lets them cool for a time (s).
+  void advance(double seconds);
+  void clear() { places_.clear(); }
+  void append_to(Effects& effects) const { effects.scorches.assign(places_.begin(), places_.end()); }
+
+ private:
+  std::deque<Scorch> places_;
+};
 
 // Chooses the preset of the pictures by how long they take: it goes down where that is too slow, at once to
 // the lowest where it is far too slow.
@@ -79,6 +122,47 @@ class MatchPicture {
   Scorches scorches_;
   MatchGraph graph_;
   std::optional<gl::Framebuffer> small_;  // a picture of a lower resolution
+};
+
+// Draws matches as numbered pictures (frame-00000.png and so on) in a folder, without a screen. The OpenGL
+// context is current while this exists.
+struct MatchFrames {
+  gl::OffscreenContext context;
+  MatchPicture picture;
+  gl::Framebuffer frame;
+  std::filesystem::path folder;
+  size_t taken = 0;
+
+  // Fails if OpenGL is not available or does not support the size. Precondition: the folder exists.
+  static Result<MatchFrames> open(const std::filesystem::path& folder, int width, int height);
+  double aspect() const { return static_cast<double>(frame.shape().width) / frame.shape().height; }
+  // Draws and writes the next picture. Fails if it cannot be written.
+  Status take(const Match& match, const CameraView& view);
+};
+
+// A film of a match, seen from behind the player's vehicle.
+class MatchFilm {
+ public:
+  struct Options {
+    std::filesystem::path folder;  // exists
+    int width = 1280, height = 720;
+    double frames_per_second = 30;    // > 0
+    std::optional<Vec3> eye, target;  // m; a camera that stands still, if both are given
+  };
+
+  // Fails like MatchFrames::open.
+  static Result<MatchFilm> begin(const Match& match, const Options& options);
+
+  // To be called after each tick, with the controls that the player had in it. Writes the pictures that are
+  // due. Fails if one cannot be written.
+  Status follow(const Match& match, const Controls& controls);
+
+ private:
+  MatchFilm(MatchFrames frames, const Options& options);
+
+  MatchFrames frames_;
+  Options options_;
+  GameCamera camera_;
 };
 
 }  // namespace kerf

@@ -1,12 +1,33 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 
 #include "core/game/match/match.h"
 #include "ui/game/game_settings.h"
+#include "ui/render/view/view_switches.h"
 #include "ui/window/window.h"
 
 namespace kerf {
+
+// The part of an enemy that is not out yet, which a beam of the player would meet first.
+struct SightedPart {
+  size_t vehicle = 0;  // an index of Match::vehicles()
+  BodyId body;
+  Vec3 at{0};        // m, where the beam would meet it
+  std::string name;  // "front left wheel", "engine"
+};
+
+// The part in a direction (unit vector) from the player's laser, within its range. `sight` must be of the
+// world of the match, as it is. Nothing where the beam would meet no enemy first.
+std::optional<SightedPart> sighted_part(const Match& match, const Sight& sight, const Vec3& aim);
+
+// Where a beam of the player along `aim` (unit) would end, or meet something first; m, in the world.
+Vec3 place_aimed_at(const Match& match, const Sight& sight, const Vec3& aim);
+
+// Whether no wall stands between a point and a vehicle.
+bool sees_vehicle(const Match& match, const Sight& sight, const Vec3& from, size_t vehicle);
 
 // Turns keyboard, mouse and gamepad into the controls of the player's vehicle.
 //
@@ -51,5 +72,16 @@ class PlayerInput {
   bool has_pointer_ = false;
   Vec2 pointer_{0};
 };
+
+// Whether a switch of the view is a debug view of the game. The others belong to the preset of the picture,
+// or to the editor.
+bool is_debug_view(const ViewSwitch& s);
+
+// The digit whose key flips a debug view in the game; nothing if it has none.
+std::optional<char> digit_of(SwitchId view);
+
+// What pressing the key of a digit does: flips its debug view, and 0 switches all of them off. Returns a line
+// for the player; empty if the key has no meaning.
+std::string press_digit(char digit, ViewOptions& look);
 
 }  // namespace kerf

@@ -1,14 +1,83 @@
 #pragma once
 
 #include <epoxy/gl.h>
-
 #include <cstddef>
 #include <span>
 #include <utility>
-
-#include "ui/gl/objects.h"
+#include <vector>
 
 namespace kerf::gl {
+
+// Owns the name of an OpenGL object of the current context. Move-only; must be destroyed before the context.
+template <typename Kind>
+class Object {
+ public:
+  Object() { Kind::make(&name_); }
+  ~Object() { release(); }
+  Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+  Object& operator=(Object&& other) noexcept {
+    if (this != &other) {
+      release();
+      name_ = std::exchange(other.name_, 0);
+    }
+    return *this;
+  }
+  Object(const Object&) = delete;
+  Object& operator=(const Object&) = delete;
+
+  GLuint name() const { return name_; }
+
+ private:
+  void release() {
+    if (name_ != 0) Kind::destroy(name_);
+  }
+  GLuint name_ = 0;
+};
+
+struct BufferKind {
+  static void make(GLuint* name) { glGenBuffers(1, name); }
+  static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
+};
+
+struct VertexArrayKind {
+  static void make(GLuint* name) { glGenVertexArrays(1, name); }
+  static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
+};
+
+struct TextureKind {
+  static void make(GLuint* name) { glGenTextures(1, name); }
+  static void destroy(GLuint name) { glDeleteTextures(1, &name); }
+};
+
+struct RenderbufferKind {
+  static void make(GLuint* name) { glGenRenderbuffers(1, name); }
+  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
+};
+
+struct FramebufferKind {
+  static void make(GLuint* name) { glGenFramebuffers(1, name); }
+  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+};
+
+using Buffer = Object<BufferKind>;
+using VertexArray = Object<VertexArrayKind>;
+using Texture = Object<TextureKind>;
+using Renderbuffer = Object<RenderbufferKind>;
+using FramebufferName = Object<FramebufferKind>;
+
+// Draws with programs that compute the corners from gl_VertexID alone.
+class NoVertices {
+ public:
+  void draw(GLenum mode, GLsizei count) const {
+    glBindVertexArray(layout_.name());
+    glDrawArrays(mode, 0, count);
+  }
+  // Draws the triangle of screen.vert, which covers the viewport.
+  void draw_screen() const { draw(GL_TRIANGLES, 3); }
+
+ private:
+  VertexArray layout_;
+};
 
 // Binds a buffer and gives it so many bytes: those at `content`, or undefined ones if that is null.
 inline void fill_buffer(GLenum target, const Buffer& buffer, size_t bytes, const void* content = nullptr,
@@ -57,5 +126,39 @@ inline void read_whole(GLuint attribute, const Attribute& from, size_t size) {
   glVertexAttribIPointer(attribute, from.count, from.type, static_cast<GLsizei>(size),
                          reinterpret_cast<const void*>(from.offset));
 }
+
+// Items that are sent anew for each drawing and read as vertices, or as instances.
+enum class ItemsAre { kVertices, kInstances };
+template <typename Item>
+class Stream {
+ public:
+  // Attributes from 0 on: so many floats each, at these offsets in an item.
+  struct Floats {
+    GLint count;
+    size_t offset;
+  };
+  Stream(ItemsAre items, const std::vector<Floats>& attributes) {
+    glBindVertexArray(layout_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    for (GLuint i = 0; i < attributes.size(); ++i) {
+      read_floats(i, {attributes[i].count, GL_FLOAT, attributes[i].offset}, sizeof(Item));
+      glVertexAttribDivisor(i, items == ItemsAre::kInstances ? 1 : 0);
+    }
+  }
+
+  // Replaces the items. `usage`: GL_STREAM_DRAW where they are drawn once.
+  void send(std::span<const Item> items, GLenum usage = GL_STREAM_DRAW) {
+    bind();
+    fill_buffer(GL_ARRAY_BUFFER, buffer_, items.size_bytes(), items.data(), usage);
+    count_ = static_cast<GLsizei>(items.size());
+  }
+  void bind() const { glBindVertexArray(layout_.name()); }
+  GLsizei count() const { return count_; }
+
+ private:
+  VertexArray layout_;
+  Buffer buffer_;
+  GLsizei count_ = 0;
+};
 
 }  // namespace kerf::gl

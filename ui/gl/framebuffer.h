@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/gl/objects.h"
+#include "ui/gl/buffers.h"
 
 namespace kerf::gl {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "ui/render/shadow/seen_light.h"
-#include "ui/render/view/section_clip.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/shadow_pass.h"
 
 namespace kerf {
 

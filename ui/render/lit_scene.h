@@ -3,12 +3,12 @@
 #include <array>
 #include <optional>
 
+#include "ui/gl/draw_state.h"
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/state.h"
 #include "ui/render/passes/ground_pass.h"
-#include "ui/render/passes/heat_ramps.h"
-#include "ui/render/passes/tone_pass.h"
-#include "ui/render/shadow/shadow_pass.h"
+#include "ui/render/passes/heat_colours.h"
+#include "ui/render/passes/post_processing.h"
+#include "ui/render/shadow_pass.h"
 
 namespace kerf {
 

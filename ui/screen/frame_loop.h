@@ -4,8 +4,8 @@
 
 #include "ui/screen/screen.h"
 #include "ui/screen/stop_signals.h"
-#include "ui/window/event_script.h"
 #include "ui/window/gui.h"
+#include "ui/window/scripted_window.h"
 
 namespace kerf {
 

@@ -2,17 +2,72 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
 
-#include "ui/render/passes/gathered_picture.h"
+#include "ui/render/passes/post_processing.h"
 #include "ui/render/renderer.h"
-#include "ui/screen/picture_rest.h"
-#include "ui/screen/shadow_statistics.h"
-#include "ui/screen/traced_shadows.h"
 #include "ui/window/layout.h"
 #include "ui/window/window.h"
 
 namespace kerf {
+
+// What the views that inspect shadows found in the last picture; nothing where it is not known yet.
+struct ShadowStatistics {
+  std::optional<size_t> differing;  // pixels that two methods draw differently
+  double traced = 0;                // share of the picture's pixels whose shadow rays are traced, 0 to 1
+  std::optional<size_t> wrong;      // pixels whose traced shadow differs from the drawn one; all are traced
+  friend bool operator==(const ShadowStatistics&, const ShadowStatistics&) = default;
+};
+
+// How far the tracing has come: "tracing 40 %".
+std::string tracing_text(const ShadowStatistics& statistics);
+
+// What has changed in a picture since it was drawn last.
+enum class PictureChange {
+  kNothing,
+  kHeat,  // the heat of faces, which alters their colours and no shadow
+  kAll,   // anything
+};
+
+// Whether a picture stands still, so that work on it that takes several frames is worth while.
+class PictureRest {
+ public:
+  // To be called once a frame, at a time in seconds of a clock that never goes back.
+  void follow(PictureChange change, double now) {
+    now_ = now;
+    if (change != PictureChange::kNothing) changed_ = now;
+    if (change == PictureChange::kAll) moved_ = now;
+  }
+  // Whether nothing in it has changed for a moment.
+  bool rests() const { return now_ - changed_ > kMoment; }
+  // Whether nothing but heat has.
+  bool shapes_rest() const { return now_ - moved_ > kMoment; }
+
+ private:
+  static constexpr double kMoment = 0.15;  // s
+  double now_ = 0, changed_ = 0, moved_ = 0;
+};
+
+// Draws ray-traced reference shadows over a picture. A part of them is traced in every frame while the
+// picture stays the same.
+class TracedShadows {
+ public:
+  // To be called after a picture of the world was drawn to `target`. Starts or continues while the picture is
+  // `still`, which says that its shadows will not change, and starts over for a `fresh` one, which may have
+  // others. Draws over the target and records its progress in `statistics`.
+  void work(const World& world, const ViewOptions& look, Renderer& renderer, const CameraView& view,
+            const Target& target, bool fresh, bool still, ShadowStatistics& statistics);
+
+  // Whether tracing is incomplete, or has not begun because the picture was not still.
+  bool busy() const { return waits_ || (traced_ && !traced_->done()); }
+
+ private:
+  std::optional<ShadowReference> traced_;
+  ShadowCounts drawn_;
+  bool waits_ = false;  // for a picture that is still
+};
 
 // What a picture shows, and its area of the window.
 struct Shot {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/window/gui_input.h"
+#include "ui/window/gui.h"
 #include "ui/window/gui_look.h"
 #include "ui/window/window.h"
 

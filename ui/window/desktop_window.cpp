@@ -9,7 +9,7 @@
 #include <backends/imgui_impl_glfw.h>
 
 #include "core/base/assert.h"
-#include "ui/gl/debug_output.h"
+#include "ui/gl/context.h"
 
 namespace kerf {
 

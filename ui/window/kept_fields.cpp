@@ -1,7 +1,7 @@
 #include "ui/window/kept_fields.h"
 
-#include "core/base/atomic_file.h"
-#include "core/document/text/json_value.h"
+#include "core/base/platform.h"
+#include "core/document/text/json.h"
 
 namespace kerf {
 

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/count_text.h"
-#include "ui/window/fitted_text.h"
-#include "ui/window/landmarks.h"
+#include "core/base/number_format.h"
+#include "ui/window/layout.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property.h"
+#include "ui/window/property_rows.h"
 
 namespace kerf {
 

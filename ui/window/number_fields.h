@@ -5,11 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "core/base/number_range.h"
-#include "core/base/vec3.h"
-#include "ui/window/message.h"
-#include "ui/window/number_expression.h"
-#include "ui/window/number_format.h"
+#include "core/base/geometry.h"
+#include "core/base/number_format.h"
+#include "ui/window/number_text.h"
+#include "ui/window/status_message.h"
 
 namespace kerf {
 

@@ -2,13 +2,37 @@
 
 #include <imgui.h>
 #include <imgui_internal.h>
-
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
 
 namespace kerf {
+
+std::string NumberFormat::unit() const {
+  const std::string_view text(text_);
+  size_t at = 0;
+  while (at < text.size() && text[at] != '%') ++at;
+  while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) == 0) ++at;
+  std::string unit;
+  for (++at; at < text.size(); ++at) {
+    if (text[at] == ' ' && unit.empty()) continue;
+    if (text[at] == '%') ++at;
+    unit += text[at];
+  }
+  while (!unit.empty() && unit.back() == ' ') unit.pop_back();
+  return unit;
+}
 
 std::string area_text(double square_metres) {
   if (square_metres == 0) return "none";
@@ -55,6 +79,267 @@ std::string text_of(const char* format, ...) {
   std::vsnprintf(text.data(), text.size(), format, values);
   va_end(values);
   return text.data();
+}
+
+namespace {
+
+constexpr size_t kGroup = 3;  // digits between two spaces
+
+struct UnitName {
+  const char* name;
+  double size;       // metres, radians or watts
+  bool told = true;  // in the list of units of a message
+};
+constexpr std::array kLengths{UnitName{"mm", 1e-3},
+                              UnitName{"cm", 1e-2},
+                              UnitName{"m", 1},
+                              UnitName{"in", 0.0254},
+                              UnitName{"ft", 0.3048},
+                              UnitName{"nm", 1e-9, false},
+                              UnitName{"um", 1e-6, false},
+                              UnitName{"\xc2\xb5m", 1e-6, false},
+                              UnitName{"km", 1e3, false}};
+constexpr std::array kAngles{UnitName{"\xc2\xb0", kPi / 180}, UnitName{"deg", kPi / 180}, UnitName{"rad", 1}};
+constexpr std::array kPowers{UnitName{"W", 1}, UnitName{"kW", 1000}};
+
+std::span<const UnitName> units_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kPlain:
+      break;
+    case Quantity::kLength:
+      return kLengths;
+    case Quantity::kAngle:
+      return kAngles;
+    case Quantity::kPower:
+      return kPowers;
+  }
+  return {};
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool same(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+
+// The size of a unit, over that of the field's. Nothing if the field does not take it.
+std::optional<double> factor_of(std::string_view name, const NumberUnit& unit) {
+  if (!unit.name.empty() && same(name, trimmed(unit.name))) return 1;
+  for (const UnitName& known : units_of(unit.quantity)) {
+    if (same(name, known.name) || (!unit.per.empty() && same(name, known.name + unit.per)))
+      return known.size / unit.size;
+  }
+  return std::nullopt;
+}
+
+// "the units are mm, cm, m, in and ft"; empty where the field has none.
+std::string units_text(const NumberUnit& unit) {
+  std::vector<std::string> names;
+  for (const UnitName& known : units_of(unit.quantity)) {
+    if (known.told) names.push_back(known.name + unit.per);
+  }
+  if (names.empty() && trimmed(unit.name).empty()) return "";
+  if (names.empty()) return "the unit is " + std::string(trimmed(unit.name));
+  std::string text = "the units are " + names.front();
+  for (size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
+// Recursive descent; the first fault ends it.
+class Parser {
+ public:
+  Parser(std::string_view text, const NumberUnit& unit) : text_(text), unit_(unit) {}
+
+  Result<double> run() {
+    skip_spaces();
+    if (at_ == text_.size()) return bad_input("the field is empty");
+    double value = sum();
+    if (fault_.empty()) value *= suffix();
+    if (fault_.empty() && !std::isfinite(value)) fault_ = "the value is too large";
+    if (!fault_.empty()) return bad_input(fault_);
+    return value;
+  }
+
+ private:
+  char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  char peek(size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  bool take(char c) {
+    if (peek() != c || !fault_.empty()) return false;
+    ++at_;
+    skip_spaces();
+    return true;
+  }
+  void skip_spaces() {
+    while (peek() == ' ') ++at_;
+  }
+  double fail(std::string fault) {
+    if (fault_.empty()) fault_ = std::move(fault);
+    return 0;
+  }
+  double finite(double value) { return std::isfinite(value) ? value : fail("the value is too large"); }
+
+  double sum() {
+    double value = product();
+    while (fault_.empty()) {
+      if (take('+')) {
+        value = finite(value + product());
+      } else if (take('-')) {
+        value = finite(value - product());
+      } else {
+        break;
+      }
+    }
+    return value;
+  }
+
+  double product() {
+    double value = factor();
+    while (fault_.empty()) {
+      if (take('*')) {
+        value = finite(value * factor());
+      } else if (take('/')) {
+        const double by = factor();
+        value = by == 0 ? fail("it divides by zero") : finite(value / by);
+      } else {
+        break;
+      }
+    }
+    return value;
+  }
+
+  double factor() {
+    bool negative = false;
+    for (;;) {
+      if (take('-')) {
+        negative = !negative;
+      } else if (!take('+')) {
+        break;
+      }
+    }
+    const double value = primary();
+    return negative ? -value : value;
+  }
+
+  double primary() {
+    if (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) return number();
+    if (!take('(')) return fail(missing_number());
+    if (++depth_ > kMaxBrackets) return fail("there are too many brackets");
+    const double value = sum();
+    --depth_;
+    if (fault_.empty() && !take(')')) fail(at_ == text_.size() ? "a \")\" is missing" : unread());
+    return value;
+  }
+
+  // Appends digits to `digits`, which may be in groups of three where it is so `grouped`.
+  void take_digits(std::string& digits, bool grouped) {
+    const size_t begin = digits.size();
+    while (is_digit(peek())) digits += text_[at_++];
+    const size_t first = digits.size() - begin;
+    while (grouped && first <= kGroup && first > 0 && follows_group()) {
+      digits += text_.substr(at_ + 1, kGroup);
+      at_ += 1 + kGroup;
+    }
+  }
+  bool follows_group() const {
+    if (peek() != ' ') return false;
+    for (size_t i = 1; i <= kGroup; ++i) {
+      if (!is_digit(peek(i))) return false;
+    }
+    return !is_digit(peek(1 + kGroup));
+  }
+
+  double number() {
+    const size_t begin = at_;
+    std::string digits;
+    take_digits(digits, true);
+    if (peek() == '.') {
+      digits += text_[at_++];
+      take_digits(digits, false);
+    }
+    const size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
+    if (lower(peek()) == 'e' && is_digit(peek(1 + sign))) {
+      digits += 'e';
+      if (peek(1) == '-') digits += '-';
+      at_ += 1 + sign;
+      take_digits(digits, false);
+    }
+    const std::string_view as_typed = text_.substr(begin, at_ - begin);
+    skip_spaces();
+    if (peek() == '.' || is_digit(peek())) {
+      at_ = begin;
+      return fail(unread());
+    }
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc::result_out_of_range)
+      return fail(quoted(as_typed) + (is_tiny(digits) ? " is too close to zero" : " is too large"));
+    KERF_ASSERT(error == std::errc() && end == digits.data() + digits.size());
+    return value;
+  }
+  // Of a number out of range.
+  static bool is_tiny(const std::string& digits) { return std::strtod(digits.c_str(), nullptr) < 1; }
+
+  std::string missing_number() const {
+    if (at_ == text_.size()) return "a number is missing at its end";
+    if (peek() == ',') return unread();
+    return quoted(word()) + " is not a number";
+  }
+
+  // What stands at the present place, up to the next space or operator.
+  std::string_view word() const {
+    const std::string_view rest = text_.substr(at_);
+    const size_t end = rest.find_first_of(" +-*/()", 1);
+    return rest.substr(0, end);
+  }
+
+  // The factor of the unit at the end.
+  double suffix() {
+    const std::string_view name = trimmed(text_.substr(at_));
+    if (name.empty()) return 1;
+    if (const auto factor = factor_of(name, unit_)) return *factor;
+    return fail(unread());
+  }
+
+  // Why what stands at the present place does not follow what was read.
+  std::string unread() const {
+    const std::string_view rest = text_.substr(at_);
+    if (rest.find(',') != std::string_view::npos)
+      return "a comma is not read: write a point before decimals, and spaces between thousands";
+    if (peek() == ')') return "a \")\" has no \"(\"";
+    if (is_digit(peek()) || peek() == '.' || peek() == '(')
+      return quoted(trimmed(rest)) + " is not one number";
+    const bool goes_on = rest.find_first_of("0123456789(", word().size()) != std::string_view::npos;
+    if (goes_on && factor_of(word(), unit_)) return "the unit stands at the end, and holds for all of it";
+    const std::string known = units_text(unit_);
+    return quoted(trimmed(rest)) + " is not read: " + (known.empty() ? "the number has no unit" : known);
+  }
+
+  std::string_view text_;
+  const NumberUnit& unit_;
+  size_t at_ = 0;
+  int depth_ = 0;
+  std::string fault_;
+};
+
+}  // namespace
+
+NumberUnit length_unit(std::string name, std::string per) {
+  const auto known = std::ranges::find_if(kLengths, [&](const UnitName& unit) { return name == unit.name; });
+  KERF_ASSERT(known != kLengths.end());
+  return {Quantity::kLength, known->size, name + per, std::move(per)};
+}
+
+Result<double> evaluate_number(std::string_view text, const NumberUnit& unit) {
+  KERF_ASSERT(unit.size > 0);
+  return Parser(text, unit).run();
 }
 
 }  // namespace kerf

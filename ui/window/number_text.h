@@ -1,11 +1,54 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
-#include "core/base/count_text.h"
-#include "ui/window/number_format.h"
+#include "core/base/number_format.h"
+#include "core/base/result.h"
 
 namespace kerf {
+
+// The printf format of a number in a widget, with at most one conversion: "%.1f MB". The compiler checks it,
+// as it checks the formats of functions with an attribute, which widgets that are given a pointer to their
+// number cannot have. `conversions` are the letters that suit the type of the number.
+class NumberFormat {
+ public:
+  const char* c_str() const { return text_; }
+  // The text after the number, as it is shown: "MB" of "%.1f MB", without the space.
+  std::string unit() const;
+
+ protected:
+  consteval NumberFormat(const char* text, std::string_view conversions) : text_(text) {
+    if (!is_format(text, conversions)) throw "This is not a format of one number.";
+  }
+
+ private:
+  static consteval bool is_format(std::string_view text, std::string_view conversions) {
+    size_t found = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+      if (text[i] != '%') continue;
+      ++i;
+      if (i < text.size() && text[i] == '%') continue;
+      while (i < text.size() && std::string_view("+-#.0123456789").find(text[i]) != std::string_view::npos)
+        ++i;
+      if (i == text.size() || conversions.find(text[i]) == std::string_view::npos) return false;
+      ++found;
+    }
+    return found <= 1;
+  }
+
+  const char* text_;
+};
+
+// The format of a float or a double.
+struct RealFormat : NumberFormat {
+  consteval RealFormat(const char* text) : NumberFormat(text, "aefgAEFG") {}
+};
+
+// The format of an int.
+struct WholeFormat : NumberFormat {
+  consteval WholeFormat(const char* text) : NumberFormat(text, "d") {}
+};
 
 // A text in a printf format, which the compiler checks. Of more than 255 bytes the rest is left out.
 [[gnu::format(printf, 1, 2)]] std::string text_of(const char* format, ...);
@@ -18,5 +61,34 @@ bool is_noise(double value, double scale);
 
 // An area in a unit that suits its size: "2.75 cm²"; "none" for 0.
 std::string area_text(double square_metres);
+
+// The physical quantity of a number in a text field.
+enum class Quantity {
+  kPlain,   // no unit but that of the field
+  kLength,  // mm, cm, m, in, ft, and others from nm to km
+  kAngle,   // °, deg, rad
+  kPower,   // W, kW
+};
+
+// The unit of the number in a text field.
+struct NumberUnit {
+  Quantity quantity = Quantity::kPlain;
+  double size = 1;        // of one unit in metres, radians or watts, > 0
+  std::string name = {};  // as the field shows it, e.g. "mm", "K"; it is read for every quantity
+  std::string per = {};   // follows the units of the quantity, e.g. "/s" of a speed; may be left out
+};
+
+// The unit of a field that shows lengths in a unit that evaluate_number() reads. Precondition: it is one.
+NumberUnit length_unit(std::string name, std::string per = "");
+inline const NumberUnit kDegrees{Quantity::kAngle, 1.7453292519943295e-2};  // without a name
+inline const NumberUnit kWatts{Quantity::kPower};
+
+// Evaluates the text of a number field in the unit of the field: numbers with or without digits in groups of
+// three ("4 000"), + - * / and brackets, then optionally one unit, which holds for the whole expression
+// ("1/4 in"). The case of units does not matter. Operations are those of double, from left to right. Fails
+// with the reason, a clause such as "\"abc\" is not a number", if the text is anything else, or if the value
+// or an intermediate one is not finite. O(size of the text); brackets nest kMaxBrackets deep at most.
+inline constexpr int kMaxBrackets = 50;
+Result<double> evaluate_number(std::string_view text, const NumberUnit& unit = {});
 
 }  // namespace kerf

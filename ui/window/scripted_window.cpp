@@ -3,11 +3,274 @@
 #include <epoxy/gl.h>
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-
+#include <imgui_internal.h>
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <optional>
 #include <utility>
 
+#include "core/base/assert.h"
+#include "ui/render/png.h"
+#include "ui/window/window.h"
+
 namespace kerf {
+
+namespace {
+
+// A widget that opens or closes shows so a few frames later.
+constexpr int kFramesToSettle = 4;
+
+}  // namespace
+
+Result<EventScript> EventScript::open(const std::filesystem::path& file, Vec2 size) {
+  if (file == "-") return EventScript(nullptr, "standard input", size);
+  auto steps = std::make_unique<std::ifstream>(file);
+  if (!*steps) return bad_input(file.string() + ": cannot be read; it should hold a step a line");
+  return EventScript(std::move(steps), file.string(), size);
+}
+
+EventScript::EventScript(std::unique_ptr<std::istream> steps, std::string name, Vec2 size)
+    : own_steps_(std::move(steps)), name_(std::move(name)), input_(size) {}
+
+std::optional<std::string> EventScript::next_line() {
+  std::istream& steps = own_steps_ ? *own_steps_ : std::cin;
+  std::string line;
+  while (std::getline(steps, line)) {
+    ++line_;
+    if (line.find_first_not_of(" \t\r") != std::string::npos) return line;
+  }
+  return std::nullopt;
+}
+
+Result<bool> EventScript::begin_frame(bool moving, const Answer& answer) {
+  KERF_ASSERT(answer);
+  if (goes_on_waiting(moving)) {
+    pass_frame();
+    return true;
+  }
+  while (const auto line = next_line()) {
+    const std::string where = name_ + ":" + std::to_string(line_);
+    const auto step = nlohmann::json::parse(*line, nullptr, false);
+    if (!step.is_object() || step.size() != 1)
+      return bad_input(where + ": a step must be an object with one key, like {\"move\": [100, 200]}");
+    const auto next = take(step.begin().key(), JsonValue(step, where)[step.begin().key()], answer);
+    if (!next) return next.error();
+    if (*next == Next::kStep) continue;
+    pass_frame();
+    return true;
+  }
+  return false;
+}
+
+bool EventScript::goes_on_waiting(bool moving) {
+  if (seconds_ >= wait_until_ || (until_rest_ && !moving && still_ >= kFramesToSettle)) {
+    wait_until_ = 0;
+    return false;
+  }
+  ++still_;
+  return true;
+}
+
+Result<EventScript::Next> EventScript::take(const std::string& name, const JsonValue& value,
+                                            const Answer& answer) {
+  const auto then = [](Next next, const Status& status) -> Result<Next> {
+    if (!status) return status.error();
+    return next;
+  };
+  if (name == "wait" || name == "settle") return wait(value, name == "settle");
+  if (name == "picture") return then(Next::kStep, take_picture(value));
+  if (name == "answer") return then(Next::kStep, print_answer(value, answer));
+  if (name == "together") return then(Next::kFrame, hear_together(value));
+  if (name == "frame") return then(Next::kStep, assign(value.positive_number(), frame_seconds_));
+  if (name == "draws") return then(Next::kStep, assign(value.flag(), draws_));
+  return then(Next::kFrame, input_.hear(name, value));
+}
+
+Result<EventScript::Next> EventScript::wait(const JsonValue& value, bool until_rest) {
+  const auto seconds = value.positive_number();
+  if (!seconds) return seconds.error();
+  wait_until_ = seconds_ + *seconds;
+  until_rest_ = until_rest;
+  still_ = 1;
+  return Next::kFrame;
+}
+
+Status EventScript::hear_together(const JsonValue& steps) {
+  if (const Status list = steps.array("steps"); !list) return list;
+  for (size_t i = 0; i < steps.json().size(); ++i) {
+    const JsonValue step = steps[i];
+    if (!step.json().is_object() || step.json().size() != 1)
+      return step.wrong("must be an object with one key");
+    const std::string name = step.json().begin().key();
+    if (const Status heard = input_.hear(name, step[name]); !heard) return heard;
+  }
+  return Done{};
+}
+
+Status EventScript::take_picture(const JsonValue& value) const {
+  const auto file = value.text();
+  if (!file) return file.error();
+  const Vec2 size = input_.size();
+  return write_png(read_pixels(0, static_cast<int>(size.x), static_cast<int>(size.y)), *file);
+}
+
+Status EventScript::print_answer(const JsonValue& value, const Answer& answer) const {
+  const auto what = value.text();
+  if (!what) return what.error();
+  std::optional<std::string> text = answer(*what);
+  if (*what == "title") text = nlohmann::json(title_).dump();
+  if (!text) return value.wrong("the screen that is shown has no such answer");
+  std::printf("%s\n", text->c_str());
+  std::fflush(stdout);
+  return Done{};
+}
+
+namespace {
+
+constexpr double kLargestWindow = 8192;  // pixels
+
+// A modifier: its name, the key that is held and what other events carry meanwhile.
+struct Modifier {
+  const char* name;
+  int key, mod;
+};
+constexpr std::array kModifiers{Modifier{"Ctrl", GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL},
+                                Modifier{"Shift", GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT},
+                                Modifier{"Alt", GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT}};
+
+std::optional<int> key_named(const std::string& name) {
+  for (const Modifier& modifier : kModifiers) {
+    if (name == modifier.name) return modifier.key;
+  }
+  if (name == "Esc") return GLFW_KEY_ESCAPE;
+  if (name == "Num Enter") return GLFW_KEY_KP_ENTER;
+  if (name.size() == 5 && name.starts_with("Num ") && name[4] >= '0' && name[4] <= '9')
+    return GLFW_KEY_KP_0 + (name[4] - '0');
+  const auto chord = parse_chord(name);
+  if (!chord || chord->mods != 0) return std::nullopt;
+  return chord->key;
+}
+
+std::optional<int> button_named(const std::string& name) {
+  if (name == "left") return GLFW_MOUSE_BUTTON_LEFT;
+  if (name == "right") return GLFW_MOUSE_BUTTON_RIGHT;
+  if (name == "middle") return GLFW_MOUSE_BUTTON_MIDDLE;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Status VirtualInput::hear(const std::string& name, const JsonValue& value) {
+  if (name == "move") return move(value);
+  if (name == "press" || name == "release") return hold_button(value, name == "press");
+  if (name == "key_down" || name == "key_up") return hold_key(value, name == "key_down");
+  if (name == "wheel") return turn_wheel(value);
+  if (name == "type") return type(value);
+  if (name == "drop") return drop(value);
+  if (name == "size") return resize(value);
+  if (name == "focus") return focus(value);
+  if (name == "close") return close(value);
+  return value.wrong("there is no such step");
+}
+
+int VirtualInput::mods() const {
+  int mods = 0;
+  for (const Modifier& modifier : kModifiers) mods |= keys_.contains(modifier.key) ? modifier.mod : 0;
+  return mods;
+}
+
+InputEvent& VirtualInput::put(InputEvent::Kind kind, int button) {
+  InputEvent event;
+  event.kind = kind;
+  event.at = pointer_;
+  event.button = button;
+  event.mods = mods();
+  return heard_.events.emplace_back(event);
+}
+
+Status VirtualInput::move(const JsonValue& value) {
+  const auto at = value.pair();
+  if (!at) return at.error();
+  pointer_ = {at->low, at->high};
+  put(InputEvent::Kind::kMove);
+  return Done{};
+}
+
+Status VirtualInput::hold_button(const JsonValue& value, bool down) {
+  const auto name = value.text();
+  if (!name) return name.error();
+  const auto button = button_named(*name);
+  if (!button) return value.wrong("must be left, right or middle");
+  if (down == buttons_.contains(*button)) return Done{};
+  if (down) {
+    buttons_.insert(*button);
+  } else {
+    buttons_.erase(*button);
+  }
+  put(down ? InputEvent::Kind::kPress : InputEvent::Kind::kRelease, *button);
+  return Done{};
+}
+
+Status VirtualInput::hold_key(const JsonValue& value, bool down) {
+  const auto name = value.text();
+  if (!name) return name.error();
+  const auto key = key_named(*name);
+  if (!key) return value.wrong("there is no key \"" + *name + "\"");
+  if (down) {
+    keys_.insert(*key);
+    put(InputEvent::Kind::kKey, *key);
+  } else if (keys_.erase(*key) > 0) {
+    put(InputEvent::Kind::kKeyUp, *key);
+  }
+  return Done{};
+}
+
+Status VirtualInput::turn_wheel(const JsonValue& value) {
+  const auto notches = value.number();
+  if (!notches) return notches.error();
+  put(InputEvent::Kind::kWheel).wheel = *notches;
+  return Done{};
+}
+
+Status VirtualInput::type(const JsonValue& value) {
+  const auto text = value.text();
+  if (!text) return text.error();
+  const char* end = text->data() + text->size();
+  for (const char* at = text->data(); at < end;) {
+    unsigned character = 0;
+    at += ImTextCharFromUtf8(&character, at, end);
+    put(InputEvent::Kind::kText).character = character;
+  }
+  return Done{};
+}
+
+Status VirtualInput::drop(const JsonValue& value) {
+  if (const Status list = value.array("files"); !list) return list;
+  std::vector<std::filesystem::path> files;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto file = value[i].text();
+    if (!file) return file.error();
+    files.emplace_back(*file);
+  }
+  heard_.drops = std::move(files);
+  return Done{};
+}
+
+Status VirtualInput::resize(const JsonValue& value) {
+  const auto read = value.pair();
+  if (!read) return read.error();
+  const Vec2 size{read->low, read->high};
+  if (!(size.x >= 1 && size.y >= 1 && size.x <= kLargestWindow && size.y <= kLargestWindow))
+    return value.wrong("must be from 1 to 8192 pixels");
+  size_ = glm::floor(size);
+  return Done{};
+}
+
+Status VirtualInput::focus(const JsonValue& value) { return assign(value.flag(), focus_); }
+
+Status VirtualInput::close(const JsonValue& value) { return assign(value.flag(), heard_.close); }
 
 namespace {
 

@@ -1,13 +1,142 @@
 #pragma once
 
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <istream>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "core/base/result.h"
-#include "ui/gl/offscreen_context.h"
-#include "ui/window/event_script.h"
+#include "core/document/text/json.h"
+#include "ui/gl/context.h"
 #include "ui/window/window.h"
 
 namespace kerf {
+
+// The mouse, the keyboard and the frame of a window that a script drives.
+class VirtualInput {
+ public:
+  // What came since it was taken last.
+  struct Heard {
+    std::vector<InputEvent> events;
+    std::vector<std::filesystem::path> drops;
+    bool close = false;
+  };
+
+  explicit VirtualInput(Vec2 size) : size_(size) {}
+
+  // Hears a step of the script, an object with one key (see event_script.h). Fails, and changes nothing, if
+  // there is no such step or its value is wrong.
+  Status hear(const std::string& name, const JsonValue& value);
+
+  Heard& heard() { return heard_; }
+  Vec2 size() const { return size_; }
+  Vec2 pointer() const { return pointer_; }
+  const std::set<int>& keys() const { return keys_; }        // that are held down, GLFW_KEY_*
+  const std::set<int>& buttons() const { return buttons_; }  // GLFW_MOUSE_BUTTON_*
+  int mods() const;                                          // GLFW_MOD_*
+  bool has_focus() const { return focus_; }
+
+ private:
+  Status move(const JsonValue& value);
+  Status hold_button(const JsonValue& value, bool down);
+  Status hold_key(const JsonValue& value, bool down);
+  Status turn_wheel(const JsonValue& value);
+  Status type(const JsonValue& value);
+  Status drop(const JsonValue& value);
+  Status resize(const JsonValue& value);
+  Status focus(const JsonValue& value);
+  Status close(const JsonValue& value);
+  InputEvent& put(InputEvent::Kind kind, int button = 0);
+
+  Heard heard_;
+  Vec2 size_, pointer_{0};
+  std::set<int> keys_, buttons_;
+  bool focus_ = true;
+};
+
+// Input of a window from a file (`kerf --events FILE`), so that a session repeats to the bit: tests and
+// reports of faults are written in it. Each line is a step, a JSON object with one key. After each of the
+// first group a frame is drawn, or several where one cannot show all of its input (see gui_input.h); between
+// two frames a fixed time passes.
+//
+//   {"move": [X, Y]}              the pointer, in pixels from the upper left corner
+//   {"press": "left"}             a button of the mouse: left, right or middle
+//   {"release": "left"}
+//   {"wheel": 1}                  notches, positive away from the user
+//   {"key_down": "Ctrl"}          a key: Ctrl, Shift, Alt, Esc, or as menus write it ("Z", "Space", "F8")
+//   {"key_up": "Ctrl"}
+//   {"type": "text"}              characters, as a keyboard sends them to a text field
+//   {"drop": ["FILE", ...]}       files from another program
+//   {"size": [WIDTH, HEIGHT]}     of the window
+//   {"focus": false}              whether the window has it
+//   {"close": true}               the button that closes the window
+//   {"together": [STEP, ...]}     several of the above before one frame
+//   {"wait": SECONDS}             frames for so long
+//   {"settle": SECONDS}           frames until nothing moves or works, for so long at most
+//
+//   {"frame": SECONDS}            between two frames from now on; a sixtieth before
+//   {"draws": false}              whether frames are drawn from now on, which takes a software renderer
+//   nearly
+//                                 all of their time; all else happens as ever
+//   {"picture": "FILE"}           writes what the window shows as a PNG
+//   {"answer": "WHAT"}            prints what the screen knows as a line of JSON: "landmarks" (landmarks.h),
+//                                 "report" or "title"
+//
+// At the end of the file the program ends as by SIGTERM. A line that is wrong ends it with a sentence.
+class EventScript {
+ public:
+  // What the screen that is shown answers to "landmarks" or "report", as JSON; nothing where it has no
+  // answer.
+  using Answer = std::function<std::optional<std::string>(const std::string& what)>;
+
+  // Reads from a file, or from standard input where it is "-", as far as it is needed. Fails if it cannot be
+  // opened.
+  static Result<EventScript> open(const std::filesystem::path& file, Vec2 size);
+  // Reads from a text that is called `name` in errors.
+  EventScript(std::unique_ptr<std::istream> steps, std::string name, Vec2 size);
+
+  // Goes on to the next frame. `moving`: whether the last one left something to do. Returns whether there is
+  // one; at the end of the script there is none. Fails at a line that is wrong. Precondition: `answer` can be
+  // called.
+  Result<bool> begin_frame(bool moving, const Answer& answer);
+  // Goes on to another frame of the step that was taken last.
+  void pass_frame() { seconds_ += frame_seconds_; }
+
+  VirtualInput& input() { return input_; }
+  const VirtualInput& input() const { return input_; }
+  double frame_seconds() const { return frame_seconds_; }
+  // The time at which the frame began (s).
+  double seconds() const { return seconds_; }
+  bool draws() const { return draws_; }
+  void set_title(const std::string& title) { title_ = title; }
+
+ private:
+  enum class Next { kStep, kFrame };  // what follows a step
+
+  std::optional<std::string> next_line();
+  bool goes_on_waiting(bool moving);
+  Result<Next> take(const std::string& name, const JsonValue& value, const Answer& answer);
+  Result<Next> wait(const JsonValue& value, bool until_rest);
+  Status hear_together(const JsonValue& steps);
+  Status take_picture(const JsonValue& value) const;
+  Status print_answer(const JsonValue& value, const Answer& answer) const;
+
+  std::unique_ptr<std::istream> own_steps_;  // null: standard input
+  std::string name_;
+  size_t line_ = 0;
+  VirtualInput input_;
+  std::string title_;
+  double frame_seconds_ = 1.0 / 60, seconds_ = 0;
+  double wait_until_ = 0;  // s
+  bool draws_ = true;
+  bool until_rest_ = false;  // the wait ends where nothing moves
+  int still_ = 0;            // frames of this wait
+};
 
 // A window without a screen: a script is its user (see event_script.h), and a drawing surface in memory its
 // picture.

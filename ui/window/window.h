@@ -3,15 +3,59 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/geometry.h"
 #include "core/base/result.h"
-#include "ui/window/input_event.h"
+#include "ui/render/png.h"
 #include "ui/window/layout.h"
-#include "ui/window/window_clock.h"
 
 namespace kerf {
+
+// An input event. Positions are in screen coordinates of the window, from its upper left corner.
+struct InputEvent {
+  enum class Kind { kMove, kPress, kRelease, kWheel, kKey, kKeyUp, kText };
+  Kind kind = Kind::kMove;
+  Vec2 at{0};              // of the pointer
+  int button = 0;          // GLFW_MOUSE_BUTTON_*, or the key (GLFW_KEY_*)
+  int mods = 0;            // GLFW_MOD_*
+  double wheel = 0;        // notches, positive away from the user
+  bool again = false;      // a repetition while the key is held
+  double wheel_aside = 0;  // notches, positive to the right
+  unsigned character = 0;  // of kText, a code point
+  double seconds = 0;      // when it happened, by the clock of the window
+};
+
+// Spreads the times of events whose order alone is known evenly over an interval (seconds); the last event
+// gets its end. Precondition: from <= to.
+void spread_times(std::span<InputEvent> events, double from, double to);
+
+// A key with modifiers.
+struct KeyChord {
+  int key = 0;   // GLFW_KEY_*; 0: none
+  int mods = 0;  // GLFW_MOD_CONTROL, SHIFT, ALT
+  friend bool operator==(const KeyChord&, const KeyChord&) = default;
+};
+
+// The chord as menus and settings write it: "Ctrl+Shift+Z", "Del", "F4"; empty for a key without a name.
+std::string chord_text(const KeyChord& chord);
+
+// The chord of such a text; nothing where it names none. The inverse of chord_text().
+std::optional<KeyChord> parse_chord(std::string_view text);
+
+// Whether the key (GLFW_KEY_*) is Shift, Ctrl, Alt or Super.
+bool is_modifier(int key);
+
+// A clock in seconds that never runs backwards. What a screen does for a part of a frame, or once in a while,
+// is timed by the clock of its window, so that a window that a script drives shows the same in every run.
+class WindowClock {
+ public:
+  virtual ~WindowClock() = default;
+  virtual double seconds() const = 0;
+};
 
 class EventScript;
 
@@ -76,5 +120,12 @@ struct WindowOptions {
 // Opens a window on the desktop, or one that a script drives. Fails if there is no display or no OpenGL 3.3,
 // or if the script cannot be read.
 Result<std::unique_ptr<Window>> open_window(const WindowOptions& options);
+
+// A part of the window (in pixels of the framebuffer, from its upper left corner) as it is drawn so far.
+Pixels window_pixels(Vec2 window, const Area& part);
+
+// Writes a part of the window to a PNG file that is named by date and time, in the current folder or, if that
+// is not writable, in ~/Pictures. Returns the path of the file.
+Result<std::filesystem::path> take_screenshot(Vec2 window, const Area& part);
 
 }  // namespace kerf

@@ -5,11 +5,10 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "core/base/angle.h"
-#include "core/base/unit_vector.h"
+#include "core/base/deterministic_math.h"
+#include "core/base/geometry.h"
 #include "core/base/version.h"
-#include "core/document/text/json_text.h"
-#include "core/document/text/json_value.h"
+#include "core/document/text/json.h"
 #include "core/document/text/nearest_name.h"
 
 namespace kerf {

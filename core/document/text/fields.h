@@ -13,10 +13,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/base/interval.h"
-#include "core/base/number_range.h"
+#include "core/base/geometry.h"
+#include "core/base/number_format.h"
 #include "core/base/result.h"
-#include "core/base/vec3.h"
 
 namespace kerf {
 

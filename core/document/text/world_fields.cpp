@@ -1,7 +1,7 @@
 #include "core/document/text/world_fields.h"
 
 #include "core/document/text/fields.h"
-#include "core/document/text/json_value.h"
+#include "core/document/text/json.h"
 
 namespace kerf {
 
@@ -59,6 +59,10 @@ void scene_sheet_fields(Fields& f, Sheet& sheet) {
   number_field(f, kDensity, sheet, kDensity.missing.value);
   if (f.reading()) sheet.substance = Substance();
   if (f.present("substance", sheet.substance != Substance())) f.object("substance", sheet.substance);
+}
+
+std::string left_open_text(const LeftOpen& open, const World& world) {
+  return world.contains(open.body) ? world.body(open.body).own_name() + ": " + open.why : open.why;
 }
 
 }  // namespace kerf

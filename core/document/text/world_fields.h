@@ -1,9 +1,12 @@
 #pragma once
 
+#include <string>
+
+#include "core/base/geometry.h"
 #include "core/base/ids.h"
-#include "core/base/pose.h"
-#include "core/world/motion.h"
-#include "core/world/placement.h"
+#include "core/world/rigid_body.h"
+#include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
 
@@ -32,5 +35,9 @@ void describe(Fields& f, Sheet& sheet);
 
 // The sheet in a scene, with the constants in "substance".
 void scene_sheet_fields(Fields& f, Sheet& sheet);
+
+// Why a stroke left a solid body open, for the user, with the name of the body: "car: ...". The world is the
+// one after the step.
+std::string left_open_text(const LeftOpen& open, const World& world);
 
 }  // namespace kerf

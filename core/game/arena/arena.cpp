@@ -2,14 +2,33 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
-#include "core/base/angle.h"
-#include "core/document/files/scene_text.h"
+#include "core/base/deterministic_math.h"
+#include "core/document/scene_text.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/json_value.h"
-#include "core/world/load_body.h"
+#include "core/document/text/json.h"
+#include "core/world/body_creation.h"
 
 namespace kerf {
+
+Status add_joints(std::span<const SceneJoint> joints, ModelBody& model) {
+  for (const SceneJoint& joint : joints) {
+    auto made = make_joint(joint, BodyId{}, model.body);
+    if (!made) return made.error();
+    model.joints.push_back(std::move(*made));
+  }
+  return Done{};
+}
+
+BodyId add_body(World& world, const ModelBody& model, uint32_t generation) {
+  const BodyId id = world.add(model.body, generation);
+  if (model.joints.empty()) return id;
+  Joints joints = world.joints();
+  for (const Joint& joint : model.joints) joints.all.emplace_back(joint).body = id;
+  world.set_joints(std::move(joints));
+  return id;
+}
 
 namespace {
 

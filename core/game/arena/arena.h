@@ -1,16 +1,28 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
-#include "core/document/files/scene.h"
-#include "core/game/arena/model_body.h"
+#include "core/document/scene.h"
 #include "core/world/world.h"
 
 namespace kerf {
+
+// A body as loaded, of which copies are added to worlds, and the joints within it.
+struct ModelBody {
+  Body body;
+  std::vector<Joint> joints;  // of the body in the world to which it will be added
+};
+
+// Adds the joints of a scene to a body. Fails like make_joint.
+Status add_joints(std::span<const SceneJoint> joints, ModelBody& model);
+
+// Adds a copy of the body with its joints to a world.
+BodyId add_body(World& world, const ModelBody& model, uint32_t generation);
 
 // Where a vehicle starts: the origin of its frame, and the heading in which it stands.
 struct Start {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/pose.h"
+#include "core/base/geometry.h"
 #include "core/world/world.h"
 
 namespace kerf {

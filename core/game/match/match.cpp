@@ -2,18 +2,14 @@
 
 #include <algorithm>
 
-#include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "core/base/hash.h"
-#include "core/game/laser/gun.h"
-#include "core/game/match/places.h"
-#include "core/game/match/recover.h"
-#include "core/game/vehicle/back_off.h"
-#include "core/game/vehicle/clean_part.h"
-#include "core/game/vehicle/crash.h"
-#include "core/game/vehicle/drive.h"
-#include "core/game/vehicle/glide.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/base/deterministic_math.h"
+#include "core/base/random.h"
+#include "core/game/match/vehicle_placement.h"
+#include "core/game/vehicle/damage.h"
+#include "core/game/vehicle/laser_gun.h"
+#include "core/game/vehicle/vehicle.h"
+#include "core/game/vehicle/vehicle_dynamics.h"
 
 namespace kerf {
 
@@ -396,6 +392,22 @@ void Match::end_pause() {
   next.player = other_car ? rules().arena.description.player.placement()
                           : upright(chassis.placement, rules().arena.description.ground);
   begin_wave(next);
+}
+
+namespace {
+
+// About as well as somebody who plays for the second time.
+PilotSkill skill() { return {{0.035, 1, 1, 0.45, 50, 60}, 0.2, 8, 0.85}; }
+
+}  // namespace
+
+BotPlayer::BotPlayer(const Match& match) : pilot_(mix64(match.setup().seed ^ 0x626f74), skill()) {}
+
+Controls BotPlayer::next(const Match& match) {
+  const Sight sight(match.world());
+  Controls controls = pilot_.drive(match.view(Match::kPlayer, sight));
+  controls.give_up = match.is_disabled();
+  return controls;
 }
 
 }  // namespace kerf

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "core/game/arena/free_space.h"
-#include "core/game/arena/obstacles.h"
 #include "core/game/arena/sight.h"
 #include "core/game/driver/pilot.h"
-#include "core/game/laser/fire.h"
 #include "core/game/match/match_world.h"
 #include "core/game/match/rules.h"
 #include "core/game/match/tally.h"
+#include "core/game/vehicle/laser_gun.h"
 
 namespace kerf {
 
@@ -115,6 +114,18 @@ class Match {
   std::vector<size_t> numbers_;  // of these in the wave of the rules
   bool asked_ = false;           // for a vehicle, in the last tick
   std::vector<Vec3> thrown_;     // by vehicle, m/s, what comes off it in this tick by a crash
+};
+
+// Plays the player's side of a match: one vehicle after the other, with a quick eye and a steady hand.
+class BotPlayer {
+ public:
+  explicit BotPlayer(const Match& match);
+
+  // The controls for the next tick. To be called once a tick.
+  Controls next(const Match& match);
+
+ private:
+  Pilot pilot_;
 };
 
 }  // namespace kerf

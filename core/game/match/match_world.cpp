@@ -5,12 +5,94 @@
 
 #include "core/base/assert.h"
 #include "core/cut/cut_step.h"
-#include "core/joints/hold_parts.h"
-#include "core/physics/forget_contacts.h"
+#include "core/joints/joined_parts.h"
 #include "core/physics/release_pieces.h"
+#include "core/physics/sleep.h"
 #include "core/world/heat_flow.h"
 
 namespace kerf {
+
+JointFaces::JointFaces(const Joints& joints) {
+  for (const Joint& joint : joints.all) {
+    std::vector<bool>& carries = of_[joint.body];
+    for (const JointSide& side : joint.sides) {
+      if (side.faces.empty()) continue;
+      if (carries.size() <= side.faces.back()) carries.resize(side.faces.back() + 1, false);
+      for (const uint32_t f : side.faces) carries[f] = true;
+    }
+  }
+}
+
+const std::vector<bool>* JointFaces::of(const Body& body) const {
+  const auto at = of_.find(body.loaded_as);
+  return at == of_.end() ? nullptr : &at->second;
+}
+
+bool JointFaces::carries(const std::vector<bool>& carriers, const Body& body, FaceId f) {
+  const FaceId loaded = body.loaded_face(body.loaded_base(f));
+  return loaded.index < carriers.size() && carriers[loaded.index];
+}
+
+bool JointFaces::any_in(const Body& body) const {
+  const std::vector<bool>* carriers = of(body);
+  if (!carriers) return false;
+  for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
+    if (body.mesh.is_live(FaceId(slot)) && carries(*carriers, body, FaceId(slot))) return true;
+  }
+  return false;
+}
+
+bool JointFaces::any_of(const Body& body, const std::vector<FaceId>& faces) const {
+  const std::vector<bool>* carriers = of(body);
+  return carriers &&
+         std::any_of(faces.begin(), faces.end(), [&](FaceId f) { return carries(*carriers, body, f); });
+}
+
+namespace {
+
+constexpr Ticks kAfterRemoval = 15, kAfterDetaching = 1;
+constexpr size_t kLarge = 2'000;  // faces
+
+}  // namespace
+
+void StaleColliders::note(const Delta& change, Ticks now) {
+  if (change.anew) due_.clear();
+  const auto make_due = [&](BodyId id, Ticks at) {
+    Ticks& due = due_.try_emplace(id, at).first->second;
+    due = std::min(due, at);
+  };
+  for (const BodyDelta& b : change.bodies) make_due(b.body, now + kAfterRemoval);
+  for (const Detached& d : change.detached) make_due(d.from, now + kAfterDetaching);
+  for (const Detached& d : change.detached) {
+    if (!d.carries_on) continue;
+    due_.erase(d.from);
+    due_.erase(d.to);
+  }
+  for (const auto* list : {&change.came, &change.went}) {
+    for (const BodyId id : *list) due_.erase(id);
+  }
+}
+
+std::vector<BodyId> StaleColliders::take_due(const World& world, Ticks now) {
+  std::vector<BodyId> taken;
+  auto large = due_.end();
+  for (auto at = due_.begin(); at != due_.end();) {
+    if (at->second > now) {
+      ++at;
+    } else if (world.body(at->first).mesh.live_faces() < kLarge) {
+      taken.push_back(at->first);
+      at = due_.erase(at);
+    } else {
+      if (large == due_.end() || at->second < large->second) large = at;
+      ++at;
+    }
+  }
+  if (large == due_.end()) return taken;
+  taken.push_back(large->first);
+  due_.erase(large);
+  std::sort(taken.begin(), taken.end());
+  return taken;
+}
 
 namespace {
 

@@ -1,19 +1,56 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/base/tick.h"
 #include "core/game/arena/arena.h"
-#include "core/game/match/joint_faces.h"
-#include "core/game/match/stale_colliders.h"
-#include "core/joints/held_joints.h"
+#include "core/joints/joined_parts.h"
 #include "core/physics/physics.h"
-#include "core/world/delta.h"
 #include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
+
+// The faces that carry the joints of a world, as they were loaded.
+class JointFaces {
+ public:
+  JointFaces() = default;
+  explicit JointFaces(const Joints& joints);
+
+  // Whether a live face of a body carries a joint, by itself or as a part of a loaded face that does.
+  // O(face slots).
+  bool any_in(const Body& body) const;
+  // Whether one of these faces of a body, which may be dead, does.
+  bool any_of(const Body& body, const std::vector<FaceId>& faces) const;
+
+ private:
+  const std::vector<bool>* of(const Body& body) const;
+  static bool carries(const std::vector<bool>& carriers, const Body& body, FaceId f);
+
+  std::map<BodyId, std::vector<bool>> of_;  // by Body::loaded_as, then by loaded face
+};
+
+// The bodies of a match whose colliders are older than their faces, and when these are made anew.
+//
+// Making the collider of a vehicle takes as long as all else in a tick. So the physics goes on with the one
+// that it has: for a few ticks while a beam removes faces, and for one where a piece came off. Two large ones
+// are not made in the same tick.
+class StaleColliders {
+ public:
+  // Notes whose faces a change at the time `now` has changed. Bodies that came have no collider yet.
+  void note(const Delta& change, Ticks now);
+
+  // Takes out the bodies whose colliders are to be made in the tick `now`, ascending: of those that are due,
+  // the small ones, and of the large ones that which has been due for the longest time.
+  std::vector<BodyId> take_due(const World& world, Ticks now);
+
+ private:
+  std::map<BodyId, Ticks> due_;
+};
 
 // The world of a wave of a match with its physics. Whoever changes the world tells follow(), which spreads
 // the work over ticks: making the collider of a vehicle takes as long as all else in a tick.

@@ -3,8 +3,8 @@
 #include <map>
 
 #include "core/document/text/fields.h"
-#include "core/document/text/json_value.h"
-#include "core/game/vehicle/vehicle_file.h"
+#include "core/document/text/json.h"
+#include "core/game/vehicle/vehicle_model.h"
 
 namespace kerf {
 

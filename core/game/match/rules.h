@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/game/arena/arena.h"
-#include "core/game/laser/laser_rules.h"
+#include "core/game/vehicle/laser_gun.h"
 #include "core/game/vehicle/vehicle_model.h"
 
 namespace kerf {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/game/vehicle/clean_part.h"
+#include "core/game/vehicle/damage.h"
 
 namespace kerf {
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/geometry.h"
 #include "core/base/ids.h"
 #include "core/base/tick.h"
-#include "core/base/vec3.h"
 #include "core/cut/cut_step.h"
 #include "core/game/match/rules.h"
 #include "core/game/vehicle/damage.h"

@@ -6,10 +6,76 @@
 #include <limits>
 
 #include "core/base/assert.h"
-#include "core/game/vehicle/soup_parts.h"
-#include "core/mesh/point_to_triangle.h"
+#include "core/mesh/measures.h"
 
 namespace kerf {
+
+namespace {
+
+uint32_t part_of_group(const std::string& group, const std::vector<std::string>& parts) {
+  auto best = static_cast<uint32_t>(parts.size());
+  for (uint32_t p = 0; p < parts.size(); ++p) {
+    const bool longer = best == parts.size() || parts[p].size() > parts[best].size();
+    if (longer && is_of_part(group, parts[p])) best = p;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<uint32_t> part_of_triangles(const Soup& soup, const std::vector<std::string>& parts) {
+  std::vector<uint32_t> of(soup.triangles.size(), static_cast<uint32_t>(parts.size()));
+  for (const MeshPart& group : soup.parts) {
+    const uint32_t part = part_of_group(group.name, parts);
+    if (part == parts.size()) continue;
+    for (uint32_t t = group.first; t < group.last; ++t) of[t] = part;
+  }
+  return of;
+}
+
+Soup extract_part(const Soup& soup, const std::vector<uint32_t>& part, uint32_t wanted) {
+  KERF_ASSERT(part.size() == soup.triangles.size());
+  Soup own;
+  own.positions = soup.positions;
+  own.material_names = soup.material_names;
+  own.format = soup.format;
+  std::vector<uint32_t> before(part.size() + 1, 0);  // triangles of the part ahead of each one
+  for (size_t t = 0; t < part.size(); ++t) {
+    before[t + 1] = before[t] + (part[t] == wanted ? 1 : 0);
+    if (part[t] != wanted) continue;
+    own.triangles.push_back(soup.triangles[t]);
+    if (!soup.materials.empty()) own.materials.push_back(soup.materials[t]);
+  }
+  for (const MeshPart& group : soup.parts) {
+    const uint32_t first = before[group.first], last = before[group.last];
+    if (first < last) own.parts.push_back({group.name, first, last});
+  }
+  own.faces_in_file = own.triangles_in_file = own.triangles.size();
+  return own;
+}
+
+namespace {
+
+// Whether the triangle lies in the ball because its corners do.
+bool is_inside(const Triangle& t, const Ball& ball) {
+  return std::all_of(t.begin(), t.end(),
+                     [&](const Vec3& p) { return glm::distance(p, ball.centre) <= ball.radius; });
+}
+
+}  // namespace
+
+double area_within(const Triangle& t, const Ball& ball) {
+  if (squared_distance(ball.centre, t) > ball.radius * ball.radius) return 0;
+  if (is_inside(t, ball)) return triangle_area(t);
+  size_t longest = 0;
+  for (size_t i = 1; i < 3; ++i) {
+    if (glm::distance(t[i], t[(i + 1) % 3]) > glm::distance(t[longest], t[(longest + 1) % 3])) longest = i;
+  }
+  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+  if (glm::distance(a, b) < 0.2 * ball.radius) return 0.5 * triangle_area(t);
+  const Vec3 middle = 0.5 * (a + b);
+  return area_within({a, middle, c}, ball) + area_within({middle, b, c}, ball);
+}
 
 namespace {
 

@@ -3,12 +3,34 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/game/vehicle/area_near.h"
+#include "core/mesh/files/soup.h"
+#include "core/mesh/mesh.h"
 #include "core/world/world.h"
 
 namespace kerf {
+
+// Whether a group of a mesh belongs to a part: its name begins with that of the part.
+inline bool is_of_part(std::string_view group, std::string_view part) { return group.starts_with(part); }
+
+// For each triangle the index of the part to which one of its groups belongs, or parts.size(). Where a group
+// belongs to several parts, the one with the longest name counts. O(groups * parts + triangles).
+std::vector<uint32_t> part_of_triangles(const Soup& soup, const std::vector<std::string>& parts);
+
+// The triangles of a soup for which `part` has this value, with their groups. The result may be empty.
+Soup extract_part(const Soup& soup, const std::vector<uint32_t>& part, uint32_t wanted);
+
+// A ball around a point.
+struct Ball {
+  Vec3 centre{0};     // m
+  double radius = 0;  // m
+};
+
+// The area of the part of a triangle that lies in a ball, m^2, to about a tenth of the radius: by bisection
+// of the longest edge.
+double area_within(const Triangle& t, const Ball& ball);
 
 // Tells how much is left in a body of some groups of the faces that were loaded with it.
 class FaceWatch {

@@ -2,12 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "core/base/byte_sink.h"
-#include "core/base/vec3.h"
+#include "core/base/geometry.h"
+#include "core/base/platform.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/mesh/files/vertex_colour.h"
 
@@ -61,5 +62,22 @@ void encode_glb(const MeshView& mesh, const ByteSink& sink);
 void encode_gltf(const MeshView& mesh, const ByteSink& sink);
 // The middle of the bounding box of positions, about which glTF holds them; zero if there are none.
 Vec3 gltf_middle(std::span<const Vec3> positions);
+
+// A material of an OBJ file as its library (MTL) describes it.
+struct MaterialLook {
+  std::string name;  // as in usemtl; empty: the unnamed material, which OBJ calls "default"
+  Vec3 colour{0};    // sRGB, 0 .. 1
+  double gloss = 0;  // 0 matt .. 1 polished
+};
+
+// Encodes a library of materials: the colour as Kd, and the gloss as Ks and as the exponent Ns, 0 .. 1000.
+// Numbers are the shortest that are read back exactly. Linear time.
+std::string encode_mtl(std::span<const MaterialLook> materials);
+
+// Hands the bytes of many items to a sink in order. encode(first, end, part) appends those of a range of
+// items; several ranges are encoded at a time, on several threads, and only so many are held. Returns false
+// if the sink did.
+bool emit_ranges(size_t items, const ByteSink& sink,
+                 const std::function<void(size_t first, size_t end, std::string& part)>& encode);
 
 }  // namespace kerf

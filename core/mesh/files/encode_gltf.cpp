@@ -3,11 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "core/mesh/files/base64.h"
 #include "core/mesh/files/bytes.h"
-#include "core/mesh/files/emit_ranges.h"
 #include "core/mesh/files/encode.h"
-#include "core/mesh/files/gltf_numbers.h"
+#include "core/mesh/files/gltf_file_internal.h"
 
 namespace kerf {
 

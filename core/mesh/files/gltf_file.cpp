@@ -1,17 +1,62 @@
-#include "core/mesh/files/gltf_file.h"
+#include "core/mesh/files/gltf_file_internal.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
-#include "core/mesh/files/base64.h"
 #include "core/mesh/files/bytes.h"
-#include "core/mesh/files/gltf_numbers.h"
 #include "core/mesh/files/scanner.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+int digit_of(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  return c == '/' ? 63 : -1;
+}
+
+}  // namespace
+
+std::string to_base64(std::string_view bytes) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    uint32_t group = 0;
+    for (size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<uint8_t>(bytes[i + k]) : 0u);
+    for (size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+std::optional<std::string> from_base64(std::string_view text) {
+  for (int pads = 0; pads < 2 && text.ends_with('='); ++pads) text.remove_suffix(1);
+  if (text.size() % 4 == 1) return std::nullopt;
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  uint32_t group = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const int digit = digit_of(c);
+    if (digit < 0) return std::nullopt;
+    group = (group << 6 | static_cast<uint32_t>(digit)) & 0xffffff;
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(group >> bits & 0xff);
+  }
+  return bytes;
+}
 
 namespace {
 
@@ -273,6 +318,110 @@ Result<GltfFile::View> GltfFile::view(uint32_t i) const {
                             std::to_string(bytes.size()));
   }
   return View{bytes.substr(*offset, *length), *stride};
+}
+
+namespace {
+
+constexpr uint64_t kLongestStride = 252;
+
+std::string accessor_place(uint32_t accessor) { return "/accessors/" + std::to_string(accessor); }
+
+}  // namespace
+
+Result<GltfAccessor> GltfAccessor::rows(const GltfFile& file, uint32_t accessor, const char* type,
+                                        uint64_t row) {
+  const nlohmann::json& json = file.element("accessors", accessor);
+  const std::string where = accessor_place(accessor);
+  if (json.contains("sparse")) return file.wrong(where, "is sparse, which is not read; export it dense");
+  if (!json.contains("type") || json["type"] != type)
+    return file.wrong(where + "/type", std::string("must be ") + type);
+  const auto view_index = file.index(json, "bufferView", "bufferViews", where);
+  if (!view_index) return view_index.error();
+  if (!*view_index) return file.wrong(where + "/bufferView", "is missing, so that there are no data");
+  const auto view = file.view(**view_index);
+  if (!view) return view.error();
+  const auto offset = file.whole(json, "byteOffset", 0, where), count = file.whole(json, "count", 0, where);
+  if (!offset) return offset.error();
+  if (!count) return count.error();
+  const uint64_t stride = view->stride == 0 ? row : view->stride;
+  if (stride < row || stride > kLongestStride)
+    return file.wrong("/bufferViews/" + std::to_string(**view_index) + "/byteStride",
+                      "must be from " + std::to_string(row) + " to 252");
+  GltfAccessor rows;
+  if (*count == 0) return rows;
+  const uint64_t room = *offset < view->bytes.size() ? view->bytes.size() - *offset : 0;
+  if (room < row || (room - row) / stride < *count - 1) {
+    return file.wrong(where, "announces " + std::to_string(*count) + " elements, but the " +
+                                 std::to_string(view->bytes.size()) + " bytes of its view cannot hold them");
+  }
+  rows.bytes_ = view->bytes.substr(*offset);
+  rows.size_ = *count;
+  rows.stride_ = stride;
+  rows.width_ = row;
+  return rows;
+}
+
+Result<GltfAccessor> GltfAccessor::positions(const GltfFile& file, uint32_t accessor) {
+  const auto kind =
+      file.whole(file.element("accessors", accessor), "componentType", 0, accessor_place(accessor));
+  if (!kind) return kind.error();
+  if (*kind != kGltfFloat)
+    return file.wrong(accessor_place(accessor),
+                      "holds quantised positions, which are not read; export them as floats");
+  return rows(file, accessor, "VEC3", 3 * sizeof(float));
+}
+
+Result<GltfAccessor> GltfAccessor::indices(const GltfFile& file, uint32_t accessor) {
+  const auto kind =
+      file.whole(file.element("accessors", accessor), "componentType", 0, accessor_place(accessor));
+  if (!kind) return kind.error();
+  if (*kind != kGltfByte && *kind != kGltfShort && *kind != kGltfInt)
+    return file.wrong(accessor_place(accessor) + "/componentType", "must be 5121, 5123 or 5125 for indices");
+  return rows(file, accessor, "SCALAR", *kind == kGltfByte ? 1 : *kind == kGltfShort ? 2 : 4);
+}
+
+Result<GltfAccessor> GltfAccessor::colours(const GltfFile& file, uint32_t accessor) {
+  const nlohmann::json& json = file.element("accessors", accessor);
+  const auto kind = file.whole(json, "componentType", 0, accessor_place(accessor));
+  if (!kind) return kind.error();
+  if (*kind != kGltfFloat && *kind != kGltfByte && *kind != kGltfShort)
+    return file.wrong(accessor_place(accessor) + "/componentType", "must be 5121, 5123 or 5126 for colours");
+  const size_t parts = json.contains("type") && json["type"] == "VEC4" ? 4 : 3;
+  auto colours = rows(file, accessor, parts == 4 ? "VEC4" : "VEC3",
+                      parts * (*kind == kGltfByte    ? 1
+                               : *kind == kGltfShort ? 2
+                                                     : sizeof(float)));
+  if (colours) colours->parts_ = parts;
+  return colours;
+}
+
+VertexColour GltfAccessor::colour(size_t i) const {
+  assert(i < size_ && parts_ > 0);
+  const char* at = bytes_.data() + i * stride_;
+  const size_t bytes = width_ / parts_;
+  VertexColour colour;
+  for (size_t k = 0; k < parts_; ++k, at += bytes) {
+    const double fraction = bytes == 1   ? static_cast<uint8_t>(*at) / 255.0
+                            : bytes == 2 ? fraction_of(load<uint16_t>(at, std::endian::little))
+                                         : load<float>(at, std::endian::little);
+    colour.part[k] = k == VertexColour::kOpacity ? colour_part(fraction) : part_of_linear(fraction);
+  }
+  return colour;
+}
+
+Vec3 GltfAccessor::position(size_t i) const {
+  assert(i < size_ && width_ == 3 * sizeof(float));
+  const char* at = bytes_.data() + i * stride_;
+  Vec3 p;
+  for (int k = 0; k < 3; ++k, at += sizeof(float)) p[k] = load<float>(at, std::endian::little);
+  return p;
+}
+
+uint32_t GltfAccessor::index(size_t i) const {
+  assert(i < size_ && width_ <= 4);
+  const char* at = bytes_.data() + i * stride_;
+  if (width_ == 1) return static_cast<uint8_t>(*at);
+  return width_ == 2 ? load<uint16_t>(at, std::endian::little) : load<uint32_t>(at, std::endian::little);
 }
 
 }  // namespace kerf

@@ -1,4 +1,4 @@
-#include "core/mesh/files/gltf_reader.h"
+#include "core/mesh/files/readers.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/mesh/files/gltf_accessor.h"
-#include "core/mesh/files/polygon_list.h"
+#include "core/mesh/files/gltf_file_internal.h"
 #include "core/mesh/files/scanner.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 

@@ -1,4 +1,4 @@
-#include "core/mesh/files/obj_reader.h"
+#include "core/mesh/files/readers.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,9 @@
 #include <optional>
 #include <unordered_map>
 
-#include "core/mesh/files/colour_numbers.h"
-#include "core/mesh/files/number.h"
-#include "core/mesh/files/polygon_list.h"
 #include "core/mesh/files/scanner.h"
+#include "core/mesh/files/soup.h"
+#include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
 namespace {

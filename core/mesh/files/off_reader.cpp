@@ -1,13 +1,12 @@
-#include "core/mesh/files/off_reader.h"
+#include "core/mesh/files/readers.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "core/mesh/files/colour_numbers.h"
-#include "core/mesh/files/number.h"
-#include "core/mesh/files/polygon_list.h"
 #include "core/mesh/files/scanner.h"
+#include "core/mesh/files/soup.h"
+#include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/mesh/files/stl_reader.h"
+#include "core/mesh/files/readers.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/base/count_text.h"
+#include "core/base/number_format.h"
 #include "core/mesh/files/bytes.h"
-#include "core/mesh/files/polygon_list.h"
 #include "core/mesh/files/scanner.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 namespace {

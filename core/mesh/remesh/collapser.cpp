@@ -1,9 +1,205 @@
-#include "core/mesh/remesh/collapser.h"
+#include "core/mesh/remesh/collapser_internal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/mesh/measures.h"
 
 namespace kerf {
+
+namespace {
+
+std::array<Vec3, 4> middles_of_quarters(const Triangle& t) {
+  const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+  return {0.5 * (middle + t[0]), 0.5 * (middle + t[1]), 0.5 * (middle + t[2]), middle};
+}
+
+uint32_t nearest_to(const Vec3& p, std::span<const FollowedFaces::Changed> changed) {
+  const FollowedFaces::Changed* nearest = &changed.front();
+  double least = squared_distance(p, nearest->corners);
+  for (const FollowedFaces::Changed& face : changed.subspan(1)) {
+    const double distance2 = squared_distance(p, face.corners);
+    if (distance2 >= least) continue;
+    least = distance2;
+    nearest = &face;
+  }
+  return nearest->face;
+}
+
+}  // namespace
+
+FollowedFaces::FollowedFaces(const Mesh& mesh, const FloatFrame& frame, std::span<const FaceId> numbers,
+                             std::span<const FaceId> faces)
+    : faces_(faces.begin(), faces.end()) {
+  if (faces_.empty()) return;
+  lying_.assign(numbers.size(), kNone);
+  for (const FaceId f : faces_) {
+    const auto at = std::lower_bound(numbers.begin(), numbers.end(), f);
+    KERF_ASSERT(at != numbers.end() && *at == f);
+    uint32_t& lying = lying_[static_cast<size_t>(at - numbers.begin())];
+    Triangle corners = mesh.triangle(f);
+    for (Vec3& p : corners) p = frame.scaled(p);
+    for (const Vec3& middle : middles_of_quarters(corners)) {
+      next_.push_back(std::exchange(lying, static_cast<uint32_t>(next_.size())));
+      middles_.push_back(middle);
+    }
+  }
+}
+
+void FollowedFaces::hand_on(std::span<const uint32_t> before, std::span<const Changed> changed) {
+  KERF_ASSERT(!before.empty() && !changed.empty());
+  std::vector<uint32_t> quarters;
+  for (const uint32_t f : before) {
+    for (uint32_t q = std::exchange(lying_[f], kNone); q != kNone; q = next_[q]) quarters.push_back(q);
+  }
+  for (const uint32_t q : quarters) {
+    const uint32_t f = nearest_to(middles_[q], changed);
+    next_[q] = std::exchange(lying_[f], q);
+  }
+}
+
+std::vector<FollowedFace> FollowedFaces::places(std::span<const FaceId> numbers) const {
+  std::vector<FollowedFace> places;
+  for (const FaceId f : faces_) places.push_back({f, {}});
+  for (size_t f = 0; f < lying_.size(); ++f) {
+    for (uint32_t q = lying_[f]; q != kNone; q = next_[q]) places[q / 4].quarters[q % 4] = numbers[f];
+  }
+  return places;
+}
+
+SurfaceSamples::SurfaceSamples(const FlatSurface& surface) : first_(surface.faces(), kNoIndex) {
+  for (uint32_t f = 0; f < surface.faces(); ++f) {
+    if (!surface.has(f)) continue;
+    const auto& [a, b, c] = surface.corners(f);
+    add(f, (surface.point(a) + surface.point(b) + surface.point(c)) / 3.0);
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      if (from < to)  // on boundaries, which stay, it does not matter whether there is one
+        add(f, 0.5 * (surface.point(from) + surface.point(to)));
+    }
+  }
+}
+
+void SurfaceSamples::add(uint32_t face, const Vec3& p) {
+  next_.push_back(std::exchange(first_[face], static_cast<uint32_t>(points_.size())));
+  points_.push_back(p);
+}
+
+bool SurfaceSamples::are_near(std::span<const uint32_t> before, const Vec3& gone,
+                              std::span<const FollowedFaces::Changed> changed) const {
+  // Beginning with the face that was near enough to the sample before.
+  size_t last = 0;
+  const auto near = [&](const Vec3& p) {
+    for (size_t tried = 0; tried < changed.size(); ++tried) {
+      if (squared_distance(p, changed[last].corners) <= most2_) return true;
+      last = last + 1 == changed.size() ? 0 : last + 1;
+    }
+    return false;
+  };
+  if (!near(gone)) return false;
+  for (const uint32_t f : before) {
+    for (uint32_t s = first_[f]; s != kNoIndex; s = next_[s]) {
+      if (!near(points_[s])) return false;
+    }
+  }
+  return true;
+}
+
+void SurfaceSamples::hand_on(std::span<const uint32_t> before, const Vec3& gone,
+                             std::span<const FollowedFaces::Changed> changed) {
+  KERF_ASSERT(!changed.empty());
+  const auto nearest = [&](const Vec3& p) {
+    return std::min_element(changed.begin(), changed.end(),
+                            [&](const auto& a, const auto& b) {
+                              return squared_distance(p, a.corners) < squared_distance(p, b.corners);
+                            })
+        ->face;
+  };
+  std::vector<uint32_t> moved;
+  for (const uint32_t f : before) {
+    for (uint32_t s = std::exchange(first_[f], kNoIndex); s != kNoIndex; s = next_[s]) moved.push_back(s);
+  }
+  for (const uint32_t s : moved) next_[s] = std::exchange(first_[nearest(points_[s])], s);
+  add(nearest(gone), gone);
+}
+
+void CollapseRules::look_at(uint32_t v, Ring& ring) {
+  KERF_ASSERT(surface_.in_use(v));
+  ring.sides.clear();
+  ring.vertices.clear();
+  ++stamp_;
+  surface_.for_each_face(v, [&](const FlatSurface::Opposite& side) {
+    ring.sides.push_back(side);
+    for (const uint32_t w : {side.from, side.to}) {
+      if (std::exchange(mark_[w], stamp_) != stamp_) ring.vertices.push_back(w);
+    }
+  });
+}
+
+bool CollapseRules::allows(uint32_t v, uint32_t to, const Ring& ring) {
+  KERF_ASSERT(!sheets_.locked[v]);
+  return !turns_too_far(v, to, ring) && keeps_topology(v, to, ring) && !joins_sheets(to, ring);
+}
+
+bool CollapseRules::keeps_topology(uint32_t v, uint32_t to, const Ring& ring) {
+  uint32_t between = 0;
+  left_ = right_ = kNoIndex;
+  for (const FlatSurface::Opposite& side : ring.sides) {
+    if (side.from == to) left_ = side.to, ++between;
+    if (side.to == to) right_ = side.from, ++between;
+  }
+  if (between != 2 || left_ == kNoIndex || right_ == kNoIndex || left_ == right_) return false;
+  if (ring.sides.size() < 3) return false;
+  if (is_hub(to)) return keeps_topology_of_hub(to, ring);
+  // No other vertex is beside both ends, and no face with the same corners as a changed one is there.
+  const auto is_third = [&](uint32_t w) { return mark_[w] == stamp_ && w != left_ && w != right_; };
+  bool kept = true;
+  surface_.for_each_face(to, [&](const FlatSurface::Opposite& side) {
+    if (side.from == v || side.to == v) return;
+    if (is_third(side.from) || is_third(side.to)) kept = false;
+    if (mark_[side.from] == stamp_ && mark_[side.to] == stamp_) kept = false;
+  });
+  return kept;
+}
+
+// As for other vertices, but by the rings of those around the vertex.
+bool CollapseRules::keeps_topology_of_hub(uint32_t to, const Ring& ring) const {
+  const auto has_face = [&](uint32_t w, auto wanted) {
+    bool found = false;
+    surface_.for_each_face(w, [&](const FlatSurface::Opposite& side) { found = found || wanted(side); });
+    return found;
+  };
+  const auto has = [](const FlatSurface::Opposite& side, uint32_t w) {
+    return side.from == w || side.to == w;
+  };
+  for (const uint32_t w : ring.vertices) {
+    if (w == to || w == left_ || w == right_) continue;
+    if (is_hub(w) || has_face(w, [&](const auto& side) { return has(side, to); })) return false;
+  }
+  if (is_hub(left_) && is_hub(right_)) return false;
+  const uint32_t a = is_hub(left_) ? right_ : left_, b = is_hub(left_) ? left_ : right_;
+  return !has_face(a, [&](const auto& side) { return has(side, to) && has(side, b); });
+}
+
+// A new edge between two vertices that other sheets share could coincide with an edge of those.
+bool CollapseRules::joins_sheets(uint32_t to, const Ring& ring) const {
+  return sheets_.shared[to] && std::any_of(ring.vertices.begin(), ring.vertices.end(), [&](uint32_t w) {
+           return w != to && w != left_ && w != right_ && sheets_.shared[w];
+         });
+}
+
+bool CollapseRules::turns_too_far(uint32_t v, uint32_t to, const Ring& ring) const {
+  const Vec3 &before = surface_.point(v), &after = surface_.point(to);
+  return std::any_of(ring.sides.begin(), ring.sides.end(), [&](const FlatSurface::Opposite& side) {
+    if (side.from == to || side.to == to) return false;
+    const Vec3 &a = surface_.point(side.from), &b = surface_.point(side.to);
+    const Vec3 was = glm::cross(a - before, b - before), is = glm::cross(a - after, b - after);
+    const double cosine = glm::dot(was, is);
+    return !(cosine > 0 && cosine * cosine >= least_cosine2_ * glm::dot(was, was) * glm::dot(is, is));
+  });
+}
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/mesh.h"
@@ -43,5 +43,11 @@ std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh)
 // Builds the mesh of the triangles with build_mesh; its face slots have their order. Names and parts are left
 // empty. Same precondition. Fails with cancelled() when stopped; `progress` may be null. O(n log n).
 Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, const Progress* progress);
+
+// Turns the closed parts of a mesh that lie in others and overlap with them, so that their volumes add up: a
+// part inside another one becomes a cavity, and one inside a cavity a solid (see overlapping_patches). Faces
+// that are not turned stay the same to the bit and in the same order. Fails with cancelled() when stopped;
+// `progress` may be null. O(n log n).
+Result<Remeshed> turn_shells(const Mesh& mesh, const Progress* progress);
 
 }  // namespace kerf

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/remesh/collapser.h"
-#include "core/mesh/remesh/welded_triangles.h"
+#include "core/mesh/remesh/collapser_internal.h"
+#include "core/mesh/weld.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/vec3.h"
-#include "core/world/contact_memory.h"
+#include "core/base/geometry.h"
+#include "core/world/rigid_body.h"
 
 namespace kerf {
 
@@ -28,5 +28,26 @@ struct TouchingPair {
   std::vector<Contact> contacts;
   PairMemory memory;
 };
+
+// Added to the features of contacts that points of the second body of a pair found.
+inline constexpr uint64_t kOnSecond = uint64_t{1} << 31;
+
+// Gives contacts the impulses that they had in the last tick, by their features.
+void take_impulses(const PairMemory& memory, std::vector<Contact>& contacts);
+
+// Keeps the impulses of contacts for the next tick. Forgets the points at rims that were not pressed.
+void remember_impulses(const std::vector<Contact>& contacts, PairMemory& memory);
+
+inline constexpr size_t kMostContacts = 8;  // of a pair of bodies, or of a body with the ground
+
+// Leaves at most kMostContacts: the deepest and those that lie farthest apart, in their order.
+void reduce_contacts(std::vector<Contact>& contacts);
+
+// The same for contacts with one plane, of which `up` is the unit normal: the deepest around places on it
+// that lie farthest apart, measured along the longest way between contacts and across it in units of how far
+// they reach. So a body that rests on many points rests on the lowest ones, and a needle on both its sides. A
+// contact that carried in the last tick counts as deeper by `bonus` (in units of length), so that the choice
+// does not jump between points that are about as deep.
+void reduce_on_plane(std::vector<Contact>& contacts, const Vec3& up, double bonus);
 
 }  // namespace kerf

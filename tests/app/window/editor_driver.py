@@ -12,7 +12,7 @@ class EditorDriver:
     """An editor that runs, and its input and landmarks.
 
     A point of the window is (along, down), shares of the width and the height of the picture, or (part, along, down),
-    those of a part of the window that the editor reports under this name (ui/window/landmarks.h). Keys have the names
+    those of a part of the window that the editor reports under this name (ui/window/layout.h). Keys have the names
     of X.
 
     A driver has these, too: kerf, the process; pause(seconds); landmarks(); settle(); title(); move_to(x, y), in pixels;

@@ -1,4 +1,4 @@
-"""The editor without a screen, driven by a script of events (ui/window/event_script.h): nothing sleeps, and a run is
+"""The editor without a screen, driven by a script of events (ui/window/scripted_window.h): nothing sleeps, and a run is
 repeated to the bit."""
 import json
 import os

@@ -1,4 +1,4 @@
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 
 #include <gtest/gtest.h>
 

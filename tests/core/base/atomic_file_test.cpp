@@ -1,4 +1,4 @@
-#include "core/base/atomic_file.h"
+#include "core/base/platform.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/chunk_memory.h"
+#include "core/base/records.h"
 
 #include <gtest/gtest.h>
 

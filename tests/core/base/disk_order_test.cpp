@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/atomic_file.h"
-#include "core/document/files/locked_file.h"
+#include "core/base/platform.h"
+#include "core/document/autosave.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "core/base/exponential.h"
+#include "core/base/deterministic_math.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/base/length_text.h"
+#include "core/base/number_format.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/base/resumable.h"
+#include "core/base/task.h"
 
 #include <gtest/gtest.h>
 

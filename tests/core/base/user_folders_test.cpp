@@ -1,4 +1,4 @@
-#include "core/base/user_folders.h"
+#include "core/base/platform.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/runs.h"

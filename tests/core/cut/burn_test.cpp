@@ -1,4 +1,4 @@
-#include "core/cut/burn.h"
+#include "core/cut/thermal_step.h"
 
 #include <gtest/gtest.h>
 

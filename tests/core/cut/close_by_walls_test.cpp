@@ -3,15 +3,15 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/angle.h"
-#include "core/document/journal/opened_file.h"
-#include "core/document/journal/replay.h"
-#include "core/document/journal/save.h"
+#include "core/base/deterministic_math.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/document/save.h"
 #include "core/edit/separation.h"
-#include "core/mesh/enclosed_volume.h"
-#include "core/mesh/write_mesh.h"
-#include "core/world/solid_body.h"
-#include "core/world/state_hash.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/mesh_file.h"
+#include "core/world/body_mass.h"
+#include "core/world/world.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/piece_sums.h"
 #include "tests/support/runs.h"

@@ -3,11 +3,11 @@
 #include <limits>
 #include <string>
 
-#include "core/base/resumable.h"
+#include "core/base/task.h"
 #include "core/cut/cut_step.h"
 #include "core/edit/separation.h"
-#include "core/mesh/enclosed_volume.h"
-#include "core/world/solid_body.h"
+#include "core/mesh/measures.h"
+#include "core/world/body_mass.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/piece_sums.h"
 #include "tests/support/runs.h"

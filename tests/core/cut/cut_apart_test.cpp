@@ -1,8 +1,7 @@
-#include "core/cut/cut_apart.h"
+#include "core/cut/cut_step.h"
 
 #include <gtest/gtest.h>
 
-#include "core/cut/cut_step.h"
 #include "tests/support/jointed.h"
 #include "tests/support/sheets.h"
 

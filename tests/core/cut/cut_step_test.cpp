@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "core/edit/separation.h"
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/real_meshes.h"

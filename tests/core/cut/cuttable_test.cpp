@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/cut/cuttable.h"
-#include "core/document/history/document.h"
+#include "core/cut/cut_step.h"
+#include "core/document/document.h"
 #include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

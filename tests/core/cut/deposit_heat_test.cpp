@@ -1,13 +1,13 @@
-#include "core/cut/deposit_heat.h"
+#include "core/cut/cut_stages.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/cut/thermal_step.h"
-#include "core/document/history/document.h"
-#include "core/world/solid_body.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/world/body_mass.h"
+#include "core/world/world.h"
 #include "tests/support/energy.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/strokes.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/cut/cuttable.h"
-#include "core/document/history/document.h"
+#include "core/cut/cut_step.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/runs.h"

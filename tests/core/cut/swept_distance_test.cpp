@@ -1,4 +1,4 @@
-#include "core/cut/swept_distance.h"
+#include "core/cut/stroke_region.h"
 
 #include <gtest/gtest.h>
 

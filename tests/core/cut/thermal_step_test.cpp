@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/document/files/material_reader.h"
+#include "core/document/material_table.h"
 #include "core/heat/lumped_cut.h"
-#include "core/heat/oxygen.h"
-#include "core/world/state_hash.h"
+#include "core/heat/material.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/energy.h"
 #include "tests/support/laser_strips.h"

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/mesh/enclosed_volume.h"
-#include "core/mesh/load_notes.h"
-#include "core/world/load_body.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/mesh_file.h"
+#include "core/world/body_creation.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/runs.h"
 #include "tests/support/solids.h"

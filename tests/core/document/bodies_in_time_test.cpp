@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
-#include "core/document/journal/journal.h"
-#include "core/document/journal/replay.h"
-#include "core/physics/contact/rigid_frame.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/physics/contact/rigid_body.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"
 #include "tests/support/sheets.h"

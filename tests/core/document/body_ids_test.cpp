@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "core/document/history/document.h"
-#include "core/document/journal/journal.h"
-#include "core/document/journal/save.h"
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/save.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/random_edits.h"
 #include "tests/support/same_world.h"

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "core/base/tick.h"
-#include "core/document/files/scene.h"
-#include "core/document/history/document.h"
-#include "core/joints/held_joints.h"
-#include "core/physics/contact/rigid_frame.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/document/scene.h"
+#include "core/joints/joined_parts.h"
+#include "core/physics/contact/rigid_body.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/strokes.h"
 

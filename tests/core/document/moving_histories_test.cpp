@@ -4,12 +4,11 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/document/files/stroke_settings.h"
-#include "core/document/history/document.h"
-#include "core/document/journal/journal.h"
-#include "core/document/journal/replay.h"
-#include "core/document/journal/time_skips.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/document/stroke_settings.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/random_edits.h"

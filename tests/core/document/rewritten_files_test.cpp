@@ -4,14 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/document/commands/command_text.h"
-#include "core/document/files/path_text.h"
-#include "core/document/files/scene_text.h"
-#include "core/document/journal/journal.h"
-#include "core/document/journal/mark_fields.h"
+#include "core/document/journal.h"
+#include "core/document/journal_text.h"
+#include "core/document/scene_text.h"
+#include "core/document/stroke_path.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/json_text.h"
-#include "core/document/text/json_value.h"
+#include "core/document/text/json.h"
 #include "core/game/match/recording.h"
 #include "tests/support/checkout.h"
 #include "tests/support/temporary_folder.h"

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "core/document/commands/command_words.h"
-#include "core/document/files/stroke_settings.h"
-#include "core/document/history/document.h"
-#include "core/world/state_hash.h"
+#include "core/document/commands.h"
+#include "core/document/document.h"
+#include "core/document/stroke_settings.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"

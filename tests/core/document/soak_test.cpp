@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/document/files/stroke_settings.h"
-#include "core/document/history/document.h"
+#include "core/document/document.h"
+#include "core/document/stroke_settings.h"
 #include "core/edit/separation.h"
-#include "core/physics/contact/rigid_frame.h"
-#include "core/world/load_body.h"
-#include "core/world/state_hash.h"
+#include "core/physics/contact/rigid_body.h"
+#include "core/world/body_creation.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/same_world.h"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "core/document/files/stroke_settings.h"
-#include "core/document/history/document.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/document/stroke_settings.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"

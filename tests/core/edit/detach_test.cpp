@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

@@ -1,4 +1,4 @@
-#include "core/edit/tie_clusters.h"
+#include "core/edit/part_search.h"
 
 #include <gtest/gtest.h>
 

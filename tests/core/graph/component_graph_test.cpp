@@ -9,7 +9,6 @@
 
 #include "core/edit/separation.h"
 #include "core/graph/graph_text.h"
-#include "core/graph/traversal.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/strokes.h"

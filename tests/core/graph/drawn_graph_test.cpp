@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/edit/separation.h"
-#include "core/graph/graph_layout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

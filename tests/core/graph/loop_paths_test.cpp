@@ -1,4 +1,4 @@
-#include "core/graph/loop_paths.h"
+#include "core/graph/cut_graph.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/graph/piece_node.h"
+#include "core/graph/component_graph.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "core/edit/detach.h"
 #include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"

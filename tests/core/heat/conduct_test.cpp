@@ -1,5 +1,5 @@
 // What holds for heat on every mesh, whatever the step.
-#include "core/heat/conduct.h"
+#include "core/heat/face_heat.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/heat/cut_remedies.h"
+#include "core/heat/lumped_cut.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/one_to_four.h"
+#include "core/mesh/refinement.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

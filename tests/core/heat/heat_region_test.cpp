@@ -1,4 +1,4 @@
-#include "core/heat/heat_region.h"
+#include "core/heat/conduction_solver.h"
 
 #include <gtest/gtest.h>
 

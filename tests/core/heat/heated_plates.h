@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/heat/conduct.h"
-#include "core/heat/heat_memory.h"
+#include "core/heat/conduction_solver.h"
+#include "core/heat/face_heat.h"
 #include "core/mesh/build_mesh.h"
 
 namespace kerf::test {

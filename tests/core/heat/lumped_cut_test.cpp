@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/files/material_reader.h"
-#include "core/heat/oxygen.h"
+#include "core/document/material_table.h"
+#include "core/heat/material.h"
 #include "tests/support/checkout.h"
 
 namespace kerf::test {

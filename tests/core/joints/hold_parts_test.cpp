@@ -1,11 +1,10 @@
-#include "core/joints/hold_parts.h"
+#include "core/joints/joined_parts.h"
 
 #include <gtest/gtest.h>
 
 #include "core/edit/detach.h"
 #include "core/edit/separation.h"
-#include "core/joints/held_joints.h"
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/jointed.h"
 #include "tests/support/piece_sums.h"
 #include "tests/support/same_world.h"

@@ -1,4 +1,4 @@
-#include "core/laser/ray_bundle.h"
+#include "core/laser/laser.h"
 
 #include <gtest/gtest.h>
 

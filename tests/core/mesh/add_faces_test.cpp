@@ -5,7 +5,6 @@
 #include <set>
 
 #include "core/base/random.h"
-#include "core/mesh/face_addition.h"
 #include "core/mesh/mesh.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

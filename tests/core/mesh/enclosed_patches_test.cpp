@@ -1,4 +1,4 @@
-#include "core/mesh/enclosed_patches.h"
+#include "core/mesh/orientation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/enclosed_volume.h"
+#include "core/mesh/measures.h"
 
 #include <gtest/gtest.h>
 

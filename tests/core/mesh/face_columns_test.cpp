@@ -1,9 +1,9 @@
-#include "core/mesh/face_columns.h"
+#include "core/mesh/mesh_attributes.h"
 
 #include <gtest/gtest.h>
 
 #include "core/edit/detach.h"
-#include "core/mesh/extract_mesh.h"
+#include "core/mesh/mesh.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/strokes.h"

@@ -1,4 +1,4 @@
-#include "core/mesh/face_walk.h"
+#include "core/mesh/face_batches.h"
 
 #include <gtest/gtest.h>
 

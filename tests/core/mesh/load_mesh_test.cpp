@@ -1,4 +1,4 @@
-#include "core/mesh/load_mesh.h"
+#include "core/mesh/mesh_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/longest_edge.h"
+#include "core/mesh/refinement.h"
 
 #include <gtest/gtest.h>
 

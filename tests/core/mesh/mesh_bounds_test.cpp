@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_bounds.h"
+#include "core/mesh/measures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/one_to_four.h"
+#include "core/mesh/refinement.h"
 
 #include <gtest/gtest.h>
 

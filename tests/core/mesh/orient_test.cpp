@@ -1,10 +1,10 @@
-#include "core/mesh/orient.h"
+#include "core/mesh/orientation.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/mesh/load_mesh.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/real_meshes.h"

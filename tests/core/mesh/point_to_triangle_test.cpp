@@ -1,4 +1,4 @@
-#include "core/mesh/point_to_triangle.h"
+#include "core/mesh/measures.h"
 
 #include <gtest/gtest.h>
 

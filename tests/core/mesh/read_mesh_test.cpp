@@ -1,4 +1,4 @@
-#include "core/mesh/read_mesh.h"
+#include "core/mesh/mesh_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

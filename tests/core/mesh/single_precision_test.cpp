@@ -1,4 +1,4 @@
-#include "core/mesh/single_precision.h"
+#include "core/mesh/mesh_file.h"
 
 #include <gtest/gtest.h>
 

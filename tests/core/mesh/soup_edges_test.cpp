@@ -1,4 +1,4 @@
-#include "core/mesh/soup_edges.h"
+#include "core/mesh/soup_topology.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
-#include "core/mesh/surface_distance.h"
+#include "core/mesh/measures.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/point_to_triangle.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

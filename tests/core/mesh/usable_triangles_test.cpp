@@ -1,10 +1,8 @@
-#include "core/mesh/usable_triangles.h"
+#include "core/mesh/weld.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-
-#include "core/mesh/weld.h"
 
 namespace kerf {
 namespace {

@@ -1,18 +1,16 @@
-#include "core/mesh/vertex_colours.h"
+#include "core/mesh/mesh_attributes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/files/extract.h"
-#include "core/document/history/document.h"
-#include "core/mesh/files/obj_reader.h"
-#include "core/mesh/files/ply_reader.h"
-#include "core/mesh/read_mesh.h"
+#include "core/document/document.h"
+#include "core/document/extract.h"
+#include "core/mesh/files/readers.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/remesh/simplify.h"
-#include "core/mesh/write_mesh.h"
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "core/mesh/write_mesh.h"
+#include "core/mesh/mesh_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -11,12 +11,10 @@
 #include <new>
 #include <tuple>
 
-#include "core/base/atomic_file.h"
+#include "core/base/platform.h"
 #include "core/base/random.h"
 #include "core/mesh/files/encode.h"
-#include "core/mesh/files/encode_mtl.h"
-#include "core/mesh/files/obj_reader.h"
-#include "core/mesh/read_mesh.h"
+#include "core/mesh/files/readers.h"
 #include "tests/core/mesh/files/sample_files.h"
 
 namespace kerf {

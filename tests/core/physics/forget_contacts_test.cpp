@@ -1,4 +1,4 @@
-#include "core/physics/forget_contacts.h"
+#include "core/physics/sleep.h"
 
 #include <gtest/gtest.h>
 

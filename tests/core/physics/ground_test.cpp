@@ -6,7 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tick.h"
 #include "core/physics/physics.h"
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"

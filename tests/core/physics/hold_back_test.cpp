@@ -1,9 +1,9 @@
-#include "core/physics/hold_back.h"
+#include "core/physics/motion_limits.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/tick.h"
-#include "core/physics/contact/crossing_sheets.h"
+#include "core/physics/contact/penetration.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/sheets.h"
 

@@ -1,4 +1,4 @@
-#include "core/physics/joint_constraints.h"
+#include "core/physics/solver.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 
 #include "core/base/random.h"
 #include "core/base/tick.h"
-#include "core/document/history/document.h"
-#include "core/joints/held_joints.h"
+#include "core/document/document.h"
+#include "core/joints/joined_parts.h"
 #include "core/physics/physics.h"
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/jointed.h"
 #include "tests/support/sheets.h"

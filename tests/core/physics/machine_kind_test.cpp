@@ -1,4 +1,4 @@
-#include "core/physics/machine_kind.h"
+#include "core/physics/physics.h"
 
 #include <gtest/gtest.h>
 

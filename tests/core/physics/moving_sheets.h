@@ -3,7 +3,7 @@
 #include <deque>
 #include <vector>
 
-#include "core/physics/contact/moving_body.h"
+#include "core/physics/contact/rigid_body.h"
 #include "core/world/world.h"
 
 namespace kerf::test {

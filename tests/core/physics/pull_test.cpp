@@ -1,4 +1,4 @@
-#include "core/physics/pull.h"
+#include "core/physics/physics.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/edit/separation.h"
-#include "core/physics/contact/rigid_frame.h"
+#include "core/physics/contact/rigid_body.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"
 

@@ -1,4 +1,4 @@
-#include "core/physics/solve_contacts.h"
+#include "core/physics/solver.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/one_to_four.h"
+#include "core/mesh/refinement.h"
 #include "core/tree/touched_walk.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"

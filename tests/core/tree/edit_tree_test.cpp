@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "core/mesh/longest_edge.h"
-#include "core/mesh/one_to_four.h"
+#include "core/mesh/refinement.h"
 #include "core/tree/aabb_tree.h"
-#include "core/tree/sheared_ray.h"
+#include "core/tree/tree_internal.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

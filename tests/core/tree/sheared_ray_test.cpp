@@ -1,4 +1,4 @@
-#include "core/tree/sheared_ray.h"
+#include "core/tree/tree_internal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/tree/sort_progress.h"
+#include "core/tree/build_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/tree/tree_frame.h"
+#include "core/tree/tree_store.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/mesh_bounds.h"
+#include "core/mesh/measures.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

@@ -1,4 +1,4 @@
-#include "core/walls/chart_region.h"
+#include "core/walls/chart_region_internal.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/walls/chart_region.h"
+#include "core/walls/chart_region_internal.h"
 
 namespace kerf::test {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 #include "tests/support/runs.h"
 

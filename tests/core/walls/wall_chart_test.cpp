@@ -1,4 +1,4 @@
-#include "core/walls/wall_chart.h"
+#include "core/walls/wall_chart_internal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/walls/wall_mesh.h"
+#include "core/walls/wall_mesh_internal.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/base/random.h"
-#include "core/walls/chart_region.h"
+#include "core/walls/chart_region_internal.h"
 #include "tests/support/runs.h"
 
 namespace kerf {

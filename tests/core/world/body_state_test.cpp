@@ -1,4 +1,4 @@
-#include "core/world/body_state.h"
+#include "core/world/rigid_body.h"
 
 #include <gtest/gtest.h>
 

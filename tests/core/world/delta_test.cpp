@@ -1,4 +1,4 @@
-#include "core/world/delta.h"
+#include "core/world/world_delta.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "core/document/files/scene.h"
-#include "core/document/history/document.h"
+#include "core/document/document.h"
+#include "core/document/scene.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/random_edits.h"
 #include "tests/support/strokes.h"

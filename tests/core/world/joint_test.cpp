@@ -1,4 +1,4 @@
-#include "core/world/joint.h"
+#include "core/world/connectivity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/world/load_body.h"
+#include "core/world/body_creation.h"
 
 #include <gtest/gtest.h>
 

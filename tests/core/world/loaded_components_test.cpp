@@ -1,4 +1,4 @@
-#include "core/world/loaded_components.h"
+#include "core/world/connectivity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/world/solid_mass.h"
+#include "core/world/mass_properties.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 
 #include <gtest/gtest.h>
 

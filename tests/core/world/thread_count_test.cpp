@@ -4,7 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/files/encode.h"
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"
 

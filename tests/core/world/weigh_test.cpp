@@ -1,4 +1,4 @@
-#include "core/world/weigh.h"
+#include "core/world/body_mass.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include "core/edit/body_edit.h"
 #include "core/edit/detach.h"
 #include "core/edit/separation.h"
-#include "core/world/weigh_solid.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/piece_sums.h"
 #include "tests/support/strokes.h"

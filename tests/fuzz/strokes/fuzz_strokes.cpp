@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/document/journal/journal.h"
-#include "core/mesh/enclosed_volume.h"
-#include "core/world/state_hash.h"
-#include "core/world/weigh.h"
+#include "core/document/journal.h"
+#include "core/mesh/measures.h"
+#include "core/world/body_mass.h"
+#include "core/world/world.h"
 #include "tests/fuzz/strokes/scenario.h"
 #include "tests/fuzz/strokes/world_check.h"
 #include "tests/support/mesh_numbers.h"

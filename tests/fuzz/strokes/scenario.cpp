@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/document/files/stroke_settings.h"
-#include "core/world/state_hash.h"
+#include "core/document/stroke_settings.h"
+#include "core/world/world.h"
 #include "tests/fuzz/strokes/world_check.h"
 #include "tests/support/made_meshes.h"
 

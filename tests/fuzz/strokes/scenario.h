@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "core/mesh/files/soup.h"
 #include "tests/fuzz/strokes/byte_source.h"
 

@@ -7,10 +7,10 @@
 #include <map>
 #include <numeric>
 
-#include "core/base/union_find.h"
+#include "core/base/containers.h"
 #include "core/edit/separation.h"
 #include "core/graph/component_graph.h"
-#include "core/tree/sheared_ray.h"
+#include "core/tree/tree_internal.h"
 #include "tests/support/energy.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/piece_sums.h"

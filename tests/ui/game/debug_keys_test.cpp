@@ -1,4 +1,4 @@
-#include "ui/game/debug_keys.h"
+#include "ui/game/player_input.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/game/high_scores.h"
+#include "ui/game/game_settings.h"
 
 #include <gtest/gtest.h>
 

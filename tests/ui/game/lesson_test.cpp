@@ -1,11 +1,11 @@
-#include "ui/game/lesson.h"
+#include "ui/game/hud_state.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/base/angle.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/base/deterministic_math.h"
+#include "core/game/vehicle/vehicle.h"
 #include "tests/support/checkout.h"
 
 namespace kerf {

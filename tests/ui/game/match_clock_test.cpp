@@ -1,4 +1,4 @@
-#include "ui/game/match_clock.h"
+#include "ui/game/match_replay.h"
 
 #include <gtest/gtest.h>
 

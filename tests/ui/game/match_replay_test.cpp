@@ -4,8 +4,8 @@
 
 #include <thread>
 
-#include "core/game/match/bot_player.h"
-#include "core/world/state_hash.h"
+#include "core/game/match/match.h"
+#include "core/world/world.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {

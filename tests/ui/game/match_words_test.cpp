@@ -1,4 +1,4 @@
-#include "ui/game/match_words.h"
+#include "ui/game/hud_state.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 
 namespace kerf {
 namespace {

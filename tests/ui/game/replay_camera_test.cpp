@@ -1,8 +1,8 @@
-#include "ui/game/replay_camera.h"
+#include "ui/game/game_camera.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 #include "tests/support/checkout.h"
 #include "tests/support/runs.h"

@@ -1,4 +1,4 @@
-#include "ui/game/scorches.h"
+#include "ui/game/match_picture.h"
 
 #include <gtest/gtest.h>
 

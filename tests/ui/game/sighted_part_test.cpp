@@ -1,4 +1,4 @@
-#include "ui/game/sighted_part.h"
+#include "ui/game/player_input.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/base/random.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/game/vehicle/vehicle.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 #include "tests/support/segment_faces.h"

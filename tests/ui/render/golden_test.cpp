@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/document/history/last_cut_graph.h"
+#include "core/document/cut_effects.h"
 #include "tests/support/checkout.h"
 #include "tests/ui/golden.h"
 #include "tests/ui/render/stage.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/document/files/scene.h"
+#include "core/document/scene.h"
 #include "tests/support/checkout.h"
 #include "tests/ui/render/shadow_oracle.h"
 #include "tests/ui/render/shadow_scenes.h"

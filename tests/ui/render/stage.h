@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/document/history/single_step.h"
-#include "ui/gl/offscreen_context.h"
-#include "ui/render/picture/png.h"
+#include "core/document/single_step.h"
+#include "ui/gl/context.h"
+#include "ui/render/png.h"
 #include "ui/render/renderer.h"
 
 namespace kerf::test {

@@ -1,4 +1,4 @@
-#include "ui/screen/picture_rest.h"
+#include "ui/screen/live_picture.h"
 
 #include <gtest/gtest.h>
 

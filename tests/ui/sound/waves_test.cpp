@@ -1,4 +1,4 @@
-#include "ui/sound/waves.h"
+#include "ui/game/sounds.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/window/event_script.h"
+#include "ui/window/scripted_window.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/window/fitted_text.h"
+#include "ui/window/property_rows.h"
 
 #include <gtest/gtest.h>
 

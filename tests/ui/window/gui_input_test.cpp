@@ -1,4 +1,4 @@
-#include "ui/window/gui_input.h"
+#include "ui/window/gui.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

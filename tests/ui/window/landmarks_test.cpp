@@ -1,4 +1,4 @@
-#include "ui/window/landmarks.h"
+#include "ui/window/layout.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

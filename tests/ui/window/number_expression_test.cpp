@@ -1,11 +1,11 @@
-#include "ui/window/number_expression.h"
+#include "ui/window/number_text.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 #include "tests/support/runs.h"
 

@@ -1,8 +1,6 @@
-#include "ui/window/number_format.h"
+#include "ui/window/number_text.h"
 
 #include <gtest/gtest.h>
-
-#include "ui/window/number_text.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/window/slider.h"
+#include "ui/window/property_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/window/input_event.h"
+#include "ui/window/window.h"
 
 #include <gtest/gtest.h>
 

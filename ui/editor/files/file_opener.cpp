@@ -1,8 +1,125 @@
 #include "ui/editor/files/file_opener.h"
 
+#include <imgui.h>
+
 #include "core/base/assert.h"
+#include "core/mesh/files/mesh_format.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
+
+namespace {
+
+void dress_as(ViewState& view, const SceneDescription& scene, const FileFrame& frame) {
+  view.home = scene.view;
+  // The lights of a scene are in world coordinates, and the default light comes from above.
+  if (scene.lights.empty()) {
+    view.camera.set_up_axis(UpAxis::kY);
+    view.look.lights = {Light{}};
+  } else {
+    view.camera.set_up_axis(frame.up);
+    view.look.lights = scene.lights;
+  }
+  show_in_frame(view, frame);
+  if (const auto show = parse_show_list(scene.show); show && !scene.show.empty()) view.look.show = *show;
+}
+
+// The first reason is in the status bar, the others are in the log.
+void say_what_was_refused(Message& message, const LoadedFiles& loaded) {
+  const size_t count = loaded.refused.size();
+  for (size_t i = 1; i < count; ++i) message.note(loaded.refused[i], true);
+  const std::string others =
+      count == 1 ? "" : " (and " + std::to_string(count - 1) + " more, see Help > Messages)";
+  message.say(loaded.order.name() + " opened, without: " + loaded.refused.front() + others, true);
+}
+
+std::string words_on_skip(Ticks skipped) {
+  return "Bodies stand where " + grouped(skipped / kTicksPerSecond) +
+         " s had brought them when it was saved; that time was not played again.";
+}
+
+void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
+  message.say(loaded.order.left ? "Here is the work that was left"
+                                : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
+  // Without hashes the work can be cut but not kept, which is said when it comes to that.
+  if (loaded.cannot_be_kept) message.say(loaded.cannot_be_kept->message, true);
+  if (loaded.skipped > 0) message.say(words_on_skip(loaded.skipped));
+  if (!loaded.fault.empty()) message.say(loaded.fault, true);
+  if (!loaded.refused.empty()) say_what_was_refused(message, loaded);
+}
+
+// How much of the open work is saved, and where.
+void note_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::vector<Light>& lights) {
+  const LoadOrder& order = loaded.order;
+  KERF_ASSERT(order.left || !order.files.empty());
+  work.files = order.files;
+  work.file.clear();
+  if (order.left) {
+    work.files = order.left->opened;
+    for (const SceneBody& body : loaded.scene.bodies) {
+      if (order.left->opened.empty()) work.files.push_back(body.mesh);
+    }
+    work.file = order.left->work_of;
+  } else if (is_journal(order.files.front())) {
+    work.file = order.files.front();
+  }
+  const bool saved = !order.left && !loaded.damaged;
+  work.saved_commands = saved ? work.document.journal().size() : OpenWork::kNothing;
+  work.saved_lights = lights;
+  work.saved_head = loaded.scene.others;
+}
+
+}  // namespace
+
+void show_so_far(Workspace& on, CutSoFar so_far) {
+  Renderer& renderer = on.picture->first();
+  const bool is_new = !on.so_far;
+  on.so_far = std::move(so_far.world);
+  if (is_new) {
+    const World::Bounds bounds = on.so_far->loaded_bounds();
+    renderer.show(*on.so_far, so_far.scene.paints, std::move(so_far.prepared));
+    dress_as(on.view, so_far.scene, choose_frame(so_far.scene, false, bounds, on.settings).frame);
+    go_home(on.view, bounds);
+    on.view.camera.finish();
+  } else {
+    renderer.resend(*on.so_far, std::move(so_far.prepared));
+  }
+  on.view.picture_old = true;
+}
+
+void show_loaded(Workspace& on, LoadedFiles loaded) {
+  OpenWork& work = on.work;
+  const bool was_shown = on.so_far.has_value();
+  on.so_far.reset();
+  work.document = std::move(loaded.document);
+  work.as_loaded = std::move(loaded.as_loaded);
+  work.paints = loaded.scene.paints;
+  work.scene = loaded.scene;
+  on.changes.forget();
+  on.replaced();
+  if (work.document.history().last_cut()) on.laser.show(work.document.history().last_settings());
+  on.picture->first().show(work.document.world(), work.paints, std::move(loaded.prepared));
+  on.view.numbers.follow(work.document.world(), true, false, on.view.look.pieces);
+  const World::Bounds bounds = work.document.world().loaded_bounds();
+  const bool is_mesh_file = !loaded.order.left && !loaded.order.files.empty() &&
+                            mesh_format(loaded.order.files.front().extension().string()).has_value();
+  const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, on.settings);
+  on.view.frame_asked_for = choice.ask ? mesh_kind(loaded.scene) : "";
+  dress_as(on.view, loaded.scene, choice.frame);
+  if (!was_shown) {  // otherwise the user may have looked round
+    go_home(on.view, bounds);
+    on.view.camera.finish();
+  }
+  say_what_was_opened(on.message, loaded);
+  note_what_is_saved(work, loaded, on.view.look.lights);
+  work.marks = std::move(loaded.marks);
+  on.view.picture_old = on.statistics.world_changed = true;
+}
 
 namespace {
 constexpr double kShowWindowAfter = 0.2;  // s, at the start, until the window shows something
@@ -126,6 +243,97 @@ void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
   } else if (opened) {
     for (const std::filesystem::path& file : on_.work.files) remember_recent(on_.settings, file);
   }
+}
+
+namespace {
+
+constexpr float kUnderAxes = 9.6f;  // sizes of the text
+constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                  ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+// The unit for which a unit is mistaken most often.
+FileUnit other_unit(FileUnit unit) {
+  switch (unit) {
+    case FileUnit::kMillimetre:
+      return FileUnit::kInch;
+    case FileUnit::kCentimetre:
+      return FileUnit::kMetre;
+    case FileUnit::kMetre:
+    case FileUnit::kInch:
+      break;
+  }
+  return FileUnit::kMillimetre;
+}
+
+const char* plural(FileUnit unit) {
+  switch (unit) {
+    case FileUnit::kMillimetre:
+      return "millimetres";
+    case FileUnit::kCentimetre:
+      return "centimetres";
+    case FileUnit::kMetre:
+      return "metres";
+    case FileUnit::kInch:
+      break;
+  }
+  return "inches";
+}
+
+void draw_sizes(const Vec3& size, FileUnit unit) {
+  ImGui::TextUnformatted(extents_label(size, unit).c_str());
+  mark_last_item("frame size");
+  const FileUnit other = other_unit(unit);
+  ImGui::TextDisabled("or, in %s, %s", plural(other), extents_label(size, other).c_str());
+}
+
+void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
+  const std::string kind = view.frame_asked_for;
+  const float em = ImGui::GetFontSize();
+  FileFrame frame = view.frame;
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  ImGui::TextUnformatted("Guessed from the kind and the size of the file:");
+  ImGui::PopStyleColor();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Up");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(4 * em);
+  bool changed = up_axis_combo(frame.up);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("Unit");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(4.5f * em);
+  changed = unit_combo(frame.unit) || changed;
+  if (changed) show_in_frame(view, frame);
+  draw_sizes(size, view.frame.unit);
+  if (ImGui::Button(("For all ." + kind + " files").c_str())) {
+    settings.frames[kind] = view.frame;
+    view.frame_asked_for.clear();
+  }
+  mark_last_item("frame for all");
+  tooltip("Files of this kind are shown so from now on. The File panel changes it.");
+  ImGui::SameLine();
+  if (ImGui::Button("For this file")) {
+    settings.frames[kind].reset();
+    view.frame_asked_for.clear();
+  }
+  mark_last_item("frame for this");
+  tooltip("Other files of this kind are shown as their size suggests. The File panel changes it.");
+}
+
+}  // namespace
+
+void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, bool cut_once) {
+  if (cut_once) view.frame_asked_for.clear();
+  if (view.frame_asked_for.empty() || view.layout.split()) return;
+  const float em = ImGui::GetFontSize();
+  const Area& area = view.layout.viewport;
+  const auto right = static_cast<float>(area.at.x + area.size.x), top = static_cast<float>(area.at.y);
+  ImGui::SetNextWindowPos({right - 0.8f * em, top + kUnderAxes * em}, ImGuiCond_Always, {1, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
+  if (ImGui::Begin("##frame", nullptr, kBar)) draw_rows(size, view, settings);
+  ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace kerf

@@ -1,27 +1,23 @@
-#include "ui/editor/files/files_feature.h"
+#include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
-#include "core/base/user_folders.h"
-#include "core/document/journal/autosave.h"
-#include "core/mesh/load_notes.h"
+#include "core/base/platform.h"
+#include "core/document/autosave.h"
+#include "core/mesh/mesh_file.h"
 #include "ui/editor/files/file_opener.h"
-#include "ui/editor/files/frame_question.h"
-#include "ui/editor/files/recovery.h"
-#include "ui/editor/files/save_work.h"
 #include "ui/editor/files/unsaved_work.h"
-#include "ui/editor/shared/files/example_scenes.h"
-#include "ui/editor/shared/files/file_frames.h"
-#include "ui/editor/shared/settings/editor_options.h"
-#include "ui/window/frame_combos.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/thumbnails.h"
 #include "ui/window/number_text.h"
-#include "ui/window/progress_bar.h"
-#include "ui/window/property.h"
-#include "ui/window/screenshot.h"
+#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+#include "ui/window/window.h"
 
 namespace kerf {
 

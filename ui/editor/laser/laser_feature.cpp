@@ -1,4 +1,4 @@
-#include "ui/editor/laser/laser_feature.h"
+#include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 
@@ -9,25 +9,19 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/base/angle.h"
-#include "core/document/history/run_queue.h"
-#include "core/mesh/files/file_frame.h"
-#include "ui/editor/laser/beam_sparks.h"
-#include "ui/editor/laser/cut_progress.h"
-#include "ui/editor/laser/hint_box.h"
-#include "ui/editor/laser/waiting_strokes.h"
-#include "ui/editor/shared/files/file_frames.h"
-#include "ui/editor/shared/laser/laser_controls.h"
-#include "ui/editor/shared/panels/panel_rows.h"
-#include "ui/editor/shared/panels/resolution_rows.h"
-#include "ui/editor/shared/panels/shortcut_text.h"
-#include "ui/editor/shared/picture/axes_gizmo.h"
+#include "core/base/deterministic_math.h"
+#include "core/document/document.h"
+#include "core/mesh/files/mesh_format.h"
+#include "ui/editor/laser/laser_overlay.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/laser_controls.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/render/bodies/pick.h"
-#include "ui/window/imgui_vector.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property.h"
-#include "ui/window/slider.h"
+#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

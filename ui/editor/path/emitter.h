@@ -1,11 +1,35 @@
 #pragma once
 
-#include "ui/editor/path/fire_pace.h"
-#include "ui/editor/shared/picture/gizmo.h"
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "ui/editor/shared/gizmo.h"
 
 struct ImDrawList;
 
 namespace kerf {
+
+// The pace at which the emitter fires in shots: shots are due at equal times on one clock, and those that
+// nobody took in time are left out, so that slow frames make gaps and no bursts.
+class FirePace {
+ public:
+  static constexpr double kSlowest = 0.1, kFastest = 60;  // shots a second
+
+  double per_second() const { return per_second_; }
+  // Limited to the slowest and the fastest pace.
+  void set(double per_second);
+
+  // The next shot is due at once.
+  void begin() { last_.reset(); }
+  // `now` (s) is of a clock that never goes back.
+  bool is_due(double now) const;
+  // A shot was fired. Precondition: it was due.
+  void take(double now);
+
+ private:
+  double per_second_ = 4;
+  std::optional<double> last_;  // when the last shot was due, s
+};
 
 // A part of the emitter that is dragged: the arrows that move it along an axis of the world, the emitter
 // itself, which moves parallel to the picture, and the place that it aims at. Their names: "emitter X",
@@ -63,5 +87,15 @@ std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPi
 
 // Draws the emitter, its line of aim and its handles; the one at `pointer` is highlighted.
 void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list);
+
+// The key of the emitter in the head of a document.
+inline constexpr const char* kEmitterKey = "emitter";
+
+// The entry of the emitter in the head of a document: {"at": [x, y, z], "target": [x, y, z] (m), "in_shots",
+// "pace": shots/s}; null where none stands in the scene.
+nlohmann::json emitter_entry(const Emitter& emitter);
+
+// The emitter of such an entry, switched off; one that is not placed where the entry cannot be read.
+Emitter emitter_of_entry(const nlohmann::json& entry);
 
 }  // namespace kerf

@@ -1,4 +1,4 @@
-#include "ui/editor/path/path_feature.h"
+#include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 
@@ -6,17 +6,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/document/files/edit_path.h"
-#include "core/document/files/stroke_settings.h"
-#include "core/document/journal/save.h"
-#include "core/document/text/json_value.h"
-#include "ui/editor/path/path_entry.h"
-#include "ui/editor/path/path_marks.h"
+#include "core/document/save.h"
+#include "core/document/stroke_path.h"
+#include "core/document/stroke_settings.h"
+#include "core/document/text/json.h"
 #include "ui/editor/path/path_panel.h"
 #include "ui/editor/path/path_tool.h"
-#include "ui/editor/shared/files/document_head.h"
-#include "ui/editor/shared/files/file_frames.h"
-#include "ui/window/imgui_vector.h"
+#include "ui/editor/path/path_work.h"
+#include "ui/editor/shared/document_session.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

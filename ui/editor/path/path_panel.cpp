@@ -1,20 +1,161 @@
 #include "ui/editor/path/path_panel.h"
 
 #include <imgui.h>
+#include <cmath>
+#include <string>
 
 #include "core/base/assert.h"
-#include "core/document/files/edit_path.h"
-#include "core/document/files/stroke_settings.h"
-#include "ui/editor/shared/panels/panel_rows.h"
-#include "ui/editor/shared/panels/shortcut_text.h"
-#include "ui/window/fitted_text.h"
-#include "ui/window/landmarks.h"
+#include "core/base/geometry.h"
+#include "core/document/stroke_path.h"
+#include "core/document/stroke_settings.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/window/layout.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property.h"
-#include "ui/window/row_button.h"
+#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+constexpr int kLeastKeys = 12, kMostKeys = 360;  // of a hole
+constexpr double kSagitta = 1.0 / 16;  // of the beam's radius: so far a chord may be inside its circle
+
+// Directions across the beam: that of the rows, and that of the columns.
+struct Plane {
+  Vec3 along, across;
+  Vec3 at(double x, double y) const { return along * x + across * y; }
+};
+
+Plane plane_across(const Vec3& beam) {
+  int best = 0;
+  for (const int axis : {2, 1}) {
+    if (std::abs(beam[axis]) < std::abs(beam[best]) - 1e-6) best = axis;
+  }
+  Vec3 along(0);
+  along[best] = 1;
+  along = glm::normalize(along - beam * glm::dot(along, beam));
+  return {along, glm::cross(beam, along)};
+}
+
+int keys_of_circle(double circle, double radius) {
+  const double sagitta = std::min(kSagitta * radius / circle, 1.0);
+  const double keys = std::ceil(0.5 * kTurn / std::acos(1 - sagitta));
+  return static_cast<int>(std::clamp<double>(keys, kLeastKeys, kMostKeys));
+}
+
+// The middles of the holes, from the middle of the pattern.
+std::vector<Vec3> middles(const HolePattern& p, const Plane& plane) {
+  std::vector<Vec3> all;
+  if (p.kind == HolePattern::Kind::kCircle) {
+    for (int i = 0; i < p.count; ++i) {
+      const double angle = kTurn * i / p.count;
+      all.push_back(plane.at(p.circle_radius * std::cos(angle), p.circle_radius * std::sin(angle)));
+    }
+    return all;
+  }
+  for (int row = 0; row < p.rows; ++row) {
+    for (int column = 0; column < p.columns; ++column) {
+      const double x = column - 0.5 * (p.columns - 1), y = row - 0.5 * (p.rows - 1);
+      all.push_back(plane.at(p.spacing * x, p.spacing * y));
+    }
+  }
+  return all;
+}
+
+StrokePath hole(const Pose& middle, const Plane& plane, double hole_radius, double radius) {
+  StrokePath stroke;
+  stroke.radius = std::min(radius, hole_radius);
+  const double circle = hole_radius - radius;
+  if (circle > 0) {
+    const int keys = keys_of_circle(circle, radius);
+    for (int i = 0; i <= keys; ++i) {
+      const double angle = kTurn * (i % keys) / keys;
+      const Vec3 aside = plane.at(circle * std::cos(angle), circle * std::sin(angle));
+      stroke.keys.push_back({middle.origin + aside, middle.direction});
+    }
+  } else {
+    stroke.keys.push_back(middle);
+  }
+  retime(stroke, 1);
+  return stroke;
+}
+
+}  // namespace
+
+std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& beam, double radius) {
+  KERF_ASSERT(pattern.hole_radius > 0 && radius > 0);
+  KERF_ASSERT(is_unit(beam.direction));
+  const Plane plane = plane_across(beam.direction);
+  std::vector<StrokePath> strokes;
+  for (const Vec3& middle : middles(pattern, plane))
+    strokes.push_back(hole({beam.origin + middle, beam.direction}, plane, pattern.hole_radius, radius));
+  return strokes;
+}
+
+namespace {
+
+void number_row(NumberFields& fields, const char* name, int& number, const char* meaning) {
+  auto count = static_cast<size_t>(number);
+  if (fields.count(name, count, meaning, 1, HolePattern::kMostInALine)) number = static_cast<int>(count);
+}
+
+void length_row(NumberFields& fields, const char* name, double& length, FileUnit unit, const char* meaning) {
+  length_field(fields, name, length, label_unit(length, unit), meaning, "", kPositive);
+}
+
+}  // namespace
+
+void HoleForm::draw_grid(FileUnit unit) {
+  number_row(fields_, "Rows", pattern_.rows, "How many rows of holes there are.");
+  number_row(fields_, "Columns", pattern_.columns, "How many holes there are in each row.");
+  length_row(fields_, "Spacing", pattern_.spacing, unit, "Between the middles of neighbouring holes.");
+}
+
+void HoleForm::draw_circle(FileUnit unit) {
+  number_row(fields_, "Holes", pattern_.count, "How many holes there are on the circle.");
+  length_row(fields_, "Circle radius", pattern_.circle_radius, unit,
+             "Of the circle on which the middles of the holes lie.");
+}
+
+void HoleForm::fit_to(double diagonal) {
+  const bool of_another_size = diagonal < 0.5 * fitted_to_ || diagonal > 2 * fitted_to_;
+  if (!of_another_size || !(diagonal > 0)) return;
+  fitted_to_ = diagonal;
+  pattern_.spacing = diagonal / 12;
+  pattern_.circle_radius = diagonal / 6;
+  pattern_.hole_radius = diagonal / 40;
+}
+
+void HoleForm::add_holes(PathWork& path, const World& world, double radius, double speed) const {
+  KERF_ASSERT(path.chosen());
+  const PathPoint point = *path.chosen();
+  const Pose beam = path.pose(point);
+  const double distance = path.distance(point);
+  path.begin_edit();
+  path.add_strokes(hole_strokes(pattern_, beam, radius), world, distance, speed);
+}
+
+void HoleForm::draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit) {
+  fit_to(world.bounds().diagonal());
+  if (!begin_properties("holes")) return;
+  choice_row("Pattern", "##kind", pattern_.kind, "Grid\0Circle\0", "hole pattern", nullptr);
+  const bool grid = pattern_.kind == HolePattern::Kind::kGrid;
+  if (grid) draw_grid(unit);
+  if (!grid) draw_circle(unit);
+  length_row(fields_, "Hole radius", pattern_.hole_radius, unit,
+             "A hole that is no wider than the beam is a single burst.");
+  end_properties();
+  const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
+  const std::string label = "Add " + count_text(static_cast<size_t>(count), "hole");
+  if (row_button((label + "###add holes").c_str(), 1,
+                 path.chosen() ? nullptr : "Click a point on a surface first: it is the middle of the holes.",
+                 "Adds a stroke for each hole around the chosen point, along its beam."))
+    add_holes(path, world, radius, speed);
+  mark_last_item("add holes");
+}
 
 namespace {
 

@@ -1,10 +1,185 @@
 #include "ui/editor/path/path_tool.h"
 
-#include "ui/editor/path/path_marks.h"
-#include "ui/editor/shared/picture/gizmo.h"
-#include "ui/editor/shared/surface_point.h"
+#include <imgui.h>
+#include <cmath>
+
+#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/viewport_pointer.h"
+#include "ui/render/passes/beam_effects.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr float kDot = 4.5f, kKnob = 6;  // screen coordinates
+constexpr double kMarkReach = 9;         // the same
+constexpr double kLeastApart = 14;       // of dots, screen coordinates
+constexpr double kMarkArrowEms = 3, kKnobEms = 5.5;
+constexpr double kNearEnough = 0.998;   // of the depth of a point: a surface there does not hide it
+constexpr size_t kMostLookedFor = 600;  // points beyond which no surface is asked whether it hides them
+constexpr size_t kMostNumbered = 40;
+constexpr size_t kMostFollowed = 64;  // segments beyond which lines do not follow the surface
+constexpr int kParts = 12;            // of a segment that follows the surface
+
+constexpr ImU32 kMarkShade = IM_COL32(10, 12, 16, 150);
+
+ImU32 faded(ImU32 colour, bool hidden) {
+  return hidden ? (colour & ~IM_COL32_A_MASK) | (IM_COL32_A_MASK & IM_COL32(0, 0, 0, 80)) : colour;
+}
+
+bool is_hidden(const World& world, const FirstPicture& picture, const Vec3& p, Vec2 place) {
+  const Pose ray = picture.ray(place);
+  const auto hit = first_hit(world, ray);
+  return hit && *hit < kNearEnough * glm::dot(p - ray.origin, ray.direction);
+}
+
+// Where the beam meets the surface between two points of a stroke; where the surface is cut away, about where
+// it was.
+Vec3 target_between(const PathWork& path, const World& world, PathPoint a, PathPoint b, double share) {
+  const Vec3 origin = glm::mix(path.pose(a).origin, path.pose(b).origin, share);
+  const Vec3 mixed = glm::mix(path.pose(a).direction, path.pose(b).direction, share);
+  const double length = glm::length(mixed);
+  if (!(length > 0)) return origin;
+  const double distance = glm::mix(path.distance(a), path.distance(b), share);
+  const auto hit = first_hit(world, {origin, mixed / length});
+  const double reach = 0.5 * distance + 0.25 * glm::length(path.target(b) - path.target(a));
+  const bool near = hit && std::abs(*hit - distance) < reach;
+  return origin + mixed * ((near ? *hit : distance) / length);
+}
+
+void line_twice(ImDrawList& list, Vec2 from, Vec2 to, ImU32 colour, float width) {
+  list.AddLine(to_im(from), to_im(to), kMarkShade, width + 2.2f);
+  list.AddLine(to_im(from), to_im(to), colour, width);
+}
+
+void draw_segment(const PathWork& path, const World& world, PathPoint a, PathPoint b,
+                  const FirstPicture& picture, ImU32 colour, ImDrawList& list) {
+  const int parts = path.points() <= kMostFollowed ? kParts : 1;
+  std::vector<ImVec2> line;
+  for (int i = 0; i <= parts; ++i) {
+    const double share = static_cast<double>(i) / parts;
+    const Vec3 p = i == 0       ? path.target(a)
+                   : i == parts ? path.target(b)
+                                : target_between(path, world, a, b, share);
+    if (const auto place = picture.place_of(p)) line.push_back(to_im(*place));
+  }
+  const auto count = static_cast<int>(line.size());
+  list.AddPolyline(line.data(), count, kMarkShade, 0, 3.8f);
+  list.AddPolyline(line.data(), count, colour, 0, 1.6f);
+}
+
+void draw_lines(const PathWork& path, const World& world, const FirstPicture& picture, ImDrawList& list) {
+  for (size_t i = 0; i < path.strokes().size(); ++i) {
+    const bool chosen = path.chosen() && path.chosen()->stroke == i;
+    const ImU32 colour = chosen ? colours::kPictureText : colours::kPictureSecondary;
+    for (size_t k = 1; k < path.strokes()[i].keys.size(); ++k)
+      draw_segment(path, world, {i, k - 1}, {i, k}, picture, colour, list);
+  }
+}
+
+// The end of the beam of a point, with the head of an arrow at its target.
+void draw_arrow(const PathWork& path, const PathMark& mark, const FirstPicture& picture, double ems,
+                ImU32 colour, ImDrawList& list) {
+  const Vec3 target = path.target(mark.point);
+  const double length = std::min(path.distance(mark.point), ems * picture.metres_of_em(target));
+  const auto tail = picture.place_of(target - path.pose(mark.point).direction * length);
+  if (!tail || glm::length(mark.target - *tail) < 2.0 * kDot) return;
+  const Vec2 along = glm::normalize(mark.target - *tail), across(-along.y, along.x);
+  const Vec2 tip = mark.target - along * (kDot + 1.0), base = tip - along * 7.0;
+  line_twice(list, *tail, base, colour, 1.3f);
+  list.AddTriangleFilled(to_im(tip), to_im(base + across * 3.5), to_im(base - across * 3.5), colour);
+}
+
+// Only one of several points that lie close together and have parallel beams gets an arrow.
+void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const FirstPicture& picture,
+                 ImDrawList& list) {
+  const PathMark* before = nullptr;
+  for (const PathMark& mark : marks) {
+    const bool chosen = path.chosen() == mark.point;
+    const bool close = before != nullptr && before->point.stroke == mark.point.stroke &&
+                       glm::length(before->target - mark.target) < kMarkArrowEms * picture.em() &&
+                       path.pose(before->point).direction == path.pose(mark.point).direction;
+    if (close && !chosen) continue;
+    before = &mark;
+    const ImU32 colour = chosen ? colours::accent() : colours::kPictureSecondary;
+    draw_arrow(path, mark, picture, chosen ? kKnobEms : kMarkArrowEms, faded(colour, mark.hidden && !chosen),
+               list);
+  }
+}
+
+void draw_dot(const PathMark& mark, bool chosen, bool numbered, ImDrawList& list) {
+  const ImU32 colour = faded(chosen ? colours::accent() : colours::kPictureText, mark.hidden && !chosen);
+  list.AddCircleFilled(to_im(mark.target), kDot + 1.8f, kMarkShade);
+  list.AddCircleFilled(to_im(mark.target), kDot, colour);
+  if (!numbered) return;
+  const std::string number = std::to_string(mark.point.key + 1);
+  const ImVec2 at = to_im(mark.target + Vec2(kDot + 4, kDot));
+  list.AddText({at.x + 1, at.y + 1}, IM_COL32(10, 12, 16, 220), number.c_str());
+  list.AddText(at, colour, number.c_str());
+}
+
+void draw_knob(const PathKnob& knob, ImDrawList& list) {
+  list.AddCircleFilled(to_im(knob.place), kKnob + 1.8f, kMarkShade);
+  list.AddCircleFilled(to_im(knob.place), kKnob, IM_COL32(0x1b, 0x1f, 0x26, 255));
+  list.AddCircle(to_im(knob.place), kKnob, colours::accent(), 0, 2);
+}
+
+}  // namespace
+
+std::vector<PathMark> path_marks(const PathWork& path, const World& world, const FirstPicture& picture) {
+  std::vector<PathMark> marks;
+  const bool look_for_surfaces = path.points() <= kMostLookedFor;
+  size_t number = 0;
+  for (size_t i = 0; i < path.strokes().size(); ++i) {
+    std::optional<Vec2> before;
+    for (size_t k = 0; k < path.strokes()[i].keys.size(); ++k, ++number) {
+      const PathPoint point{i, k};
+      const auto place = picture.place_of(path.target(point));
+      const bool chosen = path.chosen() == point;
+      if (!place || (before && !chosen && glm::length(*place - *before) < kLeastApart)) continue;
+      before = place;
+      const bool hidden = look_for_surfaces && is_hidden(world, picture, path.target(point), *place);
+      marks.push_back({point, number, *place, hidden});
+    }
+  }
+  return marks;
+}
+
+std::optional<PathKnob> path_knob(const PathWork& path, const FirstPicture& picture) {
+  if (!path.chosen()) return std::nullopt;
+  const Vec3 target = path.target(*path.chosen());
+  const double distance = std::min(path.distance(*path.chosen()), kKnobEms * picture.metres_of_em(target));
+  const Vec3 at = target - path.pose(*path.chosen()).direction * distance;
+  const auto place = picture.place_of(at);
+  if (!place || !(distance > 0)) return std::nullopt;
+  return PathKnob{at, distance, *place};
+}
+
+std::optional<PathGrip> path_grip(const PathWork& path, const World& world, const FirstPicture& picture,
+                                  Vec2 at) {
+  std::optional<PathGrip> found;
+  double least = kMarkReach;
+  for (const PathMark& mark : path_marks(path, world, picture)) {
+    const double distance = glm::length(mark.target - at);
+    if (distance > least) continue;
+    least = distance;
+    found = PathGrip{mark.point};
+  }
+  const auto knob = path_knob(path, picture);
+  if (knob && glm::length(knob->place - at) < least) found = PathGrip{*path.chosen(), true};
+  return found;
+}
+
+void draw_path(const PathWork& path, const World& world, const FirstPicture& picture, ImDrawList& list) {
+  draw_lines(path, world, picture, list);
+  const std::vector<PathMark> marks = path_marks(path, world, picture);
+  draw_arrows(path, marks, picture, list);
+  for (const PathMark& mark : marks)
+    draw_dot(mark, path.chosen() == mark.point, marks.size() <= kMostNumbered, list);
+  if (const auto knob = path_knob(path, picture)) draw_knob(*knob, list);
+}
 
 namespace {
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/document/files/path_file.h"
+#include "core/document/stroke_path.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -110,5 +111,13 @@ class PathWork {
   size_t changes_ = 0;
   std::optional<size_t> run_at_;
 };
+
+// The entry of the path in the head of a document: {"strokes": as in a path file, "distances": [[..], ..],
+// "speed": m/s, where it was set}; null for an empty path.
+nlohmann::json path_entry(const PathWork& path);
+
+// The path of such an entry; an empty one where it cannot be read. Where distances are missing, the points
+// aim at the surfaces of the world.
+PathWork path_of_entry(const nlohmann::json& entry, const World& world);
 
 }  // namespace kerf

@@ -1,4 +1,4 @@
-#include "ui/editor/pieces/pieces_feature.h"
+#include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 
@@ -8,18 +8,16 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
-#include "ui/editor/pieces/isolation.h"
 #include "ui/editor/pieces/piece_export.h"
+#include "ui/editor/pieces/piece_selection.h"
 #include "ui/editor/pieces/pieces_list.h"
-#include "ui/editor/pieces/press_on_pieces.h"
-#include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/panels/shortcut_text.h"
-#include "ui/editor/shared/pieces/piece_set.h"
-#include "ui/editor/shared/selection.h"
-#include "ui/render/view/spread.h"
-#include "ui/window/property.h"
-#include "ui/window/row_button.h"
-#include "ui/window/slider.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/viewport_pointer.h"
+#include "ui/editor/shared/world_changes.h"
+#include "ui/render/view/view_options.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

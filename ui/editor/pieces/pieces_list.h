@@ -3,10 +3,20 @@
 #include <array>
 #include <optional>
 
-#include "ui/editor/shared/pieces/piece_set.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/workspace.h"
 
 namespace kerf {
+
+// Small switches of a row of a list, drawn as an eye and as a pin, each a square as high as the text. They
+// return whether they were clicked.
+
+// Open: what the row stands for is drawn.
+bool eye_switch(bool open, const char* meaning);
+bool pin_switch(bool pinned, const char* meaning);
+
+// The width of both beside each other.
+float width_of_switches();
 
 // The table of the pieces. A click chooses a piece; a double click edits its name in place: Enter renames it,
 // Esc leaves the name as it is. A click on its eye hides a piece or shows it again, one on its pin pins it.

@@ -1,12 +1,15 @@
 #pragma once
 
-#include "core/mesh/files/file_frame.h"
-#include "ui/editor/prepare/live_preview.h"
-#include "ui/editor/prepare/prepare_pieces.h"
-#include "ui/editor/shared/picture/view_state.h"
+#include "core/mesh/files/mesh_format.h"
+#include "ui/editor/prepare/preparation.h"
+#include "ui/editor/shared/viewport.h"
 #include "ui/window/number_fields.h"
 
 namespace kerf {
+
+// Draws the switch of the preview and, while it is on, the statistics before and after: faces, least angle
+// and the distance of the two surfaces. `why_not`: why there is no preview, or null.
+void draw_preview(const LivePreview& preview, const char* why_not, FileUnit unit, bool& previewed);
 
 // What the preparation is of: "All pieces", "3 chosen pieces", or the name of one.
 std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/render/view/spread.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

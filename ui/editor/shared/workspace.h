@@ -4,25 +4,21 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/user_folders.h"
-#include "ui/editor/shared/files/file_browser.h"
-#include "ui/editor/shared/files/open_work.h"
-#include "ui/editor/shared/files/opening.h"
-#include "ui/editor/shared/files/thumbnails.h"
-#include "ui/editor/shared/interaction.h"
-#include "ui/editor/shared/laser/laser_controls.h"
-#include "ui/editor/shared/laser/laser_tool.h"
-#include "ui/editor/shared/picture/badges.h"
-#include "ui/editor/shared/picture/view_state.h"
-#include "ui/editor/shared/settings/panel_places.h"
-#include "ui/editor/shared/statistics/statistics.h"
-#include "ui/editor/shared/user_action.h"
+#include "core/base/platform.h"
+#include "ui/editor/shared/document_session.h"
+#include "ui/editor/shared/file_browser.h"
+#include "ui/editor/shared/laser_controls.h"
+#include "ui/editor/shared/laser_tool.h"
+#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/statistics.h"
+#include "ui/editor/shared/thumbnails.h"
+#include "ui/editor/shared/user_input.h"
+#include "ui/editor/shared/viewport.h"
 #include "ui/editor/shared/world_changes.h"
 #include "ui/screen/live_picture.h"
-#include "ui/window/landmarks.h"
-#include "ui/window/message.h"
+#include "ui/window/layout.h"
+#include "ui/window/status_message.h"
 #include "ui/window/window.h"
-#include "ui/window/window_clock.h"
 
 namespace kerf {
 

@@ -1,17 +1,119 @@
 #include "ui/editor/shared/world_changes.h"
 
 #include <algorithm>
+#include <chrono>
+#include <variant>
 
 #include "core/base/assert.h"
-#include "core/document/commands/command_words.h"
-#include "core/document/text/left_open_text.h"
-#include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/pieces/piece_set.h"
-#include "ui/editor/shared/statistics/step_words.h"
+#include "core/document/commands.h"
+#include "core/document/text/world_fields.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/workspace.h"
-#include "ui/render/view/spread.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr size_t kManyFaces = 40'000;  // from here on changes of bodies take longer than a part of a frame
+constexpr size_t kManyMoves = 20;      // of the queue, that take longer than a part of a frame
+
+}  // namespace
+
+ChangeThread::~ChangeThread() {
+  if (job_) stop();
+}
+
+void ChangeThread::start(Document& document, LongChange change) {
+  KERF_ASSERT(!busy() && change.run && change.then);
+  job_ = std::make_unique<Job>();
+  job_->change = std::move(change);
+  job_->result = std::async(std::launch::async, [job = job_.get(), &document] {
+    const Progress progress{[job](double fraction) {
+      job->fraction = fraction;
+      job->told = true;
+      return !job->stopped;
+    }};
+    return job->change.run(document, progress);
+  });
+}
+
+bool ChangeThread::is_over(double seconds) const {
+  KERF_ASSERT(busy());
+  return job_->result.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
+}
+
+void ChangeThread::finish() {
+  KERF_ASSERT(busy());
+  const std::unique_ptr<Job> job = std::move(job_);
+  const Outcome result = job->result.get();
+  job->change.then(result);
+}
+
+bool is_small(const Document& document) { return document.world().live_faces() <= kManyFaces; }
+
+bool is_quick(const Document& document, const Command& command) {
+  const bool small = is_small(document);
+  const size_t now = document.history().position();
+  return std::visit(
+      Overloaded{
+          [](const BeginStroke&) { return true; },
+          [](const MoveBeam&) { return true; },
+          [](const EndStroke&) { return true; },
+          [&](const StopStroke&) { return document.execution().stop_here().has_value(); },
+          [](const Recut&) { return true; },
+          [](const HappensInTime auto&) { return true; },
+          [](const Play&) { return true; },
+          [&](const Undo&) { return small && (now == 0 || document.remembers_way_to(now - 1)); },
+          [&](const Redo&) { return small; },
+          [](const AddMesh&) { return false; },
+          [&](const HappensAtOnce auto&) { return small && document.waiting() <= kManyMoves; },
+      },
+      command);
+}
+
+const char* why_beside(const Document& document) {
+  return document.execution().next_makes_ready() > kManyFaces ? "Making bodies of the pieces" : nullptr;
+}
+
+// Any command other than Undo and Redo may replace the steps that were undone when it was applied. After one,
+// `position` is the least that the position of the history can be.
+void StepGroups::follow(const Document& document) {
+  const std::vector<Command>& journal = document.journal();
+  size_t position = position_, kept = document.history().size();
+  if (journal.size() < commands_) kept = std::min(kept, document.history().position());
+  for (size_t i = std::min(commands_, journal.size()); i < journal.size(); ++i) {
+    if (std::holds_alternative<Undo>(journal[i])) {
+      position -= std::min<size_t>(position, 1);
+    } else if (std::holds_alternative<Redo>(journal[i])) {
+      ++position;
+    } else {
+      kept = std::min(kept, position);
+    }
+  }
+  std::erase_if(groups_, [&](const Group& group) { return group.to > kept; });
+  position_ = document.history().position();
+  commands_ = journal.size();
+}
+
+void StepGroups::add(size_t from, const Document& document, std::string name, bool is_one_row) {
+  follow(document);
+  const size_t to = document.history().position();
+  if (to > from + 1) groups_.push_back({from, to, std::move(name), is_one_row});
+}
+
+bool StepGroups::has_row(size_t position) const {
+  return std::none_of(groups_.begin(), groups_.end(),
+                      [&](const Group& g) { return g.is_one_row && g.from < position && position < g.to; });
+}
+
+const StepGroups::Group* StepGroups::at(const Document& document, bool back) const {
+  const size_t position = document.history().position();
+  const auto group = std::find_if(groups_.begin(), groups_.end(),
+                                  [&](const Group& g) { return position == (back ? g.to : g.from); });
+  return group != groups_.end() ? &*group : nullptr;
+}
 
 namespace {
 

@@ -1,16 +1,99 @@
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <functional>
+#include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/statistics/step_groups.h"
+#include "core/base/parallel.h"
+#include "core/document/document.h"
 #include "ui/render/bodies/prepared_body.h"
 
 namespace kerf {
+
+// A change of the document that takes too long for a frame.
+struct LongChange {
+  std::string title;  // what happens, for the user
+  std::function<Outcome(Document&, const Progress&)> run;
+  std::function<void(const Outcome&)> then;  // on the thread that finishes it
+};
+
+// Runs a long change on a background thread. Until it is finished, only that thread may access the document.
+class ChangeThread {
+ public:
+  ChangeThread() = default;
+  ChangeThread(ChangeThread&&) = default;
+  ChangeThread& operator=(ChangeThread&&) = default;
+  ~ChangeThread();
+
+  // Starts a change. Preconditions: none is running, the document outlives it, and both of its functions are
+  // set.
+  void start(Document& document, LongChange change);
+  bool busy() const { return job_ != nullptr; }
+
+  // The title of the running change. Precondition of this and of what follows: busy().
+  const std::string& title() const { return job_->change.title; }
+  // Whether the change has reported progress, so that it can be stopped.
+  bool can_stop() const { return job_->told && !job_->stopped; }
+  double fraction() const { return job_->fraction; }  // 0 to 1
+
+  // Asks the change to stop; it ends at its next report of progress.
+  void stop() { job_->stopped = true; }
+  // Waits for the end for at most the given time (s). Returns whether it has ended.
+  bool is_over(double seconds) const;
+  // Waits for the end and calls the continuation of the change.
+  void finish();
+
+ private:
+  struct Job {
+    LongChange change;
+    std::atomic<double> fraction = 0;
+    std::atomic<bool> told = false, stopped = false;
+    std::future<Outcome> result;
+  };
+  std::unique_ptr<Job> job_;
+};
+
+// Whether the world is so small that changes of its bodies take no longer than a part of a frame.
+bool is_small(const Document& document);
+
+// Whether a command takes no longer than that.
+bool is_quick(const Document& document, const Command& command);
+
+// What the next step of the document does, in a few words, if it takes so long that it has to run beside the
+// frames because it makes bodies or colliders of many faces. Null for any other step. O(pieces).
+const char* why_beside(const Document& document);
+
+// Consecutive steps of the history that the user made at once, such as one for each piece that was hidden, so
+// that one undo takes all of them back. The document knows nothing of groups: they last as long as the editor
+// is open.
+class StepGroups {
+ public:
+  struct Group {
+    size_t from = 0, to = 0;  // positions of the history
+    std::string name;
+    bool is_one_row = false;  // in the list of the history
+  };
+
+  // Drops the groups that contain steps that are no longer in the history. To be called at least once in a
+  // frame. Costs time in proportion to the new commands. Precondition: it is always the same document.
+  void follow(const Document& document);
+  // Makes the steps from a position up to that of the document a group, if there is more than one.
+  void add(size_t from, const Document& document, std::string name, bool is_one_row = false);
+  // Whether the list of the history has a row for a position: not within a group that is one row.
+  bool has_row(size_t position) const;
+  // The group that an undo (`back`) or a redo from the position of the document goes through, or null. Valid
+  // until the next call.
+  const Group* at(const Document& document, bool back) const;
+
+ private:
+  std::vector<Group> groups_;
+  size_t position_ = 0, commands_ = 0;  // of the history and of the journal, as seen last
+};
 
 class Renderer;
 struct Workspace;

@@ -1,16 +1,293 @@
 #include "ui/editor/shell/dialogs.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <algorithm>
+#include <thread>
+#include <utility>
+#include <vector>
 
-#include "ui/editor/shell/command_palette.h"
-#include "ui/editor/shell/message_log.h"
+#include "core/base/assert.h"
+#include "ui/editor/shell/action_menus.h"
+#include "ui/editor/shell/catalogue.h"
 #include "ui/editor/shell/panel_column.h"
-#include "ui/editor/shell/settings_page.h"
-#include "ui/editor/shell/shortcut_sheet.h"
-#include "ui/editor/shell/tab_bar.h"
-#include "ui/window/gui_input.h"
+#include "ui/window/gui.h"
+#include "ui/window/layout.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+#include "ui/window/window.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr float kLogEms = 48, kLogHeightEms = 26, kTimeEms = 5;
+
+std::string time_text(std::time_t when) {
+  std::tm parts{};
+  localtime_r(&when, &parts);
+  std::array<char, 16> text{};
+  std::strftime(text.data(), text.size(), "%H:%M:%S", &parts);
+  return text.data();
+}
+
+std::string as_text(const std::deque<Message::Said>& log) {
+  std::string all;
+  for (const Message::Said& said : log) all += time_text(said.when) + "  " + said.text + "\n";
+  return all;
+}
+
+void draw_said(const Message::Said& said) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  ImGui::TextUnformatted(time_text(said.when).c_str());
+  if (said.is_error) ImGui::PopStyleColor();
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s%s", said.is_error ? "! " : "", said.text.c_str());
+  if (!said.is_error) ImGui::PopStyleColor();
+}
+
+void draw_log(const std::deque<Message::Said>& log) {
+  if (log.empty()) return ImGui::TextDisabled("Nothing was said yet.");
+  if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(as_text(log).c_str());
+  tooltip("Copies these sentences as text, the oldest first.");
+  if (!ImGui::BeginTable("log", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthFixed, kTimeEms * ImGui::GetFontSize());
+  ImGui::TableSetupColumn("sentence", ImGuiTableColumnFlags_WidthStretch);
+  for (size_t i = log.size(); i-- > 0;) draw_said(log[i]);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_message_log(bool& shown, const Message& message) {
+  if (!shown) return;
+  if (begin_centred_window("Messages", "messages", shown, kLogEms, kLogHeightEms)) {
+    draw_log(message.log);
+  }
+  end_centred_window();
+}
+
+namespace {
+
+constexpr float kColumnEms = 30, kKeysEms = 14;
+constexpr ImGuiWindowFlags kSheet = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
+
+struct Row {
+  const char *keys, *meaning;
+};
+
+std::vector<Row> rows_of_sheet(std::span<const UserAction> actions, std::span<const Gesture> gestures) {
+  std::vector<Row> rows;
+  for (const Gesture& g : gestures) rows.push_back({g.gesture, g.meaning});
+  for (const UserAction& a : actions) {
+    if (!a.shortcut.empty()) rows.push_back({a.shortcut.c_str(), a.name.c_str()});
+  }
+  return rows;
+}
+
+void put_row(const Row& row) {
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  ImGui::TextWrapped("%s", row.keys);
+  ImGui::PopStyleColor();
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", row.meaning);
+}
+
+// The rows in so many columns, one below the other in each.
+void draw_rows(const std::vector<Row>& rows, size_t columns) {
+  if (!ImGui::BeginTable("shortcuts", static_cast<int>(2 * columns))) return;
+  for (size_t c = 0; c < columns; ++c) {
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, kKeysEms);
+    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch, kColumnEms - kKeysEms);
+  }
+  const size_t height = (rows.size() + columns - 1) / columns;
+  for (size_t r = 0; r < height; ++r) {
+    ImGui::TableNextRow();
+    for (size_t i = r; i < rows.size(); i += height) put_row(rows[i]);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions,
+                         std::span<const Gesture> gestures) {
+  if (!shown) return;
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float room = window.x - 2 * em;
+  const size_t columns = room >= 2 * kColumnEms * em ? 2 : 1;
+  const float width = std::min(room, static_cast<float>(columns) * kColumnEms * em);
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - 2 * em});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
+  if (ImGui::Begin("Shortcuts", &shown, kSheet)) draw_rows(rows_of_sheet(actions, gestures), columns);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+namespace {
+
+constexpr float kPageWidthEms = 40, kPageHeightEms = 36, kKeyEms = 9;
+
+// The actions that can have a key, with those that they have.
+std::vector<UserAction> bindable(std::span<const UserAction> usual, const Bindings& bindings) {
+  std::vector<UserAction> actions = bind_keys({usual.begin(), usual.end()}, bindings);
+  std::erase_if(actions, [](const UserAction& action) { return action.items != nullptr; });
+  return actions;
+}
+
+void stop_waiting(SettingsPage& page) {
+  page.waits_for.clear();
+  page.clashes.reset();
+}
+
+void take_clashing_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
+  KERF_ASSERT(page.clashes && !page.waits_for.empty());
+  rebind(settings.bindings, usual, page.waits_for, *page.clashes);
+  stop_waiting(page);
+}
+
+// The key is for the action that the page waits for.
+void bind_pressed(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
+                  int mods) {
+  constexpr int kCounted = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT;
+  const KeyChord chord{key, mods & kCounted};
+  if (is_modifier(key) || chord_text(chord).empty()) return;
+  const std::vector<UserAction> actions = bindable(usual, settings.bindings);
+  const UserAction* action = find_action(actions, page.waits_for);
+  if (action != nullptr && clash_of(actions, *action, chord) != nullptr) {
+    page.clashes = chord;
+    return;
+  }
+  rebind(settings.bindings, usual, page.waits_for, chord);
+  stop_waiting(page);
+}
+
+void speed_row(const char* name, double& speed, const char* meaning) {
+  property(name);
+  const std::string id = std::string("##") + name;
+  real_slider({name, id.c_str(), meaning, true}, speed, Settings::kLeastSpeed, Settings::kMostSpeed,
+              "%.2f x");
+  mark_last_item(name);
+}
+
+void draw_mouse(Settings& settings) {
+  if (!begin_properties("mouse")) return;
+  speed_row("Orbit", settings.drag_speed, "How far the view turns for a drag of the mouse.");
+  speed_row("Zoom", settings.wheel_speed, "How far a notch of the wheel comes closer.");
+  property("Keys");
+  for (const BindingPreset& preset : binding_presets()) {
+    if (&preset != binding_presets().data()) ImGui::SameLine();
+    if (ImGui::RadioButton(preset.name, settings.bindings == preset.bindings))
+      settings.bindings = preset.bindings;
+    mark_last_item(preset.name);
+    tooltip(preset.meaning);
+  }
+  end_properties();
+}
+
+void draw_machine(Settings& settings) {
+  if (!begin_properties("machine")) return;
+  property("Threads");
+  const int most =
+      std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMostThreads);
+  whole_slider(
+      {"Threads", "##Threads",
+       "How many threads load, measure and save at the same time at most. Cutting always takes one."},
+      settings.threads, 0, most, settings.threads == 0 ? "all" : std::to_string(settings.threads));
+  mark_last_item("Threads");
+  end_properties();
+}
+
+// What the page waits for, or the clash that it asks about.
+void draw_prompt(SettingsPage& page, Settings& settings, std::span<const UserAction> usual,
+                 std::span<const UserAction> actions) {
+  const UserAction* action = find_action(actions, page.waits_for);
+  if (action == nullptr)
+    return ImGui::TextDisabled("Up and Down choose, Enter or a click rebinds, Del takes the key away.");
+  if (!page.clashes)
+    return ImGui::TextUnformatted(
+        ("Press the key for \"" + action->name + "\"; Esc leaves it as it is.").c_str());
+  const UserAction* other = clash_of(actions, *action, *page.clashes);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(
+      (chord_text(*page.clashes) + " is the key of \"" + (other ? other->name : "") + "\".").c_str());
+  ImGui::SameLine();
+  if (ImGui::Button("Take it (Enter)")) return take_clashing_key(page, settings, usual);
+  mark_last_item("take the key");
+  ImGui::SameLine();
+  if (ImGui::Button("Leave it (Esc)")) stop_waiting(page);
+}
+
+void draw_row(SettingsPage& page, const UserAction& action, size_t place) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(place));
+  const bool waits = page.waits_for == action.name;
+  if (ImGui::Selectable(action.name.c_str(), page.cursor == place, ImGuiSelectableFlags_SpanAllColumns)) {
+    stop_waiting(page);
+    page.cursor = place;
+    page.waits_for = action.name;
+  }
+  mark_last_item(("key of " + action.name).c_str());
+  if (!action.tip.empty()) tooltip(action.tip.c_str());
+  if (page.cursor == place && std::exchange(page.show_cursor, false)) ImGui::SetScrollHereY();
+  ImGui::PopID();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, waits ? colours::accent() : colours::secondary());
+  ImGui::TextUnformatted(waits ? "press a key" : action.shortcut.c_str());
+  ImGui::PopStyleColor();
+}
+
+void draw_list(SettingsPage& page, std::span<const UserAction> actions) {
+  if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, kKeyEms * ImGui::GetFontSize());
+  for (size_t i = 0; i < actions.size(); ++i) draw_row(page, actions[i], i);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void settings_page_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
+                       int mods) {
+  const bool enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+  const bool waits = !page.waits_for.empty();
+  if (key == GLFW_KEY_ESCAPE) {
+    page.shown = waits;
+    return stop_waiting(page);
+  }
+  if (page.clashes && enter) return take_clashing_key(page, settings, usual);
+  if (waits) return bind_pressed(page, settings, usual, key, mods);
+  const std::vector<UserAction> actions = bindable(usual, settings.bindings);
+  if (key == GLFW_KEY_UP && page.cursor > 0) --page.cursor;
+  if (key == GLFW_KEY_DOWN && page.cursor + 1 < actions.size()) ++page.cursor;
+  page.show_cursor = true;
+  KERF_ASSERT(page.cursor < actions.size());
+  if (enter) page.waits_for = actions[page.cursor].name;
+  if (key == GLFW_KEY_DELETE) rebind(settings.bindings, usual, actions[page.cursor].name, {});
+}
+
+void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
+  if (!page.shown) return;
+  if (begin_centred_window("Settings", "settings", page.shown, kPageWidthEms, kPageHeightEms)) {
+    const std::vector<UserAction> actions = bindable(usual, settings.bindings);
+    draw_mouse(settings);
+    draw_machine(settings);
+    draw_prompt(page, settings, usual, actions);
+    draw_list(page, actions);
+  }
+  end_centred_window();
+  if (!page.shown) stop_waiting(page);
+}
 
 namespace {
 

@@ -1,16 +1,63 @@
 #pragma once
 
+#include <chrono>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
 
-#include "ui/editor/shared/settings/editor_options.h"
+#include "core/base/assert.h"
+#include "core/base/parallel.h"
+#include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/workspace.h"
-#include "ui/editor/shell/busy_window.h"
+#include "ui/editor/shared/world_changes.h"
 #include "ui/editor/shell/catalogue.h"
-#include "ui/editor/shell/held_press.h"
-#include "ui/editor/shell/thread_setting.h"
+#include "ui/editor/shell/mouse_input.h"
+#include "ui/gl/buffers.h"
 #include "ui/screen/screen.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
+
+// Keeps the limit of threads that the settings ask for.
+class ThreadSetting {
+ public:
+  // 0 is as many as the machine has. Precondition: threads >= 0.
+  void follow(int threads) {
+    KERF_ASSERT(threads >= 0);
+    if (threads == threads_) return;
+    threads_ = threads;
+    limit_.reset();
+    if (threads > 0) limit_.emplace(static_cast<size_t>(threads));
+  }
+
+ private:
+  int threads_ = 0;
+  std::optional<ThreadLimit> limit_;
+};
+
+// The window while a change is done on a thread of its own and nobody may look at the document: what it
+// showed last, under a bar that says how far the change is.
+class BusyWindow {
+ public:
+  // What was drawn to the window and is not swapped yet is shown from this call on; its size in pixels.
+  void keep(const Vec2& pixels);
+  // Escape and closing the window stop the change; what else the user does waits. Returns whether the window
+  // is to be closed. Precondition of this and of draw(): a change is running.
+  bool hear(const Input& input, ChangeThread& change);
+  // Draws a frame over a window of this size; the bar is there when the change lasts, and its button stops
+  // the change.
+  void draw(const Vec2& window, const Area& picture, ChangeThread& change) const;
+  // What the user did meanwhile, once. After more than a second without what was pressed in the picture: it
+  // is another picture by then.
+  std::vector<InputEvent> take_heard();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  gl::Texture kept_;
+  std::vector<InputEvent> heard_;
+  Clock::time_point began_;
+};
 
 // The editor as a screen: the picture of the open world with menus, panels and dialogs, all of which come
 // from its features. While a change runs on a background thread, it shows the last picture with a progress

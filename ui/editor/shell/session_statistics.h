@@ -2,7 +2,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "ui/editor/shared/statistics.h"
 #include "ui/editor/shared/workspace.h"
+#include "ui/window/layout.h"
+#include "ui/window/status_message.h"
 
 namespace kerf {
 
@@ -14,5 +17,10 @@ void bring_up_to_date(Workspace& on);
 // removed_area, last_stroke, pieces, recuts, bodies, placements), and the message, messages and layout of the
 // window. Features add what they know.
 nlohmann::ordered_json session_report(const Workspace& on);
+
+// Draws what the left button does (`button`), the message and the statistics of the world into the status
+// bar. A message that does not fit can be read in its tooltip. Returns whether the message was clicked.
+bool draw_status_bar(const Area& area, const char* button, const Message& message,
+                     const ShownStatistics& shown);
 
 }  // namespace kerf

@@ -1,16 +1,18 @@
 #include "ui/editor/single_step/single_step_panel.h"
 
 #include <imgui.h>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "ui/editor/shared/panels/panel_rows.h"
-#include "ui/editor/shared/panels/shortcut_text.h"
-#include "ui/window/fitted_text.h"
-#include "ui/window/landmarks.h"
+#include "core/base/assert.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/single_step/stage_cut.h"
+#include "ui/editor/single_step/stage_log.h"
+#include "ui/render/passes/mark_passes.h"
+#include "ui/window/layout.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property.h"
-#include "ui/window/slider.h"
+#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -158,6 +160,278 @@ void SingleStepPanel::draw(StageState& stages, const Document& document, const V
   if (!stages.log.told().empty()) draw_list(stages, document);
   if (stages.log.done() > 0) ImGui::TextWrapped("%s", stages.log.told()[stages.log.done() - 1].c_str());
   mark_last_item("stage words");
+}
+
+namespace {
+
+constexpr float kMostEms = 44;
+
+// Draws what the last stage of single steps did, in words, at the lower edge of a picture. Draws nothing if
+// no stage was executed.
+void draw_stage_caption(const StageLog& stages, const Area& picture) {
+  if (stages.done() == 0) return;
+  KERF_ASSERT(stages.done() <= stages.told().size());
+  const std::string text = "Move " + grouped(stages.moves()) + ", stage " + grouped(stages.stage_of_move()) +
+                           ". " + stages.told()[stages.done() - 1];
+  const float em = ImGui::GetFontSize();
+  const float room = std::min(kMostEms * em, static_cast<float>(picture.size.x) - 4 * em);
+  if (room <= 0) return;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  const float left = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * size.x;
+  const float top = static_cast<float>(picture.at.y + picture.size.y) - size.y - 1.8f * em;
+  const ImVec2 low{left - 0.8f * em, top - 0.5f * em},
+      high{left + size.x + 0.8f * em, top + size.y + 0.5f * em};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled(low, high, colours::kPictureShade, 3);
+  list.AddText(ImGui::GetFont(), em, {left, top}, colours::kPictureText, text.c_str(), nullptr, room);
+  mark_area("stage caption", {{low.x, low.y}, {high.x - low.x, high.y - low.y}});
+}
+
+using Found = TouchedWalk::Outcome;
+using Kind = StageMarks::Kind;
+
+void visited_row(StageLog& stages) {
+  const QueryWalk& query = stages.query();
+  property("Tested");
+  int visited = static_cast<int>(query.visited());
+  const std::string shown = grouped(query.visited()) + " of " + grouped(query.size());
+  if (whole_slider({"Tested", "##visited",
+                    "The boxes in the order in which the query tested them; the keys [ and ] go box by box."},
+                   visited, 1, static_cast<int>(query.size()), shown))
+    stages.visit(static_cast<size_t>(visited));
+  mark_last_item("query slider");
+}
+
+void drawn_row(StageLog& stages) {
+  property("Last query");
+  bool drawn = stages.query().drawn;
+  if (ImGui::Checkbox("shown", &drawn)) stages.draw_query(drawn);
+  mark_last_item("query shown");
+  tooltip("Draws the boxes that the last query of the tree tested, coloured by what became of them.");
+}
+
+// A number beside the colour of its boxes.
+void count_row(const char* name, const QueryWalk& query, Found outcome, Kind kind, const char* meaning) {
+  property(name);
+  const uint32_t hex = colour_of(kind);
+  const float side = 0.7f * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float top = at.y + 0.5f * (ImGui::GetFrameHeight() - side);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side},
+                                            IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, 255),
+                                            2);
+  ImGui::SetCursorScreenPos({at.x + 1.5f * side, at.y});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(grouped(query.count(outcome)).c_str());
+  tooltip(meaning);
+}
+
+// Rows of the Tree panel: the last query of the tree in single steps, walked through box by box with a
+// slider.
+void draw_query_walk(StageLog& stages) {
+  const QueryWalk& query = stages.query();
+  ImGui::Separator();
+  if (!begin_properties("query")) return;
+  drawn_row(stages);
+  if (query.empty()) {
+    end_properties();
+    return;
+  }
+  visited_row(stages);
+  count_row("Entered", query, Found::kEntered, Kind::kEntered, "Boxes that may meet the beam.");
+  count_row("Culled", query, Found::kCulled, Kind::kCulled,
+            "Boxes outside the beam, with all that is in them.");
+  count_row("Missed", query, Found::kMissed, Kind::kMissed,
+            "Faces that were tested and that the beam misses.");
+  count_row("Hit", query, Found::kTouched, Kind::kTouched, "Faces that were tested and that the beam hits.");
+  end_properties();
+  ImGui::TextWrapped("%s", query.words().c_str());
+  mark_last_item("query words");
+}
+
+constexpr double kSpeedStep = 2;
+
+class SingleStepFeature : public Feature {
+ public:
+  explicit SingleStepFeature(Workspace& on) : on_(on) {
+    on.holds_back = [this] { return cut_.holds_back(); };
+    on.time_holds.push_back(
+        [this] { return stages_.wishes.on ? "Bodies stand still during single steps." : nullptr; });
+  }
+
+  std::vector<Panel> panels() override {
+    return {{"Tree", Tab::kLook, 1051, false,
+             [this] {
+               if (stages_.wishes.on) draw_query_walk(stages_.log);
+             }},
+            {"Single step", Tab::kLook, 1200, false,
+             [this] { panel_.draw(stages_, on_.work.document, on_.view); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {{500, "Tool", beginnings()}, {501, "Tool", steps()}, {1100, "Tree", view_actions()}};
+  }
+
+  void advance(double seconds) override { cut_.advance(std::min(seconds, Workspace::kLongestStep)); }
+  void follow_queue(double) override {
+    if (on_.changes.is_pending()) return;
+    std::shared_ptr<const StageMarks> marks;
+    if (stages_.wishes.on) marks = stages_.log.marks(on_.world());
+    if (on_.view.look.stage == marks) return;
+    on_.view.look.stage = std::move(marks);
+    on_.view.picture_old = true;
+  }
+  bool moving() const override { return cut_.waits(); }
+  void forget() override { stages_.log.forget(); }
+
+  void draw_marks(ImDrawList&) override {
+    if (!stages_.wishes.on) return;
+    on_.badges.draw(on_.view, Badges::Sign::kMode, "Single steps: " + state_text(), "single step badge");
+    if (stages_.log.done() > 0) draw_stage_caption(stages_.log, on_.view.layout.first);
+  }
+  void report(nlohmann::ordered_json& report) const override {
+    const QueryWalk& query = stages_.log.query();
+    report["stages"] = {
+        {"on", stages_.wishes.on},
+        {"playing", stages_.wishes.playing},
+        {"done", stages_.log.done()},
+        {"told", stages_.log.told()},
+        {"state", stages_.wishes.on ? state_text() : ""},
+        {"query", {{"drawn", query.drawn}, {"visited", query.visited()}, {"boxes", query.size()}}}};
+  }
+
+ private:
+  // What single steps do at the moment, or wait for.
+  std::string state_text() const;
+  const char* why_no_next() const { return why_no_next_stage(stages_, on_.work.document); }
+  std::vector<UserAction> beginnings();
+  std::vector<UserAction> steps();
+  std::vector<UserAction> view_actions();
+  UserAction speed_action(const char* name, double factor);
+  UserAction visit_action(const char* name, const char* shortcut, int by);
+
+  Workspace& on_;
+  StageState stages_;
+  StageCut cut_{on_, stages_};
+  SingleStepPanel panel_;
+};
+
+std::string SingleStepFeature::state_text() const {
+  if (cut_.waits_for_earlier())
+    return cut_.wants_more() ? "an earlier stroke is cut first, then the next stage"
+                             : "an earlier stroke is cut first";
+  const size_t waiting = on_.work.document.waiting();
+  if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
+  if (waiting > 0 && stages_.wishes.playing) return "playing";
+  if (waiting > 0) return with_shortcut(on_.view, "next stage", "Next stage");
+  return stages_.log.done() > 0 ? "the stroke is cut" : "draw a stroke";
+}
+
+std::vector<UserAction> SingleStepFeature::beginnings() {
+  StageWishes& wishes = stages_.wishes;
+  const auto why_not_start = [this] { return why_not_again(on_.work.document); };
+  const auto why_no_play = [this, why_not_start]() -> const char* {
+    return stages_.wishes.playing || why_no_next() == nullptr ? nullptr : why_not_start();
+  };
+  return {
+      UserAction{.name = "Single steps",
+                 .shortcut = "F8",
+                 .tip = "A stroke waits, and is cut stage by stage: sweep, hit, refine, remove, separate.",
+                 .run = [&wishes] { wishes.stop(), wishes.on = !wishes.on; },
+                 .checked = [&wishes] { return wishes.on; }},
+      UserAction{.name = "Step through the last stroke",
+                 .shortcut = "Shift+F8",
+                 .tip = "Takes the last stroke back, to be cut again stage by stage.",
+                 .run = [&wishes] { wishes.begin_again(); },
+                 .why_not = why_not_start},
+      UserAction{.name = "Play the stages",
+                 .shortcut = "Space",
+                 .tip = "In slow motion, or pauses. At the end of the stroke it begins again.",
+                 .run = [this] { cut_.follow(), play_or_pause(stages_, on_.work.document); },
+                 .checked = [&wishes] { return wishes.playing; },
+                 .why_not = why_no_play,
+                 .has_key_when = [&wishes] { return wishes.on; }},
+  };
+}
+
+std::vector<UserAction> SingleStepFeature::steps() {
+  StageWishes& wishes = stages_.wishes;
+  const auto why_not = [this] { return why_no_next(); };
+  const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key lets a tick pass
+  return {
+      UserAction{.name = "Next stage",
+                 .shortcut = ".",
+                 .tip = "Executes one stage of the stroke.",
+                 .run =
+                     [this] {
+                       cut_.follow();
+                       stages_.wishes.go_to(stages_.log.done() + 1);
+                     },
+                 .why_not = why_not,
+                 .has_key_when = while_on},
+      UserAction{.name = "Stage back",
+                 .shortcut = ",",
+                 .tip = "Takes the last stage back, exactly.",
+                 .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
+                 .why_not = [this] { return why_no_stage_back(stages_, on_.work.document); }},
+      UserAction{.name = "Finish the move",
+                 .shortcut = "Shift+.",
+                 .tip = "Executes stages until a move of the beam is finished.",
+                 .run = [this] { cut_.follow(), stages_.wishes.run_to_end_of_move(); },
+                 .why_not = why_not},
+      UserAction{.name = "Finish the stroke",
+                 .shortcut = "End",
+                 .tip = "Executes all stages that are left.",
+                 .run = [this] { cut_.follow(), stages_.wishes.go_to(StageWishes::kAll); },
+                 .why_not = why_not},
+  };
+}
+
+UserAction SingleStepFeature::speed_action(const char* name, double factor) {
+  return {.menu = "Single step",
+          .name = name,
+          .tip = "How many stages a second are played.",
+          .run =
+              [this, factor] {
+                double& speed = stages_.wishes.per_second;
+                speed = std::clamp(speed * factor, StageWishes::kSlowest, StageWishes::kFastest);
+              },
+          .in_menu = false};
+}
+
+// With the boxes of the last query, one box more or less.
+UserAction SingleStepFeature::visit_action(const char* name, const char* shortcut, int by) {
+  return {.name = name,
+          .shortcut = shortcut,
+          .tip = "Of the last query of the tree in single steps: the boxes in the order of their tests.",
+          .run =
+              [this, by] {
+                const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
+                stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
+              },
+          .why_not =
+              [this] {
+                return stages_.log.query().empty() ? "No stage of single steps has asked the tree." : nullptr;
+              },
+          .in_menu = false};
+}
+
+std::vector<UserAction> SingleStepFeature::view_actions() {
+  return {
+      speed_action("Stages: faster", kSpeedStep),
+      speed_action("Stages: slower", 1 / kSpeedStep),
+      visit_action("Query: next box", "]", 1),
+      visit_action("Query: box before", "[", -1),
+      {.name = "Query: show the boxes",
+       .tip = "Draws the boxes that the last query of the tree has tested, coloured by what became of them.",
+       .run = [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
+       .checked = [this] { return stages_.log.query().drawn; },
+       .in_menu = false}};
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> single_step_feature(Workspace& on) {
+  return std::make_unique<SingleStepFeature>(on);
 }
 
 }  // namespace kerf

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/document/history/document.h"
-#include "ui/editor/shared/picture/view_state.h"
-#include "ui/editor/single_step/stage_state.h"
+#include "core/document/document.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/editor/single_step/stage_cut.h"
 
 namespace kerf {
 

@@ -1,12 +1,58 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
 
-#include "core/world/spring.h"
+#include "core/base/tick.h"
+#include "core/world/rigid_body.h"
 #include "ui/editor/shared/workspace.h"
-#include "ui/editor/time/play_state.h"
 
 namespace kerf {
+
+// Whether time passes for the bodies of the open document, and how fast.
+struct PlayState {
+  struct Speed {
+    double of_real_time = 1;
+    const char* name = "1x";
+  };
+  static constexpr std::array kSpeeds{Speed{0.125, "1/8x"}, Speed{0.25, "1/4x"}, Speed{0.5, "1/2x"},
+                                      Speed{1, "1x"}};
+
+  bool playing = false;
+  bool one_tick = false;  // a single tick is asked for
+  size_t speed_index = kSpeeds.size() - 1;
+
+  const Speed& speed() const { return kSpeeds.at(speed_index); }
+  bool can_go_slower() const { return speed_index > 0; }
+  bool can_go_faster() const { return speed_index + 1 < kSpeeds.size(); }
+  void play_or_pause() {
+    playing = !playing;
+    one_tick = false;
+  }
+  void ask_for_tick() {
+    playing = false;
+    one_tick = true;
+  }
+  void stop() { playing = one_tick = false; }
+};
+
+// How fast time passes for the bodies, as it was reached lately: in seconds of the world a second. Where cuts
+// or ticks take longer than real time, that is less than the speed that the user has chosen.
+class ReachedSpeed {
+ public:
+  // To be called once a frame; `seconds` have passed since the last call, and `clock` is that of the world.
+  void follow(bool playing, Ticks clock, double seconds);
+  // Over the last half second; nothing before that is over.
+  std::optional<double> of_real_time() const { return reached_; }
+
+ private:
+  bool playing_ = false;
+  Ticks from_ = 0;      // the clock when the measurement began
+  double seconds_ = 0;  // since then
+  std::optional<double> reached_;
+};
 
 // How many ticks are due, and how many of them are queued at once: that follows from how many the frames
 // before could do.

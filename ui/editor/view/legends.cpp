@@ -1,19 +1,45 @@
 #include "ui/editor/view/legends.h"
 
 #include <imgui.h>
-
+#include <algorithm>
+#include <array>
 #include <set>
 
-#include "ui/editor/shared/picture/shadow_methods.h"
-#include "ui/render/passes/stage_pass.h"
-#include "ui/render/view/box_palette.h"
-#include "ui/render/view/overlay_colours.h"
+#include "core/base/assert.h"
+#include "ui/render/passes/mark_passes.h"
+#include "ui/render/view/colours.h"
 #include "ui/render/view/view_switches.h"
-#include "ui/window/landmarks.h"
+#include "ui/window/layout.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr std::array kMethods{
+    MethodWords{
+        ShadowMethod::kRobust, "Robust",
+        "Every polygon spans a closed volume without end; counted from behind. Right for any mesh and any "
+        "eye."},
+    MethodWords{
+        ShadowMethod::kPaperOneVolume, "Paper, one volume",
+        "The silhouette of the polygons that face the light, extruded so far and left open. Right for closed "
+        "meshes while the eye is in the light."},
+    MethodWords{ShadowMethod::kPaperTwoVolumes, "Paper, two volumes",
+                "Another volume for the averted polygons: the paper's answer for hollow meshes."},
+};
+
+}  // namespace
+
+std::span<const MethodWords> shadow_methods() { return kMethods; }
+
+const char* method_name(ShadowMethod method) {
+  const auto found =
+      std::find_if(kMethods.begin(), kMethods.end(), [&](const auto& m) { return m.method == method; });
+  KERF_ASSERT(found != kMethods.end());
+  return found->name;
+}
 
 namespace {
 

@@ -1,14 +1,26 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "ui/editor/shared/picture/view_state.h"
-#include "ui/screen/shadow_statistics.h"
+#include "core/shadow/shadow_volume.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/screen/live_picture.h"
 #include "ui/window/layout.h"
 
 namespace kerf {
+
+// A shadow method as people are told of it.
+struct MethodWords {
+  ShadowMethod method;
+  const char* name;
+  const char* meaning;
+};
+std::span<const MethodWords> shadow_methods();
+
+const char* method_name(ShadowMethod method);
 
 // What the colours of a view mean.
 struct Legend {

@@ -1,4 +1,4 @@
-#include "ui/editor/view/view_feature.h"
+#include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 
@@ -8,16 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/look_round.h"
-#include "ui/editor/shared/panels/panel_rows.h"
-#include "ui/editor/shared/panels/shortcut_text.h"
-#include "ui/editor/shared/picture/axes_gizmo.h"
-#include "ui/editor/shared/picture/click.h"
-#include "ui/editor/view/camera_text.h"
+#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/user_input.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/editor/shared/viewport_pointer.h"
 #include "ui/editor/view/legends.h"
 #include "ui/render/view/view_switches.h"
-#include "ui/window/property.h"
-#include "ui/window/slider.h"
+#include "ui/window/property_rows.h"
 
 namespace kerf {
 

@@ -1,9 +1,24 @@
 #include "ui/render/bodies/body_picture.h"
 
+#include "core/base/platform.h"
 #include "ui/gl/buffers.h"
-#include "ui/render/view/piece_palette.h"
+#include "ui/render/view/colours.h"
 
 namespace kerf {
+
+Shaders::Shaders() : folder_(assets_folder() / "shaders") {}
+
+gl::Program Shaders::load(const gl::ProgramFiles& files) {
+  if (!status_) return {};
+  Result<gl::Program> program = gl::Program::load(folder_, files);
+  if (!program) {
+    status_ = program.error();
+    return {};
+  }
+  program->bind_block("Frame", kFrameBlock);
+  program->bind_block("Paints", kPaintBlock);
+  return std::move(*program);
+}
 
 namespace {
 constexpr size_t kPaints = 256;

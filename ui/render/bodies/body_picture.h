@@ -1,18 +1,38 @@
 #pragma once
 
+#include <epoxy/gl.h>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "core/document/files/scene.h"
+#include "core/base/result.h"
+#include "core/document/scene.h"
 #include "core/world/world.h"
 #include "ui/gl/program.h"
 #include "ui/render/bodies/face_buffer.h"
 #include "ui/render/bodies/piece_looks.h"
 #include "ui/render/bodies/prepared_body.h"
 #include "ui/render/view/frame_space.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
+
+// Loads the programs of passes from assets/shaders into the current context, and binds their blocks "Frame"
+// and "Paints". Whoever has created passes with it asks status(): after the first program that cannot be
+// loaded, all others are empty, and the passes must not draw.
+class Shaders {
+ public:
+  Shaders();
+
+  // Takes the files as gl::Program::load does.
+  gl::Program load(const gl::ProgramFiles& files);
+  const Status& status() const { return status_; }
+
+ private:
+  std::filesystem::path folder_;
+  Status status_ = Done{};
+};
 
 // Binding points of the shaders' uniform blocks.
 inline constexpr GLuint kFrameBlock = 0;
@@ -54,5 +74,48 @@ std::vector<glm::dvec3> piece_colours(const std::vector<std::string>& materials,
 // metal.
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
                                    const std::map<std::string, Paint>& paints);
+
+// While it exists, programs that write gl_ClipDistance[0] draw only what the section plane of the options
+// leaves. Programs that do not write it must not draw meanwhile. Without a plane it does nothing.
+class SectionClip {
+ public:
+  explicit SectionClip(const ViewOptions& options) : on_(shown_section(options) != nullptr) {
+    if (on_) glEnable(GL_CLIP_DISTANCE0);
+  }
+  ~SectionClip() {
+    if (on_) glDisable(GL_CLIP_DISTANCE0);
+  }
+  SectionClip(const SectionClip&) = delete;
+  SectionClip& operator=(const SectionClip&) = delete;
+
+ private:
+  bool on_;
+};
+
+// What a pass draws, and with which options.
+struct Subject {
+  const World& world;
+  std::map<BodyId, BodyPicture>& bodies;
+  const FrameSpace& space;
+  const ViewOptions& options;
+
+  // The sides of faces that are not drawn.
+  GLenum culled() const { return options.cull_backs ? GL_BACK : GL_NONE; }
+};
+
+// Calls visit(id, body, picture) for every body of the world that has a picture, in the order of ids.
+template <typename Visit>
+void for_each_body(const Subject& subject, const Visit& visit) {
+  for (auto& [id, picture] : subject.bodies) {
+    if (subject.world.contains(id)) visit(id, subject.world.body(id), picture);
+  }
+}
+
+// Draws the bodies with a program that is in use.
+inline void draw_bodies(const Subject& subject, const gl::Program& program) {
+  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
+    picture.draw(program, subject.space, body.placement);
+  });
+}
 
 }  // namespace kerf

@@ -7,17 +7,15 @@
 #include <vector>
 
 #include "core/joints/piece_groups.h"
-#include "core/world/delta.h"
 #include "core/world/world.h"
-#include "ui/gl/objects.h"
+#include "core/world/world_delta.h"
+#include "ui/gl/buffers.h"
 #include "ui/gl/program.h"
 #include "ui/render/bodies/corner_heat.h"
 #include "ui/render/bodies/face_slots.h"
-#include "ui/render/bodies/live_list.h"
-#include "ui/render/bodies/picture_memory.h"
-#include "ui/render/bodies/removed_faces.h"
+#include "ui/render/bodies/prepared_body.h"
 #include "ui/render/bodies/rim_distance.h"
-#include "ui/render/view/scalar_field.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

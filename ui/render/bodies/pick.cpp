@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/base/unit_vector.h"
-#include "ui/render/bodies/body_looks.h"
+#include "core/base/geometry.h"
+#include "ui/render/bodies/piece_looks.h"
 
 namespace kerf {
 

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 
-#include "core/shadow/shadow_caster.h"
+#include "core/shadow/shadow_volume.h"
 #include "core/world/world.h"
 #include "ui/render/bodies/base_faces.h"
 
@@ -38,5 +39,19 @@ Result<PreparedBodies> prepare_shading(const World& world, const Progress* progr
 Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress);
 // Prepares shading and shadows at the same time, for a world as loaded in which nothing is cut.
 Result<PreparedBodies> prepare_drawing(const World& world, const Progress* progress);
+
+// Memory used for drawing a world, in bytes.
+struct PictureMemory {
+  size_t shading = 0;   // smooth normals of the faces as loaded
+  size_t shadows = 0;   // casters and shadow volumes
+  size_t graphics = 0;  // graphics buffers and the lists of their contents
+
+  PictureMemory& operator+=(const PictureMemory& more) {
+    shading += more.shading;
+    shadows += more.shadows;
+    graphics += more.graphics;
+    return *this;
+  }
+};
 
 }  // namespace kerf

@@ -1,14 +1,48 @@
 #pragma once
 
+#include <array>
+#include <functional>
+#include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
+#include "core/base/ids.h"
+#include "ui/gl/buffers.h"
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/stream.h"
-#include "ui/render/bodies/face_labels.h"
-#include "ui/render/bodies/shaders.h"
-#include "ui/render/bodies/subject.h"
+#include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
+
+// A visible face that could be labelled with its number.
+struct LabelCandidate {
+  FaceId face;
+  FaceId base;                         // the loaded face that contains it
+  int body = 0;                        // an index chosen by the caller
+  bool removed = false;                // whether it was removed
+  std::array<glm::vec2, 3> corners{};  // pixels from the lower left of the picture
+  float depth = 0;                     // any measure that grows away from the eye
+
+  glm::vec2 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0f; }
+};
+
+// A number to be drawn in the picture.
+struct FaceLabel {
+  uint32_t number = 0;
+  bool removed = false;
+  glm::vec2 at{0};    // its lower left corner, whole pixels
+  glm::vec2 size{0};  // pixels
+};
+
+// The size of a digit in pixels.
+struct DigitShape {
+  float width = 6, height = 10;
+};
+
+// Chooses the numbers that are legible, nearest first: each lies within the picture and within its face, for
+// which `seen` returns whether it is visible at its middle, and overlaps no other number. O(n log n).
+std::vector<FaceLabel> place_labels(std::vector<LabelCandidate> candidates, glm::ivec2 picture,
+                                    const DigitShape& digit,
+                                    const std::function<bool(const LabelCandidate&)>& seen);
 
 // Draws the numbers of faces, including removed ones, over the picture. The faces are drawn into an
 // off-screen picture of face numbers that is read back, so that each number lies on its face.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ui/gl/state.h"
+#include "ui/gl/draw_state.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ui/gl/framebuffer.h"
-#include "ui/render/bodies/shaders.h"
+#include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/frame_space.h"
 
 namespace kerf {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/base/float_frame.h"
-#include "core/world/placement.h"
+#include "core/mesh/files/mesh_format.h"
+#include "core/world/rigid_body.h"
 #include "core/world/world.h"
 #include "ui/render/view/camera.h"
 
@@ -86,5 +88,26 @@ double window_depth(const CameraView& view, double near, double depth);
 // Precondition: the near plane is that of near_plane.
 FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
                           int height);
+
+// The height (m, along the upward axis) of the ground that is drawn under a world: that on which its bodies
+// rest if there is one and it lies across the upward axis, else a little under the lowest point of the bodies
+// as they were loaded.
+double height_of_drawn_ground(const World& world, UpAxis up);
+
+// The environment with the ground where it is drawn, and gravity of the earth against the upward axis in the
+// unit of the file.
+Environment default_environment(const World& world, const FileFrame& frame);
+
+// The environment in which time passes: those of the world, with gravity in the unit of the file; the usual
+// ones where there is gravity and no ground yet.
+Environment fitting_environment(const World& world, const FileFrame& frame);
+
+inline constexpr float kUsualHeight = 900;  // of a picture, pixels; line.glsl says it too
+
+// The width in pixels of a line that is so wide in a picture of the usual height or less, in one of this
+// height.
+inline float scaled_width(float width, int height) {
+  return width * std::max(1.0f, static_cast<float>(height) / kUsualHeight);
+}
 
 }  // namespace kerf

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/assert.h"
-#include "core/document/text/json_text.h"
+#include "core/document/text/json.h"
 #include "ui/render/view/view_options.h"
 
 namespace kerf {

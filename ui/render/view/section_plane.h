@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/interval.h"
-#include "core/base/pose.h"
+#include "core/base/geometry.h"
 #include "core/base/result.h"
 #include "core/world/world.h"
 

@@ -1,22 +1,122 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/float_frame.h"
+#include "core/base/geometry.h"
 #include "core/base/ids.h"
-#include "core/base/vec3.h"
-#include "core/document/files/scene.h"
+#include "core/base/result.h"
+#include "core/document/scene.h"
 #include "core/joints/piece_groups.h"
 #include "core/shadow/shadow_volume.h"
-#include "ui/render/view/scalar_field.h"
+#include "core/world/world.h"
 #include "ui/render/view/section_plane.h"
-#include "ui/render/view/show_options.h"
 
 namespace kerf {
+
+// Edges of a surface that pieces may become, to be drawn over the surface that they have.
+struct DrawnWire {
+  struct Edge {
+    glm::vec3 from, to;  // in the float frame
+  };
+  // The edges of what becomes of one piece, which are drawn as the piece is: displaced, turned or hidden.
+  struct Part {
+    PieceId piece;
+    FloatFrame frame;  // of the coordinates of the world
+    std::vector<Edge> edges;
+    double mean_edge = 0;  // m
+  };
+  std::vector<Part> parts;
+  double depth = 0;  // m; edges up to so far below a surface are seen
+};
+
+// A number for each face slot of a body.
+using FaceScalars = std::vector<float>;
+// Of faces that have no number; slots behind the last one have none either.
+inline constexpr float kNoScalar = std::numeric_limits<float>::max();
+
+// Numbers of faces that colour the bodies instead of their paints: those from `low` to `high` through
+// scalar_colour(), those beyond as the ends, and grey what has none.
+struct ScalarField {
+  std::map<BodyId, std::shared_ptr<const FaceScalars>> of_bodies;  // not null
+  float low = 0, high = 1;                                         // low < high
+  std::string name;                                                // with the unit, for the legend
+  std::array<std::string, 5> labels;  // of numbers evenly spaced from `low` to `high`
+};
+
+// A colour of the scale, t = 0 .. 1, from dark violet over blue and green to pale yellow: linear light, or
+// sRGB. Equal steps of t look equally large.
+glm::dvec3 linear_scalar_colour(double t);
+glm::vec3 scalar_colour(double t);
+
+// A box of the tree to be drawn: its corners in the body's float frame, and in `style` 1 if the beam has hit
+// it, and its opacity.
+struct BoxLine {
+  glm::vec3 low, high;
+  glm::vec2 style;
+};
+
+// Chooses at most `most` of the boxes that may be visible, those that appear largest, in descending order of
+// size. Boxes that the beam has hit count as larger than they are, because the user looks for them. A tree
+// has far more boxes than a picture can show; small ones matter from near and large ones from afar. O(n),
+// plus sorting of the visible boxes.
+std::vector<BoxLine> choose_boxes(std::span<const BoxLine> boxes, const glm::mat4& clip_from_body,
+                                  size_t most);
+
+// On what surfaces shadows are drawn.
+enum class Shadows {
+  kNone,
+  kGround,  // only on the ground, those of directional lights that shine from above
+  kAll,     // on all surfaces
+};
+
+// What is drawn in addition to the picture: one flag for each name that `--show` accepts.
+struct ShowOptions {
+  bool aabb = false;                   // all boxes of the tree
+  bool aabb_hit = false;               // only those that the beam has hit
+  bool wire = false;                   // edges of the faces
+  bool face_numbers = false;           // of live faces, and in red of removed ones
+  bool graph = false;                  // nodes and links of ViewOptions::graph
+  bool pieces = false;                 // each piece in a colour of its own
+  bool sizes = false;                  // small faces warm, as the paper colours them
+  bool heat = false;                   // temperatures by a scale, with a bar
+  bool section = false;                // only what lies under the section plane
+  bool contacts = false;               // where bodies touch, as of the last tick; see BodyMarks
+  bool colliders = false;              // points and chords by which bodies touch
+  bool centres = false;                // centres of mass, and which bodies sleep or are pinned
+  bool joints = false;                 // the joints that hold
+  bool normals = false;                // a short line from the middle of every face
+  Shadows shadows = Shadows::kGround;  // `--show shadows` asks for kAll
+  bool silhouette = false;             // edges of a light's silhouette, coloured by their multiplicity
+  bool shadow_volumes = false;         // the volumes, fronts and backs in different colours
+  bool shadow_stencil = false;         // number of occluding surfaces as colours, with a legend
+  bool shadow_facing = false;          // polygons that face the light and those that face away
+  bool shadow_compare = false;         // two methods side by side, and the number of differing pixels
+  bool shadow_reference = false;       // ray-traced shadows, and the pixels that differ
+  friend bool operator==(const ShowOptions&, const ShowOptions&) = default;
+};
+
+// What the editor shows at first, and pictures for which nothing else is asked: shadows on all surfaces.
+ShowOptions default_show();
+
+// Parses names separated by commas; blanks around them and an empty list are accepted. The error for an
+// unknown name lists the valid ones.
+Result<ShowOptions> parse_show_list(std::string_view list);
+
+// The names that parse_show_list accepts, for --help: "aabb, aabb-hit, ...".
+std::string offered_show_names();
 
 // The two colours of the tree's boxes: where the beam is or was, and untouched.
 enum class BoxPalette {
@@ -123,5 +223,16 @@ struct ViewOptions {
   // Values are not null.
   std::map<BodyId, std::shared_ptr<const PieceGroups>> groups;
 };
+
+// What an option and a file may ask for.
+inline constexpr NumberRange kSpread{0, 100};
+
+// Sets the offset of every piece to `spread` (>= 0) times the vector from the centre of the world's bounds to
+// the piece's centre of area, and drops looks that are plain then. Loose parts go with the nearest piece (see
+// PieceGroups). If the spread is not 0, it costs as much as group_pieces() for each body.
+void spread_pieces(const World& world, double spread, ViewOptions& look);
+
+// Does what spread_pieces() does, for a world that has not changed since the last call of either. O(pieces).
+void spread_further(const World& world, double spread, ViewOptions& look);
 
 }  // namespace kerf

@@ -1,4 +1,4 @@
-#include "core/document/commands/command_words.h"
+#include "core/document/commands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
-#include "core/document/history/run_queue.h"
-#include "core/document/journal/journal.h"
-#include "core/document/journal/replay.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/same_world.h"

@@ -1,4 +1,4 @@
-#include "core/document/files/cut_report.h"
+#include "core/document/cut_report.h"
 
 #include <gtest/gtest.h>
 

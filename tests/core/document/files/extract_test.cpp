@@ -1,8 +1,8 @@
-#include "core/document/files/extract.h"
+#include "core/document/extract.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"

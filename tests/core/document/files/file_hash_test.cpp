@@ -1,4 +1,4 @@
-#include "core/document/files/file_hash.h"
+#include "core/document/text/hash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/document/files/locked_file.h"
+#include "core/document/autosave.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "core/document/files/material_reader.h"
+#include "core/document/material_table.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "core/document/text/json_value.h"
+#include "core/document/text/json.h"
 #include "tests/support/checkout.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "core/document/files/path_file.h"
+#include "core/document/stroke_path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "core/document/files/path_text.h"
+#include "core/document/stroke_path.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/document/journal/save.h"
+#include "core/document/save.h"
 #include "tests/support/strokes.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,12 +1,12 @@
-#include "core/document/files/scene.h"
+#include "core/document/scene.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/document/journal/save.h"
-#include "core/mesh/write_mesh.h"
+#include "core/document/save.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"

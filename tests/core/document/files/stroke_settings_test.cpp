@@ -1,4 +1,4 @@
-#include "core/document/files/stroke_settings.h"
+#include "core/document/stroke_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

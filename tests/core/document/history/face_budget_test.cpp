@@ -1,10 +1,10 @@
-#include "core/document/history/face_budget.h"
+#include "core/document/execution.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
-#include "core/document/journal/replay.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/document/replay.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

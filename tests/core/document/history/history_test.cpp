@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/ring_and_book.h"
 #include "tests/support/same_world.h"

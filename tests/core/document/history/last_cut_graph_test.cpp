@@ -1,4 +1,4 @@
-#include "core/document/history/last_cut_graph.h"
+#include "core/document/cut_effects.h"
 
 #include <gtest/gtest.h>
 

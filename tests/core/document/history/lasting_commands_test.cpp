@@ -1,9 +1,8 @@
-#include "core/document/history/lasting_commands.h"
+#include "core/document/command_log.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/command_log.h"
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/random_commands.h"
 #include "tests/support/strokes.h"

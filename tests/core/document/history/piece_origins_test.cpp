@@ -1,4 +1,4 @@
-#include "core/document/history/piece_origins.h"
+#include "core/document/cut_effects.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "core/edit/separation.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/random_edits.h"

@@ -1,10 +1,10 @@
-#include "core/document/history/single_step.h"
+#include "core/document/single_step.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/same_world.h"

@@ -1,8 +1,8 @@
-#include "core/document/history/specks.h"
+#include "core/document/cut_effects.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/single_step.h"
+#include "core/document/single_step.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

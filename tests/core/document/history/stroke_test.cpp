@@ -1,4 +1,4 @@
-#include "core/document/history/stroke.h"
+#include "core/document/beam_queue.h"
 
 #include <gtest/gtest.h>
 

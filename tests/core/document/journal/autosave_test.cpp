@@ -1,4 +1,4 @@
-#include "core/document/journal/autosave.h"
+#include "core/document/autosave.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

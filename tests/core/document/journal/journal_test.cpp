@@ -1,15 +1,14 @@
-#include "core/document/journal/journal.h"
+#include "core/document/journal.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/document/commands/command_words.h"
-#include "core/document/history/document.h"
-#include "core/document/journal/opened_file.h"
-#include "core/document/journal/replay.h"
-#include "core/document/journal/save.h"
-#include "core/world/state_hash.h"
+#include "core/document/commands.h"
+#include "core/document/document.h"
+#include "core/document/replay.h"
+#include "core/document/save.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/random_commands.h"
 #include "tests/support/strokes.h"

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/document/commands/command_text.h"
-#include "core/document/history/document.h"
-#include "core/document/journal/journal.h"
-#include "core/document/journal/replay.h"
-#include "core/document/journal/save.h"
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/journal_text.h"
+#include "core/document/replay.h"
+#include "core/document/save.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 #include "tests/support/temporary_folder.h"

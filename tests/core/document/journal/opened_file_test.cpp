@@ -1,9 +1,9 @@
-#include "core/document/journal/opened_file.h"
+#include "core/document/journal.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/commands/command.h"
-#include "core/document/journal/save.h"
+#include "core/document/commands.h"
+#include "core/document/save.h"
 #include "tests/support/random_edits.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,13 +1,12 @@
-#include "core/document/journal/save.h"
+#include "core/document/save.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/files/scene.h"
-#include "core/document/files/scene_text.h"
-#include "core/document/text/colour_text.h"
+#include "core/document/scene.h"
+#include "core/document/scene_text.h"
 #include "core/edit/body_edit.h"
 #include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"

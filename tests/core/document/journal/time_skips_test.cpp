@@ -1,11 +1,10 @@
-#include "core/document/journal/time_skips.h"
+#include "core/document/replay.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
-#include "core/document/journal/replay.h"
+#include "core/document/document.h"
 #include "core/world/heat_flow.h"
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"
 #include "tests/support/sheets.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "core/document/text/json_value.h"
+#include "core/document/text/json.h"
 
 namespace kerf {
 

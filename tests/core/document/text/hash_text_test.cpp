@@ -1,4 +1,4 @@
-#include "core/document/text/hash_text.h"
+#include "core/document/text/hash.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "tests/support/random_edits.h"
 #include "tests/support/temporary_folder.h"
 

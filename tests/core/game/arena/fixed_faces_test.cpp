@@ -1,10 +1,10 @@
-#include "core/game/arena/fixed_faces.h"
+#include "core/game/arena/free_space.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 #include "core/game/match/match.h"
 #include "tests/support/checkout.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "tests/support/sheets.h"
 
 namespace kerf {

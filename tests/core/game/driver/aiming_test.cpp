@@ -1,4 +1,4 @@
-#include "core/game/driver/aiming.h"
+#include "core/game/driver/pilot.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/angle.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/base/deterministic_math.h"
+#include "core/game/vehicle/vehicle.h"
 #include "tests/core/game/driver/duel.h"
 #include "tests/support/sheets.h"
 

@@ -1,10 +1,10 @@
-#include "core/game/driver/arc.h"
+#include "core/game/driver/steering.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/game/vehicle/drive.h"
+#include "core/game/vehicle/vehicle_dynamics.h"
 
 namespace kerf {
 namespace {

@@ -1,7 +1,7 @@
 #include "tests/core/game/driver/duel.h"
 
-#include "core/game/laser/gun.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/game/vehicle/laser_gun.h"
+#include "core/game/vehicle/vehicle.h"
 #include "tests/support/game_files.h"
 
 namespace kerf::test {

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/tick.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/game/vehicle/vehicle.h"
 #include "tests/core/game/driver/duel.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "core/game/driver/route.h"
+#include "core/game/driver/steering.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/tick.h"
 #include "tests/core/game/driver/duel.h"
 

@@ -1,9 +1,8 @@
-#include "core/game/laser/fire.h"
+#include "core/game/vehicle/laser_gun.h"
 
 #include <gtest/gtest.h>
 
-#include "core/game/laser/gun.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/game/vehicle/vehicle.h"
 #include "tests/support/game_files.h"
 #include "tests/support/sheets.h"
 

@@ -1,10 +1,10 @@
-#include "core/game/laser/gun.h"
+#include "core/game/vehicle/laser_gun.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/tick.h"
 #include "tests/support/game_files.h"
 

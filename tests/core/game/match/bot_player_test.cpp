@@ -1,4 +1,4 @@
-#include "core/game/match/bot_player.h"
+#include "core/game/match/match.h"
 
 #include <gtest/gtest.h>
 

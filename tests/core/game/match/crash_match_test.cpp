@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "core/game/match/match.h"
-#include "core/game/vehicle/crash.h"
-#include "core/world/state_hash.h"
+#include "core/game/vehicle/damage.h"
+#include "core/world/world.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/game/match/match.h"
 #include "tests/support/checkout.h"
 #include "tests/support/runs.h"

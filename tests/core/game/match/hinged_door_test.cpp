@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "core/base/angle.h"
-#include "core/cut/cut_apart.h"
+#include "core/base/deterministic_math.h"
+#include "core/cut/cut_step.h"
 #include "core/game/arena/sight.h"
 #include "core/game/match/match_world.h"
-#include "core/game/vehicle/drive.h"
-#include "core/game/vehicle/vehicle_bodies.h"
-#include "core/game/vehicle/vehicle_file.h"
+#include "core/game/vehicle/vehicle.h"
+#include "core/game/vehicle/vehicle_dynamics.h"
+#include "core/game/vehicle/vehicle_model.h"
 #include "tests/support/checkout.h"
 
 namespace kerf {

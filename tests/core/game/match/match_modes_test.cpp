@@ -3,8 +3,8 @@
 #include <set>
 
 #include "core/game/match/match.h"
-#include "core/game/match/score_log.h"
-#include "core/world/state_hash.h"
+#include "core/game/match/recording.h"
+#include "core/world/world.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {

@@ -6,14 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
-#include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
-#include "core/game/match/score_log.h"
-#include "core/game/vehicle/vehicle_bodies.h"
-#include "core/physics/contact/rigid_frame.h"
-#include "core/world/state_hash.h"
+#include "core/game/vehicle/vehicle.h"
+#include "core/physics/contact/rigid_body.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 #include "tests/support/runs.h"

@@ -5,9 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "core/game/match/bot_player.h"
 #include "core/game/match/match.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/game/vehicle/vehicle.h"
 #include "tests/support/checkout.h"
 #include "tests/support/free_parts.h"
 #include "tests/support/game_files.h"

@@ -1,12 +1,12 @@
-#include "core/game/match/recover.h"
+#include "core/game/match/vehicle_placement.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "core/base/angle.h"
-#include "core/game/match/bot_player.h"
+#include "core/base/deterministic_math.h"
+#include "core/game/match/match.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 #include "tests/support/runs.h"

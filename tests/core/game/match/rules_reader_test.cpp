@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/game/match/rules.h"
 #include "tests/support/changed_text.h"
 #include "tests/support/temporary_folder.h"

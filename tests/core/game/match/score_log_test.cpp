@@ -1,11 +1,11 @@
-#include "core/game/match/score_log.h"
+#include "core/game/match/recording.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "core/game/match/bot_player.h"
-#include "core/world/state_hash.h"
+#include "core/game/match/match.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 

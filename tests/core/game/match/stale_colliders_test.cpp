@@ -1,4 +1,4 @@
-#include "core/game/match/stale_colliders.h"
+#include "core/game/match/match_world.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "core/game/vehicle/area_near.h"
+#include "core/game/vehicle/face_watch.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 
 namespace kerf {
 namespace {

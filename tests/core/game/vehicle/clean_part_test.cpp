@@ -1,4 +1,4 @@
-#include "core/game/vehicle/clean_part.h"
+#include "core/game/vehicle/damage.h"
 
 #include <gtest/gtest.h>
 

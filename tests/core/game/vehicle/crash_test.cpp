@@ -1,10 +1,10 @@
-#include "core/game/vehicle/crash.h"
+#include "core/game/vehicle/damage.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
-#include "core/joints/hold_parts.h"
+#include "core/joints/joined_parts.h"
 #include "tests/support/game_files.h"
 #include "tests/support/runs.h"
 

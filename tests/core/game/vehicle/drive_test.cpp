@@ -1,15 +1,14 @@
-#include "core/game/vehicle/drive.h"
+#include "core/game/vehicle/vehicle_dynamics.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/tick.h"
 #include "core/game/match/match.h"
 #include "core/game/vehicle/damage.h"
-#include "core/game/vehicle/rigid_motion.h"
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/game/vehicle/vehicle.h"
 #include "core/physics/physics.h"
 #include "tests/support/game_files.h"
 #include "tests/support/sheets.h"

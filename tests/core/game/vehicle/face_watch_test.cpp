@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "core/edit/body_edit.h"
 #include "tests/support/jointed.h"
 #include "tests/support/made_meshes.h"

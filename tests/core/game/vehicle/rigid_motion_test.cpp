@@ -1,8 +1,8 @@
-#include "core/game/vehicle/rigid_motion.h"
+#include "core/game/vehicle/vehicle_dynamics.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
 

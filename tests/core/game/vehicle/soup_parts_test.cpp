@@ -1,4 +1,4 @@
-#include "core/game/vehicle/soup_parts.h"
+#include "core/game/vehicle/face_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/game/vehicle/vehicle.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {

@@ -1,8 +1,8 @@
-#include "core/game/vehicle/vehicle_file.h"
+#include "core/game/vehicle/vehicle_model.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/deterministic_math.h"
 #include "tests/support/changed_text.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/game/vehicle/soup_parts.h"
-#include "core/game/vehicle/vehicle_file.h"
-#include "core/mesh/read_mesh.h"
+#include "core/game/vehicle/face_watch.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 

@@ -1,10 +1,8 @@
-#include "core/mesh/files/colour_numbers.h"
+#include "core/mesh/files/vertex_colour.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/files/obj_reader.h"
-#include "core/mesh/files/off_reader.h"
-#include "core/mesh/files/ply_reader.h"
+#include "core/mesh/files/readers.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/mesh/files/emit_ranges.h"
+#include "core/mesh/files/encode.h"
 
 #include <gtest/gtest.h>
 

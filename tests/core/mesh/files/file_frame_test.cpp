@@ -1,4 +1,4 @@
-#include "core/mesh/files/file_frame.h"
+#include "core/mesh/files/mesh_format.h"
 
 #include <gtest/gtest.h>
 

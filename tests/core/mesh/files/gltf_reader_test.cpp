@@ -1,4 +1,4 @@
-#include "core/mesh/files/gltf_reader.h"
+#include "core/mesh/files/readers.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/random.h"
-#include "core/mesh/files/base64.h"
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/encode.h"
+#include "core/mesh/files/gltf_file_internal.h"
 #include "tests/core/mesh/files/sample_files.h"
 
 namespace kerf::test {

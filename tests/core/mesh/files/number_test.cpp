@@ -1,4 +1,4 @@
-#include "core/mesh/files/number.h"
+#include "core/mesh/files/scanner.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/files/off_reader.h"
+#include "core/mesh/files/readers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/files/point_tree.h"
+#include "core/mesh/files/triangulation.h"
 
 #include <gtest/gtest.h>
 

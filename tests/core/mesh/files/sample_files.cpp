@@ -6,11 +6,7 @@
 #include <iterator>
 
 #include "core/mesh/files/encode.h"
-#include "core/mesh/files/gltf_reader.h"
-#include "core/mesh/files/obj_reader.h"
-#include "core/mesh/files/off_reader.h"
-#include "core/mesh/files/ply_reader.h"
-#include "core/mesh/files/stl_reader.h"
+#include "core/mesh/files/readers.h"
 
 namespace kerf::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/progress.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/mesh/files/soup.h"

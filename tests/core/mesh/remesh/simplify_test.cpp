@@ -7,10 +7,10 @@
 #include <optional>
 #include <tuple>
 
-#include "core/base/angle.h"
-#include "core/mesh/load_mesh.h"
-#include "core/mesh/longest_edge.h"
-#include "core/mesh/point_to_triangle.h"
+#include "core/base/deterministic_math.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/mesh_file.h"
+#include "core/mesh/refinement.h"
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

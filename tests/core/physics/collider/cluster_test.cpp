@@ -1,11 +1,10 @@
-#include "core/physics/collider/cluster.h"
+#include "core/physics/contact/bounding_volumes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/base/random.h"
-#include "core/physics/collider/box.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/physics/collider/collider.h"
+#include "core/physics/contact/collider.h"
 
 #include <gtest/gtest.h>
 

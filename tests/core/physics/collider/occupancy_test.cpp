@@ -1,4 +1,4 @@
-#include "core/physics/collider/occupancy.h"
+#include "core/physics/contact/bounding_volumes.h"
 
 #include <gtest/gtest.h>
 

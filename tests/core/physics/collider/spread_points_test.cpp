@@ -1,4 +1,4 @@
-#include "core/physics/collider/spread_points.h"
+#include "core/physics/contact/collider_features.h"
 
 #include <gtest/gtest.h>
 

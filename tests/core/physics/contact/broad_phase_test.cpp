@@ -1,4 +1,4 @@
-#include "core/physics/contact/broad_phase.h"
+#include "core/physics/contact_search.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/physics/contact/chord_contacts.h"
+#include "core/physics/contact/narrow_phase.h"
 
 #include <gtest/gtest.h>
 

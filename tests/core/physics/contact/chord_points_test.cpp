@@ -1,4 +1,4 @@
-#include "core/physics/contact/chord_points.h"
+#include "core/physics/contact/point_contacts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/physics/contact/crossing_sheets.h"
+#include "core/physics/contact/penetration.h"
 
 #include <gtest/gtest.h>
 

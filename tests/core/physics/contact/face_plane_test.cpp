@@ -1,4 +1,4 @@
-#include "core/physics/contact/face_plane.h"
+#include "core/physics/contact/point_contacts.h"
 
 #include <gtest/gtest.h>
 

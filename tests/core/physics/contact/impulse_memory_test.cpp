@@ -1,8 +1,8 @@
-#include "core/physics/contact/impulse_memory.h"
+#include "core/physics/contact/contact.h"
 
 #include <gtest/gtest.h>
 
-#include "core/physics/contact/chord_points.h"
+#include "core/physics/contact/point_contacts.h"
 
 namespace kerf {
 namespace {

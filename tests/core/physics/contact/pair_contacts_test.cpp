@@ -1,10 +1,10 @@
-#include "core/physics/contact/pair_contacts.h"
+#include "core/physics/contact/narrow_phase.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/physics/contact/impulse_memory.h"
+#include "core/physics/contact/contact.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/sheets.h"
 

@@ -1,11 +1,11 @@
-#include "core/physics/contact/rigid_frame.h"
+#include "core/physics/contact/rigid_body.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "core/world/weigh.h"
+#include "core/world/body_mass.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"

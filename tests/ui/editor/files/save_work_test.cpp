@@ -1,13 +1,12 @@
-#include "ui/editor/files/save_work.h"
+#include "ui/editor/files/unsaved_work.h"
 
 #include <gtest/gtest.h>
 
 #include <GLFW/glfw3.h>
 
-#include "core/document/journal/opened_file.h"
-#include "core/document/journal/save.h"
+#include "core/document/journal.h"
+#include "core/document/save.h"
 #include "tests/support/temporary_folder.h"
-#include "ui/editor/files/unsaved_work.h"
 
 namespace kerf {
 namespace {

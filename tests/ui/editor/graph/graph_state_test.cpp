@@ -1,9 +1,9 @@
-#include "ui/editor/graph/graph_state.h"
+#include "ui/editor/inspect/graph_state.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/made_meshes.h"
-#include "ui/editor/graph/piece_tree.h"
+#include "ui/editor/inspect/graph_views.h"
 
 namespace kerf {
 namespace {

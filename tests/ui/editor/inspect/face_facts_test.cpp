@@ -1,4 +1,4 @@
-#include "ui/editor/inspect/face_facts.h"
+#include "ui/editor/inspect/face_inspector.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/moving/placement_rows.h"
+#include "ui/editor/pieces/piece_placement.h"
 
 namespace kerf {
 namespace {

@@ -1,10 +1,10 @@
-#include "ui/editor/laser/cut_progress.h"
+#include "ui/editor/laser/laser_overlay.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "core/document/history/run_queue.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "ui/editor/laser/hint_box.h"
+#include "ui/editor/laser/laser_overlay.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/editor/laser/laser_feature.h"
+#include "ui/editor/shared/features.h"
 
 #include <gtest/gtest.h>
 

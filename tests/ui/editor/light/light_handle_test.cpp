@@ -1,9 +1,8 @@
-#include "ui/editor/light/light_handle.h"
+#include "ui/editor/view/lights.h"
 
 #include <gtest/gtest.h>
 
-#include "ui/editor/light/light_feature.h"
-#include "ui/editor/light/light_presets.h"
+#include "ui/editor/shared/features.h"
 
 namespace kerf {
 namespace {

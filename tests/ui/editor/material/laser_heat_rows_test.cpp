@@ -1,4 +1,4 @@
-#include "ui/editor/material/laser_heat_rows.h"
+#include "ui/editor/laser/material_rows.h"
 
 #include <gtest/gtest.h>
 

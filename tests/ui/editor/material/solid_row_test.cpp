@@ -1,4 +1,4 @@
-#include "ui/editor/material/solid_row.h"
+#include "ui/editor/laser/material_rows.h"
 
 #include <gtest/gtest.h>
 

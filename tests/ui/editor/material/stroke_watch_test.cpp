@@ -1,10 +1,10 @@
-#include "ui/editor/material/stroke_watch.h"
+#include "ui/editor/laser/stroke_watch.h"
 
 #include <gtest/gtest.h>
 
 #include "core/heat/lumped_cut.h"
 #include "tests/support/made_meshes.h"
-#include "ui/render/picture/beam_strike.h"
+#include "ui/render/passes/beam_effects.h"
 
 namespace kerf {
 namespace {

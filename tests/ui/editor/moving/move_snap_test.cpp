@@ -1,10 +1,10 @@
-#include "ui/editor/moving/move_snap.h"
+#include "ui/editor/pieces/piece_move.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
-#include "ui/editor/shared/picture/first_picture.h"
+#include "ui/editor/shared/viewport.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/editor/moving/piece_move.h"
+#include "ui/editor/pieces/piece_move.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -7,11 +7,10 @@
 
 #include "core/base/random.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/moving/moving.h"
-#include "ui/editor/moving/moving_feature.h"
-#include "ui/editor/moving/piece_handles.h"
-#include "ui/editor/shared/pieces/piece_set.h"
-#include "ui/editor/shared/selection.h"
+#include "ui/editor/pieces/piece_placement.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/viewport_pointer.h"
 
 namespace kerf {
 namespace {

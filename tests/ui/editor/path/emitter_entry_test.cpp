@@ -1,4 +1,4 @@
-#include "ui/editor/path/emitter_entry.h"
+#include "ui/editor/path/emitter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/editor/path/fire_pace.h"
+#include "ui/editor/path/emitter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "ui/editor/path/hole_pattern.h"
+#include "ui/editor/path/path_panel.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/files/stroke_settings.h"
-#include "core/document/history/document.h"
+#include "core/document/document.h"
+#include "core/document/stroke_settings.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "ui/editor/path/path_entry.h"
+#include "ui/editor/path/path_work.h"
 
 #include <gtest/gtest.h>
 

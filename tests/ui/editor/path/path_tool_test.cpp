@@ -4,7 +4,6 @@
 
 #include "tests/support/made_meshes.h"
 #include "ui/editor/path/emitter.h"
-#include "ui/editor/path/path_marks.h"
 
 namespace kerf {
 namespace {

@@ -1,8 +1,8 @@
-#include "ui/editor/pieces/export_pieces.h"
+#include "ui/editor/pieces/piece_export.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/read_mesh.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"
 

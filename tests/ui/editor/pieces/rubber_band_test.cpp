@@ -1,4 +1,4 @@
-#include "ui/editor/pieces/rubber_band.h"
+#include "ui/editor/pieces/piece_selection.h"
 
 #include <gtest/gtest.h>
 

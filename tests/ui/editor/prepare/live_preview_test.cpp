@@ -1,4 +1,4 @@
-#include "ui/editor/prepare/live_preview.h"
+#include "ui/editor/prepare/preparation.h"
 
 #include <gtest/gtest.h>
 

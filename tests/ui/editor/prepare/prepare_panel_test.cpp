@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/made_meshes.h"
-#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/file_frames.h"
 
 namespace kerf::test {
 namespace {

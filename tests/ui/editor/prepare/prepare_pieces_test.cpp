@@ -1,8 +1,8 @@
-#include "ui/editor/prepare/prepare_pieces.h"
+#include "ui/editor/prepare/preparation.h"
 
 #include <gtest/gtest.h>
 
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

@@ -1,10 +1,10 @@
-#include "ui/editor/prepare/preview.h"
+#include "ui/editor/prepare/preparation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

@@ -1,4 +1,4 @@
-#include "ui/editor/ruler/ruler_feature.h"
+#include "ui/editor/shared/features.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/shared/picture/first_picture.h"
-#include "ui/editor/shell/mouse.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/editor/shell/mouse_input.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/editor/ruler/ruler_list.h"
+#include "ui/editor/inspect/ruler.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/editor/scalar_map/face_scalars.h"
+#include "ui/editor/inspect/scalar_map.h"
 
 #include <gtest/gtest.h>
 

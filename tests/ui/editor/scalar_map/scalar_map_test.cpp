@@ -1,8 +1,8 @@
-#include "ui/editor/scalar_map/scalar_map.h"
+#include "ui/editor/inspect/scalar_map.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "ui/editor/section/section_handles.h"
+#include "ui/editor/view/section.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "ui/editor/shell/bindings.h"
+#include "ui/editor/shell/catalogue.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/editor_features.h"
-#include "ui/editor/shell/settings_page.h"
+#include "ui/editor/shell/dialogs.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/editor/shell/command_palette.h"
+#include "ui/editor/shell/action_menus.h"
 
 #include <gtest/gtest.h>
 

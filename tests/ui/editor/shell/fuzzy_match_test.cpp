@@ -1,4 +1,4 @@
-#include "ui/editor/shell/fuzzy_match.h"
+#include "ui/editor/shell/action_menus.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "ui/editor/shell/mouse.h"
+#include "ui/editor/shell/mouse_input.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/document/history/run_queue.h"
-#include "core/world/state_hash.h"
+#include "core/document/document.h"
+#include "core/world/world.h"
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
 

@@ -6,8 +6,7 @@
 #include <set>
 
 #include "tests/support/made_meshes.h"
-#include "ui/editor/single_step/mark_stage.h"
-#include "ui/editor/single_step/stage_state.h"
+#include "ui/editor/single_step/stage_cut.h"
 
 namespace kerf {
 namespace {

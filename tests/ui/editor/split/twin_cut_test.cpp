@@ -1,8 +1,8 @@
-#include "ui/editor/split/twin_cut.h"
+#include "ui/editor/laser/comparison_cut.h"
 
 #include <gtest/gtest.h>
 
-#include "core/world/state_hash.h"
+#include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "ui/editor/time/reached_speed.h"
+#include "ui/editor/time/time_flow.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ui/editor/view/camera_text.h"
+#include "ui/editor/shared/viewport.h"
 
 namespace kerf {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/render/bodies/stage_marks.h"
+#include "ui/render/bodies/overlay_marks.h"
 #include "ui/render/view/view_switches.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "ui/editor/welcome/tour.h"
+#include "ui/editor/files/tour.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "ui/render/bodies/body_marks.h"
+#include "ui/render/bodies/overlay_marks.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/files/scene.h"
+#include "core/document/scene.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/ui/render/shadow_scenes.h"

@@ -1,4 +1,4 @@
-#include "ui/render/bodies/face_labels.h"
+#include "ui/render/passes/face_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <glm/gtc/packing.hpp>
 
 #include "tests/support/made_meshes.h"
-#include "ui/render/bodies/live_list.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/render/bodies/heat_fit.h"
+#include "ui/render/bodies/corner_heat.h"
 
 #include <gtest/gtest.h>
 

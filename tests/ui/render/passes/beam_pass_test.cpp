@@ -1,4 +1,4 @@
-#include "ui/render/passes/beam_pass.h"
+#include "ui/render/passes/beam_effects.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "ui/render/passes/heat_ramps.h"
+#include "ui/render/passes/heat_colours.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/heat/black_body.h"
-#include "core/heat/substance.h"
+#include "core/heat/material.h"
 
 namespace kerf {
 namespace {

@@ -1,11 +1,11 @@
-#include "ui/render/picture/picture.h"
+#include "ui/render/picture.h"
 
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
 #include "tests/support/made_meshes.h"
-#include "ui/render/picture/png.h"
+#include "ui/render/png.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/render/picture/png.h"
+#include "ui/render/png.h"
 
 #include <gtest/gtest.h>
 

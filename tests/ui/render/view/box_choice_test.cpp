@@ -1,4 +1,4 @@
-#include "ui/render/view/box_choice.h"
+#include "ui/render/view/view_options.h"
 
 #include <gtest/gtest.h>
 

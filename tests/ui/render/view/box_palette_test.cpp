@@ -1,4 +1,4 @@
-#include "ui/render/view/box_palette.h"
+#include "ui/render/view/colours.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/render/view/drawn_ground.h"
+#include "ui/render/view/frame_space.h"
 
 #include <gtest/gtest.h>
 

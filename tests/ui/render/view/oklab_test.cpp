@@ -1,4 +1,4 @@
-#include "ui/render/view/oklab.h"
+#include "ui/render/view/colours.h"
 
 #include <gtest/gtest.h>
 

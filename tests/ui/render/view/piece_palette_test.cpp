@@ -1,10 +1,8 @@
-#include "ui/render/view/piece_palette.h"
+#include "ui/render/view/colours.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "ui/render/view/oklab.h"
 
 namespace kerf {
 namespace {

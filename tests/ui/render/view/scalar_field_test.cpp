@@ -1,8 +1,8 @@
-#include "ui/render/view/scalar_field.h"
+#include "ui/render/view/view_options.h"
 
 #include <gtest/gtest.h>
 
-#include "ui/render/view/oklab.h"
+#include "ui/render/view/colours.h"
 
 namespace kerf {
 namespace {

@@ -1,9 +1,9 @@
-#include "ui/render/view/screen_segment.h"
+#include "ui/render/view/camera.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "ui/render/passes/beam_pass.h"
+#include "ui/render/passes/beam_effects.h"
 
 namespace kerf {
 namespace {

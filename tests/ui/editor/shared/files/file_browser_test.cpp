@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ui/editor/shared/files/file_browser.h"
+#include "ui/editor/shared/file_browser.h"
 
 namespace kerf {
 namespace {

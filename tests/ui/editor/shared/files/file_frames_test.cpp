@@ -1,4 +1,4 @@
-#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/file_frames.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "ui/editor/shared/files/file_loader.h"
+#include "ui/editor/shared/document_session.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <thread>
 
-#include "core/mesh/write_mesh.h"
-#include "core/world/state_hash.h"
+#include "core/mesh/mesh_file.h"
+#include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"

@@ -1,9 +1,9 @@
-#include "ui/editor/shared/files/thumbnails.h"
+#include "ui/editor/shared/thumbnails.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
-#include "ui/gl/offscreen_context.h"
+#include "ui/gl/context.h"
 
 namespace kerf::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/laser/laser_controls.h"
+#include "ui/editor/shared/laser_controls.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/shared/laser/laser_tool.h"
-#include "ui/render/picture/beam_strike.h"
+#include "ui/editor/shared/laser_tool.h"
+#include "ui/render/passes/beam_effects.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/panels/shortcut_text.h"
+#include "ui/editor/shared/panel_rows.h"
 
 #include <gtest/gtest.h>
 

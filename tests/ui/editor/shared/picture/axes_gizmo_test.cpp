@@ -1,4 +1,4 @@
-#include "ui/editor/shared/picture/axes_gizmo.h"
+#include "ui/editor/shared/gizmo.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "ui/editor/shared/pieces/piece_numbers.h"
+#include "ui/editor/shared/piece_set.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -2,12 +2,12 @@
 
 #include <set>
 
-#include "core/document/files/scene.h"
-#include "core/document/history/document.h"
+#include "core/document/document.h"
+#include "core/document/scene.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/shared/pieces/piece_set.h"
-#include "ui/render/view/spread.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/settings/panel_places.h"
+#include "ui/editor/shared/settings.h"
 
 #include <gtest/gtest.h>
 

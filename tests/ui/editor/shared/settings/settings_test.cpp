@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "ui/editor/shared/settings/settings.h"
+#include "ui/editor/shared/settings.h"
 
 namespace kerf {
 namespace {

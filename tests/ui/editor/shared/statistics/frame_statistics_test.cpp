@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ui/editor/shared/statistics/frame_statistics.h"
+#include "ui/editor/shared/statistics.h"
 
 namespace kerf {
 namespace {

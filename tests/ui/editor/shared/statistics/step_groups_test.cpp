@@ -1,4 +1,4 @@
-#include "ui/editor/shared/statistics/step_groups.h"
+#include "ui/editor/shared/world_changes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "ui/editor/shared/statistics/step_words.h"
+#include "ui/editor/shared/file_frames.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/document.h"
+#include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

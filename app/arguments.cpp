@@ -1,0 +1,109 @@
+#include "app/arguments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "core/document/text/fields.h"
+
+namespace kerf {
+
+bool parse_number(std::string_view text, double& value) {
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+std::string check_number(const std::string& text, const NumberRange& range, bool whole) {
+  double number = 0;
+  const std::string kind = whole ? "a whole number " : "a number ";
+  const std::string_view digits = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
+  if (!parse_number(digits, number) || (whole && number != std::floor(number)))
+    return "must be " + kind + limits_text(range);
+  return range.contains(number) ? "" : out_of_limits(number, range);
+}
+
+std::string help_with_limits(const std::string& help, const NumberRange& range) {
+  return help + "; " + limits_text(range);
+}
+
+Result<PixelSize> parse_size(const std::string& text) {
+  constexpr double kLargest = 16384;
+  const size_t cross = text.find('x');
+  double width = 0, height = 0;
+  const auto whole = [&](double n) { return n >= 1 && n <= kLargest && n == std::floor(n); };
+  if (cross == std::string::npos || !parse_number(std::string_view(text).substr(0, cross), width) ||
+      !parse_number(std::string_view(text).substr(cross + 1), height) || !whole(width) || !whole(height)) {
+    return bad_input("--size: must be WxH in pixels, each from 1 to 16384, like 1280x720");
+  }
+  return PixelSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
+Result<Vec3> parse_point(const std::string& option, const std::string& text) {
+  const auto wrong = bad_input(option + ": must be three numbers, x,y,z");
+  Vec3 point{0};
+  std::string_view rest = text;
+  for (int i = 0; i < 3; ++i) {
+    const size_t comma = rest.find(',');
+    if ((i < 2) == (comma == std::string_view::npos)) return wrong;
+    if (!parse_number(rest.substr(0, comma), point[i])) return wrong;
+    if (i < 2) rest.remove_prefix(comma + 1);
+  }
+  return point;
+}
+
+void PictureArguments::add_to(CLI::App& command) {
+  command.add_option("--size", size, "Width and height in pixels, WxH (1280x720)");
+  command.add_option("--eye", eye, "Where the camera stands, x,y,z in metres");
+  command.add_option("--target", target, "What it looks at, x,y,z in metres");
+  command.add_option("--section", section,
+                     "Draws what lies under a plane alone: its point and its normal, \"x,y,z x,y,z\", as the "
+                     "editor copies them");
+  command.add_option(
+      "--show", show,
+      "Overlays, separated by commas (shadows, unless the scene says otherwise): " + offered_show_names());
+}
+
+Result<PictureOptions> PictureArguments::parse() const {
+  PictureOptions options;
+  const auto pixels = parse_size(size);
+  if (!pixels) return pixels.error();
+  options.width = pixels->width;
+  options.height = pixels->height;
+  if (!eye.empty()) {
+    if (const Status s = unpack(parse_point("--eye", eye), options.eye); !s) return s.error();
+  }
+  if (!target.empty()) {
+    if (const Status s = unpack(parse_point("--target", target), options.target); !s) return s.error();
+  }
+  if (const Status s = unpack(parse_show_list(show), options.show); !s) return s.error();
+  if (!section.empty()) {
+    const auto plane = parse_section(section);
+    if (!plane) return bad_input("--section: " + plane.error().message);
+    options.section = *plane;
+  }
+  return options;
+}
+
+Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
+                     PictureOptions& options) {
+  if (arguments.show.empty()) {
+    const auto wanted = parse_show_list(scene.show);
+    if (!wanted) return bad_input(file + ": /show: " + wanted.error().message);
+    options.show = scene.show.empty() ? default_show() : *wanted;
+  }
+  options.show.section = options.show.section || options.section.has_value();
+  return Done{};
+}
+
+Status check_picture_name(const std::string& option, const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (ending.empty() || ending == ".png") return Done{};
+  return bad_input(option + ": " + file +
+                   ": pictures are written as PNG only; choose a name that ends in .png");
+}
+
+}  // namespace kerf

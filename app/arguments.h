@@ -1,0 +1,80 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "core/base/geometry.h"
+#include "core/base/number_format.h"
+#include "core/base/result.h"
+#include "ui/render/picture.h"
+
+namespace kerf {
+
+// The size of a picture in pixels.
+struct PixelSize {
+  int width = 0, height = 0;
+};
+
+// Parses "WxH", each number from 1 to 16384.
+Result<PixelSize> parse_size(const std::string& text);
+
+// Parses "x,y,z", three finite numbers. The error names `option`.
+Result<Vec3> parse_point(const std::string& option, const std::string& text);
+
+// Parses a text that consists of one finite number. Returns false for any other text.
+bool parse_number(std::string_view text, double& value);
+
+// Whether a text is a number within a range; if not, what it must be.
+std::string check_number(const std::string& text, const NumberRange& range, bool whole);
+
+// The help of an option with its limits at the end.
+std::string help_with_limits(const std::string& help, const NumberRange& range);
+
+template <typename T>
+struct NumberOf {
+  using Type = T;
+};
+template <typename T>
+struct NumberOf<std::optional<T>> {
+  using Type = T;
+};
+
+// Adds an option for a number, or an optional one. Its help ends with the limits of the range, and another
+// value is a wrong command line.
+template <typename T>
+CLI::Option* add_number(CLI::App& command, const std::string& name, T& x, const NumberRange& range,
+                        const std::string& help) {
+  constexpr bool kWhole = std::is_integral_v<typename NumberOf<T>::Type>;
+  CLI::Option* const option = command.add_option(name, x, help_with_limits(help, range));
+  return option->check([range](const std::string& text) { return check_number(text, range, kWhole); });
+}
+
+}  // namespace kerf
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace kerf {
+
+// The options of the command line for rendering a picture.
+struct PictureArguments {
+  std::string size = "1280x720", eye, target, section, show;
+
+  // Adds the options to a subcommand; parsing fills this object.
+  void add_to(CLI::App& command);
+  // Checks the options. The error names the first wrong one.
+  Result<PictureOptions> parse() const;
+};
+
+// If the command line does not say what to show, sets what the scene asks for, or if that does not say it
+// either, what the editor shows at first. The error names `file`, the scene's file.
+Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
+                     PictureOptions& options);
+
+// Checks that a file for a picture does not have the ending of another format: only PNG is written.
+Status check_picture_name(const std::string& option, const std::string& file);
+
+}  // namespace kerf

@@ -1,0 +1,266 @@
+#include "app/cut_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <set>
+
+#include "app/console.h"
+#include "core/base/number_format.h"
+#include "core/base/parallel.h"
+#include "core/base/platform.h"
+#include "core/cut/stopwatch.h"
+#include "core/document/save.h"
+#include "core/document/text/json.h"
+#include "core/mesh/mesh_file.h"
+#include "ui/window/number_text.h"
+
+namespace kerf {
+
+std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder) {
+  const auto count = [](size_t number, const char* noun) {
+    return grouped(number) + " " + noun + (number == 1 ? "" : "s");
+  };
+  std::string text;
+  if (strokes == 0) {
+    text = "nothing was cut, because there is no stroke";
+  } else if (job.removed_faces == 0 && job.thermal && job.statistics.met_s > 0) {
+    text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
+           std::to_string(std::lround(100 * job.depth_fraction())) + " % of the thickness";
+  } else if (job.removed_faces == 0) {
+    text = count(strokes, "stroke") + " met nothing";
+  } else {
+    text = count(strokes, "stroke") + " removed " + count(job.removed_faces, "face") + " (" +
+           area_text(job.removed_area) + ")";
+  }
+  return text + "; " + count(pieces, "piece") + " and report.json are in " + folder;
+}
+
+std::string missed_text(const CutJob& job, const std::string& file) {
+  constexpr size_t kMostNamed = 8;
+  const size_t count = job.missed.size(), named = count > kMostNamed ? kMostNamed - 1 : count;
+  std::string text = file + ": ";
+  for (size_t i = 0; i < named; ++i) {
+    if (i > 0) text += i + 1 == count ? " and " : ", ";
+    text += "/strokes/" + std::to_string(job.missed[i]);
+  }
+  if (named < count) text += " and " + std::to_string(count - named) + " more";
+  return text + " met nothing: no mesh is where the beam goes";
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kReport = "report.json";
+
+// Whether a name is that of a piece, piece-NNNN.ENDING.
+bool is_piece_name(std::string_view name) {
+  constexpr std::string_view kStem = "piece-";
+  if (!name.starts_with(kStem)) return false;
+  name.remove_prefix(kStem.size());
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  const auto is_letter = [&](char c) { return ('a' <= c && c <= 'z') || is_digit(c); };
+  const size_t digits =
+      static_cast<size_t>(std::find_if_not(name.begin(), name.end(), is_digit) - name.begin());
+  if (digits < 4 || digits + 1 >= name.size() || name[digits] != '.') return false;
+  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(digits) + 1, name.end(), is_letter);
+}
+
+// The pieces that a report lists; those of a report that cannot be read are none.
+std::set<std::string> listed_pieces(const fs::path& report) {
+  std::set<std::string> names;
+  const auto text = read_text_file(report);
+  if (!text) return names;
+  const auto json = parse_json(*text, report.string());
+  if (!json || !json->is_object() || !json->contains("pieces")) return names;
+  for (const nlohmann::json& piece : (*json)["pieces"]) {
+    if (!piece.is_object() || !piece.contains("file") || !piece["file"].is_string()) continue;
+    const auto name = piece["file"].get<std::string>();
+    if (is_piece_name(name)) names.insert(name);
+  }
+  return names;
+}
+
+// The results of earlier runs in a folder, while a new one is written.
+class EarlierResult {
+ public:
+  explicit EarlierResult(const fs::path& folder)
+      : folder_(folder), report_(folder / kReport), kept_(previous_version(report_)) {
+    pieces_ = listed_pieces(kept_);  // where a run before failed
+    pieces_.merge(listed_pieces(report_));
+  }
+
+  const std::set<std::string>& pieces() const { return pieces_; }
+
+  // Takes the report out of the way.
+  Status begin() const {
+    std::error_code error;
+    if (!fs::exists(report_, error)) return Done{};
+    fs::rename(report_, kept_, error);
+    if (error) return failed("cannot replace " + report_.string() + ": " + error.message());
+    return Done{};
+  }
+
+  // Removes the pieces of a result that did not become whole, except those that replaced earlier ones: the
+  // next run knows them by the report that was kept.
+  void remove_new(const std::vector<WrittenPiece>& written) const {
+    std::error_code error;
+    for (const WrittenPiece& piece : written) {
+      if (!pieces_.contains(piece.file)) fs::remove(folder_ / piece.file, error);
+    }
+  }
+
+  // Removes what the new result does not have.
+  void remove_all_but(const std::vector<WrittenPiece>& written) {
+    for (const WrittenPiece& piece : written) pieces_.erase(piece.file);
+    std::error_code error;
+    for (const std::string& name : pieces_) {
+      if (!fs::is_directory(folder_ / name, error)) fs::remove(folder_ / name, error);
+    }
+    fs::remove(kept_, error);
+  }
+
+ private:
+  fs::path folder_, report_, kept_;
+  std::set<std::string> pieces_;
+};
+
+struct Part {
+  Extract extract;
+  const Body* body = nullptr;
+};
+
+// The pieces of a world, largest area first. They are copied on several threads.
+std::vector<Part> parts_of(const World& world, bool split_all) {
+  struct Group {
+    const Body* body;
+    std::vector<FaceId> faces;
+  };
+  std::vector<Group> groups;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (auto& faces : faces_by_piece(body, split_all)) groups.push_back({&body, std::move(faces)});
+  }
+  std::vector<Part> parts(groups.size());
+  for_each_range(groups.size(), 1, [&](size_t i, size_t) {
+    parts[i] = {extract_faces(*groups[i].body, groups[i].faces), groups[i].body};
+  });
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.extract.area > b.extract.area; });
+  return parts;
+}
+
+bool any_has_moved(const World& world) {
+  return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).motion != Motion{}; });
+}
+
+// Whether nothing moves the body any more. What is pinned, or has no mass, never moves.
+bool rests(const Body& body, const MassProperties& mass) {
+  return body.motion.asleep || body.pinned || !(mass.mass > 0);
+}
+
+std::vector<Vec3> seen_from(const Vec3& origin, std::vector<Vec3> positions) {
+  if (origin == Vec3(0)) return positions;
+  for (Vec3& p : positions) p -= origin;
+  return positions;
+}
+
+Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder,
+                                 const Vec3& origin, bool moved) {
+  char name[40];
+  std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
+  const Extract& e = part.extract;
+  const auto file = fs::path(folder.path) / name;
+  const std::string stem = file.stem().string();
+  const MeshFormat format = *mesh_format(folder.format);
+  const std::vector<Vec3> positions = seen_from(origin, e.positions);
+  const MeshView view{positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
+  if (const auto s = write_mesh(view, file, format); !s) return s.error();
+  WrittenPiece piece;
+  piece.precision = precision_loss(view, format);
+  piece.file = name;
+  piece.faces = e.triangles.size();
+  piece.vertices = e.positions.size();
+  piece.boundary_edges = e.boundary_edges;
+  piece.area = e.area;
+  piece.centroid = e.centroid;
+  piece.volume = e.volume;
+  piece.mass = mass_of(e, part.body->sheet);
+  piece.placement = part.body->placement;
+  if (moved) piece.asleep = rests(*part.body, piece.mass);
+  return piece;
+}
+
+// Writes several pieces at a time. Returns those that were written, and fails if these are not all.
+Status write_pieces(const World& world, const PiecesFolder& folder, const Vec3& origin,
+                    std::vector<WrittenPiece>& written) {
+  const std::vector<Part> parts = parts_of(world, folder.split_all);
+  const bool moved = any_has_moved(world);
+  std::vector<std::optional<Result<WrittenPiece>>> results(parts.size());
+  ProgressLine line("writing");
+  const Progress progress = line.progress();
+  for_each_range(parts.size(), 1, &progress,
+                 [&](size_t i, size_t) { results[i] = write_piece(parts[i], i, folder, origin, moved); });
+  Status status = Done{};
+  for (const auto& result : results) {
+    if (result && *result) written.push_back(**result);
+    if (result && !*result && status) status = result->error();
+  }
+  if (!status || written.size() == parts.size()) return status;
+  return failed("stopped before all pieces were written; there is no report");
+}
+
+}  // namespace
+
+Status PiecesFolder::check(const std::string& option, const InputFiles& inputs) const {
+  const std::set<std::string> earlier = EarlierResult(path).pieces();
+  return inputs.check_folder(option, path, [&](std::string_view name) {
+    return name == kReport || earlier.contains(std::string(name)) ||
+           (is_piece_name(name) && fs::path(name).extension() == "." + format);
+  });
+}
+
+bool PiecesFolder::may_write(const fs::path& file) const {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path, error), error);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  const std::string name = whole.filename().string();
+  return whole.parent_path() == folder && (name == kReport || is_piece_name(name));
+}
+
+Status PiecesFolder::make() const {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return failed(path + ": the folder cannot be made: " + error.message());
+  return Done{};
+}
+
+Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& world,
+                                                      const CutSettings& settings) const {
+  EarlierResult earlier(path);
+  if (const Status begun = earlier.begin(); !begun) return begun.error();
+  std::vector<WrittenPiece> written;
+  const Status saved = [&] {
+    const Stopwatch watch(job.save_s);
+    return write_pieces(world, *this, job.origin, written);
+  }();
+  if (!saved) earlier.remove_new(written);
+  if (!saved) return saved.error();
+  PrecisionLoss precision;
+  for (const WrittenPiece& piece : written) precision += piece.precision;
+  const auto note = precision_note(
+      precision, *mesh_format(format),
+      job.origin == Vec3(0) ? "write OBJ, PLY or OFF, or cut with --recentre" : "write OBJ, PLY or OFF");
+  if (note) job.notes.push_back(*note);
+  nlohmann::ordered_json how = settings_json(settings, format, split_all);
+  if (solid) how["solid"] = true;
+  const auto report = cut_report(job, world, how, written);
+  const auto file = fs::path(path) / kReport;
+  if (const auto s = write_file_atomically(file, report.dump(2) + "\n"); !s) return s.error();
+  earlier.remove_all_but(written);
+  return written;
+}
+
+}  // namespace kerf

@@ -1,0 +1,436 @@
+#include "core/api/api_internal.h"
+
+#include <xmmintrin.h>
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <locale>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/document/cut_effects.h"
+#include "core/document/extract.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/document/save.h"
+#include "core/document/stroke_settings.h"
+#include "core/document/text/hash.h"
+#include "core/document/text/json.h"
+#include "core/graph/graph_text.h"
+#include "core/mesh/mesh_file.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr unsigned kMostThreads = 1024;
+
+constexpr const char* kNoMemory = "there is not enough memory";
+
+// The message of this thread; where memory was lacking to keep one, kNoMemory takes its place.
+struct Kept {
+  std::string text;
+  bool lacks_memory = false;
+};
+Kept& kept() {
+  static thread_local Kept message;
+  return message;
+}
+
+// Rounding to nearest, without flushing of small numbers to zero, while it exists. Programs that were
+// compiled with -ffast-math run with the latter.
+class DefaultArithmetic {
+ public:
+  DefaultArithmetic() : control_(_mm_getcsr()) {
+    std::fegetenv(&environment_);
+    std::fesetenv(FE_DFL_ENV);
+    _mm_setcsr(kDefault);
+  }
+  ~DefaultArithmetic() {
+    std::fesetenv(&environment_);
+    _mm_setcsr(control_);
+  }
+  DefaultArithmetic(const DefaultArithmetic&) = delete;
+  DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
+
+ private:
+  static constexpr unsigned kDefault = 0x1f80;
+
+  std::fenv_t environment_{};
+  unsigned control_;
+};
+
+}  // namespace
+
+kerf_result told(kerf_result result, const char* message) noexcept {
+  try {
+    kept() = {message, false};
+    // A name in it, such as that of a file, may have several lines.
+    std::ranges::replace_if(
+        kept().text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  } catch (const std::bad_alloc&) {
+    kept().lacks_memory = true;
+  }
+  return result;
+}
+
+const char* last_message() { return kept().lacks_memory ? kNoMemory : kept().text.c_str(); }
+
+Call::Call(const kerf_control* control) {
+  if (control != nullptr) control_ = *control;
+}
+
+kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
+  if (control_.threads > kMostThreads) return told(KERF_BAD_INPUT, "threads: must be from 0 to 1024");
+  const DefaultArithmetic arithmetic;
+  const Progress progress{[&](double share) {
+    stopped_ = stopped_ || (control_.progress != nullptr && control_.progress(share, control_.user) != 0);
+    return !stopped_;
+  }};
+  try {
+    Status status = Done{};
+    with_threads(control_.threads, [&] { status = work(progress); });
+    if (status) return KERF_OK;
+    if (stopped_) return told(KERF_CANCELLED, "cancelled");
+    const bool bad = status.error().code == ErrorCode::kBadInput;
+    return told(bad ? KERF_BAD_INPUT : KERF_FAILED, status.error().message.c_str());
+  } catch (const std::bad_alloc&) {
+    return told(KERF_FAILED, kNoMemory);
+  } catch (const std::exception& fault) {
+    return told(KERF_FAILED, fault.what());
+  } catch (...) {
+    return told(KERF_FAILED, "stopped by an unknown fault");
+  }
+}
+
+void Beginning::set_substance(const Substance& substance) {
+  const auto give = [&](Sheet& sheet) {
+    sheet.substance = substance;
+    sheet.density = substance.density;
+  };
+  for (SceneBody& body : scene_.bodies) give(body.sheet);
+  give(sheet_);
+}
+
+Status Beginning::save(const Document& document, const std::filesystem::path& file) const {
+  if (lost_)
+    return bad_input(
+        "the world has no journal, because a body was added or the material was changed after a cut; save "
+        "the "
+        "scene instead");
+  if (document.world().ids().empty() && document.journal().empty())
+    return bad_input("the world has no mesh; add one before its journal is saved");
+  // Where the journal cannot be, its meshes must not be either.
+  std::error_code error;
+  const auto type = std::filesystem::status(file, error).type();
+  if (!file.has_filename() ||
+      (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found))
+    return bad_input("path: must be the name of a file");
+  SceneDescription scene = scene_;
+  scene.strokes.clear();  // which are commands of the document
+  for (const auto& [mesh, name] : added_) {
+    char ending[24];
+    std::snprintf(ending, sizeof ending, "-mesh-%04zu.obj", scene.bodies.size() + 1);
+    SceneBody body;
+    body.mesh = file.parent_path() / (file.stem().string() + ending);
+    body.name = name;
+    body.sheet = sheet_;
+    const MeshView view{mesh.positions, mesh.triangles, mesh.materials, mesh.material_names, {}, {},
+                        mesh.colours};
+    if (const Status written = write_mesh(view, body.mesh, MeshFormat::kObj); !written) return written;
+    scene.bodies.push_back(std::move(body));
+  }
+  if (const Status noted = note_hashes(scene); !noted) return noted;
+  std::vector<StateMark> marks;
+  // The journal that was opened may end within a stroke.
+  if (!document.execution().in_stroke() && document.waiting() == 0) marks.push_back(state_mark(document));
+  return save_journal(file, scene, document.journal(), marks);
+}
+
+bool WorldUsers::begin_reading() {
+  int users = users_.load(std::memory_order_relaxed);
+  while (users != kChanging) {
+    if (users_.compare_exchange_weak(users, users + 1, std::memory_order_acquire)) return true;
+  }
+  return false;
+}
+
+bool WorldUsers::begin_changing() {
+  int none = 0;
+  return users_.compare_exchange_strong(none, kChanging, std::memory_order_acquire);
+}
+
+kerf_result read_world(const kerf_world* world, const kerf_control* control,
+                       const std::function<Status(const Document&, const Progress&)>& work) {
+  if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
+  if (!world->users.begin_reading())
+    return told(KERF_BUSY, "the world is in use: another call changes it; try again when that has returned");
+  const kerf_result result =
+      Call(control).run([&](const Progress& progress) { return work(world->document, progress); });
+  world->users.end_reading();
+  return result;
+}
+
+kerf_result change_world(kerf_world* world, const kerf_control* control,
+                         const std::function<Status(const Progress&)>& work) {
+  if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
+  if (!world->users.begin_changing())
+    return told(KERF_BUSY, "the world is in use by another call; change it when that has returned");
+  const kerf_result result = Call(control).run(work);
+  world->users.end_changing();
+  return result;
+}
+
+namespace {
+
+void grow(std::optional<World::Bounds>& bounds, const World::Bounds& by) {
+  if (!bounds) bounds = by;
+  bounds->min = glm::min(bounds->min, by.min);
+  bounds->max = glm::max(bounds->max, by.max);
+}
+
+bool is_utf8(const std::string& text) { return dump_json(nlohmann::ordered_json(text), -1).ok(); }
+
+// A document with another body. Its history ends: nothing is taken back through the library.
+Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, const Progress& progress) {
+  const std::string name = given_name == nullptr ? "mesh" : given_name;
+  if (!is_utf8(name)) return bad_input("name: must be UTF-8");
+  ProgressShares shares(&progress);
+  const Progress building = shares.next(0.5), growing = shares.next(0.5);
+  auto built = build_mesh(soup_of(mesh), &building);
+  if (!built) return built.error();
+  const MeshReport loaded = built->report;
+  auto body = make_body(name, std::move(*built), &growing);
+  if (!body) return body.error();
+  World world = to.document.world();
+  world.add(std::move(*body));
+  to.beginning.add(mesh, name);
+  if (!to.document.journal().empty()) to.beginning.lose();
+  to.job.note_loaded(loaded);
+  grow(to.bounds, world.bounds());
+  to.document = Document(std::move(world));
+  return Done{};
+}
+
+Status open_world(const char* path, kerf_world& to, const Progress& progress) {
+  ProgressShares shares(&progress);
+  const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
+  auto file = open_file(path, &opening);
+  if (!file) return file.error();
+  to.beginning.open(file->scene);
+  Document& document = to.document;
+  document = Document(std::move(file->scene.world));
+  for (const BodyId id : document.world().ids()) to.job.note_loaded(document.world().body(id).loaded);
+  to.bounds = document.world().bounds();
+  const double diagonal = to.bounds->diagonal();
+  for (const StrokePath& stroke : file->scene.strokes) {
+    const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
+    if (!cut) return cut.error();
+  }
+  QueueRun how;
+  how.progress = &replaying;
+  how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
+  return Replay(file->journal, document).run(how);
+}
+
+// A piece of a body, and its faces.
+struct Part {
+  const Body* body;
+  std::vector<FaceId> faces;
+};
+
+void weigh_piece(const Extract& e, const Body& body, kerf_mesh_info& info) {
+  const MassProperties mass = mass_of(e, body.sheet);
+  info.mass = mass.mass;
+  const glm::dmat3& m = mass.inertia;
+  const std::array<double, 6> inertia{m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};
+  std::copy(inertia.begin(), inertia.end(), info.inertia);
+}
+
+std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
+  Extract e = extract_faces(*part.body, part.faces);
+  auto mesh = std::make_unique<kerf_mesh>();
+  mesh->name = part.body->name_of(part.body->label(part.faces.front()));
+  weigh_piece(e, *part.body, mesh->info);
+  mesh->info.area = e.area;
+  mesh->info.boundary_edges = e.boundary_edges;
+  mesh->volume = e.volume;
+  const Placement& placement = part.body->placement;
+  for (int k = 0; k < 3; ++k) {
+    mesh->info.centroid[k] = e.centroid[k];
+    mesh->info.position[k] = placement.position[k];
+  }
+  const glm::dquat& q = placement.orientation;
+  const std::array<double, 4> orientation{q.w, q.x, q.y, q.z};
+  std::copy(orientation.begin(), orientation.end(), mesh->info.orientation);
+  const Body& body = *part.body;
+  for (const FaceId f : part.faces)
+    mesh->temperatures.push_back(
+        body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
+  mesh->positions = std::move(e.positions);
+  mesh->triangles = std::move(e.triangles);
+  mesh->colours = std::move(e.colours);
+  mesh->materials = std::move(e.materials);
+  mesh->material_names = part.body->material_names;
+  return mesh;
+}
+
+// A text that kerf_text_free frees.
+char* copy_of(const std::string& text) {
+  auto copy = std::make_unique<char[]>(text.size() + 1);
+  std::memcpy(copy.get(), text.c_str(), text.size() + 1);
+  return copy.release();
+}
+
+// A piece as the report has it.
+WrittenPiece as_written(const kerf_mesh& mesh) {
+  const kerf_mesh_info& info = mesh.info;
+  WrittenPiece piece;
+  piece.file = mesh.name;
+  piece.faces = mesh.triangles.size();
+  piece.vertices = mesh.positions.size();
+  piece.boundary_edges = info.boundary_edges;
+  piece.area = info.area;
+  const auto vector = [](const double(&v)[3]) { return Vec3(v[0], v[1], v[2]); };
+  piece.centroid = vector(info.centroid);
+  piece.volume = mesh.volume;
+  piece.mass.mass = info.mass;
+  const double(&i)[6] = info.inertia;
+  piece.mass.inertia = glm::dmat3(i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2]);
+  piece.placement.position = vector(info.position);
+  const double(&q)[4] = info.orientation;
+  piece.placement.orientation = glm::dquat(q[0], q[1], q[2], q[3]);
+  return piece;
+}
+
+// The pieces, largest area first.
+Result<std::vector<std::unique_ptr<kerf_mesh>>> pieces_of(const World& world, const Progress& progress) {
+  std::vector<Part> parts;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (auto& faces : faces_by_piece(body, false)) parts.push_back({&body, std::move(faces)});
+  }
+  std::vector<std::unique_ptr<kerf_mesh>> pieces(parts.size());
+  if (!for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) { pieces[i] = mesh_of(parts[i]); }))
+    return cancelled();
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const auto& a, const auto& b) { return a->info.area > b->info.area; });
+  return pieces;
+}
+
+}  // namespace
+}  // namespace kerf
+
+kerf_result kerf_world_make(kerf_world** out) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
+    *out = new kerf_world;
+    return kerf::Done{};
+  });
+}
+
+kerf_result kerf_world_open(const char* path, const kerf_control* control, kerf_world** out) {
+  if (path == nullptr || out == nullptr) return kerf::told(KERF_BAD_INPUT, "path and out: must not be null");
+  return kerf::Call(control).run([&](const kerf::Progress& progress) -> kerf::Status {
+    auto world = std::make_unique<kerf_world>();
+    const kerf::Status opened = kerf::open_world(path, *world, progress);
+    if (opened) *out = world.release();
+    return opened;
+  });
+}
+
+void kerf_world_free(kerf_world* world) { delete world; }
+
+kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
+                           const kerf_control* control) {
+  if (mesh == nullptr) return kerf::told(KERF_BAD_INPUT, "mesh: must not be null");
+  return kerf::change_world(world, control, [&](const kerf::Progress& progress) {
+    return kerf::add_body(*world, *mesh, name, progress);
+  });
+}
+
+kerf_result kerf_world_pieces(const kerf_world* world, const kerf_control* control, kerf_mesh*** out,
+                              size_t* count) {
+  if (out == nullptr || count == nullptr)
+    return kerf::told(KERF_BAD_INPUT, "out and count: must not be null");
+  return kerf::read_world(
+      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+        auto pieces = kerf::pieces_of(document.world(), progress);
+        if (!pieces) return pieces.error();
+        auto list = std::make_unique<kerf_mesh*[]>(pieces->size());
+        for (size_t i = 0; i < pieces->size(); ++i) list[i] = (*pieces)[i].release();
+        *count = pieces->size();
+        *out = list.release();
+        return kerf::Done{};
+      });
+}
+
+void kerf_pieces_free(kerf_mesh** pieces, size_t count) {
+  for (size_t i = 0; pieces != nullptr && i < count; ++i) delete pieces[i];
+  delete[] pieces;
+}
+
+kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder) {
+  if (folder == nullptr) return kerf::told(KERF_BAD_INPUT, "folder: must not be null");
+  return kerf::read_world(world, nullptr,
+                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+                            if (document.world().live_faces() == 0)
+                              return kerf::bad_input("the world has no face to save");
+                            const auto saved = kerf::save_world_as_scene(document.world(), {}, folder);
+                            return saved ? kerf::Status(kerf::Done{}) : saved.error();
+                          });
+}
+
+kerf_result kerf_world_save_journal(const kerf_world* world, const char* path) {
+  if (path == nullptr) return kerf::told(KERF_BAD_INPUT, "path: must not be null");
+  return kerf::read_world(world, nullptr, [&](const kerf::Document& document, const kerf::Progress&) {
+    return world->beginning.save(document, path);
+  });
+}
+
+kerf_result kerf_world_report(const kerf_world* world, const kerf_control* control, char** out) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::read_world(
+      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+        auto pieces = kerf::pieces_of(document.world(), progress);
+        if (!pieces) return pieces.error();
+        std::vector<kerf::WrittenPiece> written;
+        for (const auto& piece : *pieces) written.push_back(kerf::as_written(*piece));
+        const auto text =
+            kerf::dump_json(kerf::cut_report(world->job, document.world(), world->settings, written), 2);
+        if (!text) return text.error();
+        *out = kerf::copy_of(*text);
+        return kerf::Done{};
+      });
+}
+
+kerf_result kerf_world_hash(const kerf_world* world, char out[17]) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::read_world(world, nullptr,
+                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+                            const std::string text = kerf::hash_text(kerf::state_hash(document.world()));
+                            std::memcpy(out, text.c_str(), text.size() + 1);
+                            return kerf::Done{};
+                          });
+}
+
+kerf_result kerf_world_graph(const kerf_world* world, char** out) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::read_world(world, nullptr,
+                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+                            std::ostringstream text;
+                            text.imbue(std::locale::classic());
+                            kerf::write_graph_json(kerf::component_graph(document.world()),
+                                                   kerf::piece_origins(document), document.world(), text);
+                            *out = kerf::copy_of(text.str());
+                            return kerf::Done{};
+                          });
+}
+
+void kerf_text_free(char* text) { delete[] text; }

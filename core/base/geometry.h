@@ -1,0 +1,78 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+#include "core/base/tolerances.h"
+
+namespace kerf {
+
+// Positions and directions in double precision; lengths are in metres. glm evaluates operations on these
+// types as plain sums, products and square roots in the order written, so that the results are the same to
+// the bit on every machine.
+using Vec2 = glm::dvec2;
+using Vec3 = glm::dvec3;
+
+// The z component of the cross product of two vectors in the plane; cross2(a, b) == -cross2(b, a) to the bit.
+inline double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+
+// The lexicographic order of positions.
+inline bool precedes(const Vec3& a, const Vec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+// Whether a squared length read from a file is that of a unit vector or quaternion; see kUnitSlack.
+constexpr bool is_unit_length2(double length2, double slack = kUnitSlack) {
+  return length2 - 1 < slack && 1 - length2 < slack;
+}
+
+// Whether a vector is a unit vector, as a precondition. The slack is larger than that of files, because a
+// direction may have been rotated by an orientation that has an error of its own.
+inline bool is_unit(const Vec3& v) { return is_unit_length2(glm::dot(v, v), 16 * kUnitSlack); }
+
+// Whether two unit vectors are opposite to each other up to rounding, so that no direction lies between them;
+// see kOpposite. Precondition: both are unit vectors.
+inline bool are_opposite(const Vec3& a, const Vec3& b) {
+  const Vec3 sum = a + b;
+  return glm::dot(sum, sum) < kOpposite * kOpposite;
+}
+
+// A closed interval of the real line; empty where low > high.
+struct Interval {
+  double low = 0;
+  double high = 0;
+};
+
+// An axis-aligned box; the origin by default.
+struct Bounds {
+  Vec3 min{0}, max{0};
+
+  // The bounds of nothing, from which bounds grow: min > max in every coordinate.
+  static Bounds none() {
+    return {Vec3(std::numeric_limits<double>::max()), Vec3(std::numeric_limits<double>::lowest())};
+  }
+  bool is_none() const { return min.x > max.x; }
+
+  void add(const Vec3& point) { add(Bounds{point, point}); }
+  void add(const Bounds& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
+
+  Vec3 centre() const { return 0.5 * min + 0.5 * max; }
+  double diagonal() const { return glm::length(max - min); }
+
+  friend bool operator==(const Bounds&, const Bounds&) = default;
+};
+
+// A ray, or the pose of a beam: it starts at `origin` (m) and has the unit vector `direction`. The frame
+// depends on the use: that of the world for a stroke, that of a body for a query of its tree.
+struct Pose {
+  Vec3 origin{0};
+  Vec3 direction{0, 0, -1};
+};
+
+}  // namespace kerf

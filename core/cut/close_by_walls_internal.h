@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/cut/stroke_region.h"
+#include "core/walls/make_walls.h"
+
+namespace kerf {
+
+struct RimState;
+
+// The walls that were made, and for each part that stays open a sentence that says why, and where.
+struct ClosedRim {
+  std::vector<FaceId> walls;
+  std::vector<std::string> left_open;
+};
+
+// Closes a solid body along the rim that a stroke has left, by walls, and makes the search for parts cross
+// them: each solid of it, i.e. an outer shell with the cavities in it, wholly or not at all. The work is done
+// in parts.
+class WallClosing {
+ public:
+  // The moves are those of the stroke in the frame of the body.
+  explicit WallClosing(std::vector<BeamMove> moves) : moves_(std::move(moves)) {}
+  WallClosing(const WallClosing&) = delete;
+  WallClosing& operator=(const WallClosing&) = delete;
+
+  // Does the next part. Returns whether it was the last one. Preconditions: the body, the region and what is
+  // known of the rim are as the last part left them, with the tree up to date.
+  bool go_on(RimState& rim);
+
+  // Whether some walls are there and others not: the last part has to be done before anything else is.
+  bool is_adding() const { return is_adding_; }
+
+  // Precondition: the last part was done.
+  ClosedRim take() { return closing_->take(); }
+
+ private:
+  // Sides on edges of several sheets that were visited with all others there: face and corner.
+  using SidesOfRings = std::set<std::pair<FaceId, VertexId>>;
+
+  Resumable<ClosedRim> close();
+  Resumable<Done> find_open_faces();
+  Resumable<Done> find_sides();
+  bool is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const;
+  Resumable<std::vector<bool>> parts_around(const std::vector<FaceId>& faces);
+  Resumable<std::vector<uint32_t>> parts_with_sides();
+  void append_connected(FaceId f, SidesOfRings& seen, std::vector<FaceId>& out);
+  Resumable<bool> remove_ears();
+  bool is_at_rim(const Mesh::Side& side);
+  bool is_ear(std::span<const RimSide> of_face) const;
+  void remove(std::vector<FaceId> faces);
+  std::vector<std::pair<FaceId, int>> crossings(const Vec3& p, const Vec3& direction) const;
+  bool joins_pieces(const WallPatch& patch) const;
+  Resumable<std::vector<FaceId>> add(const WallPatch& patch);
+  const Mesh& mesh() const;
+
+  std::vector<BeamMove> moves_;
+  RimState* rim_ = nullptr;  // of the part at hand
+  std::optional<SweptDistance> distance_;
+  std::vector<FaceId> open_faces_;  // with sides without another face on their sheet; ascending
+  std::vector<RimSide> sides_;      // along the rim, of parts that were closed before the stroke; by face
+  std::vector<std::string> left_open_;
+  bool is_adding_ = false;
+  std::optional<Resumable<ClosedRim>> closing_;
+};
+
+}  // namespace kerf

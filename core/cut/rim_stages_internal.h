@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/cut/cut_stages.h"
+#include "core/cut/cut_step.h"
+#include "core/cut/stroke_region.h"
+#include "core/walls/make_walls.h"
+
+namespace kerf {
+
+// The state that the stages of closing a rim share, for one body and one step. Private to core/cut.
+struct RimState {
+  BodyStep& step;
+  const CutSettings& settings;
+  UnfinishedRim& work;
+  StrokeRegion& region;
+  std::vector<FaceId>& faces;
+
+  RimState(BodyStep& body_step, const CutSettings& cut_settings, UnfinishedRim& unfinished)
+      : step(body_step),
+        settings(cut_settings),
+        work(unfinished),
+        region(unfinished.region),
+        faces(unfinished.faces) {}
+
+  const Mesh& mesh() const { return step.mesh(); }
+  double radius() const { return settings.laser.radius; }
+
+  // The signed distance of a corner of the face from the boundary; zero if it is within kRimOn of it.
+  double distance(VertexId v, FaceId face);
+  std::array<double, 3> distances_of(FaceId face);
+
+  // Records that a vertex lies on the boundary.
+  void note_on_boundary(VertexId v) { note_distance(v, 0); }
+
+  // Whether the face lies inside the region: no corner is outside, and at least one corner, or the centroid
+  // if all corners are on the boundary, is inside.
+  bool inside(FaceId face);
+
+ private:
+  void note_distance(VertexId v, double d);
+};
+
+// The stages, in their order. Each call handles the next items, looks at no more than faces_together() of
+// them, and most return whether the stage is over: the boxes of the tree are brought up to date after each
+// call and therefore depend on this number, as in the steps of a stroke. The order of the stages is in
+// close_rim.cpp.
+
+// Splits these faces and their parts until each can be cut along one chord. Fails like cut_step.
+Status refine_rim(RimState& rim);
+// Lists vertices that may move onto the boundary, and moves them unless that spoils a face. Lists the faces
+// that have to be split first because a vertex very near the boundary cannot be moved.
+bool list_moves_in_plane(RimState& rim);
+bool list_moves_along_edges(RimState& rim);
+bool move_onto_rim(RimState& rim);
+bool split_in_the_way(RimState& rim);
+// Treat vertices that cannot be moved but lie very near the boundary as lying on it, if the chords permit.
+bool list_near_rim(RimState& rim);
+bool settle_on_rim(RimState& rim);
+// Splits a face by the scheme. Appends its parts and those of other faces near the boundary that had to
+// follow.
+void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
+bool clip_at_rim(RimState& rim);
+bool choose_within_rim(RimState& rim);
+bool remove_within_rim(RimState& rim);
+bool choose_beside_rim(RimState& rim);
+bool flip_near_rim(RimState& rim);
+// Calls visit(item) for the next faces_together() items of a list that may grow meanwhile. Returns whether
+// none is left, and if so, lets the next list begin at its start.
+template <typename Item, typename Visit>
+bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
+  size_t& next = rim.work.next;
+  for (size_t i = 0; i < faces_together() && next < list.size(); ++i) visit(Item(list[next++]));
+  if (next < list.size()) return false;
+  next = 0;
+  return true;
+}
+
+struct RimState;
+
+// Finds connected parts of a few faces that lie along the boundary of what was swept everywhere. With walls
+// they would enclose next to nothing.
+class SpeckSearch {
+ public:
+  // The sides are all along the rim.
+  SpeckSearch(const SweptDistance& distance, std::span<const RimSide> sides);
+
+  // Appends the faces of the part of a face, if it is such a one.
+  void append(RimState& rim, FaceId start, std::vector<FaceId>& specks) const;
+
+ private:
+  bool lies_along(RimState& rim, FaceId f) const;
+
+  const SweptDistance& distance_;
+  std::vector<VertexId> at_rim_;  // ascending, with repeats
+};
+
+}  // namespace kerf

@@ -1,0 +1,235 @@
+#include "core/document/autosave.h"
+
+#include <aio.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/base/platform.h"
+
+namespace kerf {
+
+// The C library flushes on a thread of its own, so that the request must not move.
+struct LockedFile::Handle {
+  int descriptor = -1;
+  off_t size = 0;
+  bool flushing = false, appended = false;  // appended: since the last flush began
+  std::unique_ptr<aiocb> request = std::make_unique<aiocb>();
+
+  ~Handle() {
+    if (flushing) {
+      const aiocb* const wait_for = request.get();
+      ::aio_suspend(&wait_for, 1, nullptr);
+      ::aio_return(request.get());
+    }
+    ::close(descriptor);  // this releases the lock
+  }
+};
+
+namespace {
+
+Error file_error(const std::filesystem::path& path, const char* what, int code) {
+  return failed(path.string() + ": " + what + ": " + std::generic_category().message(code));
+}
+
+// Creates a file under a temporary name and locks it. Returns the error number, or 0. A temporary file that a
+// crashed program left behind is not touched.
+int open_new(const std::filesystem::path& path, std::filesystem::path& nameless, int& descriptor) {
+  for (int attempt = 0;; ++attempt) {
+    nameless = path.parent_path() / ("." + path.filename().string() + "." + std::to_string(attempt) + ".new");
+    descriptor = ::open(nameless.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    if (errno != EEXIST || attempt == 1000) return errno;
+  }
+}
+
+// Moves a file to its name if no such file exists; if the file system does not support links, in any case.
+// Returns the error number, or 0.
+int give_name(const std::filesystem::path& nameless, const std::filesystem::path& path) {
+  if (::link(nameless.c_str(), path.c_str()) == 0) return 0;
+  if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
+  return ::rename(nameless.c_str(), path.c_str()) == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+LockedFile::LockedFile(std::filesystem::path path, Handle* handle)
+    : path_(std::move(path)), handle_(handle) {}
+
+LockedFile::LockedFile(LockedFile&& other) noexcept
+    : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, nullptr)) {}
+
+LockedFile& LockedFile::operator=(LockedFile&& other) noexcept {
+  path_.swap(other.path_);
+  std::swap(handle_, other.handle_);
+  return *this;
+}
+
+LockedFile::~LockedFile() { delete handle_; }
+
+Result<LockedFile> LockedFile::create(const std::filesystem::path& path, std::string_view bytes) {
+  // The file gets its name when it is locked and complete, so that no other program takes it for an abandoned
+  // one.
+  std::filesystem::path nameless;
+  int descriptor = -1;
+  int code = open_new(path, nameless, descriptor);
+  if (descriptor < 0) return file_error(path, "cannot be made", code);
+  LockedFile file(path, new Handle{descriptor});
+  if (code == 0) code = write_all(descriptor, bytes);
+  if (code == 0) code = flush_file(descriptor);
+  if (code == 0) code = give_name(nameless, path);
+  ::unlink(nameless.c_str());
+  if (code == 0) {
+    code = flush_folder_of(path);
+    if (code != 0) ::unlink(path.c_str());
+  }
+  if (code != 0) return file_error(path, "cannot be written", code);
+  file.handle_->size = static_cast<off_t>(bytes.size());
+  return file;
+}
+
+Result<LockedFile> LockedFile::open(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) return file_error(path, "cannot be opened", errno);
+  LockedFile file(path, new Handle{descriptor});
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return file_error(path, "cannot be locked", errno);
+  struct stat there {};
+  if (::fstat(descriptor, &there) != 0) return file_error(path, "cannot be looked at", errno);
+  if (there.st_nlink == 0)
+    return file_error(path, "cannot be opened", ENOENT);  // removed by the program that had locked it
+  file.handle_->size = there.st_size;
+  return file;
+}
+
+Status LockedFile::append(std::string_view bytes) {
+  KERF_ASSERT(handle_);
+  const int code = write_all(handle_->descriptor, bytes);
+  if (code != 0) {
+    std::ignore = ::ftruncate(handle_->descriptor, handle_->size);
+    return file_error(path_, "cannot be written", code);
+  }
+  handle_->size += static_cast<off_t>(bytes.size());
+  handle_->appended = handle_->appended || !bytes.empty();
+  return Done{};
+}
+
+bool LockedFile::flush() {
+  KERF_ASSERT(handle_);
+  Handle& h = *handle_;
+  if (h.flushing && ::aio_error(h.request.get()) == EINPROGRESS) return true;
+  if (h.flushing) ::aio_return(h.request.get());
+  h.flushing = false;
+  if (!h.appended) return false;
+  *h.request = {};
+  h.request->aio_fildes = h.descriptor;
+  h.request->aio_sigevent.sigev_notify = SIGEV_NONE;
+  h.flushing = ::aio_fsync(O_DSYNC, h.request.get()) == 0;
+  h.appended = !h.flushing;
+  return h.flushing;
+}
+
+void LockedFile::remove() { ::unlink(path_.c_str()); }
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEnding = ".kerf";
+
+size_t count_strokes(const Journal& journal) {
+  return static_cast<size_t>(
+      std::count_if(journal.commands.begin(), journal.commands.end(),
+                    [](const Command& c) { return std::holds_alternative<BeginStroke>(c); }));
+}
+
+}  // namespace
+
+void Autosave::begin(SceneDescription scene, fs::path work_of, std::vector<fs::path> opened) {
+  if (file_) replaced_ = std::move(*file_);
+  file_.reset();
+  commands_ = marks_ = 0;
+  scene_ = std::move(scene);
+  work_of_ = std::move(work_of);
+  opened_ = std::move(opened);
+}
+
+void Autosave::drop() {
+  for (std::optional<LockedFile>* file : {&file_, &replaced_}) {
+    if (*file) (*file)->remove();
+    file->reset();
+  }
+  commands_ = marks_ = 0;
+}
+
+Status Autosave::follow(const Document& document, std::span<const StateMark> marks) {
+  const std::span<const Command> commands = std::span(document.journal()).first(document.final_commands());
+  if (file_ && commands.size() == commands_ && marks.size() == marks_) {
+    flush();
+    return Done{};
+  }
+  KERF_ASSERT(commands.size() >= commands_ && marks.size() >= marks_);
+  // Marks count commands from the start of the document.
+  std::vector<StateMark> fresh(marks.begin() + static_cast<std::ptrdiff_t>(marks_), marks.end());
+  for (StateMark& mark : fresh) mark.commands -= commands_;
+  const auto lines = journal_lines(commands.subspan(commands_), fresh, {});
+  if (!lines) return lines.error();
+  if (file_) {
+    if (const auto appended = file_->append(*lines); !appended) return appended;
+  } else {
+    const auto head = journal_head(scene_, work_of_, {}, opened_);
+    if (!head) return head.error();
+    auto file = create(*head + *lines);
+    if (!file) return file.error();
+    file_ = std::move(*file);
+    if (replaced_) replaced_->remove();
+    replaced_.reset();
+  }
+  commands_ = commands.size();
+  marks_ = marks.size();
+  flush();
+  return Done{};
+}
+
+Result<LockedFile> Autosave::create(std::string_view text) const {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error)
+    return failed(folder_.string() + ": the folder for unsaved work cannot be made: " + error.message());
+  const std::string stem = "unsaved-" + std::to_string(::getpid()) + "-";
+  size_t number = 1;
+  while (fs::exists(folder_ / (stem + std::to_string(number) + kEnding), error)) ++number;
+  return LockedFile::create(folder_ / (stem + std::to_string(number) + kEnding), text);
+}
+
+std::vector<LeftWork> find_left_work(const fs::path& folder, std::vector<std::string>& faults) {
+  std::vector<LeftWork> left;
+  std::error_code error;
+  fs::directory_iterator at(folder, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+    const fs::path path = at->path();
+    if (path.extension() != kEnding || path.filename().string().starts_with('.')) continue;
+    auto file = LockedFile::open(path);
+    if (!file) continue;  // the editor that wrote it is running
+    auto journal = read_journal(path);
+    if (!journal) {
+      faults.push_back(journal.error().message);
+      continue;
+    }
+    const size_t strokes = count_strokes(*journal);
+    std::error_code unknown;
+    left.push_back({std::move(*file), std::move(*journal), strokes, fs::last_write_time(path, unknown)});
+  }
+  std::sort(left.begin(), left.end(),
+            [](const LeftWork& a, const LeftWork& b) { return a.last_change > b.last_change; });
+  return left;
+}
+
+}  // namespace kerf

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/document/document.h"
+#include "core/document/journal.h"
+
+namespace kerf {
+
+// A file that is locked by one program. No other program can lock it while this object exists; the system
+// releases the lock when the program ends in any way. Other programs can still read, rename and remove the
+// file.
+class LockedFile {
+ public:
+  // Creates a file, which appears under its name atomically, locked and with these bytes, and is on the disk
+  // then. Fails if it exists.
+  static Result<LockedFile> create(const std::filesystem::path& path, std::string_view bytes);
+  // Opens and locks an existing file. Fails if another program has locked it.
+  static Result<LockedFile> open(const std::filesystem::path& path);
+
+  LockedFile(LockedFile&& other) noexcept;
+  LockedFile& operator=(LockedFile&& other) noexcept;
+  ~LockedFile();
+
+  const std::filesystem::path& path() const { return path_; }
+
+  // Appends all of the bytes to the file, or none of them on failure. They survive the end of the program,
+  // but a loss of power only after flush().
+  Status append(std::string_view bytes);
+  // Starts to write what was appended to the disk without waiting. Returns true while that is in progress or
+  // was just started, and has to be called again then.
+  bool flush();
+
+  // Removes the file from its folder.
+  void remove();
+
+ private:
+  struct Handle;
+  LockedFile(std::filesystem::path path, Handle* handle);
+  std::filesystem::path path_;
+  Handle* handle_ = nullptr;
+};
+
+// Keeps the unsaved work of one editor in a journal file that survives if the editor crashes. Each editor
+// holds a lock on its own file and does not touch those of others.
+class Autosave {
+ public:
+  explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  // Starts to keep a document with this scene, which was last saved to `work_of` (may be empty) and opened
+  // from the files `opened`. The file of the previous document is removed once the new one is written.
+  // Precondition: the meshes have hashes (see note_hashes).
+  void begin(SceneDescription scene, std::filesystem::path work_of,
+             std::vector<std::filesystem::path> opened = {});
+
+  // Appends the final commands (see Document::final_commands) and marks since the last call; the first call
+  // writes all of them to a new file. So time that passes is less than a second behind. On failure everything
+  // written before is kept, and the next call tries again. The cost is proportional to what is new. The data
+  // reach the disk asynchronously, for which follow or flush has to be called again within about a second.
+  // Precondition: `document` and `marks` continue those of the last call.
+  Status follow(const Document& document, std::span<const StateMark> marks);
+  // Continues flushing to the disk. Returns whether anything is left to flush.
+  bool flush() { return file_ && file_->flush(); }
+
+  // Removes the file, because the work was saved or discarded. The next call of follow creates a new one.
+  void drop();
+
+  // Whether a file with unsaved work exists.
+  bool keeps() const { return file_.has_value() || replaced_.has_value(); }
+
+ private:
+  Result<LockedFile> create(std::string_view text) const;
+
+  std::filesystem::path folder_;
+  SceneDescription scene_;
+  std::filesystem::path work_of_;
+  std::vector<std::filesystem::path> opened_;
+  std::optional<LockedFile> file_, replaced_;
+  size_t commands_ = 0, marks_ = 0;  // numbers written to the file
+};
+
+// Unsaved work that a crashed editor left behind. No other editor finds it while this object holds the lock.
+struct LeftWork {
+  LockedFile file;
+  Journal journal;
+  size_t strokes = 0;
+  std::filesystem::file_time_type last_change;
+};
+
+// Finds the work that crashed editors left in the folder, the latest first. Files of running editors are
+// locked and are skipped. A file that cannot be read is left unchanged and adds a sentence to `faults`.
+std::vector<LeftWork> find_left_work(const std::filesystem::path& folder, std::vector<std::string>& faults);
+
+}  // namespace kerf

@@ -1,0 +1,337 @@
+#include "core/document/commands.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/document/edit_piece.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/world_fields.h"
+#include "core/edit/detach.h"
+#include "core/mesh/files/mesh_format.h"
+#include "core/mesh/remesh/remeshed.h"
+#include "core/mesh/remesh/simplify.h"
+#include "core/world/body_creation.h"
+#include "core/world/body_mass.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::array kPatterns{"volume", "rays4"};
+constexpr std::array kSchemes{"one-to-four", "longest-edge"};
+constexpr std::array kRules{"target-edge", "tolerance", "depth"};
+constexpr std::array kRims{"faces", "smooth"};
+constexpr std::array kAssists{"none", "oxygen"};
+constexpr std::array kModels{"geometric", "thermal"};
+
+constexpr double kMostMoves = 1e9;
+constexpr Ticks kMostTicks = Ticks{1} << 40;
+
+std::string fineness(const Resolution& r, FileUnit unit) {
+  switch (r.rule) {
+    case Resolution::Rule::kTargetEdge:
+      return "edges of " + length_label(r.target_edge, unit);
+    case Resolution::Rule::kTolerance:
+      return "within " + length_label(r.tolerance, unit);
+    case Resolution::Rule::kDepth:
+      return std::to_string(r.depth) + (r.depth == 1 ? " level" : " levels");
+  }
+  return "";
+}
+
+}  // namespace
+
+// The settings of a stroke with everything that the result of its cut depends on.
+static void describe(Fields& f, CutSettings& s) {
+  f.number("radius", s.laser.radius, kPositive);
+  f.interval("range", s.laser.range);
+  f.choice("pattern", s.laser.pattern, kPatterns);
+  f.number("power", s.laser.power, kPositive);
+  f.choice("scheme", s.resolution.scheme, kSchemes);
+  f.choice("rule", s.resolution.rule, kRules);
+  f.number("target-edge", s.resolution.target_edge, kPositive);
+  f.number("tolerance", s.resolution.tolerance, kPositive);
+  f.whole("depth", s.resolution.depth, 0, Resolution::kLargestDepth);
+  f.choice("rim", s.resolution.rim, kRims);
+  f.choice("model", s.model, kModels, Model::kGeometric);
+  f.number("heat-width", s.heat_width, kPositive, 0);
+  f.number("wavelength", s.laser.wavelength, kPositive, 0);
+  f.number("focus", s.laser.focus, kPositive);
+  f.number("pulse-rate", s.laser.pulse_rate, kPositive, 0);
+  f.number("duty", s.laser.duty, kPositiveShare, 1);
+  f.choice("assist", s.laser.assist, kAssists, Assist::kNone);
+  f.whole("most-faces", s.most_faces, 1, uint64_t{1} << 32, CutSettings::kMostFaces);
+}
+
+std::string BeginStroke::words(FileUnit unit) const {
+  return "Stroke, radius " + length_label(settings.laser.radius, unit) +
+         (settings.laser.pattern == Pattern::kRays4 ? ", four rays" : "");
+}
+
+void describe(Fields& f, BeginStroke& c) {
+  f.object("settings", c.settings);
+  describe(f, c.pose);
+}
+
+void describe(Fields& f, MoveBeam& c) {
+  describe(f, c.pose);
+  f.number("t", c.time, kFinite, 0);
+}
+
+void describe(Fields& f, StopStroke& c) {
+  f.number("moves", c.moves, {0, kMostMoves});
+  f.whole("ticks", c.ticks, 0, kMostTicks, 0);
+}
+
+std::string Recut::words(FileUnit unit) const {
+  return "Cut the stroke again, " + fineness(settings.resolution, unit);
+}
+
+void describe(Fields& f, Recut& c) { f.object("settings", c.settings); }
+
+void describe(Fields& f, AdvanceTime& c) {
+  f.whole("ticks", c.ticks, 1, AdvanceTime::kMostInALine);
+  f.flag("bodies", c.bodies, false);
+  f.flag("joins", c.joins, false);
+}
+
+std::string DragBody::words(const std::string& piece_name) const { return "Pull " + piece_name; }
+
+void describe(Fields& f, DragBody& c) {
+  piece_field(f, c.piece);
+  f.vector("at", c.at);
+  f.vector("to", c.to);
+}
+
+std::string MovePiece::words(const std::string& piece_name) const { return "Move " + piece_name; }
+
+void describe(Fields& f, MovePiece& c) {
+  piece_field(f, c.piece);
+  describe(f, c.to);
+}
+
+Result<Delta> MovePiece::run(World& world, uint32_t generation, const Progress*) const {
+  return edit_piece(
+      world, piece, generation, &Delta::moved, [&](const Body& body) { return body.placement != to; },
+      [&](Body& own) {
+        own.placement = to;
+        own.motion = {};
+      });
+}
+
+std::string DuplicatePiece::words(const std::string& piece_name) const { return "Duplicate " + piece_name; }
+
+void describe(Fields& f, DuplicatePiece& c) {
+  piece_field(f, c.piece);
+  describe(f, c.to);
+}
+
+Result<Delta> DuplicatePiece::run(World& world, uint32_t generation, const Progress*) const {
+  if (!has_faces(world, piece)) return no_such_piece(piece);
+  Delta delta;
+  const BodyId copy = duplicate(world, piece, generation, delta);
+  world.body(copy).placement = to;
+  return delta;
+}
+
+std::string HidePiece::words(const std::string& piece_name) const {
+  return (hidden ? "Hide " : "Show ") + piece_name;
+}
+
+void describe(Fields& f, HidePiece& c) {
+  piece_field(f, c.piece);
+  f.flag("hidden", c.hidden);
+}
+
+Result<Delta> HidePiece::run(World& world, uint32_t generation, const Progress*) const {
+  return edit_piece(
+      world, piece, generation, &Delta::hid_or_showed,
+      [&](const Body& body) { return body.hidden != hidden; }, [&](Body& own) { own.hidden = hidden; });
+}
+
+std::string DeletePiece::words(const std::string& piece_name) const { return "Delete " + piece_name; }
+
+void describe(Fields& f, DeletePiece& c) { piece_field(f, c.piece); }
+
+Result<Delta> DeletePiece::run(World& world, uint32_t generation, const Progress*) const {
+  if (!has_faces(world, piece)) return no_such_piece(piece);
+  Delta delta, change;
+  change.went = {detach(world, piece, generation, delta)};
+  world.remove(change.went.front());
+  delta.append(std::move(change));
+  return delta;
+}
+
+std::string RenamePiece::words(const std::string& piece_name) const {
+  return "Name " + piece_name + " " + name;
+}
+
+void describe(Fields& f, RenamePiece& c) {
+  piece_field(f, c.piece);
+  f.text("name", c.name);
+}
+
+Result<Delta> RenamePiece::run(World& world, uint32_t, const Progress*) const {
+  if (!has_faces(world, piece)) return no_such_piece(piece);
+  Delta delta;
+  Body& body = world.body(piece.body);
+  if (body.name_of(piece.label) == name) return delta;
+  if (stands_alone(world, piece)) {
+    body.name = name;
+    body.named = piece.label;
+    body.piece_names.clear();
+  } else {
+    body.piece_names[piece.label] = name;
+  }
+  delta.renamed = {piece.body};
+  return delta;
+}
+
+std::string PinPiece::words(const std::string& piece_name) const {
+  return (pinned ? "Pin " : "Unpin ") + piece_name;
+}
+
+void describe(Fields& f, PinPiece& c) {
+  piece_field(f, c.piece);
+  f.flag("pinned", c.pinned);
+}
+
+Result<Delta> PinPiece::run(World& world, uint32_t generation, const Progress*) const {
+  return edit_piece(
+      world, piece, generation, &Delta::pinned, [&](const Body& body) { return body.pinned != pinned; },
+      [&](Body& own) {
+        own.pinned = pinned;
+        own.motion = {};
+      });
+}
+
+std::string SetSheetProperties::words(const std::string& piece_name) const {
+  return "Material of " + piece_name;
+}
+
+void describe(Fields& f, SetSheetProperties& c) {
+  piece_field(f, c.piece);
+  describe(f, c.sheet);
+}
+
+Result<Delta> SetSheetProperties::run(World& world, uint32_t generation, const Progress*) const {
+  return edit_piece(
+      world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.sheet != sheet; },
+      [&](Body& own) { own.sheet = sheet; });
+}
+
+std::string SetSolid::words(const std::string& piece_name) const {
+  return piece_name + (solid ? " as a solid" : " as a sheet");
+}
+
+void describe(Fields& f, SetSolid& c) {
+  piece_field(f, c.piece);
+  f.flag("solid", c.solid);
+}
+
+Result<Delta> SetSolid::run(World& world, uint32_t generation, const Progress*) const {
+  return edit_piece(
+      world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.solid != solid; },
+      [&](Body& own) { make_solid(own, solid); });
+}
+
+std::string SimplifyPiece::words(const std::string& piece_name) const { return "Simplify " + piece_name; }
+
+void describe(Fields& f, SimplifyPiece& c) {
+  piece_field(f, c.piece);
+  if (f.present("error", std::isfinite(c.target.error))) {
+    f.number("error", c.target.error, kPositive);
+    f.present("faces", false);
+  } else {
+    f.whole("faces", c.target.faces, 1, FaceId::kNone);
+  }
+}
+
+Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progress* progress) const {
+  return remake_piece(
+      world, piece, generation,
+      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
+        return simplify(mesh, target, heeded.kept, working, heeded.warm);
+      },
+      progress);
+}
+
+std::string SubdividePiece::words(const std::string& piece_name) const { return "Subdivide " + piece_name; }
+
+void describe(Fields& f, SubdividePiece& c) {
+  piece_field(f, c.piece);
+  f.choice("scheme", c.scheme, kSubdivisionNames);
+}
+
+Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progress* progress) const {
+  if (has_faces(world, piece) && world.body(piece.body).pieces[piece.label].faces > kMostToSubdivide)
+    return bad_input(piece_words(piece) + " has too many faces to be subdivided");
+  return remake_piece(
+      world, piece, generation,
+      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
+        return subdivide(mesh, scheme, heeded.kept, working);
+      },
+      progress);
+}
+
+std::string SmoothPiece::words(const std::string& piece_name) const {
+  return "Smooth " + piece_name + (times == 1 ? "" : ", " + std::to_string(times) + " times");
+}
+
+void describe(Fields& f, SmoothPiece& c) {
+  piece_field(f, c.piece);
+  f.whole("times", c.times, 1, kMostSmoothing);
+}
+
+Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress* progress) const {
+  return remake_piece(
+      world, piece, generation,
+      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
+        return smooth(mesh, times, heeded.kept, working);
+      },
+      progress);
+}
+
+std::string TurnShells::words(const std::string& piece_name) const {
+  return "Turn inner shells of " + piece_name;
+}
+
+void describe(Fields& f, TurnShells& c) { piece_field(f, c.piece); }
+
+Result<Delta> TurnShells::run(World& world, uint32_t generation, const Progress* progress) const {
+  return remake_piece(
+      world, piece, generation,
+      [](const Mesh& mesh, const HeededFaces&, const Progress* working) {
+        return turn_shells(mesh, working);
+      },
+      progress);
+}
+
+void describe(Fields& f, AddMesh& c) {
+  f.path("mesh", c.file);
+  f.text("name", c.name);
+}
+
+Result<Delta> AddMesh::run(World& world, uint32_t generation, const Progress* progress) const {
+  Result<Body> body = load_body(name, file, progress);
+  if (!body) return body.error();
+  Delta delta;
+  delta.came = {world.add(std::move(*body), generation)};
+  return delta;
+}
+
+void describe(Fields& f, SetEnvironment& c) {
+  f.vector("gravity", c.around.gravity);
+  f.number("ground", c.around.ground, kFinite);
+  f.number("metre", c.around.metre, kPositive, 1);
+}
+
+Result<Delta> SetEnvironment::run(World& world, uint32_t, const Progress*) const {
+  Delta delta;
+  if (world.environment() == around) return delta;
+  world.set_environment(around);
+  delta.environment = true;
+  return delta;
+}
+
+}  // namespace kerf

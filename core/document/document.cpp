@@ -1,0 +1,426 @@
+#include "core/document/document.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "core/base/assert.h"
+#include "core/document/commands.h"
+#include "core/document/edit_piece.h"
+
+namespace kerf {
+
+namespace {
+
+// A step of which this is the first command. The bodies that it creates get the number of the command in the
+// journal as their generation, which is the same when the journal is replayed.
+HistoryStep step_begun_by(const Command& first, const World& world, size_t number) {
+  HistoryStep step(first);
+  step.generation = static_cast<uint32_t>(number);
+  const std::optional<PieceId> piece = piece_of(first);
+  if (piece && has_faces(world, *piece)) step.piece_name = world.body(piece->body).name_of(piece->label);
+  return step;
+}
+
+}  // namespace
+
+Outcome Document::apply(const Command& command, const Progress* progress) {
+  Outcome outcome;
+  std::visit(Overloaded{
+                 [&](const BeginStroke& c) { begin_stroke(c); },
+                 [&](const MoveBeam& c) { move_stroke(c); },
+                 [&](const EndStroke&) { end_stroke(); },
+                 [&](const StopStroke& c) { outcome = stop(c, progress); },
+                 [&](const HappensInTime auto& c) { add_in_time(c); },
+                 [&](const Play& c) {
+                   end_stroke();
+                   begin_step(c);
+                   journal_.append(c);
+                 },
+                 [&](const Recut& c) { outcome = recut(c); },
+                 [&](const Undo&) { outcome = undo(progress); },
+                 [&](const Redo&) { outcome = redo(progress); },
+                 [&](const HappensAtOnce auto& c) { outcome = do_at_once(c, progress); },
+             },
+             command);
+  return outcome;
+}
+
+void Document::begin_stroke(const BeginStroke& command) {
+  end_stroke();
+  begin_step(command);
+  ++revision_;
+  execution_.enqueue(history().position() - 1, command);
+  journal_.append(command);
+}
+
+void Document::move_stroke(const MoveBeam& command) {
+  if (!execution_.in_stroke()) return;
+  last().add(command);
+  execution_.enqueue(history().position() - 1, command);
+  journal_.append(command);
+}
+
+void Document::end_stroke() {
+  if (!execution_.in_stroke()) return;
+  const size_t step = history().position() - 1;
+  last().add(EndStroke{});
+  execution_.enqueue(step, EndStroke{});
+  journal_.append(EndStroke{});
+  execution_.finish(step);
+}
+
+void Document::begin_step(const Command& first) {
+  execution_.history().append(step_begun_by(first, world(), journal_.size() + 1));
+}
+
+void Document::add_in_time(const Command& command) {
+  const auto* time = std::get_if<AdvanceTime>(&command);
+  if (time && time->ticks == 0) return;
+  execution_.history().drop_undone();
+  const bool first = history().position() == 0;
+  if (begun_by(command, first ? std::nullopt : std::optional(last().kind()))) {
+    begin_step(command);
+  } else {
+    last().add(command);
+    last().reopen();
+  }
+  execution_.enqueue(history().position() - 1, command);
+  journal_.append(command);
+}
+
+Outcome Document::do_at_once(const Command& command, const Progress* progress) {
+  end_stroke();
+  Outcome all = finish(progress);
+  if (!all.ok()) return all;
+  HistoryStep step = step_begun_by(command, world(), journal_.size() + 1);
+  Result<Delta> own = execution_.run(step, history().position(), progress);
+  if (!own) {
+    all.fail(own.error());
+  } else if (!own->empty()) {
+    journal_.append(step.first());
+    execution_.history().append(std::move(step));
+    execution_.history().trim();
+    all.delta.append(std::move(*own));
+  }
+  return all;
+}
+
+Outcome Document::redo_at_once(size_t at, const Progress* progress) {
+  Outcome all = finish(progress);
+  if (!all.ok()) return all;
+  History& steps = execution_.history();
+  HistoryStep& step = steps.step(at);
+  step.forget();
+  steps.forget_behind(at);
+  Result<Delta> own = execution_.run(step, at, progress);
+  if (own) {
+    steps.forth();
+    execution_.enqueue_time_of_edit(at);
+    all.delta.append(std::move(*own));
+  } else {
+    all.fail(own.error());
+  }
+  steps.trim();
+  return all;
+}
+
+// Executing the queue ---------------------------------------------------------------------------------------
+
+Result<StepResult> Document::execute(size_t most, bool one_stage, const Progress* progress) {
+  bool stopped = false;
+  const Progress watched{[&](double fraction) {
+    stopped = progress && !progress->report(fraction);
+    return !stopped;
+  }};
+  Result<StepResult> some = execution_.step(most, one_stage, watched);
+  if (!some) give_up(execution_.next_step(), stopped || execution_.is_over_budget());
+  return some;
+}
+
+// A stroke that was stopped is undone, with all that waits behind it.
+void Document::give_up(size_t step, bool stopped) {
+  if (execution_.in_stroke() && stopped) end_stroke();
+  ++revision_;
+  if (!execution_.give_up(step, stopped) || !stopped) return;
+  for (; history().position() > step; execution_.history().back()) journal_.append(Undo{});
+}
+
+Outcome Document::finish(const Progress* progress) {
+  Outcome all;
+  QueueRun how;
+  how.progress = progress;
+  how.told = [&](const Result<StepResult>& some) -> Status {
+    if (!some) return some.error();
+    all.delta.append(some->delta);
+    return Done{};
+  };
+  if (const Status ran = run_queue(*this, how); !ran) {
+    all.delta.anew = true;
+    all.fail(ran.error());
+  }
+  return all;
+}
+
+Outcome Document::run_whole(std::span<const Command> commands, const Progress* progress) {
+  end_stroke();
+  Outcome all = finish(nullptr);
+  if (!all.ok()) return all;
+  execution_.close_and_trim();
+  journal_.seal();
+  const size_t position = history().position(), journal_size = journal_.size();
+  std::vector<std::unique_ptr<HistoryStep>> undone = execution_.history().take_undone();
+  for (const Command& command : commands) apply(command);
+  end_stroke();
+  Outcome own = finish(progress);
+  const bool done = own.ok();
+  all.append(std::move(own));
+  if (done) return all;
+  if (const Status back = take_back_to(position, journal_size, std::move(undone)); !back)
+    all.fail(back.error());
+  return all;
+}
+
+// The undone steps are executed again when they are redone: their images belong to a world that no other step
+// has changed meanwhile.
+Status Document::take_back_to(size_t position, size_t journal_size,
+                              std::vector<std::unique_ptr<HistoryStep>> undone) {
+  for (const auto& step : undone) step->forget();
+  const Outcome back = travel(position);
+  if (!back.ok()) return back.error();
+  journal_.shrink(journal_size);
+  execution_.history().put_undone(std::move(undone));
+  return Done{};
+}
+
+using Images = HistoryStep::Images;
+using Kind = HistoryStep::Kind;
+
+namespace {
+
+// Whether bodies move in these commands of a step, so that pieces become bodies and take slots of the world.
+// Slots are not used again, and ids name them: they must not depend on how far a step was executed.
+bool bodies_move_in(const std::vector<Command>& commands) {
+  return std::any_of(commands.begin(), commands.end(), [](const Command& command) {
+    const auto* advance = std::get_if<AdvanceTime>(&command);
+    return advance != nullptr && advance->bodies;
+  });
+}
+
+}  // namespace
+
+bool Document::can_recut() const {
+  const auto stroke = history().last_cut();
+  return !execution_.in_stroke() && stroke && is_last(*stroke) &&
+         history().holds_images(history().base_of(*stroke), history().position());
+}
+
+// Where the beam has come further than to there, as in a replay, the stroke is cut again up to there.
+Outcome Document::stop(const StopStroke& command, const Progress* progress) {
+  end_stroke();
+  Outcome outcome;
+  const size_t now = history().position();
+  if (now == 0 || !history().cuts(now - 1)) return outcome;
+  const std::optional<StopStroke> here = execution_.stop_here();
+  last().add(command);
+  if (here && std::tie(here->moves, here->ticks) <= std::tie(command.moves, command.ticks)) {
+    execution_.stop(command);
+  } else if (can_start_again()) {
+    outcome.delta = start_again();
+  } else if (outcome = replay(now, progress); !outcome.ok()) {
+    last().take_out_last();
+    return outcome;
+  }
+  journal_.append(command);
+  ++revision_;
+  return outcome;
+}
+
+std::optional<World> Document::before_last_stroke() {
+  const auto stroke = history().last_cut();
+  if (!stroke || !is_last(*stroke) || world().live_faces() > kMostFacesToCopy) return std::nullopt;
+  return execution_.copy_before(history().base_of(*stroke));
+}
+
+Outcome Document::recut(const Recut& command) {
+  end_stroke();
+  Outcome all;
+  if (can_recut() && bodies_move_in(history().commands_of(history().position() - 1))) all = finish(nullptr);
+  if (!all.ok() || !can_recut()) return all;
+  begin_step(command);
+  journal_.append(command);
+  ++revision_;
+  all.delta.append(execution_.cut_again());
+  return all;
+}
+
+bool Document::can_start_again() const {
+  const size_t now = history().position();
+  return now > 0 && history().cuts(now - 1) && history().holds_images(history().base_of(now - 1), now);
+}
+
+Delta Document::start_again() {
+  KERF_ASSERT(can_start_again());
+  Delta delta = execution_.take_back(history().position() - 1);
+  last().forget();
+  delta.append(execution_.run_again());
+  ++revision_;
+  return delta;
+}
+
+std::optional<Document::Mark> Document::mark() {
+  if (history().position() == 0) return std::nullopt;
+  std::optional<Execution::Mark> reached = execution_.mark();
+  if (!reached) return std::nullopt;
+  return Mark{revision_, history().position(), std::move(*reached)};
+}
+
+bool Document::can_go_back_to(const Mark& mark) const {
+  return !execution_.in_stroke() && mark.revision == revision_ && mark.position == history().position() &&
+         history().last().can_go_back_to(mark.reached.step);
+}
+
+Delta Document::go_back_to(const Mark& mark) {
+  KERF_ASSERT(can_go_back_to(mark));
+  ++revision_;
+  return execution_.go_back_to(mark.reached);
+}
+
+// The queue is executed first if it is only a little time: a step that is done when it is undone can be
+// done again by its images.
+Outcome Document::undo(const Progress* progress) {
+  end_stroke();
+  Outcome passed = execution_.only_a_few_ticks_wait() ? finish(nullptr) : Outcome();
+  History& steps = execution_.history();
+  if (steps.position() == 0) return Outcome();
+  const size_t at = steps.position() - 1;
+  HistoryStep& step = steps.step(at);
+  // The step before was taken back for good where it was cut again.
+  const bool again = at > 0 && steps.step(at - 1).waiting() && !execution_.waits_for(at - 1);
+  if (step.images() == Images::kLetGo || (again && !execution_.can_run_again(at - 1)))
+    return replay(at, progress);
+  Delta delta = std::move(passed.delta);
+  delta.append(execution_.take_back(at));
+  if (!step.done()) step.forget();
+  steps.back();
+  if (again) delta.append(execution_.run_again());
+  steps.trim();
+  journal_.append(Undo{});
+  ++revision_;
+  return Outcome(std::move(delta));
+}
+
+Outcome Document::redo(const Progress* progress) {
+  end_stroke();
+  History& steps = execution_.history();
+  if (steps.position() == steps.size()) return Outcome();
+  const size_t at = steps.position();
+  HistoryStep& step = steps.step(at);
+  Outcome outcome;
+  if (step.images() == Images::kHeld && step.done() && execution_.queue_is_empty()) {
+    outcome.delta = execution_.bring_again(at);
+    steps.forth();
+  } else if (step.kind() == Kind::kEdit) {
+    outcome = redo_at_once(at, progress);
+    if (!outcome.ok()) return outcome;
+  } else {
+    if (!execution_.can_run_again(at)) return replay(at + 1, progress);
+    step.forget();
+    steps.forth();
+    outcome.delta = execution_.run_again();
+  }
+  journal_.append(Redo{});
+  ++revision_;
+  return outcome;
+}
+
+bool Document::remembers_way_to(size_t position) const {
+  return history().holds_images(position, history().position());
+}
+
+Outcome Document::travel(size_t position, const Progress* progress) {
+  end_stroke();
+  position = std::min(position, history().size());
+  if (!remembers_way_to(position)) return replay(position, progress);
+  Outcome all;
+  while (all.ok() && history().position() != position)
+    all.append(history().position() > position ? undo(progress) : redo(progress));
+  return all;
+}
+
+// Starts again from the origin. Where that cannot be had, nothing has changed.
+Outcome Document::replay(size_t position, const Progress* progress) {
+  Outcome outcome;
+  if (!origin_) {
+    outcome.fail(failed("what the world was then is no longer remembered"));
+    return outcome;
+  }
+  const Progress loading = share_of(progress, 0, 0.3), running = share_of(progress, 0.3, 1);
+  Result<World> origin = origin_(&loading);
+  if (!origin) {
+    outcome.fail(origin.error());
+    return outcome;
+  }
+  ++revision_;
+  const size_t before = history().position(), written = journal_.size();
+  execution_.start_with(std::move(*origin));
+  outcome.delta.anew = true;
+  if (const Status done = replay_steps(position, &running); !done) outcome.fail(done.error());
+  journal_.shrink(written);
+  for (size_t i = history().position(); i < before; ++i) journal_.append(Undo{});
+  for (size_t i = before; i < history().position(); ++i) journal_.append(Redo{});
+  return outcome;
+}
+
+// A stroke that is cut again right away need not be cut first, unless bodies move under it. Then it is cut,
+// and its before-images are kept until it has been cut again.
+Status Document::replay_steps(size_t position, const Progress* progress) {
+  History& steps = execution_.history();
+  const size_t window = steps.window();
+  while (steps.position() < position) {
+    const size_t step = steps.position();
+    const double share = 1 / static_cast<double>(position), from = share * static_cast<double>(step);
+    const Progress running = share_of(progress, from, from + share);
+    Outcome done;
+    if (steps.step(step).kind() == Kind::kEdit) {
+      done = redo_at_once(step, &running);
+      if (done.ok()) done = finish(&running);
+    } else {
+      steps.forth();
+      const bool again = step + 1 < position && steps.step(step + 1).kind() == Kind::kRecut;
+      if (again && !bodies_move_in(steps.commands_of(step))) continue;
+      if (again) steps.set_window(std::numeric_limits<size_t>::max());
+      execution_.run_again();
+      done = finish(&running);
+      if (!again || !done.ok()) steps.set_window(window);
+    }
+    if (!done.ok()) return done.error();
+  }
+  return Done{};
+}
+
+Status run_queue(Document& document, const QueueRun& how) {
+  const auto all = static_cast<double>(document.waiting() - std::min(document.waiting(), how.leave));
+  while (document.waiting() > how.leave) {
+    const size_t left = document.waiting() - how.leave;
+    const Progress going = share_of(how.progress, std::max(0.0, 1 - static_cast<double>(left) / all), 1);
+    if (!going.report(0)) return cancelled();
+    const Result<StepResult> some = document.step(std::min(left, how.moves_a_step), &going);
+    const Status heard = how.told ? how.told(some) : some ? Status(Done{}) : Status(some.error());
+    if (!heard) return heard;
+  }
+  return Done{};
+}
+
+Outcome stop_strokes(Document& document) {
+  document.apply(EndStroke{});
+  Outcome all;
+  const History& history = document.history();
+  while (all.ok() && document.execution().beam_waits() && history.position() > 0 && history.last().waiting())
+    all.append(document.apply(Undo{}));
+  if (!all.ok()) return all;
+  if (const auto here = document.execution().stop_here()) all.append(document.apply(*here));
+  return all;
+}
+
+}  // namespace kerf

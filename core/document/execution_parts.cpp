@@ -1,0 +1,319 @@
+#include <algorithm>
+
+#include "core/document/edit_piece.h"
+#include "core/document/execution.h"
+#include "core/edit/separation.h"
+#include "core/joints/joined_parts.h"
+#include "core/physics/release_pieces.h"
+#include "core/physics/sleep.h"
+#include "core/world/heat_flow.h"
+
+namespace kerf {
+
+namespace {
+
+// The piece that the spring holds may have become a body of its own.
+void follow_with_spring(World& world, const Delta& delta) {
+  if (!world.spring()) return;
+  Spring spring = *world.spring();
+  for (const Detached& d : delta.detached) {
+    if (spring.piece == PieceId{d.from, d.label}) spring.piece.body = d.to;
+  }
+  if (spring != *world.spring()) world.set_spring(spring);
+}
+
+}  // namespace
+
+size_t Execution::waiting() const { return queue_.empty() && must_separate() ? 1 : queue_.size(); }
+
+bool Execution::next_closes_rim() const {
+  return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
+}
+
+size_t Execution::next_makes_ready() const {
+  const bool tick = !must_separate() && !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kTicks;
+  if (!tick || !queue_.front_in_time().bodies) return 0;
+  const bool beam = queue_.front_in_time().stroke != nullptr;
+  size_t faces = 0;
+  for (const BodyId id : world_.ids()) {
+    const Body& body = world_.body(id);
+    if (has_pieces_off(body) || (!body.hidden && physics_.makes_collider(world_, id, beam)))
+      faces += body.mesh.live_faces();
+  }
+  return faces;
+}
+
+bool Execution::next_is_of_last_step() const {
+  const std::optional<size_t> open = recorder_.step();
+  if (must_separate()) return open && is_last(*open);
+  return !queue_.empty() && is_last(queue_.front_step());
+}
+
+Result<StepResult> Execution::step(size_t most, bool one_stage, const Progress& progress) {
+  if (must_separate()) return separate_more();
+  if (queue_.empty() || most == 0) return StepResult{};
+  const size_t step = queue_.front_step();
+  switch (queue_.front_kind()) {
+    case BeamQueue::Kind::kSpring:
+      return change_spring();
+    case BeamQueue::Kind::kTicks:
+      return pass_ticks(most, progress);
+    case BeamQueue::Kind::kRim:
+      return noted(step, close_rim_of_stroke(progress));
+    case BeamQueue::Kind::kMove:
+      break;
+  }
+  return noted(step, run_moves(most, one_stage, progress));
+}
+
+// The pieces that one stroke has separated are known before the next stroke, or a tick, begins. While a
+// stroke runs whose moves so far are all executed, the search waits for what comes next: which part keeps its
+// label depends on when a search ends, and when the queue is empty depends on how fast it is executed.
+bool Execution::must_separate() const {
+  if (is_settled(world_)) return false;
+  if (queue_.empty()) return !in_stroke();
+  return queue_.front_kind() == BeamQueue::Kind::kTicks || recorder_.step() != queue_.front_step();
+}
+
+StepResult Execution::separate_more() {
+  const size_t most = walked_ ? walked_->settings.search_a_move : CutSettings{}.search_a_move;
+  StepResult some = go_on_separating(world_, most);
+  if (recorder_.step()) {
+    note_cut(*recorder_.step(), some);
+    finish(*recorder_.step());
+  }
+  return some;
+}
+
+Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progress& progress) {
+  constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
+  if (is_over_budget()) return over_face_budget(face_budget_);
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  const std::vector<BeamMove> moves = queue_.begin_moves(world_, one_stage ? 1 : std::min(most, kMostAtOnce));
+  walked_->list_path(world_);
+  const CutSettings& settings = walked_->settings;
+  UnfinishedMove& unfinished = queue_.unfinished();
+  Result<StepResult> some = one_stage ? cut_stage(world_, settings, moves.front(), unfinished, &progress)
+                                      : cut_step(world_, settings, moves, unfinished, &progress);
+  if (some) queue_.pop_moves(some->moves);
+  return some;
+}
+
+Result<StepResult> Execution::close_rim_of_stroke(const Progress& progress) {
+  if (is_over_budget() && !queue_.unfinished_rim().must_go_on()) return over_face_budget(face_budget_);
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  Result<StepResult> some =
+      rim_step(world_, walked_->settings, walked_->path, walked_->swept, queue_.unfinished_rim(), &progress);
+  if (some && !rim_is_unfinished()) queue_.pop();
+  return some;
+}
+
+Result<StepResult> Execution::pass_ticks(size_t most, const Progress& progress) {
+  const size_t step = queue_.front_step();
+  begin(step);
+  if (queue_.front_in_time().bodies) return move_bodies(step, progress);
+  pass(std::min<Ticks>(most, queue_.front_in_time().count));
+  keep_open(step);
+  return StepResult{};
+}
+
+// The first ticks of the queue pass.
+void Execution::pass(Ticks ticks) {
+  world_.pass(ticks);
+  cool_for_ticks(world_, ticks);
+  queue_.pop(ticks);
+}
+
+// One tick. What came off since the last one, and what turns on joints, becomes bodies first.
+Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress) {
+  StepResult all;
+  if (world_.clock() % kTicksToForget == 0) forget_details(world_);
+  if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
+  release_pieces(world_, history_.step(step).generation, all.delta);
+  follow_with_spring(world_, all.delta);
+  note_cut(step, all);
+  if (const auto& stroke = queue_.front_in_time().stroke) stroke->inherit(all.delta.detached);
+  Result<StepResult> moved = move_under_beam(step, progress);
+  if (!moved) return moved;
+  all.delta.append(std::move(moved->delta));
+  all.statistics.add(moved->statistics);
+  pass(1);
+  keep_open(step);
+  return all;
+}
+
+// Bodies move on, and the beam, where it is on, cuts what moves through it. By the thermal model it only does
+// while its own moves are executed: the energy of a tick is theirs.
+Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progress) {
+  const std::shared_ptr<Stroke> stroke = queue_.front_in_time().stroke;
+  std::map<BodyId, Placement> before;
+  if (stroke) {
+    for (const BodyId id : world_.ids()) before[id] = world_.body(id).placement;
+  }
+  StepResult all;
+  all.delta = physics_.tick(world_, stroke != nullptr);
+  note(step, all);
+  if (!stroke) return all;
+  walked_ = stroke;
+  for (const BodyId id : std::vector<BodyId>(all.delta.moved)) {
+    const Body& body = world_.body(id);
+    const std::vector<BeamMove> moves =
+        stroke->move_body(id, body, before[id], queue_.front_in_time().move.to);
+    if (moves.empty() || stroke->settings.model == Model::kThermal) continue;
+    Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
+    if (!cut) return cut;
+    note_cut(step, *cut);
+    all.delta.append(std::move(cut->delta));
+    all.statistics.add(cut->statistics);
+  }
+  return all;
+}
+
+StepResult Execution::change_spring() {
+  const size_t step = queue_.front_step();
+  begin(step);
+  world_.set_spring(queue_.front_in_time().spring);
+  queue_.pop();
+  keep_open(step);
+  return {};
+}
+
+// Where a step is over, its recording still stays open, for the ticks to come are its own.
+void Execution::keep_open(size_t step) {
+  if (is_over(step)) history_.step(step).finish();
+}
+
+// Changes of the world from here on belong to this step.
+void Execution::begin(size_t step) {
+  if (recorder_.step() == step) return;
+  close_and_trim();
+  history_.forget_behind(step);
+  HistoryStep& begun = history_.step(step);
+  // A step begins alike whatever way the world has come to where it begins.
+  const bool anew = begun.waiting();
+  if (anew) {
+    for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
+    physics_.begin_step();
+  }
+  begun.begin(history_.window() > 0);
+  recorder_.open(world_, step, begun.images() == HistoryStep::Images::kHeld);
+  if (anew && !world_.contact_memory().empty()) forget_details(world_);
+}
+
+void Execution::close() {
+  const std::optional<size_t> step = recorder_.step();
+  if (!step) return;
+  if (std::optional<World::Change> change = recorder_.close(world_))
+    history_.step(*step).add(std::move(*change));
+}
+
+void Execution::close_and_trim() {
+  if (!recorder_.step()) return;
+  close();
+  history_.trim();
+}
+
+void Execution::note(size_t step, const StepResult& some) {
+  history_.step(step).touch(some.delta);
+  history_.step(step).note_new_pieces(world_, some.delta);
+  history_.step(step).add(some.statistics);
+}
+
+// Bodies that touched a changed body are woken.
+void Execution::note_cut(size_t step, const StepResult& some) {
+  forget_contacts(world_, some.delta);
+  physics_.follow(some.delta);
+  note(step, some);
+}
+
+Result<StepResult> Execution::noted(size_t step, Result<StepResult> some) {
+  if (!some) return some;
+  note_cut(step, *some);
+  finish(step);
+  return some;
+}
+
+// Queues what a command does in time before everything else.
+void Execution::enqueue_in_front(size_t step, const Command& command) {
+  std::visit(Overloaded{
+                 [&](const AdvanceTime& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
+                 [&](const DragBody& c) {
+                   queue_.push_spring_in_front(step, Spring{c.piece, c.at, c.to});
+                 },
+                 [&](const ReleaseBody&) { queue_.push_spring_in_front(step, std::nullopt); },
+                 [](const auto&) {},
+             },
+             command);
+}
+
+// Whether nothing of a step of the history waits, nor can be added by a stroke that is running.
+bool Execution::is_over(size_t step) const {
+  const bool running = in_stroke() && is_last(step);
+  return !running && !queue_.holds(step) && is_settled(world_);
+}
+
+void Execution::finish(size_t step) {
+  if (!is_over(step)) return;
+  history_.step(step).finish();
+  if (recorder_.step() == step) close_and_trim();
+}
+
+// A stroke that cannot be cut to its end stays in the history, for whoever replays it comes to the same, and
+// so does what is drawn of it afterwards: it may be cut again. If it is one that is cut again itself, nothing
+// is cut, as the earlier settings do not count any more.
+bool Execution::give_up(size_t step, bool stopped) {
+  KERF_ASSERT(!queue_.unfinished_rim().must_go_on());
+  if (in_stroke() && is_last(step)) drawn_->given_up = true;
+  queue_.drop_strokes(step);
+  if (stopped) queue_.clear();
+  if (recorder_.step() == step) close();
+  if (history_.step(step).images() != HistoryStep::Images::kHeld) {
+    finish(step);
+    return false;
+  }
+  take_back(step);
+  history_.step(step).forget();
+  if (stopped) return true;
+  begin(step);
+  const bool recut = history_.step(step).kind() == HistoryStep::Kind::kRecut;
+  if (recut && can_run_again(step)) restore_what_is_cut_again(step);
+  const std::vector<Command> commands = history_.commands_of(step);
+  for (size_t i = commands.size(); i-- > 0;) enqueue_in_front(step, commands[i]);
+  finish(step);
+  return true;
+}
+
+StepResult Execution::take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+  KERF_ASSERT(waiting() == 0 && history_.position() > 0);
+  const size_t step = history_.position() - 1;
+  begin(step);
+  StepResult taken;
+  for (const BodyState& state : states) {
+    if (!world_.contains(state.id)) continue;
+    Body& body = world_.body(state.id);
+    body.placement = state.placement;
+    body.motion = state.motion;
+    taken.delta.moved.push_back(state.id);
+  }
+  set_known_pairs(world_, pairs);
+  note(step, taken);
+  keep_open(step);
+  return taken;
+}
+
+StepResult Execution::skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+  while (!queue_.empty()) {
+    if (queue_.front_kind() == BeamQueue::Kind::kSpring) {
+      change_spring();
+      continue;
+    }
+    KERF_ASSERT(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_in_time().stroke);
+    begin(queue_.front_step());
+    pass(queue_.front_in_time().count);
+  }
+  return take_states(states, pairs);
+}
+
+}  // namespace kerf

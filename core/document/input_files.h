@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/commands.h"
+#include "core/document/scene.h"
+
+namespace kerf {
+
+// The files that a run reads. It must write to none of them: the input would be lost, and a journal that
+// names it could not be replayed. Files are compared by device and inode, so that a link and another spelling
+// of a path count as the same file. A path that is no regular file is left out, because nothing is lost by
+// writing to a device or a pipe.
+class InputFiles {
+ public:
+  // Adds a file, and with a glTF file the buffers and images that it names.
+  void add(const std::filesystem::path& file);
+  // Adds the meshes of a scene, and those that commands add to it.
+  void add_meshes(const SceneDescription& scene);
+  void add_meshes(std::span<const Command> commands);
+
+  // Bad input if an output is one of the files. `option` is what the output was given by, e.g. "--journal".
+  Status check(const std::string& option, const std::filesystem::path& output) const;
+  // Bad input if a file of a folder whose name `is_output` accepts is one of the files. A folder that does
+  // not exist is fine. O(files in the folder).
+  Status check_folder(const std::string& option, const std::filesystem::path& folder,
+                      const std::function<bool(std::string_view name)>& is_output) const;
+
+ private:
+  struct File {
+    uint64_t device, inode;
+    std::filesystem::path path;
+  };
+  std::vector<File> files_;
+};
+
+// The set of these files.
+InputFiles input_files(std::span<const std::filesystem::path> files);
+
+}  // namespace kerf

@@ -1,0 +1,196 @@
+#include "core/document/replay.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/assert.h"
+#include "core/document/document.h"
+#include "core/physics/physics.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+namespace {
+
+bool moves_bodies(const Command& command) {
+  const auto* advance = std::get_if<AdvanceTime>(&command);
+  return advance != nullptr && advance->bodies;
+}
+
+// Whether a command may be a part of a run after its first one.
+bool goes_on(const Command& command) {
+  return moves_bodies(command) || std::holds_alternative<DragBody>(command) ||
+         std::holds_alternative<ReleaseBody>(command);
+}
+
+// Whether the beam is on after a command.
+bool is_beam_on(const Command& command, bool before) {
+  if (std::holds_alternative<BeginStroke>(command)) return true;
+  const bool stays =
+      std::holds_alternative<MoveBeam>(command) || std::holds_alternative<AdvanceTime>(command) ||
+      std::holds_alternative<DragBody>(command) || std::holds_alternative<ReleaseBody>(command);
+  return before && stays;
+}
+
+// Where the run ends that begins with a command.
+size_t end_of_run(const std::vector<Command>& commands, size_t first) {
+  size_t end = first + 1;
+  while (end < commands.size() && goes_on(commands[end])) ++end;
+  return end;
+}
+
+// The last mark after `first` commands from which bodies go on to the bit.
+std::optional<size_t> last_mark(const Journal& journal, size_t first, size_t end) {
+  std::optional<size_t> last;
+  for (size_t i = 0; i < journal.marks.size() && journal.marks[i].commands <= end; ++i) {
+    const StateMark& mark = journal.marks[i];
+    const bool whole_minute = mark.clock > 0 && mark.clock % Execution::kTicksToForget == 0;
+    if (mark.commands > first && !mark.bodies.empty() && (mark.commands == end || whole_minute)) last = i;
+  }
+  return last;
+}
+
+Ticks ticks_of(const std::vector<Command>& commands, size_t first, size_t end) {
+  Ticks ticks = 0;
+  for (size_t i = first; i < end; ++i) {
+    if (const auto* advance = std::get_if<AdvanceTime>(&commands[i])) ticks += advance->ticks;
+  }
+  return ticks;
+}
+
+}  // namespace
+
+std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least) {
+  std::vector<TimeSkip> skips;
+  bool beam = false;
+  for (size_t i = 0; i < journal.commands.size();) {
+    const Command& command = journal.commands[i];
+    beam = is_beam_on(command, beam);
+    const bool begins = !beam && (std::holds_alternative<Play>(command) || goes_on(command));
+    const size_t end = begins ? end_of_run(journal.commands, i) : i + 1;
+    const std::optional<size_t> mark = begins ? last_mark(journal, i, end) : std::nullopt;
+    const Ticks ticks = mark ? ticks_of(journal.commands, i, journal.marks[*mark].commands) : 0;
+    if (mark && ticks >= std::max<Ticks>(least, 1)) skips.push_back({i, *mark, ticks});
+    i = end;
+  }
+  return skips;
+}
+
+double Replay::fraction() const {
+  const size_t all = journal_.commands.size();
+  return all > 0 ? static_cast<double>(next_) / static_cast<double>(all) : 1;
+}
+
+// A stroke that was stopped is not executed until it is known where: behind its StopStroke, where one follows
+// with nothing but its moves, its end and time before it.
+size_t Replay::end_of_stopped() const {
+  const auto goes_on = [](const Command& command) {
+    return std::visit(Overloaded{
+                          [](const MoveBeam&) { return true; },
+                          [](const EndStroke&) { return true; },
+                          [](const HappensInTime auto&) { return true; },
+                          [](const auto&) { return false; },
+                      },
+                      command);
+  };
+  size_t end = next_ + 1;
+  while (end < journal_.commands.size() && goes_on(journal_.commands[end])) ++end;
+  return is_a<StopStroke>(end) ? end + 1 : next_ + 1;
+}
+
+// A stroke that is undone next is not executed either, unless a mark says what it led to: it may have been
+// given up because it made more faces than there is memory for.
+size_t Replay::end_of_undone() const {
+  if (!is_a<BeginStroke>(next_)) return next_ + 1;
+  size_t end = next_ + 1;
+  while (is_a<MoveBeam>(end)) ++end;
+  if (is_a<EndStroke>(end)) ++end;
+  const bool marked = next_mark_ < journal_.marks.size() && journal_.marks[next_mark_].commands <= end;
+  return is_a<Undo>(end) && !marked ? end + 1 : next_ + 1;
+}
+
+// Tells of what a command did at once; of one that only queued, its steps tell.
+Status Replay::tell(const QueueRun& how, Outcome at_once) const {
+  if (!how.told) return at_once.ok() ? Status(Done{}) : Status(at_once.error());
+  if (!at_once.ok()) return how.told(at_once.error());
+  if (at_once.delta.empty() && document_.waiting() > 0) return Done{};
+  StepResult result;
+  result.delta = std::move(at_once.delta);
+  return how.told(std::move(result));
+}
+
+Status Replay::next(const QueueRun& how) {
+  KERF_ASSERT(!done());
+  compare();
+  while (next_skip_ < skips_.size() && skips_[next_skip_].first < next_) ++next_skip_;
+  if (next_skip_ < skips_.size() && skips_[next_skip_].first == next_) return skip(how, skips_[next_skip_]);
+  const size_t end = next_ < journal_.commands.size() ? std::max(end_of_stopped(), end_of_undone()) : next_;
+  while (next_ < end) {
+    Outcome at_once = document_.apply(journal_.commands[next_++], how.progress);
+    document_.seal_journal();  // so that it has the same commands, by number too
+    if (const Status heard = tell(how, std::move(at_once)); !heard) return heard;
+  }
+  const Status ran = run_queue(document_, how);
+  compare();
+  return ran;
+}
+
+// In the first tick what came off becomes bodies; it is not skipped.
+Status Replay::skip(const QueueRun& how, const TimeSkip& skip) {
+  const StateMark& mark = journal_.marks[skip.mark];
+  while (next_ < mark.commands) {
+    (void)document_.apply(journal_.commands[next_++]);  // which only queues it
+    document_.seal_journal();
+  }
+  const Ticks before = document_.world().clock();
+  const auto say = [&](const Result<StepResult>& step) -> Status {
+    if (how.told) return how.told(step);
+    return step ? Status(Done{}) : Status(step.error());
+  };
+  while (document_.waiting() > 0 && document_.world().clock() == before) {
+    if (const Status told = say(document_.step(1, how.progress)); !told) return told;
+  }
+  const Status told = say(document_.skip_to(mark.bodies, mark.pairs));
+  skipped_ += skip.ticks;
+  compare();
+  return told;
+}
+
+Status Replay::run(const QueueRun& how) {
+  const Progress watched{[&](double) { return !how.progress || how.progress->report(fraction()); }};
+  QueueRun each = how;
+  each.progress = &watched;
+  while (!done()) {
+    if (!watched.report(0)) return cancelled();
+    if (const Status status = next(each); !status) return status;
+  }
+  return Done{};
+}
+
+// Marks that stand where the document is now and nothing waits.
+void Replay::compare() {
+  for (; document_.waiting() == 0 && next_mark_ < journal_.marks.size() &&
+         journal_.marks[next_mark_].commands <= next_;
+       ++next_mark_) {
+    const StateMark& mark = journal_.marks[next_mark_];
+    if (difference_ || mark.commands < next_) continue;
+    uint64_t hash = state_hash(document_.world());
+    if (hash != mark.hash && takes_bodies(mark)) hash = state_hash(document_.world());
+    if (hash == mark.hash) continue;
+    if (other_machine_.empty()) {
+      difference_ = Difference{mark, hash};
+    } else {
+      cut_otherwise_ = true;
+    }
+  }
+}
+
+// Bodies move to other bits on another kind of machine.
+bool Replay::takes_bodies(const StateMark& mark) {
+  if (mark.bodies.empty() || mark.machine == machine_kind()) return false;
+  other_machine_ = mark.machine;
+  document_.take_states(mark.bodies, mark.pairs);
+  return true;
+}
+
+}  // namespace kerf

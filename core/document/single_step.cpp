@@ -1,0 +1,238 @@
+#include "core/document/single_step.h"
+
+#include "core/base/assert.h"
+#include "core/base/number_format.h"
+#include "core/cut/cut_step.h"
+#include "core/document/cut_effects.h"
+#include "core/mesh/files/mesh_format.h"
+
+namespace kerf {
+
+namespace {
+
+using StageKind = StageRecord::Kind;
+
+StageKind kind_of(UnfinishedMove::Stage stage) {
+  switch (stage) {
+    case UnfinishedMove::Stage::kFind:
+      return StageKind::kHit;
+    case UnfinishedMove::Stage::kRefine:
+      return StageKind::kRefine;
+    case UnfinishedMove::Stage::kFindAgain:
+      return StageKind::kHitAgain;
+    case UnfinishedMove::Stage::kRemove:
+      return StageKind::kRemove;
+    case UnfinishedMove::Stage::kSeparate:
+      return StageKind::kSeparate;
+  }
+  return StageKind::kHit;
+}
+
+std::string close_words(size_t removed) {
+  if (removed == 0) return "Close the rim: no face lay inside the boundary of the stroke any more.";
+  return "Close the rim: " + count_text(removed, "face") + " inside the boundary of the stroke " +
+         (removed == 1 ? "was" : "were") + " removed.";
+}
+
+// "1 face was", "3 faces were", "no face was".
+std::string faces_were(size_t count) {
+  if (count == 0) return "no face was";
+  return count_text(count, "face") + (count == 1 ? " was" : " were");
+}
+
+size_t new_pieces(const Delta& delta) {
+  size_t all = 0;
+  for (const BodyDelta& body : delta.bodies) all += body.new_pieces.size();
+  return all;
+}
+
+size_t count_specks(const Delta& delta, const Document& document) {
+  if (!document.history().last_cut()) return 0;
+  return new_specks(document.world(), delta, document.history().last_settings().laser.radius).size();
+}
+
+std::string sweep_words(const StageRecord& record, FileUnit unit) {
+  const double way = glm::length(record.move->to.origin - record.move->from.origin);
+  const std::string moves = way > 0 ? "moves by " + length_label(way, unit) : "stays";
+  return "Sweep: the origin of the beam " + moves + ", which sweeps " +
+         count_text(record.beam.size(), "volume") + " of radius " +
+         length_label(record.beam.front().radius(), unit) + ".";
+}
+
+std::string separate_words(size_t pieces, size_t specks) {
+  std::string all = pieces > 0 ? count_text(pieces, "piece") : "";
+  if (specks > 0) all += (all.empty() ? "" : ", ") + count_text(specks, "speck");
+  return "Separate: " + (all.empty() ? "no piece" : all) + " came off.";
+}
+
+std::string left_words(const StageRecord& record) {
+  if (record.left == 0) return "";
+  return " " + count_text(record.left, "face") + (record.left == 1 ? " is" : " are") +
+         " left for this stage.";
+}
+
+// In pairs, because the time to append one after the other would be quadratic.
+Delta joined(std::vector<Delta> changes) {
+  for (size_t width = 1; width < changes.size(); width *= 2) {
+    for (size_t i = 0; i + width < changes.size(); i += 2 * width)
+      changes[i].append(std::move(changes[i + width]));
+  }
+  return std::move(changes.front());
+}
+
+}  // namespace
+
+// What is known of the next stage before it is executed.
+StageRecord SingleStep::describe() const {
+  StageRecord record;
+  if (document_.execution().next_searches()) {
+    record.kind = StageKind::kSeparate;
+    return record;
+  }
+  record.move = document_.execution().next_move();
+  if (!record.move) {
+    record.kind = document_.execution().next_closes_rim() ? StageKind::kCloseRim : StageKind::kTime;
+    return record;
+  }
+  const UnfinishedMove& unfinished = document_.execution().unfinished_move();
+  record.kind = kind_of(unfinished.stage);
+  const std::vector<BodyId> bodies = cuttable(document_.world());
+  if (unfinished.bodies >= bodies.size()) return record;
+  record.body = bodies[unfinished.bodies];
+  const Placement& placement = document_.world().body(record.body).placement;
+  record.beam = sweep_beam(document_.execution().next_settings().laser,
+                           {placement.to_body(record.move->from), placement.to_body(record.move->to)});
+  return record;
+}
+
+// A stage of many faces, with its parts. Very many parts are several stages.
+Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress) {
+  constexpr size_t kMostParts = 64;
+  Result<StepResult> all = document_.step_stage(progress);
+  const auto goes_on = [&] {
+    if (kind == StageKind::kCloseRim) return document_.execution().rim_is_unfinished();
+    return (kind == StageKind::kRefine || kind == StageKind::kRemove) && all->moves == 0 &&
+           kind_of(document_.execution().unfinished_move().stage) == kind;
+  };
+  for (size_t parts = 1; all && parts < kMostParts && goes_on(); ++parts) {
+    Result<StepResult> part = document_.step_stage(progress);
+    if (!part) return part;
+    all->delta.append(std::move(part->delta));
+    all->statistics.add(part->statistics);
+  }
+  return all;
+}
+
+Result<StageRecord> SingleStep::next(const Progress* progress) {
+  KERF_ASSERT(document_.waiting() > 0);
+  StageRecord record = describe();
+  if (record.kind == StageKind::kHit && !record.beam.empty() && !swept_) {
+    swept_ = true;
+    ++stages_;
+    record.kind = StageKind::kSweep;
+    return record;
+  }
+  Result<StepResult> done = execute(record.kind, progress);
+  if (!done) {
+    swept_ = false;
+    return done.error();
+  }
+  ++stages_;
+  record.done = std::move(*done);
+  const UnfinishedMove& after = document_.execution().unfinished_move();
+  if (record.kind == StageKind::kHit || record.kind == StageKind::kHitAgain) record.hit = after.hit;
+  if (record.kind == StageKind::kRefine) record.left = after.to_split.size();
+  if (record.kind == StageKind::kRemove) record.left = after.hit.size() - after.removed;
+  if (record.kind == StageKind::kSeparate) record.specks = count_specks(record.done.delta, document_);
+  if (record.move && after.stage == UnfinishedMove::Stage::kFind) swept_ = false;
+  note_work(record);
+  return record;
+}
+
+void SingleStep::note_work(const StageRecord& record) {
+  constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
+  const StepStatistics& statistics = record.done.statistics;
+  work_ += statistics.faces_made + record.done.delta.removed_faces + kOfStage;
+  const bool after_rim = record.kind == StageKind::kCloseRim && !document_.execution().rim_is_unfinished();
+  const bool between_moves = record.done.moves > 0 && !swept_;
+  if (document_.waiting() == 0 || !(after_rim || (between_moves && work_ >= work_between_marks_))) return;
+  std::optional<Document::Mark> mark = document_.mark();
+  if (!mark) return;
+  places_.push_back({stages_, std::move(*mark)});
+  work_ = 0;
+}
+
+const SingleStep::Place* SingleStep::place_before(size_t stages) const {
+  for (size_t i = places_.size(); i-- > 0;) {
+    if (places_[i].stages < stages && document_.can_go_back_to(places_[i].mark)) return &places_[i];
+  }
+  return nullptr;
+}
+
+size_t SingleStep::resumes_after(size_t stages) const {
+  const Place* place = place_before(stages);
+  return place ? place->stages : 0;
+}
+
+Delta SingleStep::resume(size_t stages) {
+  work_ = 0;
+  swept_ = false;
+  const Place* place = place_before(stages);
+  stages_ = place ? place->stages : 0;
+  std::erase_if(places_, [&](const Place& p) { return p.stages > stages_; });
+  if (!place) {
+    places_.clear();
+    return document_.start_again();
+  }
+  Delta delta = document_.go_back_to(places_.back().mark);
+  for (Place& p : places_)
+    p.mark.revision = document_.revision();  // the other places are on the way to there
+  return delta;
+}
+
+Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* progress) {
+  KERF_ASSERT(document_.can_start_again() && stages <= stages_);
+  Outcome outcome;
+  std::vector<Delta> changes{resume(stages)};
+  while (outcome.ok() && stages_ < stages) {
+    const double share = static_cast<double>(stages_) / static_cast<double>(stages);
+    if (progress && !progress->report(share)) {
+      outcome.fail(cancelled());
+    } else if (Result<StageRecord> stage = next()) {
+      if (told) told(*stage);
+      changes.push_back(std::move(stage->done.delta));
+    } else {
+      changes.front().anew = true;
+      outcome.fail(stage.error());
+    }
+  }
+  outcome.delta = joined(std::move(changes));
+  return outcome;
+}
+
+std::string words(const StageRecord& record, FileUnit unit) {
+  const StepStatistics& statistics = record.done.statistics;
+  switch (record.kind) {
+    case StageKind::kSweep:
+      return sweep_words(record, unit);
+    case StageKind::kHit:
+    case StageKind::kHitAgain:
+      return std::string(record.kind == StageKind::kHit ? "Hit" : "Hit again, after the splits") +
+             ": the beam touches " + count_text(record.hit.size(), "face") + "; the tree tested " +
+             count_text(statistics.tested.boxes, "box slot") + " and " +
+             count_text(statistics.tested.faces, "face") + ".";
+    case StageKind::kRefine:
+      return "Refine: " + faces_were(statistics.faces_made) + " made by splits." + left_words(record);
+    case StageKind::kRemove:
+      return "Remove: " + faces_were(record.done.delta.removed_faces) + " removed." + left_words(record);
+    case StageKind::kSeparate:
+      return separate_words(new_pieces(record.done.delta) - record.specks, record.specks);
+    case StageKind::kCloseRim:
+      return close_words(record.done.delta.removed_faces);
+    case StageKind::kTime:
+      return "Time: a tick passed.";
+  }
+  return {};
+}
+
+}  // namespace kerf

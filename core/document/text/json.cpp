@@ -1,0 +1,193 @@
+#include "core/document/text/json.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+
+#include "core/base/assert.h"
+#include "core/base/geometry.h"
+#include "core/base/ids.h"
+#include "core/mesh/files/mesh_format.h"
+
+namespace kerf {
+
+Result<double> JsonValue::number() const {
+  if (!value_->is_number() || !std::isfinite(value_->get<double>())) return wrong("must be a finite number");
+  return value_->get<double>();
+}
+
+Result<double> JsonValue::positive_number() const {
+  const auto n = number();
+  if (n && !(*n > 0)) return wrong("must be greater than zero");
+  return n;
+}
+
+Result<Vec3> JsonValue::vector() const {
+  if (!value_->is_array() || value_->size() != 3) return wrong("must be three numbers");
+  Vec3 v{0};
+  for (int i = 0; i < 3; ++i) {
+    const auto n = (*this)[static_cast<size_t>(i)].number();
+    if (!n) return n.error();
+    v[i] = *n;
+  }
+  return v;
+}
+
+Result<glm::dquat> JsonValue::orientation() const {
+  if (!json().is_array() || json().size() != 4) return wrong("must be four numbers");
+  glm::dquat turn;
+  size_t i = 0;
+  for (double* part : {&turn.w, &turn.x, &turn.y, &turn.z}) {
+    const auto n = (*this)[i++].number();
+    if (!n) return n.error();
+    *part = *n;
+  }
+  if (!is_unit_length2(glm::dot(turn, turn))) return wrong("must have length 1");
+  return turn;
+}
+
+Result<Interval> JsonValue::pair() const {
+  if (!value_->is_array() || value_->size() != 2) return wrong("must be two numbers");
+  const auto first = (*this)[size_t{0}].number(), second = (*this)[size_t{1}].number();
+  if (!first) return first.error();
+  if (!second) return second.error();
+  return Interval{*first, *second};
+}
+
+Result<Interval> JsonValue::interval() const {
+  const auto range = pair();
+  if (range && (range->low > range->high || range->low < 0))
+    return wrong("must be a range from small to large that starts at 0 or above");
+  return range;
+}
+
+Result<std::string> JsonValue::text() const {
+  if (!value_->is_string()) return wrong("must be a text");
+  return value_->get<std::string>();
+}
+
+Result<bool> JsonValue::flag() const {
+  if (!value_->is_boolean()) return wrong("must be true or false");
+  return value_->get<bool>();
+}
+
+std::optional<std::vector<uint32_t>> JsonValue::whole_numbers(std::initializer_list<size_t> lengths) const {
+  if (!value_->is_array() || std::find(lengths.begin(), lengths.end(), value_->size()) == lengths.end())
+    return std::nullopt;
+  std::vector<uint32_t> numbers;
+  for (const nlohmann::json& n : *value_) {
+    if (!n.is_number_unsigned() || n.get<uint64_t>() >= kNoIndex) return std::nullopt;
+    numbers.push_back(n.get<uint32_t>());
+  }
+  return numbers;
+}
+
+Status JsonValue::array(const char* of_what) const {
+  if (!value_->is_array()) return wrong(std::string("must be a list of ") + of_what);
+  return Done{};
+}
+
+Status JsonValue::object() const {
+  if (!value_->is_object()) return wrong("must be an object");
+  return Done{};
+}
+
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& file) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& fault) {
+    const size_t at = std::min(text.size(), fault.byte > 0 ? fault.byte - 1 : 0);
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const size_t first = text.find_first_not_of(" \t\r\n");
+    const bool begins_as_json = first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+    const std::string_view kind = begins_as_json ? std::string_view() : kind_of_file(text);
+    return bad_input(file + ": line " + std::to_string(line) + ": this is " +
+                     (kind.empty() ? "not JSON" : std::string(kind) + ", not JSON"));
+  } catch (const std::exception&) {
+    return bad_input(file + ": this is not JSON that can be read");
+  }
+}
+
+Result<std::string> read_text_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return bad_input(file.string() + ": there is no such file");
+  if (!std::filesystem::is_regular_file(status)) return bad_input(file.string() + ": this is not a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return bad_input(file.string() + ": cannot be opened for reading");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) return failed(file.string() + ": reading broke off");
+  return std::move(text).str();
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+void append_exactly(std::string& text, const Json& json) {
+  if (json.is_number_float()) return append_number(text, json.get<double>());
+  if (!json.is_structured()) {
+    text += json.is_number_unsigned() ? std::to_string(json.get<uint64_t>()) : json.dump();
+    return;
+  }
+  text += json.is_object() ? '{' : '[';
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    if (item != json.begin()) text += ',';
+    if (json.is_object()) text += '"' + item.key() + "\":";
+    append_exactly(text, *item);
+  }
+  text += json.is_object() ? '}' : ']';
+}
+
+template <typename ToText>
+Result<std::string> utf8_text(ToText to_text) {
+  try {
+    return to_text();
+  } catch (const Json::exception&) {
+    return bad_input("a name in it is not UTF-8, which JSON cannot hold: rename that file or piece");
+  }
+}
+
+}  // namespace
+
+void append_number(std::string& text, double x) {
+  KERF_ASSERT(std::isfinite(x));
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
+  const std::string_view number(digits.data(), static_cast<size_t>(end - digits.data()));
+  text += number;
+  if (number.find_first_of(".e") == std::string_view::npos) text += ".0";
+}
+
+Result<std::string> dump_json(const Json& json, int indent) {
+  return utf8_text([&] { return json.dump(indent); });
+}
+
+Result<std::string> exact_text(const Json& json) {
+  return utf8_text([&] {
+    std::string text;
+    append_exactly(text, json);
+    return text;
+  });
+}
+
+std::string path_text(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  if (error) whole = file;
+  if (folder.empty()) return whole.string();
+  const fs::path from = fs::weakly_canonical(fs::absolute(folder, error), error);
+  const fs::path relative = error ? fs::path() : whole.lexically_relative(from);
+  const auto ups = std::count(relative.begin(), relative.end(), "..");
+  const bool beside = ups == 0 || (ups == 1 && from.parent_path() != from.root_path());
+  return relative.empty() || !beside ? whole.string() : relative.string();
+}
+
+}  // namespace kerf

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/base/geometry.h"
+#include "core/base/result.h"
+
+namespace kerf {
+
+// The coordinates as a list.
+inline nlohmann::ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+// A value in a JSON file together with its position, so that an error can name it in one sentence:
+// "scene.json: /strokes/0/keys/2/direction: must be three numbers". The root value must outlive it.
+class JsonValue {
+ public:
+  JsonValue(const nlohmann::json& value, std::string file, std::string pointer = "")
+      : value_(&value), file_(std::move(file)), pointer_(std::move(pointer)) {}
+
+  const nlohmann::json& json() const { return *value_; }
+  bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
+  // The member or element. Precondition: it exists.
+  JsonValue operator[](const std::string& key) const {
+    KERF_ASSERT(has(key));
+    return {(*value_)[key], file_, pointer_ + "/" + key};
+  }
+  JsonValue operator[](size_t i) const {
+    KERF_ASSERT(i < value_->size());
+    return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)};
+  }
+
+  // The error that this value is wrong: "FILE: POINTER: WHAT".
+  Error wrong(const std::string& what) const {
+    return bad_input(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what);
+  }
+
+  // The value as the given type. Each fails with wrong() if it is anything else.
+  Result<double> number() const;  // finite
+  Result<double> positive_number() const;
+  Result<Vec3> vector() const;             // three finite numbers
+  Result<glm::dquat> orientation() const;  // four numbers w, x, y, z of length 1
+  Result<Interval> pair() const;           // two finite numbers
+  Result<Interval> interval() const;       // two finite numbers, 0 <= first <= second
+  Result<std::string> text() const;
+  Result<bool> flag() const;
+  // A list of whole numbers that are indices (see kNoIndex), of one of these lengths; nothing if it is
+  // anything else.
+  std::optional<std::vector<uint32_t>> whole_numbers(std::initializer_list<size_t> lengths) const;
+  // Checks that the value is a list, or an object. `of_what` names the elements in the error.
+  Status array(const char* of_what) const;
+  Status object() const;
+
+ private:
+  const nlohmann::json* value_;
+  std::string file_, pointer_;
+};
+
+// Takes the value of a result, or fails like it.
+template <typename T, typename Target>
+Status assign(const Result<T>& result, Target& target) {
+  if (!result) return result.error();
+  target = *result;
+  return Done{};
+}
+
+// Parses a text. The error names `file` and the line.
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
+
+// The bytes of a regular file. The error names the file.
+Result<std::string> read_text_file(const std::filesystem::path& file);
+
+// Appends the shortest decimal number that is read back as the same double, including the sign of zero. It
+// always has a point or an exponent, so that JSON does not treat it as an integer. Precondition: x is finite.
+void append_number(std::string& text, double x);
+
+// The text of JSON. Fails if a string in it is not UTF-8.
+Result<std::string> dump_json(const nlohmann::ordered_json& json, int indent = -1);
+
+// The text of JSON in one line, as journals have it, with numbers as append_number() writes them.
+Result<std::string> exact_text(const nlohmann::ordered_json& json);
+
+// The name of a file in a file in `folder`: relative where it is in or below the folder or its parent, whole
+// otherwise, and where `folder` is empty.
+std::string path_text(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+}  // namespace kerf

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <vector>
+
+#include "core/heat/face_heat.h"
+
+namespace kerf {
+
+// The faces of a mesh between which heat flows during a step, and how well each pair of neighbours conducts.
+//
+// Neighbours conduct k h L / d (k conductivity, h thickness, L common edge, d distance of the centroids when
+// one face is turned about the edge into the plane of the other). Around an edge of n > 2 faces each conducts
+// to the next by index, with (n - 1) / n of that, so that one face against all others sees what it would if
+// they all met in the edge.
+class HeatRegion {
+ public:
+  struct Node {
+    FaceId face;
+    Vec3 centroid;
+    double area;    // m^2
+    double mass;    // kg
+    double joules;  // relative to the ambient
+  };
+  struct Link {
+    uint32_t a, b;       // indices of nodes
+    double conductance;  // W/K
+  };
+
+  // The arrays of a region, which the next one may use again so that no memory is allocated for it: 4 bytes a
+  // slot of the largest mesh, and what the largest region took.
+  class Memory {
+    friend class HeatRegion;
+    std::vector<Node> nodes;
+    std::vector<Link> links;
+    std::vector<FaceId> neighbours;       // of all nodes, one after the other
+    std::vector<uint32_t> neighbour_end;  // by node: where its neighbours end
+    std::vector<uint8_t> surrounded;      // by node
+    std::vector<uint32_t> node_of;        // by slot of a face
+  };
+
+  // The region is empty at first. The thickness is in m. Precondition: no other region uses the memory at the
+  // same time.
+  HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
+             Memory& memory);
+  ~HeatRegion();
+  HeatRegion(const HeatRegion&) = delete;
+  HeatRegion& operator=(const HeatRegion&) = delete;
+
+  // Adds a face with the energy that it has in the mesh, and its links to the faces that are there; nothing
+  // happens if it is there. Precondition: it is live. Constant time, linear in the degrees of rings.
+  void add(FaceId f);
+  // Adds all neighbours of a node; nothing happens if that was done before.
+  void surround(uint32_t node);
+  bool contains(FaceId f) const;
+
+  std::vector<Node>& nodes() { return nodes_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Link>& links() const { return links_; }
+  uint32_t size() const { return static_cast<uint32_t>(nodes_.size()); }
+
+ private:
+  struct Edge {
+    Vec3 from, to;
+  };
+  void add_edge(uint32_t node, const Edge& edge);
+  void join(uint32_t node, FaceId neighbour, const Edge& edge, double share);
+  double conductance(const Node& a, const Node& b, const Edge& edge) const;
+
+  const Mesh& mesh_;
+  FaceHeat heat_;
+  double mass_per_area_;
+  double sheet_conductivity_;  // k h, W/K
+
+  std::vector<Node>& nodes_;
+  std::vector<Link>& links_;
+  std::vector<FaceId>& neighbours_;
+  std::vector<uint32_t>& neighbour_end_;
+  std::vector<uint8_t>& surrounded_;
+  std::vector<uint32_t>& node_of_;
+  std::vector<Mesh::Side> sides_;  // working memory
+  std::vector<FaceId> around_;     // working memory
+};
+
+// The equations diagonal[i] x[i] - sum over links of seconds * conductance * x[other] = right[i], solved by
+// conjugate gradients with a Jacobi preconditioner. They are symmetric; each diagonal includes what its links
+// have, so that they are positive definite. An unknown whose diagonal is 0 keeps its value.
+struct HeatEquations {
+  std::vector<double> diagonal;  // J/K
+  std::vector<double> right;     // J
+  double seconds = 0;
+};
+
+class HeatSolver {
+ public:
+  // Improves x (K) until the residual over the diagonal is nowhere more than 1e-7 of the largest x, or after
+  // 2,000 iterations. O(links) each.
+  void solve(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
+             std::vector<double>& x);
+
+ private:
+  struct Norms {
+    double dot = 0;      // residual^2 / diagonal
+    double worst = 0;    // |residual| / diagonal
+    double largest = 0;  // |x|
+    void add(double scaled, double residual, double x);
+  };
+  // Rows have the entries in the order of the links, and so sums have the bits of a walk over these.
+  void sort_by_rows(const std::vector<HeatRegion::Link>& links, double seconds, size_t rows);
+  // A row of the matrix times x.
+  double row_times(size_t row, double diagonal, const std::vector<double>& x) const;
+  void begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
+             const std::vector<double>& x);
+
+  Norms norms_;
+  std::vector<double> residual_, inverse_, direction_, product_;
+  // The entries of the matrix beside the diagonal, negated (J/K), row after row, and where each row ends.
+  std::vector<uint32_t> columns_, row_end_;
+  std::vector<double> weights_;
+};
+
+// Up to this much above the ambient a face counts as cold (K).
+inline constexpr double kColdRise = 0.5;
+
+// One implicit step of conduction and losses over the nodes of a region; see conduct().
+class HeatStep {
+ public:
+  class Memory;
+
+  // Precondition: no other step uses the memory at the same time.
+  HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness,
+           Memory& memory);
+
+  // Advances the energies by `seconds` (> 0) or, where losses would not be accurate, by less, but at least by
+  // `least`. Returns the time by which they were advanced.
+  double advance(double seconds, double least);
+  // Whether any node is hot.
+  bool any_hot() const;
+
+ private:
+  // The relation of energy and temperature of a node: below the transition, in it, or beyond.
+  enum class Phase : uint8_t { kSolid, kChanging, kLiquid };
+  struct LossLine {
+    double constant, slope;  // W/m^2 and W/(m^2 K) of the rise
+  };
+
+  double rise_of(const HeatRegion::Node& node) const;
+  Phase phase_of(const HeatRegion::Node& node, double joules) const;
+  double capacity(const HeatRegion::Node& node, Phase phase) const;
+  double offset(const HeatRegion::Node& node, Phase phase) const;
+  LossLine loss_line(double rise) const;
+  double accurate_time() const;
+
+  void begin_nodes(size_t first);
+  void assemble();
+  bool correct_phases();
+  bool reach_further();
+  void find_inflow();
+  double lost(size_t node) const;
+  double joules_after(size_t node) const;
+  void take_energies();
+
+  HeatRegion& region_;
+  const Substance substance_;
+  const HeatLoss loss_;
+  const double changing_rise_;  // K above the ambient, in the transition
+  const double heat_per_area_;  // J/(m^2 K) of the sheet, the lesser of its phases
+
+  HeatEquations& equations_;
+  HeatSolver& solver_;
+  std::vector<double>& rises_;
+  std::vector<double>& inflow_;
+  std::vector<double>& after_;
+  std::vector<Phase>& phases_;
+  std::vector<LossLine>& loss_lines_;
+};
+
+// The arrays of a step, which the next one may use again.
+class HeatStep::Memory {
+  friend class HeatStep;
+  HeatEquations equations;
+  HeatSolver solver;
+  std::vector<double> rises;   // K above the ambient, by node
+  std::vector<double> inflow;  // J, through the links of each node
+  std::vector<double> after;   // J, by node
+  std::vector<Phase> phases;
+  std::vector<LossLine> loss_lines;
+};
+
+// Working memory of conduct(), so that a tick of heat allocates nothing once it has grown.
+struct HeatMemory {
+  HeatRegion::Memory region;
+  HeatStep::Memory step;
+};
+
+}  // namespace kerf

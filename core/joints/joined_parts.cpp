@@ -1,0 +1,375 @@
+#include "core/joints/joined_parts.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/base/containers.h"
+#include "core/edit/cavities.h"
+#include "core/edit/separation.h"
+#include "core/mesh/measures.h"
+
+namespace kerf {
+
+namespace {
+
+// The knowledge about one side of a joint while faces are looked through.
+struct SideSoFar {
+  std::optional<ConnectedPart> part;
+  bool apart = false;
+  bool reaches_pin = false;
+  bool holds() const { return part && !apart && reaches_pin; }
+  // Whether a face of this part may change what is known.
+  bool is_open(const ConnectedPart& other) const {
+    return !part || (!apart && (*part != other || !reaches_pin));
+  }
+  void add(const ConnectedPart& other) {
+    apart = part && *part != other;
+    if (!part) part = other;
+  }
+};
+
+// By loaded face of a body, the sides of joints that it carries (the number of a joint times two, plus the
+// side).
+class Carriers {
+ public:
+  Carriers(const Joints& joints, BodyId loaded_as) {
+    for_each_pair(joints, loaded_as, [&](uint32_t face, uint32_t) {
+      if (first_.size() <= face + 1) first_.resize(size_t{face} + 2, 0);
+      ++first_[face];
+    });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    if (!first_.empty()) sides_.resize(first_.back());
+    for_each_pair(joints, loaded_as, [&](uint32_t face, uint32_t side) { sides_[--first_[face]] = side; });
+  }
+
+  bool empty() const { return sides_.empty(); }
+
+  std::span<const uint32_t> sides_of(FaceId loaded) const {
+    if (loaded.index + 1 >= first_.size()) return {};
+    const uint32_t first = first_[loaded.index];
+    return std::span(sides_).subspan(first, first_[loaded.index + 1] - first);
+  }
+
+ private:
+  template <typename Visit>
+  static void for_each_pair(const Joints& joints, BodyId loaded_as, Visit visit) {
+    for (uint32_t j = 0; j < joints.all.size(); ++j) {
+      if (joints.all[j].body != loaded_as) continue;
+      for (uint32_t s = 0; s < 2; ++s) {
+        for (const uint32_t f : joints.all[j].sides[s].faces) visit(f, 2 * j + s);
+      }
+    }
+  }
+
+  std::vector<uint32_t> sides_;
+  std::vector<uint32_t> first_;  // by loaded face, of sides_
+};
+
+bool is_near(const Vec3& point, double radius, const Triangle& t) {
+  const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
+  for (int k = 0; k < 3; ++k) {
+    if (low[k] - point[k] > radius || point[k] - high[k] > radius) return false;
+  }
+  return squared_distance(point, t) <= radius * radius;
+}
+
+void look_through(BodyId id, const Body& body, const Joints& joints, const Carriers& carriers,
+                  std::vector<SideSoFar>& sides) {
+  for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
+    const FaceId f(slot);
+    if (!body.mesh.is_live(f)) continue;
+    const std::span<const uint32_t> carried = carriers.sides_of(body.loaded_face(body.loaded_base(f)));
+    if (carried.empty()) continue;
+    const ConnectedPart part = part_of(id, body, f);
+    for (const uint32_t side : carried) {
+      SideSoFar& known = sides[side];
+      if (!known.is_open(part)) continue;
+      const Joint& joint = joints.all[side / 2];
+      const JointSide& own = joint.sides[side % 2];
+      const Triangle t = body.mesh.triangle(f);
+      if (!is_near(own.point, own.radius, t)) continue;
+      known.add(part);
+      known.reaches_pin = known.reaches_pin || is_near(joint.anchor, own.reaches_pin, t);
+    }
+  }
+}
+
+}  // namespace
+
+ConnectedPart part_of(BodyId id, const Body& body, FaceId f) {
+  const uint32_t label = body.mesh.data(f).piece;
+  return {id, label, body.components.at_home(body.loaded_base(f), label)};
+}
+
+LoadedBodies bodies_with_joints(const Joints& joints) {
+  LoadedBodies bodies;
+  for (const Joint& joint : joints.all) bodies.push_back(joint.body);
+  std::ranges::sort(bodies);
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+std::vector<HeldJoint> held_joints(const World& world) {
+  return held_joints(world, bodies_with_joints(world.joints()));
+}
+
+std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
+  KERF_ASSERT(std::ranges::is_sorted(of));
+  const std::vector<Joint>& all = world.joints().all;
+  std::vector<HeldJoint> held;
+  if (all.empty() || of.empty()) return held;
+  std::vector<SideSoFar> sides(2 * all.size());
+  std::map<BodyId, Carriers> carriers;  // by the body as which faces were loaded
+  for (const BodyId id : world.ids()) {
+    const BodyId loaded_as = world.body(id).loaded_as;
+    if (!std::ranges::binary_search(of, loaded_as)) continue;
+    auto at = carriers.find(loaded_as);
+    if (at == carriers.end()) at = carriers.emplace(loaded_as, Carriers(world.joints(), loaded_as)).first;
+    if (!at->second.empty()) look_through(id, world.body(id), world.joints(), at->second, sides);
+  }
+  for (uint32_t j = 0; j < all.size(); ++j) {
+    const SideSoFar &a = sides[2 * j], &b = sides[2 * j + 1];
+    if (a.holds() && b.holds()) held.push_back({j, {*a.part, *b.part}});
+  }
+  return held;
+}
+
+namespace {
+
+// The loaded faces from which those of a piece were made, ascending, each as often as it has faces.
+std::vector<uint32_t> loaded_faces_of(const Body& body, uint32_t label) {
+  std::vector<uint32_t> faces;
+  for (const FaceId f : body.faces_of(label)) faces.push_back(body.loaded_face(body.loaded_base(f)).index);
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+bool is_loaded_part(const Body& body, uint32_t label) {
+  return label != 0 && body.pieces[label].faces > 0 && body.pieces[label].cut_off.faces == 0;
+}
+
+std::string loaded_part_name(const World& world, const PieceId& piece) {
+  const Body& body = world.body(piece.body);
+  if (!world.contains(body.loaded_as)) return "";
+  const std::vector<uint32_t> faces = loaded_faces_of(body, piece.label);
+  const MeshPart* best = nullptr;
+  ptrdiff_t most = 0;
+  for (const MeshPart& part : world.body(body.loaded_as).named_parts) {
+    const auto first = std::lower_bound(faces.begin(), faces.end(), part.first);
+    const ptrdiff_t held = std::lower_bound(first, faces.end(), part.last) - first;
+    const bool smaller = best != nullptr && part.last - part.first < best->last - best->first;
+    if (held < most || held == 0 || (held == most && !smaller)) continue;
+    best = &part;
+    most = held;
+  }
+  return best != nullptr ? best->name : "";
+}
+
+namespace {
+
+// The loaded components that joints name, of the bodies as they were loaded.
+class NamedComponents {
+ public:
+  explicit NamedComponents(const Joints& joints) {
+    for (const Joint& joint : joints.all) {
+      for (const JointSide& side : joint.sides) of_[joint.body].insert(side.component);
+    }
+  }
+  // Null if the body has no joints.
+  const std::set<uint32_t>* of(const Body& body) const {
+    const auto at = of_.find(body.loaded_as);
+    return at != of_.end() ? &at->second : nullptr;
+  }
+
+ private:
+  std::map<BodyId, std::set<uint32_t>> of_;
+};
+
+// The connected parts of all bodies with joints, and which of them belong together.
+class Groups {
+ public:
+  Groups(const World& world, Hold hold, const LoadedBodies& of) : world_(world) {
+    const NamedComponents named(world.joints());
+    for (const BodyId id : world.ids()) {
+      if (!std::ranges::binary_search(of, world.body(id).loaded_as)) continue;
+      if (const auto* own = named.of(world.body(id))) add_parts(id, *own);
+    }
+    together_ = UnionFind(parts_.size());
+    unite_unnamed();
+    for (const HeldJoint& held : held_joints(world, of)) {
+      const bool turns = world.joints().all[held.joint].kind != Joint::Kind::kWeld;
+      const bool moves = hold == Hold::kMoving || held.parts[0].piece() != held.parts[1].piece();
+      if (turns && moves) continue;
+      together_.unite(index_of(held.parts[0]), index_of(held.parts[1]));
+    }
+  }
+
+  // The components that have to go to another piece of their body, by body and component. Labels from
+  // Body::pieces.size() on are new ones.
+  std::map<BodyId, std::map<uint32_t, uint32_t>> changes() {
+    std::map<BodyId, std::map<uint32_t, uint32_t>> changes;
+    std::map<std::pair<BodyId, uint32_t>, uint32_t> new_label;  // by body and group
+    std::map<BodyId, uint32_t> labels;
+    for (uint32_t i = 0; i < parts_.size(); ++i) {
+      const ConnectedPart& part = parts_[i].part;
+      const uint32_t group = together_.find(i);
+      if (together_.find(seat_.at(part.piece())) == group) continue;
+      const auto seat = largest_seat(part, group);
+      if (seat) {
+        changes[part.body][part.component] = *seat;
+        continue;
+      }
+      const uint32_t next = labels.try_emplace(part.body, world_.body(part.body).pieces.size()).first->second;
+      const auto [label, is_new] = new_label.try_emplace({part.body, group}, next);
+      if (is_new) ++labels[part.body];
+      changes[part.body][part.component] = label->second;
+    }
+    return changes;
+  }
+
+ private:
+  struct Part {
+    ConnectedPart part;
+    double area = 0;
+    bool named = false;  // by a joint
+  };
+
+  // Ascending, and of each piece the part that the others belong to: what was cut off, or the largest one.
+  void add_parts(BodyId id, const std::set<uint32_t>& named) {
+    const Body& body = world_.body(id);
+    const auto add = [&](const ConnectedPart& part, const FaceCounts& counts, bool is_named) {
+      if (body.pieces[part.label].faces == 0 || counts.faces == 0) return;
+      const auto at = static_cast<uint32_t>(parts_.size());
+      parts_.push_back({part, counts.area, is_named});
+      index_.emplace(part, at);
+      const auto [seat, is_first] = seat_.try_emplace(part.piece(), at);
+      const Part& other = parts_[seat->second];
+      const bool cut_off = part.component == LoadedComponents::kNone;
+      const bool other_cut_off = other.part.component == LoadedComponents::kNone;
+      if (!is_first && (cut_off || (!other_cut_off && counts.area > other.area))) seat->second = at;
+    };
+    for (uint32_t c = 0; c < body.components.left.size(); ++c)
+      add({id, body.components.home[c], c}, body.components.left[c], named.contains(c));
+    const bool connected = body.components.of_base.empty();
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      const Piece& piece = body.pieces[label];
+      const FaceCounts& whole = label == 0 && connected ? piece : piece.cut_off;
+      add({id, label, LoadedComponents::kNone}, whole, true);
+    }
+  }
+
+  void unite_unnamed() {
+    for (uint32_t i = 0; i < parts_.size(); ++i) {
+      if (!parts_[i].named) together_.unite(i, seat_.at(parts_[i].part.piece()));
+    }
+  }
+
+  uint32_t index_of(const ConnectedPart& part) const {
+    const auto at = index_.find(part);
+    KERF_ASSERT(at != index_.end());
+    return at->second;
+  }
+
+  // The label of the piece, in the body of a loaded component, whose seat is in the group and the largest
+  // one. What is left of a component and what was cut off it are told apart by their labels, so that they
+  // stay two pieces, even where joints hold them together.
+  std::optional<uint32_t> largest_seat(const ConnectedPart& component, uint32_t group) {
+    std::optional<uint32_t> label;
+    double area = 0;
+    for (const auto& [piece, seat] : seat_) {
+      if (piece.body != component.body || together_.find(seat) != group) continue;
+      if (label && parts_[seat].area <= area) continue;
+      if (cut_off_from(piece) == component.component) continue;
+      label = piece.label;
+      area = parts_[seat].area;
+    }
+    return label;
+  }
+
+  // The component that the seat of a piece was cut off; kNone where nothing was.
+  uint32_t cut_off_from(const PieceId& piece) {
+    const Body& body = world_.body(piece.body);
+    if (body.pieces[piece.label].cut_off.faces == 0) return LoadedComponents::kNone;
+    const auto [known, is_new] = cut_off_from_.try_emplace(piece, LoadedComponents::kNone);
+    for (uint32_t f = 0; is_new && f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f)) || body.label(FaceId(f)) != piece.label) continue;
+      const FaceId base = body.loaded_base(FaceId(f));
+      if (body.components.at_home(base, piece.label) != LoadedComponents::kNone) continue;
+      known->second = body.components.of(base);
+      break;
+    }
+    return known->second;
+  }
+
+  const World& world_;
+  std::vector<Part> parts_;
+  std::map<ConnectedPart, uint32_t> index_;  // of parts_
+  std::map<PieceId, uint32_t> seat_;
+  std::map<PieceId, uint32_t> cut_off_from_;
+  UnionFind together_{0};
+};
+
+void hold_parts_of(World& world, const LoadedBodies& of, Hold hold, Delta& delta) {
+  Delta step;
+  for (const auto& [id, label_of] : Groups(world, hold, of).changes())
+    step.bodies.push_back(move_components(id, world.body(id), label_of));
+  for (const BodyId id : world.ids()) {
+    KERF_ASSERT(is_settled(world.body(id)));
+    world.body(id).separation.joints_asked = false;
+  }
+  delta.append(std::move(step));
+}
+
+}  // namespace
+
+void hold_parts(World& world, Hold hold, Delta& delta) {
+  const LoadedBodies all = bodies_with_joints(world.joints());
+  if (!all.empty()) hold_parts_of(world, all, hold, delta);
+}
+
+void hold_asked_parts(World& world, Hold hold, Delta& delta) {
+  LoadedBodies asked;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    if (body.separation.joints_asked) asked.push_back(body.loaded_as);
+  }
+  std::ranges::sort(asked);
+  if (!asked.empty()) hold_parts_of(world, asked, hold, delta);
+}
+
+bool joints_asked(const World& world) {
+  if (world.joints().all.empty()) return false;
+  return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).separation.joints_asked; });
+}
+
+namespace {
+
+// Whether one of some faces that were removed carried a joint.
+bool any_carries(const Joints& joints, const Body& body, std::span<const FaceId> removed) {
+  const std::vector<const JointSide*> sides = joints.sides_of(body.loaded_as);
+  if (sides.empty()) return false;
+  return std::ranges::any_of(removed, [&](FaceId f) {
+    if (body.mesh.is_live(f)) return false;
+    const FaceId loaded = body.loaded_face(body.loaded_base(f));
+    return std::ranges::any_of(sides, [&](const JointSide* side) { return side->carries(loaded); });
+  });
+}
+
+}  // namespace
+
+void ask_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated) {
+  const Joints& joints = world.joints();
+  if (joints.all.empty() || body.separation.joints_asked) return;
+  body.separation.joints_asked = separated || any_carries(joints, body, removed);
+}
+
+}  // namespace kerf

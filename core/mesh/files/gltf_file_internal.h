@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/result.h"
+#include "core/mesh/files/vertex_colour.h"
+
+namespace kerf {
+
+// The head of a binary glTF file and the kinds of its chunks, as little-endian words.
+inline constexpr uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2, kGlbJson = 0x4E4F534A,
+                          kGlbBinary = 0x004E4942;
+
+// The types of the numbers of accessors.
+inline constexpr uint64_t kGltfByte = 5121, kGltfShort = 5123, kGltfInt = 5125,
+                          kGltfFloat = 5126;  // unsigned, and float
+
+// Bytes as text in base 64 (RFC 4648), with padding.
+std::string to_base64(std::string_view bytes);
+
+// The bytes of such a text, whose padding may be missing; nothing if it is none.
+std::optional<std::string> from_base64(std::string_view text);
+
+// The JSON of a glTF 2.0 file and the bytes of its buffers, with access that checks what it reads.
+class GltfFile {
+ public:
+  // Whether the bytes begin like a binary glTF file.
+  static bool is_binary(std::string_view bytes);
+
+  // Takes a .glb or a .gltf apart. Buffers in other files are read if these lie in `folder` or below; without
+  // a folder there are none. Fails with one sentence that names the file for what is no glTF 2.0, what ends
+  // too early, and extensions without which the geometry would be wrong. `bytes` must outlive the result.
+  static Result<GltfFile> open(std::string_view bytes, const std::string& name,
+                               const std::filesystem::path& folder);
+
+  const nlohmann::json& root() const { return json_; }
+  // The elements of a list of the root; none if it is missing.
+  size_t count(const char* list) const;
+  // An element. Precondition: i < count(list).
+  const nlohmann::json& element(const char* list, size_t i) const { return json_[list][i]; }
+
+  // A member that is an index of an element of `list`; nothing if there is no such member.
+  Result<std::optional<uint32_t>> index(const nlohmann::json& of, const char* key, const char* list,
+                                        const std::string& where) const;
+  // A member that is a whole number, at most 2^53; `missing` if there is none.
+  Result<uint64_t> whole(const nlohmann::json& of, const char* key, uint64_t missing,
+                         const std::string& where) const;
+
+  // The bytes of a buffer view, and the distance of its elements, 0 if it says none.
+  struct View {
+    std::string_view bytes;
+    uint64_t stride = 0;
+  };
+  Result<View> view(uint32_t i) const;
+
+  // "FILE: WHERE: WHAT."
+  Error wrong(const std::string& where, const std::string& what) const;
+
+ private:
+  GltfFile() = default;
+
+  std::optional<Error> take_chunks(std::string_view bytes);
+  std::optional<Error> parse(std::string_view text);
+  std::optional<Error> check_version() const;
+  std::optional<Error> check_lists() const;
+  Error other_version(const std::string& where, const std::string& version) const;
+  std::optional<Error> check_extensions() const;
+  std::optional<Error> find_buffers(const std::filesystem::path& folder);
+  Result<std::string_view> buffer_bytes(size_t i, const std::filesystem::path& folder);
+
+  std::string name_;
+  nlohmann::json json_;
+  std::string_view binary_;                // the second chunk
+  std::vector<std::string> owned_;         // of buffers in other files and in data URIs
+  std::vector<std::string_view> buffers_;  // by index
+};
+
+// The elements of an accessor of a glTF file: rows of numbers in a buffer.
+class GltfAccessor {
+ public:
+  // Positions: three floats each. Fails for sparse and quantised ones, and where the buffer ends too early.
+  static Result<GltfAccessor> positions(const GltfFile& file, uint32_t accessor);
+  // Indices: one unsigned whole number each. Fails likewise.
+  static Result<GltfAccessor> indices(const GltfFile& file, uint32_t accessor);
+
+  // Colours: three or four floats or normalised whole numbers each. Fails likewise.
+  static Result<GltfAccessor> colours(const GltfFile& file, uint32_t accessor);
+
+  size_t size() const { return size_; }
+  // Precondition of each: i < size(), and it is an accessor of this kind.
+  Vec3 position(size_t i) const;
+  VertexColour colour(size_t i) const;  // brought from linear light to sRGB
+  uint32_t index(size_t i) const;
+
+ private:
+  static Result<GltfAccessor> rows(const GltfFile& file, uint32_t accessor, const char* type, uint64_t row);
+
+  std::string_view bytes_;
+  size_t size_ = 0, stride_ = 0, width_ = 0;
+  size_t parts_ = 0;  // of a colour
+};
+
+}  // namespace kerf

@@ -1,0 +1,329 @@
+#include "core/mesh/mesh_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "core/base/number_format.h"
+#include "core/base/platform.h"
+#include "core/mesh/files/mesh_format.h"
+#include "core/mesh/files/readers.h"
+#include "core/mesh/files/scanner.h"
+#include "core/mesh/weld.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kLargestFile = size_t{1} << 32;
+constexpr size_t kChunk = size_t{1} << 24;
+constexpr double kLoadingShare = 0.2;  // of the progress; the rest is parsing
+
+class OpenFile {
+ public:
+  // Does not wait for a pipe that nobody writes to.
+  explicit OpenFile(const std::filesystem::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+// The bytes are read, not mapped: a mapped file that another program cuts short ends the process.
+struct FileBytes {
+  std::unique_ptr<char[]> data;
+  size_t size = 0;
+
+  std::string_view view() const { return {data.get(), size}; }
+};
+
+// The size of an open regular file.
+Result<size_t> readable_size(int file, const std::string& name) {
+  struct stat info {};
+  if (::fstat(file, &info) != 0) return failed(name + ": " + std::generic_category().message(errno) + ".");
+  if (S_ISDIR(info.st_mode)) return bad_input(name + ": this is a folder, not a mesh file.");
+  if (!S_ISREG(info.st_mode)) return bad_input(name + ": this is a device or a pipe, not a mesh file.");
+  const auto size = static_cast<size_t>(info.st_size);
+  if (size == 0) return bad_input(name + ": the file is empty.");
+  if (size > kLargestFile)
+    return bad_input(name + ": the file is larger than 4 GiB, which is the most that is read.");
+  return size;
+}
+
+Result<FileBytes> read_bytes(const std::filesystem::path& path, const std::string& name,
+                             const Progress* progress) {
+  const OpenFile file(path);
+  if (file.descriptor() < 0) {
+    return bad_input(name + ": cannot be opened: " + std::generic_category().message(errno) + ".");
+  }
+  const Result<size_t> size = readable_size(file.descriptor(), name);
+  if (!size) return size.error();
+  FileBytes bytes{std::make_unique_for_overwrite<char[]>(*size), 0};
+  while (bytes.size < *size) {
+    if (progress &&
+        !progress->report(kLoadingShare * static_cast<double>(bytes.size) / static_cast<double>(*size))) {
+      return cancelled();
+    }
+    const ssize_t got =
+        ::read(file.descriptor(), bytes.data.get() + bytes.size, std::min(kChunk, *size - bytes.size));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return failed(name + ": cannot be read: " + std::generic_category().message(errno) + ".");
+    if (got == 0) break;
+    bytes.size += static_cast<size_t>(got);
+  }
+  return bytes;
+}
+
+Error not_a_mesh(const std::string& name, std::string_view kind) {
+  const std::string what = kind.empty() ? "" : std::string(kind) + ", which is ";
+  return bad_input(name + ": this is " + what + "no mesh that Kerf reads; it reads " +
+                   list_mesh_titles(" and ") + ".");
+}
+
+Result<Soup> parse(std::string_view bytes, const std::string& name, const std::filesystem::path& path,
+                   const Progress* progress) {
+  const std::optional<MeshFormat> by_content = recognise_format(bytes, {});
+  if (!by_content) {
+    // What is no other kind of file may be a damaged one of the format that its name says.
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+      return bad_input(name + ": this is UTF-16 text; save it as UTF-8.");
+    const std::string_view kind = kind_of_file(bytes);
+    if (!kind.empty()) return not_a_mesh(name, kind);
+  }
+  const std::optional<MeshFormat> format = by_content ? by_content : mesh_format(path.extension().string());
+  if (!format) return not_a_mesh(name, {});
+  switch (*format) {
+    case MeshFormat::kObj:
+      return read_obj(bytes, name, progress);
+    case MeshFormat::kPly:
+      return read_ply(bytes, name, progress);
+    case MeshFormat::kStl:
+      return read_stl(bytes, name, progress);
+    case MeshFormat::kGlb:
+    case MeshFormat::kGltf:
+      return read_gltf(bytes, name, progress, path.has_parent_path() ? path.parent_path() : ".");
+    case MeshFormat::kOff:
+      break;
+  }
+  return read_off(bytes, name, progress);
+}
+
+Result<Soup> load_and_parse(const std::filesystem::path& path, const std::string& name,
+                            const Progress* progress) {
+  const Result<FileBytes> bytes = read_bytes(path, name, progress);
+  if (!bytes) return bytes.error();
+  const Progress parsing = share_of(progress, kLoadingShare, 1);
+  return parse(bytes->view(), name, path, &parsing);
+}
+
+}  // namespace
+
+Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress) {
+  const std::string name = one_line(path.string());
+  try {
+    return load_and_parse(path, name, progress);
+  } catch (const std::bad_alloc&) {
+    return failed(name + ": there is not enough memory to read it.");
+  }
+}
+
+Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress) {
+  constexpr double kReading = 0.2;  // of the time; the rest is building
+  const Progress reading = share_of(progress, 0, kReading), building = share_of(progress, kReading, 1);
+  const auto soup = read_mesh(file, &reading);
+  if (!soup) return soup.error();
+  const std::string name = one_line(file.string());
+  try {
+    auto built = build_mesh(*soup, &building);
+    if (!built && built.error().code == ErrorCode::kBadInput)
+      return bad_input(name + ": " + built.error().message);
+    return built;
+  } catch (const std::bad_alloc&) {
+    return failed(name + ": there is not enough memory to build its mesh.");
+  }
+}
+
+namespace {
+
+// A sentence about a number of things, in the singular and the plural, both without the number.
+struct Wording {
+  const char* one;
+  const char* many;
+};
+
+void add(size_t count, const Wording& wording, std::vector<std::string>& notes) {
+  if (count == 0) return;
+  notes.push_back(grouped(count) + (count == 1 ? wording.one : wording.many));
+}
+
+}  // namespace
+
+std::vector<std::string> dropped_notes(const Repairs& r) {
+  std::vector<std::string> notes;
+  add(r.invalid_faces_dropped,
+      {" triangle names a vertex that is not there and was dropped.",
+       " triangles name vertices that are not there and were dropped."},
+      notes);
+  add(r.non_finite_faces_dropped,
+      {" triangle has a corner that is not a finite number and was dropped.",
+       " triangles have corners that are not finite numbers and were dropped."},
+      notes);
+  add(r.degenerate_faces_dropped,
+      {" triangle has two corners at the same place and was dropped.",
+       " triangles have two corners at the same place and were dropped."},
+      notes);
+  return notes;
+}
+
+std::vector<std::string> load_notes(const MeshReport& report) {
+  std::vector<std::string> notes = dropped_notes(report.repairs);
+  add(report.repairs.reoriented_faces,
+      {" face was turned round, so that neighbours agree and closed parts face outward.",
+       " faces were turned round, so that neighbours agree and closed parts face outward."},
+      notes);
+  add(report.repairs.zero_area_faces,
+      {" face had no area and holds others together.", " faces had no area and hold the others together."},
+      notes);
+  add(report.non_manifold_edges,
+      {" edge has three faces or more: closed parts that touch there are cut one by one, open ones together.",
+       " edges have three faces or more: closed parts that touch there are cut one by one, open ones "
+       "together."},
+      notes);
+  add(report.repairs.isolated_vertices_dropped,
+      {" vertex was used by no face and was left out.", " vertices were used by no face and were left out."},
+      notes);
+  notes.insert(notes.end(), report.warnings.begin(), report.warnings.end());
+  return notes;
+}
+
+namespace {
+
+bool fits_float(const Vec3& p) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest && std::abs(p.z) <= kLargest;
+}
+
+std::string obstacle_to_gltf(const MeshView& mesh) {
+  // Half of the range, because positions are told from the middle.
+  const auto fits = [](const Vec3& p) { return fits_float(2.0 * p); };
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
+    return "glTF cannot hold coordinates beyond 1.7e38";
+  if (mesh.positions.size() + mesh.triangles.size() > (size_t{1} << 28))
+    return "glTF cannot hold more than 268435456 vertices and triangles";
+  return {};
+}
+
+// Why the format cannot hold the mesh; empty when it can.
+std::string obstacle(const MeshView& mesh, MeshFormat format) {
+  if (format == MeshFormat::kStl && !std::all_of(mesh.positions.begin(), mesh.positions.end(), fits_float)) {
+    return "STL cannot hold coordinates beyond 3.4e38";
+  }
+  if (format == MeshFormat::kStl && mesh.triangles.size() > std::numeric_limits<uint32_t>::max()) {
+    return "STL cannot hold more than 4294967295 triangles";
+  }
+  if (format == MeshFormat::kPly && mesh.positions.size() > size_t{std::numeric_limits<int32_t>::max()} + 1) {
+    return "PLY cannot hold more than 2147483648 vertices";
+  }
+  if (format == MeshFormat::kGlb || format == MeshFormat::kGltf) return obstacle_to_gltf(mesh);
+  return {};
+}
+
+}  // namespace
+
+Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format) {
+  const std::string reason = obstacle(mesh, format);
+  if (!reason.empty())
+    return failed("cannot write " + path.string() + ": " + reason + "; choose another format.");
+  try {
+    return write_file_atomically(path, [&](const ByteSink& sink) { encode(mesh, format, sink); });
+  } catch (const std::bad_alloc&) {
+    return failed("cannot write " + path.string() + ": there is not enough memory.");
+  }
+}
+
+namespace {
+
+bool is_single(MeshFormat format) {
+  return format == MeshFormat::kStl || format == MeshFormat::kGlb || format == MeshFormat::kGltf;
+}
+
+size_t repeated_positions(std::span<const Vec3> positions) {
+  const std::vector<uint32_t> first = weld_positions(positions);
+  size_t repeated = 0;
+  for (size_t i = 0; i < first.size(); ++i) repeated += first[i] != i;
+  return repeated;
+}
+
+double shortest_edge(const MeshView& mesh) {
+  double shortest = 0;
+  for (const auto& corners : mesh.triangles) {
+    for (size_t i = 0; i < 3; ++i) {
+      const double length =
+          glm::length(mesh.positions[corners[i]] - mesh.positions[corners[i == 2 ? 0 : i + 1]]);
+      if (length > 0 && (shortest == 0 || length < shortest)) shortest = length;
+    }
+  }
+  return shortest;
+}
+
+}  // namespace
+
+PrecisionLoss& PrecisionLoss::operator+=(const PrecisionLoss& other) {
+  largest_move = std::max(largest_move, other.largest_move);
+  if (shortest_edge == 0 || (other.shortest_edge > 0 && other.shortest_edge < shortest_edge))
+    shortest_edge = other.shortest_edge;
+  merged += other.merged;
+  vertices += other.vertices;
+  return *this;
+}
+
+PrecisionLoss precision_loss(const MeshView& mesh, MeshFormat format) {
+  PrecisionLoss loss;
+  loss.vertices = mesh.positions.size();
+  if (!is_single(format)) return loss;
+  const Vec3 origin = format == MeshFormat::kStl ? Vec3(0) : gltf_middle(mesh.positions);
+  std::vector<Vec3> rounded;
+  rounded.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) {
+    const Vec3 exact = p - origin;
+    rounded.emplace_back(glm::vec3(exact));
+    loss.largest_move = std::max(loss.largest_move, glm::length(rounded.back() - exact));
+  }
+  if (loss.largest_move == 0) return loss;
+  loss.shortest_edge = shortest_edge(mesh);
+  loss.merged = repeated_positions(rounded) - repeated_positions(mesh.positions);
+  return loss;
+}
+
+std::optional<std::string> precision_note(const PrecisionLoss& loss, MeshFormat format,
+                                          const std::string& advice) {
+  if (!loss.matters()) return std::nullopt;
+  std::string text(format_row(format).title);
+  text += " holds single precision: vertices move by up to " + length_text(loss.largest_move) +
+          ", where the shortest edge has " + length_text(loss.shortest_edge);
+  if (loss.merged > 0) {
+    text += ", and " + grouped(loss.merged) + " of " + grouped(loss.vertices) + " vertices" +
+            (loss.merged == 1 ? " falls" : " fall") + " together with others";
+  }
+  return text + "; " + advice;
+}
+
+}  // namespace kerf

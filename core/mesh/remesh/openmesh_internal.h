@@ -1,0 +1,60 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/float_frame.h"
+#include "core/base/parallel.h"
+#include "core/base/result.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/remesh/flat_sheets_internal.h"
+#include "core/mesh/remesh/remeshed.h"
+
+// core/mesh/openmesh alone includes OpenMesh's headers. They are system headers, so that Kerf's warnings do
+// not apply to them.
+#ifndef _USE_MATH_DEFINES
+#define _USE_MATH_DEFINES  // OpenMesh uses M_PI
+#endif
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+namespace kerf {
+
+struct OpenMeshTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+  VertexAttributes(OpenMesh::Attributes::Status);
+  EdgeAttributes(OpenMesh::Attributes::Status);
+  FaceAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Normal);
+};
+
+using OpenMeshKernel = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
+
+// The flat sheets of a mesh as a mesh of OpenMesh, which is manifold, with their features, locked and shared
+// vertices. Positions are scaled to about [-1, 1] around the middle of the mesh, because OpenMesh compares
+// with absolute bounds.
+struct Sheets {
+  using Kernel = OpenMeshKernel;
+
+  Kernel mesh;
+  FloatFrame frame;
+  std::vector<VertexId> vertices;  // by vertex handle; a vertex with several fans comes several times
+  std::vector<FaceId> faces;       // by face handle, ascending
+  std::vector<bool> shared;        // by vertex handle: another vertex has the same position
+  size_t detached = 0;             // faces that OpenMesh could not connect
+
+  Kernel::VertexHandle vertex(size_t i) const { return Kernel::VertexHandle(static_cast<int>(i)); }
+  Kernel::FaceHandle face(size_t i) const { return Kernel::FaceHandle(static_cast<int>(i)); }
+};
+
+// Copies the live faces of a mesh by way of to_flat_sheets. OpenMesh has at most one edge between two
+// vertices, and two faces on it; a sheet that touches itself along a ring may need more, and a face for which
+// there is none left gets vertices of its own, which are locked. Fails with cancelled() when stopped;
+// `progress` may be null. Precondition: the faces in `kept` are live. O(n log n).
+Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
+
+// Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which has the
+// face of `mesh` from which each face handle stems. Vertices that still have the position that to_sheets gave
+// them get their position in `mesh`. Triangles with two corners at the same position are left out.
+Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const Mesh& mesh);
+
+}  // namespace kerf

@@ -1,0 +1,170 @@
+#include "core/mesh/remesh/openmesh_tools.h"
+
+#include <algorithm>
+#include <OpenMesh/Tools/Smoother/JacobiLaplaceSmootherT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
+#include "core/mesh/remesh/openmesh_internal.h"
+
+namespace kerf {
+
+namespace {
+
+using Kernel = OpenMeshKernel;
+using Point = Kernel::Point;
+
+// cos(2 pi / n) by the power series, whose terms beyond the 30th are below the rounding. Precondition: n
+// >= 2.
+double cosine_of_nth_turn(size_t n) {
+  constexpr double kTurn = 2 * kPi;
+  const double x2 = (kTurn / static_cast<double>(n)) * (kTurn / static_cast<double>(n));
+  double term = 1, sum = 1;
+  for (int k = 1; k <= 30; ++k) {
+    term *= -x2 / static_cast<double>((2 * k - 1) * (2 * k));
+    sum += term;
+  }
+  return sum;
+}
+
+// How far an inner vertex goes towards the mean of its neighbours.
+double loop_share(size_t valence) {
+  const double t = 3 + 2 * cosine_of_nth_turn(valence);
+  return (40 - t * t) / 64;
+}
+double sqrt3_share(size_t valence) { return (4 - 2 * cosine_of_nth_turn(valence)) / 9; }
+
+// The vertices of the mesh as the scheme moves them, in the order of their handles.
+template <typename Share>
+std::vector<Point> moved_vertices(const Kernel& mesh, Share share_for) {
+  std::vector<double> share(2, 0);
+  std::vector<Point> moved;
+  moved.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) {
+    moved.push_back(mesh.point(v));
+    if (mesh.status(v).locked()) continue;
+    Point sum(0);
+    size_t valence = 0;
+    for (const auto other : mesh.vv_range(v)) {
+      sum += mesh.point(other);
+      ++valence;
+    }
+    while (share.size() <= valence) share.push_back(share_for(share.size()));
+    moved.back() += (sum / static_cast<double>(valence) - mesh.point(v)) * share[valence];
+  }
+  return moved;
+}
+
+// Appends the new vertices of Loop's scheme, in the order of the edges.
+void append_edge_points(const Kernel& mesh, std::vector<Point>& points) {
+  for (const auto e : mesh.edges()) {
+    const auto h = mesh.halfedge_handle(e, 0), o = mesh.halfedge_handle(e, 1);
+    const Point ends = mesh.point(mesh.to_vertex_handle(h)) + mesh.point(mesh.to_vertex_handle(o));
+    if (mesh.status(e).feature() || mesh.is_boundary(e)) {
+      points.push_back(ends * 0.5);
+      continue;
+    }
+    const Point wings = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h))) +
+                        mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(o)));
+    points.push_back(ends * 0.375 + wings * 0.125);
+  }
+}
+
+// Appends the new vertices of the scheme by the square root of 3, in the order of the faces.
+void append_face_points(const Kernel& mesh, std::vector<Point>& points) {
+  for (const auto f : mesh.faces()) {
+    Point sum(0);
+    for (const auto v : mesh.fv_range(f)) sum += mesh.point(v);
+    points.push_back(sum / 3.0);
+  }
+}
+
+void set_points(Kernel& mesh, const std::vector<Point>& points) {
+  KERF_ASSERT(points.size() == mesh.n_vertices());
+  for (size_t v = 0; v < points.size(); ++v)
+    mesh.set_point(Kernel::VertexHandle(static_cast<int>(v)), points[v]);
+}
+
+void split_in_four(Kernel& mesh, bool moving) {
+  std::vector<Point> points;
+  if (moving) {
+    points = moved_vertices(mesh, loop_share);
+    append_edge_points(mesh, points);
+  }
+  OpenMesh::Subdivider::Uniform::LoopT<Kernel> loop;
+  loop(mesh, 1, false);  // at the midpoints
+  if (moving) set_points(mesh, points);
+}
+
+void split_in_three(Kernel& mesh) {
+  std::vector<Point> points = moved_vertices(mesh, sqrt3_share);
+  append_face_points(mesh, points);
+  std::vector<Kernel::EdgeHandle> stay;
+  for (const auto e : mesh.edges()) {
+    if (mesh.status(e).feature() && !mesh.is_boundary(e)) stay.push_back(e);
+  }
+  size_t most = 0;
+  for (const auto v : mesh.vertices()) most = std::max<size_t>(most, mesh.valence(v));
+  OpenMesh::Subdivider::Uniform::Sqrt3T<Kernel> sqrt3;
+  sqrt3.init_weights(most + 1);  // it looks them up without a bound
+  sqrt3(mesh, 1);
+  // Features are not turned: after four turns an edge and both its faces are where they were.
+  for (const auto e : stay) {
+    for (int turn = 1; turn < 4; ++turn) mesh.flip(e);
+  }
+  set_points(mesh, points);
+}
+
+// Both subdividers keep a face as one of its parts and append the others, face by face.
+std::vector<FaceId> origins_of(const Sheets& sheets, size_t added_a_face) {
+  const size_t before = sheets.faces.size();
+  KERF_ASSERT(sheets.mesh.n_faces() == (1 + added_a_face) * before);
+  std::vector<FaceId> origins = sheets.faces;
+  for (size_t f = before; f < sheets.mesh.n_faces(); ++f)
+    origins.push_back(sheets.faces[(f - before) / added_a_face]);
+  return origins;
+}
+
+}  // namespace
+
+Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const FaceId> kept,
+                           const Progress* progress) {
+  KERF_ASSERT(mesh.live_faces() <= kMostToSubdivide);
+  ProgressShares shares(progress);
+  const Progress copying = shares.next(0.4), dividing = shares.next(0.3), back = shares.next(0.3);
+  auto sheets = to_sheets(mesh, kept, &copying);
+  if (!sheets) return sheets.error();
+  if (!dividing.report(0)) return cancelled();
+  if (scheme == Subdivision::kSqrt3) {
+    split_in_three(sheets->mesh);
+  } else {
+    split_in_four(sheets->mesh, scheme == Subdivision::kLoop);
+  }
+  if (!back.report(0)) return cancelled();
+  return from_sheets(*sheets, origins_of(*sheets, parts_of_face(scheme) - 1), mesh);
+}
+
+Result<Remeshed> smooth(const Mesh& mesh, size_t times, std::span<const FaceId> kept,
+                        const Progress* progress) {
+  ProgressShares shares(progress);
+  const Progress copying = shares.next(0.5), moving = shares.next(0.4), back = shares.next(0.1);
+  auto sheets = to_sheets(mesh, kept, &copying);
+  if (!sheets) return sheets.error();
+  {
+    // It leaves locked vertices and those on boundaries where they are.
+    using Smoother = OpenMesh::Smoother::JacobiLaplaceSmootherT<OpenMeshKernel>;
+    Smoother smoother(sheets->mesh);
+    smoother.initialize(Smoother::Tangential_and_Normal, Smoother::C0);
+    for (size_t i = 0; i < times; ++i) {
+      if (!moving.report(static_cast<double>(i) / static_cast<double>(times))) return cancelled();
+      smoother.smooth(1);
+    }
+  }
+  if (!back.report(0)) return cancelled();
+  return from_sheets(*sheets, sheets->faces, mesh);
+}
+
+}  // namespace kerf

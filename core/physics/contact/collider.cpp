@@ -1,0 +1,279 @@
+#include "core/physics/contact/collider.h"
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+#include "core/physics/contact/collider_features.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMostCandidates = 1024;
+
+struct VertexNormals {
+  std::vector<Vec3> of_face;     // unit, by slot
+  std::vector<Vec3> of_vertex;   // sums weighted by area, by slot
+  std::vector<double> areas_at;  // twice the areas of the faces of a vertex, by slot
+  std::vector<VertexId> used;    // vertices of live faces, ascending
+};
+
+VertexNormals normals_of(const Mesh& mesh) {
+  VertexNormals n;
+  n.of_face.resize(mesh.face_slots(), Vec3(0));
+  n.of_vertex.resize(mesh.vertex_slots(), Vec3(0));
+  n.areas_at.resize(mesh.vertex_slots(), 0);
+  std::vector<bool> seen(mesh.vertex_slots(), false);
+  const Positions at = mesh.positions();
+  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
+    const FaceId f(slot);
+    if (!mesh.is_live(f)) continue;
+    const std::array<VertexId, 3> corners = mesh.corners(f);
+    const Vec3 area = glm::cross(at[corners[1]] - at[corners[0]], at[corners[2]] - at[corners[0]]);
+    const double length = glm::length(area);
+    if (length > 0) n.of_face[slot] = area / length;
+    for (VertexId v : corners) {
+      n.of_vertex[v.index] += area;
+      n.areas_at[v.index] += length;
+      seen[v.index] = true;
+    }
+  }
+  for (uint32_t v = 0; v < seen.size(); ++v) {
+    if (seen[v]) n.used.push_back(VertexId(v));
+  }
+  return n;
+}
+
+// At most so many of the vertices, evenly over their order.
+std::vector<VertexId> thinned(const std::vector<VertexId>& all, size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<VertexId> some(most);
+  for (size_t i = 0; i < some.size(); ++i) some[i] = all[i * all.size() / some.size()];
+  return some;
+}
+
+// The sums of the directions in which the sheet ends at the vertices of rims.
+std::vector<Vec3> outward_at_rims(const Mesh& mesh, const std::vector<FeatureEdge>& edges,
+                                  const VertexNormals& normals) {
+  std::vector<Vec3> outward(mesh.vertex_slots(), Vec3(0));
+  for (const FeatureEdge& e : edges) {
+    if (!e.rim) continue;
+    const Vec3 along = mesh.position(e.to) - mesh.position(e.from);
+    const Vec3 out = glm::cross(along, normals.of_face[e.face.index]);
+    outward[e.from.index] += out;
+    outward[e.to.index] += out;
+  }
+  return outward;
+}
+
+Vec3 unit_or_zero(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Vec3(0);
+}
+
+// Some vertices of a mesh.
+struct Vertices {
+  std::vector<bool> has;       // by slot
+  std::vector<VertexId> list;  // ascending
+};
+
+Vertices on_lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, bool rims_only) {
+  Vertices vertices{std::vector<bool>(mesh.vertex_slots(), false), {}};
+  for (const FeatureEdge& e : edges) {
+    if (e.rim || !rims_only) vertices.has[e.from.index] = vertices.has[e.to.index] = true;
+  }
+  for (uint32_t v = 0; v < vertices.has.size(); ++v) {
+    if (vertices.has[v]) vertices.list.push_back(VertexId(v));
+  }
+  return vertices;
+}
+
+std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
+                                      const std::vector<VertexId>& all, size_t most) {
+  std::vector<VertexId> candidates = thinned(rims.list, kMostCandidates);
+  const size_t on_rim = candidates.size();
+  for (VertexId v : thinned(all, kMostCandidates)) {
+    if (!rims.has[v.index]) candidates.push_back(v);
+  }
+  std::vector<Vec3> places;
+  for (VertexId v : candidates) places.push_back(mesh.position(v));
+  std::vector<uint32_t> chosen;
+  choose_extreme(places, chosen);
+  if (chosen.size() > most) chosen.resize(most);
+  // Half of the rest on rims, where sheets get caught.
+  const std::vector<Vec3> rim_places(places.begin(), places.begin() + static_cast<ptrdiff_t>(on_rim));
+  std::vector<uint32_t> chosen_rims;
+  for (uint32_t c : chosen) {
+    if (c < on_rim) chosen_rims.push_back(c);
+  }
+  const size_t before = chosen_rims.size();
+  choose_spread(rim_places, before + (most - chosen.size()) / 2, chosen_rims);
+  chosen.insert(chosen.end(), chosen_rims.begin() + static_cast<ptrdiff_t>(before), chosen_rims.end());
+  choose_spread(places, most, chosen);
+  std::vector<VertexId> vertices;
+  for (uint32_t c : chosen) vertices.push_back(candidates[c]);
+  return vertices;
+}
+
+// The feature lines of a mesh, which may be simplified by larger and larger errors.
+class Lines {
+ public:
+  Lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, double least_error) {
+    const Positions at = mesh.positions();
+    for (const FeatureLine& line : joined(edges)) {
+      Line& own = lines_.emplace_back();
+      for (VertexId v : line) own.places.push_back(at[v]);
+      own.left_out_from = left_out_from(own.places, least_error);
+    }
+  }
+
+  size_t count_chords(double error) const {
+    size_t count = 0;
+    for (const Line& line : lines_) {
+      for (const double from : line.left_out_from) count += from > error * error;
+    }
+    return count - lines_.size();
+  }
+
+  std::vector<Collider::Chord> chords(double error) const {
+    std::vector<Collider::Chord> chords;
+    for (const Line& line : lines_) {
+      Vec3 from = line.places.front();
+      for (size_t i = 1; i < line.places.size(); ++i) {
+        if (!(line.left_out_from[i] > error * error)) continue;
+        chords.push_back({from, line.places[i]});
+        from = line.places[i];
+      }
+    }
+    return chords;
+  }
+
+ private:
+  struct Line {
+    std::vector<Vec3> places;
+    std::vector<double> left_out_from;
+  };
+  std::vector<Line> lines_;
+};
+
+// At most so many chords, with the least error, from `error` on, at which they are no more.
+std::vector<Collider::Chord> chords_of(const Lines& lines, double error, size_t most) {
+  // One chord remains of an open line, two of a closed one, so that lines alone may be too many.
+  for (int i = 0; i < 16 && lines.count_chords(error) > most; ++i) error *= 2;
+  std::vector<Collider::Chord> chords = lines.chords(error);
+  if (chords.size() > most) {
+    const auto longer = [](const Collider::Chord& a, const Collider::Chord& b) {
+      return glm::length(a.to - a.from) > glm::length(b.to - b.from);
+    };
+    std::stable_sort(chords.begin(), chords.end(), longer);
+    chords.resize(most);
+  }
+  return chords;
+}
+
+// The vertices at the ends of chords: a sheet gets through another with one of them first, or edge by edge.
+std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const Mesh& mesh,
+                              const std::vector<VertexId>& on_lines) {
+  std::vector<Vec3> ends;
+  for (const Collider::Chord& c : chords) ends.insert(ends.end(), {c.from, c.to});
+  std::sort(ends.begin(), ends.end(), precedes);
+  std::vector<VertexId> vertices;
+  for (VertexId v : on_lines) {
+    if (std::binary_search(ends.begin(), ends.end(), mesh.position(v), precedes)) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+// A vertex amid flat faces lies between others, unless they end at lines or seams.
+std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, const FeatureEdges& edges) {
+  constexpr double kFlat = 1 - 1e-9;  // the cosine of the mean angle to the mean normal
+  std::vector<bool> ends(mesh.vertex_slots(), false);
+  std::vector<Mesh::Side> sides;
+  for (const std::vector<FeatureEdge>* list : {&edges.lines, &edges.seams}) {
+    for (const FeatureEdge& e : *list) {
+      sides.assign({{e.face, e.from, e.to}});
+      mesh.append_edge_sides(e.face, e.from, e.to, sides);
+      for (const Mesh::Side& side : sides) ends[side.from.index] = ends[side.to.index] = true;
+    }
+  }
+  std::vector<Vec3> corners;
+  for (const VertexId v : normals.used) {
+    const bool flat = glm::length(normals.of_vertex[v.index]) > kFlat * normals.areas_at[v.index];
+    if (!flat || ends[v.index]) corners.push_back(mesh.position(v));
+  }
+  return corners;
+}
+
+Occupancy space_of(const Mesh& mesh, const Collider& collider) {
+  Occupancy space(collider.bounds);
+  const Positions at = mesh.positions();
+  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
+    if (!mesh.is_live(FaceId(slot))) continue;
+    const auto [a, b, c] = mesh.corners(FaceId(slot));
+    space.add({glm::min(glm::min(at[a], at[b]), at[c]), glm::max(glm::max(at[a], at[b]), at[c])});
+  }
+  for (const Collider::Chord& c : collider.chords)
+    space.add({glm::min(c.from, c.to), glm::max(c.from, c.to)});
+  return space;
+}
+
+std::array<Vec3, 2> segment_of(const Collider::Point& p) { return {p.at, p.at}; }
+std::array<Vec3, 2> segment_of(const Collider::Chord& c) { return {c.from, c.to}; }
+
+// Sorts points or chords by clusters. Returns the clusters.
+template <typename Item>
+Clusters sort_by_clusters(std::vector<Item>& items) {
+  std::vector<std::array<Vec3, 2>> segments;
+  for (const Item& item : items) segments.push_back(segment_of(item));
+  Clustering clustering = make_clusters(segments);
+  std::vector<Item> sorted;
+  for (uint32_t i : clustering.order) sorted.push_back(items[i]);
+  items = std::move(sorted);
+  return std::move(clustering.clusters);
+}
+
+}  // namespace
+
+Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
+  KERF_ASSERT(settings.most_points > 0 && settings.chord_error > 0);
+  const VertexNormals normals = normals_of(mesh);
+  const FeatureEdges edges = feature_edges(mesh, normals.of_face);
+  const std::vector<Vec3> outward = outward_at_rims(mesh, edges.lines, normals);
+  const Vertices rims = on_lines(mesh, edges.lines, true);
+  Collider collider;
+  const Lines lines(mesh, edges.lines, settings.chord_error);
+  collider.chords = chords_of(lines, settings.chord_error, settings.most_chords);
+  std::vector<VertexId> vertices = ends_of(collider.chords, mesh, on_lines(mesh, edges.lines, false).list);
+  if (vertices.size() > settings.most_points) vertices.resize(settings.most_points);
+  const size_t more = settings.most_points - vertices.size();
+  for (VertexId v : chosen_vertices(mesh, rims, normals.used, more)) {
+    if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
+  }
+  const auto point_at = [&](VertexId v) -> Collider::Point {
+    return {mesh.position(v), unit_or_zero(normals.of_vertex[v.index]), unit_or_zero(outward[v.index])};
+  };
+  std::vector<bool> is_point(mesh.vertex_slots(), false);
+  for (VertexId v : vertices) {
+    collider.points.push_back(point_at(v));
+    is_point[v.index] = true;
+  }
+  for (VertexId v : thinned(normals.used, settings.most_guards)) {
+    if (!is_point[v.index]) collider.guards.push_back(point_at(v));
+  }
+  for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
+  if (!normals.used.empty()) collider.space = space_of(mesh, collider);
+  collider.corners = corners_of(mesh, normals, edges);
+  collider.point_clusters = sort_by_clusters(collider.points);
+  collider.chord_clusters = sort_by_clusters(collider.chords);
+  collider.guard_clusters = sort_by_clusters(collider.guards);
+  if (lines.count_chords(settings.chord_error) > settings.most_chords) {
+    collider.fine_chords = chords_of(lines, settings.chord_error, settings.most_fine_chords);
+    collider.fine_chord_clusters = sort_by_clusters(collider.fine_chords);
+  } else {
+    collider.fine_chords = collider.chords;
+    collider.fine_chord_clusters = collider.chord_clusters;
+  }
+  return collider;
+}
+
+}  // namespace kerf

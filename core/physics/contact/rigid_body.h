@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <glm/mat3x3.hpp>
+#include <span>
+
+#include "core/base/assert.h"
+#include "core/physics/contact/collider.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// The mass properties of a body and its principal frame: the centre of mass, and the axes along which its
+// inertia is diagonal.
+struct RigidFrame {
+  double mass = 0;              // kg
+  Vec3 centre{0};               // m, in the frame of the body
+  glm::dquat axes{1, 0, 0, 0};  // turns principal axes to those of the body
+  Vec3 inertia{0};              // kg m^2, along the principal axes
+
+  // Where the principal frame is when the body is at this placement.
+  Placement in_world(const Placement& body) const { return {body.to_world(centre), body.orientation * axes}; }
+  // Where the body is when its principal frame is at this placement, its orientation normalised.
+  Placement body_at(const Placement& principal) const {
+    const glm::dquat turn = glm::normalize(principal.orientation * glm::conjugate(axes));
+    return {principal.position - turn * centre, turn};
+  }
+};
+
+// The rigid frame of all pieces of a body together: closed pieces of a solid body, as it was weighed last,
+// are solids, and everything else is a sheet. Constant time in faces, linear in pieces. The inertia about an
+// axis along which a sheet has no extent is raised to a small share of the largest one, so that a needle
+// cannot spin up without bound.
+RigidFrame rigid_frame(const Body& body);
+
+// A rigid motion x -> turn * x + shift.
+struct RigidMap {
+  glm::dmat3 turn{1.0};
+  Vec3 shift{0};
+  Vec3 operator()(const Vec3& p) const { return turn * p + shift; }
+};
+
+inline RigidMap map_of(const Placement& placement) {
+  return {glm::mat3_cast(placement.orientation), placement.position};
+}
+// First `inner`, then the reverse of `outer`.
+inline RigidMap into(const RigidMap& outer, const RigidMap& inner) {
+  const glm::dmat3 back = glm::transpose(outer.turn);
+  return {back * inner.turn, back * (inner.shift - outer.shift)};
+}
+
+// A body during a tick.
+struct MovingBody {
+  BodyId id;
+  Body* body = nullptr;
+  const Collider* collider = nullptr;
+  RigidFrame frame;
+  bool fixed = false;  // the body does not move
+  bool asleep = false;
+  Placement start;     // of the body at the beginning of the tick
+  RigidMap now, next;  // body to world: at the beginning of the tick, and where it goes
+  double margin = 0;   // in units of length: what is nearer than this beside its way matters, too
+  Box bounds;          // in the world, of its way within the tick and the margin
+  double metre = 1;    // in units of length, see Environment
+  double scale = 1;    // of all lengths of contact, see ContactLengths; in units of length
+  double sunk = 0;     // how far it is below the ground at the beginning of the tick, in units of length
+
+  bool glides = false;      // see Guided
+  double sweeps_aside = 0;  // kg, likewise
+
+  // The loss of spin because the body touches others: a share of the spin, 1/s, and a constant part, rad/s^2.
+  double rolling_loss = 0, rolling_brake = 0;
+
+  bool moves() const { return !fixed && !asleep; }
+};
+
+// The position of a body in a list that is sorted by ids, or the length of the list if the body is not in it.
+inline uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
+  const auto at = std::ranges::lower_bound(bodies, id, {}, &MovingBody::id);
+  const bool found = at != bodies.end() && at->id == id;
+  return static_cast<uint32_t>(found ? at - bodies.begin() : std::ssize(bodies));
+}
+
+// The bounds of a box under a rigid motion.
+inline Box moved(const RigidMap& map, const Box& box) {
+  KERF_ASSERT(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
+  const Vec3 middle = map(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);
+  Vec3 extent(0);
+  for (int column = 0; column < 3; ++column) extent += glm::abs(map.turn[column]) * half[column];
+  return {middle - extent, middle + extent};
+}
+
+// A box around all items of a cluster at both ends of a motion.
+inline Box way_of(const Cluster& cluster, const RigidMap& now, const RigidMap& next) {
+  KERF_ASSERT(cluster.begin < cluster.end && cluster.radius >= 0);
+  const Vec3 from = now(cluster.centre), to = next(cluster.centre);
+  return Box{glm::min(from, to), glm::max(from, to)}.wider(cluster.radius);
+}
+
+// A box around all items of a cluster where a rigid map brings them.
+inline Box box_of(const Cluster& cluster, const RigidMap& map) {
+  KERF_ASSERT(cluster.begin < cluster.end && cluster.radius >= 0);
+  const Vec3 at = map(cluster.centre);
+  return Box{at, at}.wider(cluster.radius);
+}
+
+// Lengths of contact, for bodies of about a metre and more. Smaller bodies use smaller ones, in proportion.
+struct ContactLengths {
+  double skin = 0.002;         // m, kept between a point and a face
+  double chord_skin = 0.001;   // between two chords
+  double ground_skin = 0.001;  // between a point and the ground
+  double reach = 0.010;        // how far apart contacts are found
+};
+inline constexpr ContactLengths kContactLengths;
+
+}  // namespace kerf

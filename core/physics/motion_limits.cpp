@@ -1,0 +1,267 @@
+#include "core/physics/motion_limits.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/base/parallel.h"
+#include "core/physics/contact/penetration.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::array kShares{1.0, 0.5, 0.25, 0.0};
+constexpr double kMuchHeavier = 4;  // times as heavy
+constexpr uint32_t kLongestBlock =
+    kTicksPerSecond / 4;  // after which the lighter one may intersect the other
+
+Placement between(const MovingBody& b, double share) {
+  KERF_ASSERT(share > 0 && share < 1);
+  const Placement from = b.frame.in_world(b.start), to = b.frame.in_world(b.body->placement);
+  const double sign = glm::dot(from.orientation, to.orientation) < 0 ? -1 : 1;
+  return b.frame.body_at({glm::mix(from.position, to.position, share),
+                          glm::normalize((1 - share) * from.orientation + sign * share * to.orientation)});
+}
+
+// Puts a body somewhere else, and multiplies the velocity of its centre of mass and its spin.
+void slow(const MovingBody& b, const Placement& to, double factor) {
+  Motion& motion = b.body->motion;
+  Placement& placement = b.body->placement;
+  const Vec3 velocity = motion.velocity_at(placement.to_world(b.frame.centre), placement);
+  placement = to;
+  motion.spin *= factor;
+  motion.velocity = factor * velocity + glm::cross(motion.spin, to.position - to.to_world(b.frame.centre));
+}
+
+// The ways of all bodies and how much of them they go.
+class Ways {
+ public:
+  explicit Ways(std::span<MovingBody> bodies)
+      : bodies_(bodies), share_(bodies.size(), 0), keeps_speed_(bodies.size(), false) {}
+
+  // Whether two bodies intersect or get through each other on the shares of their ways that they go.
+  bool cross(uint32_t i, uint32_t j) const {
+    return (goes(i) || goes(j)) && get_through(bodies_[i], bodies_[j]);
+  }
+  bool shorten(uint32_t i) {
+    MovingBody& b = bodies_[i];
+    if (!b.moves() || share_[i] + 1 == kShares.size()) return false;
+    const double share = kShares[++share_[i]];
+    KERF_ASSERT(share < kShares[share_[i] - 1]);
+    b.next = share > 0 ? map_of(between(b, share)) : b.now;
+    return true;
+  }
+  // Which of two bodies that cross is to go less far: both, or only one that is much lighter while it goes at
+  // all, so that a seat does not hold a car.
+  std::vector<uint32_t> to_shorten(uint32_t i, uint32_t j) const {
+    KERF_ASSERT(bodies_[i].moves() || bodies_[j].moves());
+    const uint32_t light = bodies_[i].frame.mass < bodies_[j].frame.mass ? i : j;
+    if (is_uneven(i, j) && kShares[share_[light]] > 0) return {light};
+    return {i, j};
+  }
+  // Whether one of two bodies is much lighter than the other, and both can move.
+  bool is_uneven(uint32_t i, uint32_t j) const {
+    const MovingBody &a = bodies_[i], &b = bodies_[j];
+    const auto [light, heavy] = std::minmax(a.frame.mass, b.frame.mass);
+    return a.moves() && b.moves() && kMuchHeavier * light < heavy;
+  }
+  // Whether two bodies may rather intersect than stop each other: one is too light to stop the other one, or
+  // must come out of the ground.
+  bool may_cross(uint32_t i, uint32_t j) const {
+    const auto yields = [](const MovingBody& light, const MovingBody& heavy) {
+      return !light.fixed && light.frame.mass < heavy.sweeps_aside;
+    };
+    const auto is_sunk = [](const MovingBody& b) {
+      return b.moves() && b.sunk > kContactLengths.ground_skin * b.scale;
+    };
+    const MovingBody &a = bodies_[i], &b = bodies_[j];
+    return yields(a, b) || yields(b, a) || is_sunk(a) || is_sunk(b);
+  }
+  // Leaves the velocity of a body to the next tick, which knows what stops it.
+  void keep_speed(uint32_t i) { keeps_speed_[i] = true; }
+  // Lets the bodies be where they got to. Returns how many did not go all of their way.
+  size_t finish() {
+    size_t held = 0;
+    for (uint32_t i = 0; i < bodies_.size(); ++i) {
+      if (share_[i] == 0) continue;
+      MovingBody& b = bodies_[i];
+      const double share = kShares[share_[i]];
+      slow(b, share > 0 ? between(b, share) : b.start, keeps_speed_[i] ? 1 : 0.25 + 0.75 * share);
+      ++held;
+    }
+    return held;
+  }
+
+ private:
+  bool goes(uint32_t i) const { return bodies_[i].moves() && kShares[share_[i]] > 0; }
+
+  std::span<MovingBody> bodies_;
+  std::vector<size_t> share_;
+  std::vector<bool> keeps_speed_;
+};
+
+using Pair = std::pair<uint32_t, uint32_t>;
+
+// Whether `test` holds for each of some pairs. On several threads.
+template <typename Test>
+std::vector<uint8_t> test_each(std::span<const Pair> pairs, const Test& test) {
+  constexpr size_t kAtATime = 2;
+  std::vector<uint8_t> holds(pairs.size());
+  for_each_range(pairs.size(), kAtATime, [&](size_t begin, size_t end) {
+    for (size_t p = begin; p < end; ++p) holds[p] = test(pairs[p]) ? 1 : 0;
+  });
+  return holds;
+}
+
+template <typename Test>
+void keep_only(std::vector<Pair>& pairs, const Test& test) {
+  const std::vector<uint8_t> holds = test_each(pairs, test);
+  std::vector<Pair> kept;
+  for (size_t p = 0; p < pairs.size(); ++p) {
+    if (holds[p] != 0) kept.push_back(pairs[p]);
+  }
+  pairs = std::move(kept);
+}
+
+// Holds back the bodies of a tick. When the pairs that cross have been parted, all pairs of the bodies whose
+// ways were shortened are looked at again.
+class Holding {
+ public:
+  Holding(std::span<MovingBody> bodies, ContactSearch& search)
+      : bodies_(bodies), search_(search), ways_(bodies), pairs_(search.pairs_apart()) {}
+
+  size_t hold() {
+    std::vector<Pair> crossing = pairs_;
+    find_crossing(crossing);
+    remember(crossing);
+    while (!crossing.empty()) {
+      const std::vector<bool> shortened = part(crossing);
+      std::erase_if(crossing = pairs_,
+                    [&](const Pair& p) { return !shortened[p.first] && !shortened[p.second]; });
+      find_crossing(crossing);
+    }
+    return ways_.finish();
+  }
+
+ private:
+  // Leaves those pairs that cross on their ways and must not. What may cross is no longer looked at.
+  void find_crossing(std::vector<Pair>& pairs) {
+    keep_only(pairs, [&](const Pair& p) { return ways_.cross(p.first, p.second); });
+    const std::vector<uint8_t> must_not = test_each(pairs, [&](const Pair& p) {
+      return !ways_.may_cross(p.first, p.second) && !sheets_cross(bodies_[p.first], bodies_[p.second]);
+    });
+    std::vector<Pair> let;
+    for (size_t p = 0; p < pairs.size(); ++p) {
+      if (must_not[p] == 0) let.push_back(pairs[p]);
+    }
+    for (const Pair& p : let) search_.let_cross(p.first, p.second);
+    const auto is_let = [&](const Pair& p) { return std::ranges::binary_search(let, p); };
+    std::erase_if(pairs, is_let);
+    if (!let.empty()) std::erase_if(pairs_, is_let);
+  }
+
+  void remember(const std::vector<Pair>& crossing) {
+    const std::vector<uint8_t> keeps_speed = search_.remember_piercing(crossing);
+    for (size_t p = 0; p < crossing.size(); ++p) {
+      if (keeps_speed[p] == 0) continue;
+      ways_.keep_speed(crossing[p].first);
+      ways_.keep_speed(crossing[p].second);
+    }
+  }
+
+  // Shortens the ways of bodies until none of the pairs crosses. Returns the bodies whose ways were
+  // shortened.
+  std::vector<bool> part(std::vector<Pair> crossing) {
+    std::vector<bool> shortened(bodies_.size(), false);
+    while (!crossing.empty()) {
+      shorten_once(crossing, shortened);
+      keep_only(crossing, [&](const Pair& p) { return ways_.cross(p.first, p.second); });
+    }
+    return shortened;
+  }
+
+  // Shortens the ways of each pair, unless one of the two was shortened for another pair just now. Leaves out
+  // pairs that go nowhere.
+  void shorten_once(std::vector<Pair>& crossing, std::vector<bool>& shortened) {
+    std::vector<bool> just_now(bodies_.size(), false);
+    std::erase_if(crossing, [&](const Pair& p) {
+      const auto [i, j] = p;
+      if (just_now[i] || just_now[j]) return false;
+      for (const uint32_t body : ways_.to_shorten(i, j)) {
+        if (ways_.shorten(body)) shortened[body] = just_now[body] = true;
+      }
+      return !just_now[i] && !just_now[j];
+    });
+  }
+
+  std::span<MovingBody> bodies_;
+  ContactSearch& search_;
+  Ways ways_;
+  std::vector<Pair> pairs_;  // sorted
+};
+
+}  // namespace
+
+size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search) {
+  return Holding(bodies, search).hold();
+}
+
+namespace {
+
+constexpr double kFastest = 300;      // m/s, of the points of any body
+constexpr double kFastestSpin = 400;  // rad/s
+
+double radius_of(const MovingBody& b) {
+  return 0.5 * glm::length(b.collider->bounds.max - b.collider->bounds.min);
+}
+
+Vec3 velocity_of_centre(const MovingBody& b, const Vec3& centre) {
+  return b.body->motion.velocity_at(centre, b.body->placement);
+}
+
+// An upper bound of the speed of all points of a body.
+double speed(const MovingBody& b) {
+  if (!b.moves()) return 0;
+  const Vec3 centre = b.body->placement.to_world(b.frame.centre);
+  return glm::length(velocity_of_centre(b, centre)) + radius_of(b) * glm::length(b.body->motion.spin);
+}
+
+double share_of(double value, double most) { return value > most ? most / value : 1; }
+
+}  // namespace
+
+SpeedLimit::SpeedLimit(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
+                       std::span<const BodyJoint> joints, double gain) {
+  KERF_ASSERT(gain >= 0);
+  std::vector<double> before;
+  for (const MovingBody& b : bodies) before.push_back(speed(b));
+  most_ = before;
+  const auto meet = [&](uint32_t a, uint32_t b) {
+    most_[a] = std::max(most_[a], before[b]);
+    most_[b] = std::max(most_[b], before[a]);
+  };
+  for (const TouchingPair& p : pairs) {
+    if (p.second != TouchingPair::kGround && !p.contacts.empty()) meet(p.first, p.second);
+  }
+  for (const BodyJoint& j : joints) meet(j.first, j.second);
+  for (size_t i = 0; i < bodies.size(); ++i) most_[i] = std::min(most_[i] + gain, kFastest * bodies[i].metre);
+}
+
+void SpeedLimit::apply(std::span<MovingBody> bodies) const {
+  KERF_ASSERT(bodies.size() == most_.size());
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const MovingBody& b = bodies[i];
+    if (!b.moves()) continue;
+    Motion& motion = b.body->motion;
+    const Vec3 centre = b.body->placement.to_world(b.frame.centre);
+    Vec3 velocity = velocity_of_centre(b, centre);
+    velocity *= share_of(glm::length(velocity), most_[i]);
+    const double spin = glm::length(motion.spin);
+    motion.spin *= share_of(spin, std::min(2 * most_[i] / radius_of(b), kFastestSpin));
+    motion.velocity = velocity + glm::cross(motion.spin, b.body->placement.position - centre);
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/joints/joined_parts.h"
+#include "core/physics/contact/contact.h"
+#include "core/physics/contact/rigid_body.h"
+#include "core/world/rigid_body.h"
+
+class btRigidBody;
+class btTypedConstraint;
+
+namespace kerf {
+
+// A joint between two bodies of a tick, by their indices.
+struct BodyJoint {
+  uint32_t first = 0, second = 0;
+  const Joint* joint = nullptr;
+};
+
+// The joints whose parts belong to two different ones of these bodies, and whose sides are not far from each
+// other: what was moved away by hand is let go. `bodies` are sorted by id.
+std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
+                                      const Joints& joints);
+
+// Whether a joint connects two bodies; such bodies do not touch each other.
+bool are_joined(std::span<const BodyJoint> joints, uint32_t a, uint32_t b);
+
+// Makes pairs of bodies that joints connect known as touching, and nothing else of them: they sleep together,
+// and a change of one wakes the other. `memory` is sorted and stays so.
+void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
+                     ContactMemory& memory);
+
+// The constraint of a joint between Bullet's pictures of its two bodies, whose frames are the principal ones
+// of `first` and `second`. Both bodies have the frame in which they were loaded, so that they are in their
+// positions at rest where their placements are equal.
+std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const RigidFrame& first,
+                                                   const RigidFrame& second, btRigidBody& first_rigid,
+                                                   btRigidBody& second_rigid);
+
+struct SolverSettings {
+  double seconds = 0;  // the length of the tick
+  Vec3 gravity{0};     // m/s^2
+  double metre = 1;    // in units of length, see Environment
+  int iterations = 30;
+  double friction = 0.6;        // coefficient
+  double edge_friction = 0.05;  // of Contact::on_edge
+  double restitution = 0.1;
+};
+
+// Storage of a solver, without state.
+class SolverMemory {
+ public:
+  SolverMemory();
+  ~SolverMemory();
+
+ private:
+  friend class BulletGroup;
+  friend void solve_contacts(std::span<MovingBody>, std::span<TouchingPair>, std::span<const BodyJoint>,
+                             const SolverSettings&, SolverMemory&);
+  struct Storage;
+  std::unique_ptr<Storage> storage_;
+};
+
+// Changes the velocities of the bodies so that gravity acts on them and contacts and joints hold, moves them
+// on by their velocities, and stores the impulses in the contacts. Bodies that are fixed or asleep stay as
+// they are. Precondition: a body of each pair moves.
+//
+// The solver is Bullet's: projected Gauss-Seidel on velocities with warm starting (E. Catto: Iterative
+// dynamics with temporal coherence, 2005), speculative contacts for those that are still apart, and split
+// impulses for those that overlap. All its objects are filled anew from the bodies; `memory` only keeps their
+// storage from call to call.
+void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
+                    std::span<const BodyJoint> joints, const SolverSettings& settings, SolverMemory& memory);
+
+}  // namespace kerf

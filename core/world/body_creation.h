@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/result.h"
+#include "core/mesh/remesh/remeshed.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// Loads a mesh file with load_mesh and makes a body of it with make_body. Fails like these; `progress` may be
+// null.
+Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress);
+
+// A piece whose mesh is about to be remade: its faces copied out of its body.
+struct PieceCopy {
+  uint32_t label = 0;
+  std::vector<FaceId> faces;         // of the body, ascending
+  Mesh mesh;                         // face i is a copy of faces[i]
+  std::vector<uint32_t> loaded;      // by face of `mesh`: the loaded face that contains it
+  std::vector<uint32_t> components;  // by face of `mesh`: of LoadedComponents; empty if the body has none
+};
+
+// Copies a piece. Precondition: it has faces. O(n log n).
+PieceCopy copy_piece(const Body& body, uint32_t label);
+
+// Makes the body that takes the place of a piece. Triangles are brought to the order of the loaded faces from
+// which they stem, so that `parts`, which are of loaded faces, become parts of the new ones. What is not of
+// faces is copied from `body`. Fails like build_mesh and make_body; `progress` may be null. Precondition:
+// `remeshed` was made of `copy.mesh`, which was made of `body`, and has triangles.
+Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
+                         std::span<const MeshPart> parts, const Progress* progress);
+
+}  // namespace kerf

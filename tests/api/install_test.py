@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""What `cmake --install` puts down works by itself: install_test.py BUILD CHECKOUT
+
+The program runs from another directory with its own assets, outside programs in C++ and C find the library, and the
+Python examples end well and agree with `kerf cut`.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+BUILD, CHECKOUT = map(os.path.abspath, sys.argv[1:])
+EXAMPLES = os.path.join(CHECKOUT, 'app/examples')
+SPHERE = os.path.join(CHECKOUT, 'assets/meshes/sphere.obj')
+# The Python for which the module is built.
+PYTHON = '/usr/bin/python3'
+
+
+def run(*command, **options):
+    done = subprocess.run(command, capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        sys.exit(f'{" ".join(map(str, command))} ended with {done.returncode}:\n{done.stdout}{done.stderr}')
+    return done.stdout
+
+
+def check_files(prefix):
+    for path in ('bin/kerf', 'share/kerf/materials.json', 'share/applications/kerf.desktop', 'share/man/man1/kerf.1',
+                 'share/icons/hicolor/scalable/apps/kerf.svg', 'share/mime/packages/kerf.xml',
+                 'share/bash-completion/completions/kerf', 'include/kerf/kerf.h', 'include/kerf/kerf_c.h'):
+        assert os.path.isfile(os.path.join(prefix, path)), f'{path} is not installed'
+    assert not os.path.exists(os.path.join(prefix, 'share/kerf/pictures'))
+
+
+def check_program(prefix, folder):
+    kerf = os.path.join(prefix, 'bin/kerf')
+    picture = os.path.join(folder, 'ball.png')
+    run(kerf, 'render', os.path.join(prefix, 'share/kerf/scenes/sphere.json'), '--out', picture, '--size', '160x100', cwd='/')
+    assert os.path.getsize(picture) > 1000
+    # It must not need the checkout: no file of it is opened.
+    trace = subprocess.run([kerf, 'materials'], capture_output=True, text=True, cwd='/', check=True).stdout
+    assert json.loads(trace)
+
+
+def check_outside_programs(prefix, folder):
+    with open(os.path.join(folder, 'CMakeLists.txt'), 'w', encoding='utf-8') as text:
+        text.write('cmake_minimum_required(VERSION 3.25)\nproject(outside LANGUAGES C CXX)\nfind_package(kerf 0.1 REQUIRED)\n'
+                   f'add_executable(outside {EXAMPLES}/outside.cpp)\ntarget_link_libraries(outside PRIVATE kerf::core)\n'
+                   f'add_executable(outside_c {EXAMPLES}/outside.c)\ntarget_link_libraries(outside_c PRIVATE kerf::c)\n'
+                   f'add_executable(engine {EXAMPLES}/engine_extension.c)\ntarget_link_libraries(engine PRIVATE kerf::c m)\n'
+                   'target_compile_options(engine PRIVATE -Wall -Wextra -Werror)\n'
+                   'target_compile_options(outside PRIVATE -Wall -Wextra -Werror -ffast-math)\n'
+                   'target_compile_options(outside_c PRIVATE -Wall -Wextra -Werror)\n')
+    build = os.path.join(folder, 'build')
+    run('cmake', '-S', folder, '-B', build, f'-DCMAKE_PREFIX_PATH={prefix}')
+    run('cmake', '--build', build)
+    said = run(os.path.join(build, 'outside'), SPHERE)
+    assert said.count(' kg') == 2, said
+    assert run(os.path.join(build, 'outside_c')) == '2 pieces\n'
+    masses = [float(line.split(', ')[1].split()[0]) for line in run(os.path.join(build, 'engine')).splitlines()]
+    # The box has 10 m2 of sheet at 7.85 kg; the slot takes four strips of 2 cm by one metre from it.
+    assert len(masses) == 2 and abs(sum(masses) - 7.85 * (10 - 4 * 0.02)) < 0.01, masses
+
+
+def check_python(prefix, folder):
+    site = os.path.join(prefix, 'lib/python3/dist-packages')
+    if not os.path.isdir(os.path.join(site, 'kerf')):
+        print('the Python module was not built')
+        return
+    environment = {**os.environ, 'PYTHONPATH': site, 'PYTHONDONTWRITEBYTECODE': '1'}
+    for example in ('tune_resolution.py', 'rays_against_brute_force.py'):
+        run(PYTHON, os.path.join(EXAMPLES, example), SPHERE, env=environment)
+    run(PYTHON, os.path.join(EXAMPLES, 'drill_holes.py'), env=environment)
+    said = run(PYTHON, os.path.join(EXAMPLES, 'cut_in_five_lines.py'), SPHERE, env=environment).split()
+    path, out = os.path.join(folder, 'path.json'), os.path.join(folder, 'out')
+    with open(path, 'w', encoding='utf-8') as text:
+        keys = [{'t': t, 'origin': [0, 3, z], 'direction': [0, -1, 0]} for t, z in ((0, -3), (1, 3))]
+        json.dump({'strokes': [{'laser': {'radius': 0.005, 'range': [0, 10]}, 'keys': keys}]}, text)
+    run(os.path.join(prefix, 'bin/kerf'), 'cut', SPHERE, '--path', path, '--out', out)
+    with open(os.path.join(out, 'report.json'), encoding='utf-8') as text:
+        report = json.load(text)
+    assert said[-1] == report['state_hash'], (said[-1], report['state_hash'])
+    areas = [float(said[i - 1]) for i, word in enumerate(said) if word == 'm2,']
+    assert len(areas) == len(report['pieces'])
+    assert all(abs(a - piece['area']) < 1e-6 for a, piece in zip(areas, report['pieces'])), (areas, report['pieces'])
+    run(PYTHON, os.path.join(CHECKOUT, 'tests/api/python_test.py'), SPHERE, env=environment)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        prefix = os.path.join(folder, 'prefix')
+        run('cmake', '--install', BUILD, '--prefix', prefix)
+        check_files(prefix)
+        check_program(prefix, folder)
+        outside = os.path.join(folder, 'outside')
+        os.mkdir(outside)
+        check_outside_programs(prefix, outside)
+        check_python(prefix, folder)
+
+
+main()

@@ -1,0 +1,199 @@
+#include "ui/editor/shared/features.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+// The steps of the history, to be travelled by a click, and the memory that they may take.
+class HistoryPanel {
+ public:
+  void draw(Workspace& on);
+
+ private:
+  void draw_list(WorldChanges& changes, const Document& document, FileUnit unit);
+  void list_rows(const StepGroups& groups, const History& history);
+
+  std::vector<size_t> rows_;  // positions of the history
+  size_t shown_ = 0;          // the position that the list was scrolled to
+};
+
+constexpr size_t kMostRows = 10;
+
+// The memory of the before-images, by which a step is undone at once.
+std::string weight_text(const HistoryStep& step) {
+  if (step.images() == HistoryStep::Images::kNone) return "waits";
+  if (step.images() == HistoryStep::Images::kLetGo) return "by replay";
+  const double kilobytes = static_cast<double>(step.bytes()) / 1024;
+  return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
+}
+
+std::string removed_text(const HistoryStep& step, FileUnit unit) {
+  return step.removed_area() > 0 ? area_label(step.removed_area(), unit) : "";
+}
+
+// The width that a column of such texts needs.
+template <typename Text>
+float widest(const History& history, const Text& text) {
+  float width = 1;
+  for (size_t i = 0; i < history.size(); ++i)
+    width = std::max(width, ImGui::CalcTextSize(text(history.step(i)).c_str()).x);
+  return width;
+}
+
+// What a row of the list says.
+struct Row {
+  std::string name;
+  std::string removed = {};  // the area that the step has taken away
+  std::string weight = {};
+};
+
+// Returns whether the row was clicked.
+bool draw_row(size_t now, size_t position, const Row& row) {
+  ImGui::PushID(static_cast<int>(position));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const bool undone = position > now;
+  if (position == now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
+  if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  const std::string label = fitted_label(row.name, ImGui::GetContentRegionAvail().x);
+  const bool clicked = ImGui::Selectable(label.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
+  mark_last_item("history row", static_cast<int>(position));
+  const char* meaning = position == now ? "This is where the work is now."
+                        : undone        ? "Was taken back. A click does it again, with all before it."
+                                        : "A click goes back to here; what came after can be done again.";
+  tooltip((row.name + ". " + meaning).c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row.removed.c_str());
+  tooltip("The area that this step has taken away.");
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row.weight.c_str());
+  tooltip("The memory that it takes to undo this step at once.");
+  if (undone) ImGui::PopStyleColor();
+  if (position == now) {
+    ImGui::PopStyleColor();
+    ImGui::SetItemDefaultFocus();
+  }
+  ImGui::PopID();
+  return clicked && position != now;
+}
+
+// The row of a position of the history; returns whether it was clicked.
+bool draw_step(const History& history, size_t position, FileUnit unit) {
+  if (position == 0) return draw_row(history.position(), 0, {"As it was opened"});
+  const HistoryStep& step = history.step(position - 1);
+  return draw_row(history.position(), position,
+                  {step_words(history, position - 1, unit), removed_text(step, unit), weight_text(step)});
+}
+
+void draw_window(Document& document, Settings& settings) {
+  if (!begin_properties("window")) return;
+  property("Memory");
+  int megabytes = settings.history_megabytes;
+  constexpr const char* kMeaning =
+      "How much memory going back at once may take. Older steps come back by replay, which takes longer.";
+  if (whole_slider({"Memory", "##window", kMeaning, true}, megabytes, Settings::kLeastHistory,
+                   Settings::kMostHistory, grouped(static_cast<size_t>(megabytes)) + " MB",
+                   {Quantity::kPlain, 1, " MB"})) {
+    settings.history_megabytes = megabytes;
+    document.set_window(settings.history_bytes());
+  }
+  property("Held");
+  ImGui::TextUnformatted(
+      text_of("%.1f MB", static_cast<double>(document.history().bytes()) / (1 << 20)).c_str());
+  tooltip("What the steps above hold now.");
+  end_properties();
+}
+
+// The steps of some groups share a row, unless the work stands between them.
+void HistoryPanel::list_rows(const StepGroups& groups, const History& history) {
+  rows_.clear();
+  for (size_t position = 0; position <= history.size(); ++position) {
+    if (groups.has_row(position) || position == history.position()) rows_.push_back(position);
+  }
+}
+
+void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, FileUnit unit) {
+  constexpr ImGuiTableFlags kList =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  const History& history = document.history();
+  list_rows(changes.groups(), history);
+  const float height = height_of_rows(std::min(rows_.size(), kMostRows));
+  if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
+  ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
+  const auto removed = [unit](const HistoryStep& step) { return removed_text(step, unit); };
+  ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(history, removed));
+  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(history, weight_text));
+  draw_rows_in_sight(rows_.size(), [&](size_t row) {
+    const size_t position = rows_[row];
+    if (draw_step(history, position, unit))
+      changes.ask("Travel", [&changes, position] { changes.travel_to(position); });
+  });
+  if (shown_ != history.position()) {
+    shown_ = history.position();
+    const auto row = std::lower_bound(rows_.begin(), rows_.end(), history.position());
+    scroll_to_row(static_cast<size_t>(row - rows_.begin()), height);
+  }
+  ImGui::EndTable();
+}
+
+void HistoryPanel::draw(Workspace& on) {
+  draw_list(on.changes, on.work.document, on.view.frame.unit);
+  draw_window(on.work.document, on.settings);
+}
+
+class HistoryFeature : public Feature {
+ public:
+  explicit HistoryFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{"History", Tab::kCut, 800, true, [this] { panel_.draw(on_); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {{200,
+             "Edit",
+             {UserAction{
+                  .name = "Undo",
+                  .shortcut = "Ctrl+Z",
+                  .tip = "Takes the last stroke or command back.",
+                  .run = [this] { ask_to_step(true); },
+                  .why_not = [this] { return history().position() > 0 ? nullptr : "Nothing was done yet."; }},
+              UserAction{.name = "Redo",
+                         .shortcut = "Ctrl+Shift+Z",
+                         .tip = "Does again what was taken back.",
+                         .run = [this] { ask_to_step(false); },
+                         .why_not =
+                             [this] {
+                               return history().position() < history().size() ? nullptr
+                                                                              : "Nothing was taken back.";
+                             },
+                         .ends_group = true}}}};
+  }
+
+  void report(nlohmann::ordered_json& report) const override { report["undo_depth"] = history().position(); }
+
+ private:
+  const History& history() const { return on_.work.document.history(); }
+  void ask_to_step(bool back) {
+    on_.changes.ask(back ? "Undo" : "Redo", [this, back] { on_.changes.step_through_history(back); });
+  }
+
+  Workspace& on_;
+  HistoryPanel panel_;
+};
+
+}  // namespace
+
+std::unique_ptr<Feature> history_feature(Workspace& on) { return std::make_unique<HistoryFeature>(on); }
+
+}  // namespace kerf

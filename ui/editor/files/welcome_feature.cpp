@@ -1,0 +1,282 @@
+#include "ui/editor/shared/features.h"
+
+#include <imgui.h>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "ui/editor/files/tour.h"
+#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/thumbnails.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+#include "ui/window/window.h"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLongestWait = 2;  // s, that a thumbnail waits for a picture that goes on changing
+
+// The file that the picture shows, as it was opened; empty where it shows none, or several.
+fs::path file_shown(const OpenWork& work) {
+  if (!work.file.empty()) return work.file;
+  return work.files.size() == 1 ? work.files.front() : fs::path();
+}
+
+// What a thumbnail is taken of: a file as it was opened or saved.
+struct KeptState {
+  fs::path file;
+  size_t commands = 0;
+  friend bool operator==(const KeptState&, const KeptState&) = default;
+};
+
+class RecentFeature : public Feature {
+ public:
+  explicit RecentFeature(Workspace& on) : on_(on) {}
+
+  std::vector<ActionGroup> actions() override {
+    return {{101, "File", {UserAction{.name = "Open recent", .items = [this] { return files(); }}}}};
+  }
+
+  void advance(double) override {
+    if (recent_ == on_.settings.recent) return;
+    recent_ = on_.settings.recent;
+    on_.thumbnails.keep_only(recent_);
+  }
+
+  void drawn(Drawn what) override {
+    if (what == Drawn::kPicture && is_due()) take();
+  }
+
+ private:
+  std::vector<UserAction> files();
+  bool is_due();
+  void take();
+
+  Workspace& on_;
+  std::vector<fs::path> recent_;
+  KeptState wanted_, taken_;
+  double wanted_at_ = 0;  // s of the clock
+};
+
+std::vector<UserAction> RecentFeature::files() {
+  std::vector<UserAction> actions;
+  for (const fs::path& file : on_.settings.recent) {
+    actions.push_back({.name = file.filename().string(), .tip = file.string()});
+    actions.back().run = [this, file] { on_.open({file}); };
+    actions.back().why_not = [file]() -> const char* {
+      std::error_code error;
+      return fs::exists(file, error) ? nullptr : "This file is not there any more.";
+    };
+    actions.back().tip_picture = [this, file] { return on_.thumbnails.find(file); };
+  }
+  if (!actions.empty()) actions.back().ends_group = true;
+  actions.push_back({.name = "Forget them", .tip = "Empties this list; the files stay."});
+  actions.back().run = [this] { on_.settings.recent.clear(); };
+  actions.back().why_not = [this] {
+    return on_.settings.recent.empty() ? "Nothing was opened yet." : nullptr;
+  };
+  return actions;
+}
+
+// Whether the picture shows a file as it was opened or saved, and is complete.
+bool RecentFeature::is_due() {
+  const KeptState now{file_shown(on_.work), on_.work.saved_commands};
+  if (now == taken_ || now.file.empty()) return false;
+  if (now != wanted_) {
+    wanted_ = now;
+    wanted_at_ = on_.clock->seconds();
+  }
+  if (!on_.window->draws() || on_.opening.loader.busy() || on_.picture->first().is_sending()) return false;
+  return !on_.picture->busy() || on_.clock->seconds() - wanted_at_ > kLongestWait;
+}
+
+// A file that is not among the recent ones, as the default scene, has none. One that cannot be written is not
+// missed enough to be told of.
+void RecentFeature::take() {
+  taken_ = wanted_;
+  const fs::path file = whole_path(taken_.file);
+  if (std::ranges::find(recent_, file) == recent_.end()) return;
+  const Area part = pixels_of(on_.view.layout.first, *on_.window);
+  (void)on_.thumbnails.keep(file, window_pixels(on_.window->pixel_size(), part));
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> recent_feature(Workspace& on) { return std::make_unique<RecentFeature>(on); }
+
+namespace {
+
+constexpr size_t kMostRecent = 4;
+
+// Draws over the last item, the row of a file in a list: its thumbnail, or an empty frame of that size, its
+// name and its folder.
+void draw_file_row(const std::filesystem::path& file, const std::optional<TipPicture>& thumbnail, Vec2 size) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float em = ImGui::GetFontSize();
+  const ImVec2 row = ImGui::GetItemRectMin(), row_end = ImGui::GetItemRectMax();
+  const ImVec2 at(row.x + 0.25f * em, row.y + 0.25f * em);
+  const ImVec2 end(at.x + static_cast<float>(size.x), at.y + static_cast<float>(size.y));
+  if (thumbnail)
+    list.AddImageRounded(to_im_texture(thumbnail->texture), at, end, {0, 0}, {1, 1}, IM_COL32_WHITE, 3);
+  list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border), 3);
+  const float text = end.x + 0.6f * em, middle = (at.y + end.y) / 2;
+  list.PushClipRect(row, row_end, true);
+  list.AddText({text, middle - 1.1f * em}, colours::text(), file.filename().c_str());
+  list.AddText({text, middle + 0.1f * em}, colours::secondary(), file.parent_path().filename().c_str());
+  list.PopClipRect();
+}
+
+class WelcomeFeature : public Feature {
+ public:
+  explicit WelcomeFeature(Workspace& on) : on_(on) {}
+
+  std::vector<ActionGroup> actions() override {
+    return {{1900,
+             "Help",
+             {UserAction{.name = "Welcome",
+                         .tip = "Recent files, scenes, and the tour.",
+                         .run = [this] { shown_ = true; }},
+              UserAction{.name = "The first five minutes",
+                         .tip = "A tour of the car that goes on when a step is done.",
+                         .run = [this] { begin_tour(); },
+                         .checked = [this] { return tour_.is_on(); }}}}};
+  }
+
+  Status start(const EditorOptions& options) override {
+    shown_ = options.files.empty() && !options.events && !on_.settings.welcomed;
+    on_.settings.welcomed = on_.settings.welcomed || shown_;
+    return Done{};
+  }
+
+  // What closes the welcome is heard by the rest of the editor as well.
+  bool takes(const InputEvent& event, bool in_picture) override {
+    const bool pressed = event.kind == InputEvent::Kind::kPress && in_picture;
+    if (pressed || event.kind == InputEvent::Kind::kKey) shown_ = false;
+    return false;
+  }
+  bool let_go() override {
+    const bool was_on = tour_.is_on();
+    tour_.end();
+    return was_on;
+  }
+
+  void advance(double) override { tour_.follow(tour_moment(on_)); }
+  void forget() override { shown_ = false; }
+  void draw_windows() override;
+  void report(nlohmann::ordered_json& report) const override {
+    report["welcome"] = shown_;
+    report["tour"] = tour_.is_on() ? nlohmann::ordered_json(tour_.at()) : nlohmann::ordered_json(nullptr);
+  }
+
+ private:
+  void begin_tour() {
+    shown_ = false;
+    tour_.begin(first_five_minutes(on_.view), tour_moment(on_));
+  }
+  void draw_welcome();
+  void draw_recent();
+  void draw_scenes();
+  void open_by(const std::filesystem::path& file, const char* label, ImVec2 size);
+  void draw_tour();
+
+  Workspace& on_;
+  bool shown_ = false;
+  Tour tour_;
+};
+
+void WelcomeFeature::draw_windows() {
+  if (shown_) draw_welcome();
+  if (tour_.is_on()) draw_tour();
+}
+
+// A row that opens a file.
+void WelcomeFeature::open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
+  if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
+    shown_ = false;
+    on_.open({file});
+  }
+}
+
+void WelcomeFeature::draw_recent() {
+  if (on_.settings.recent.empty()) return;
+  ImGui::Spacing();
+  ImGui::TextDisabled("Recent");
+  const float em = ImGui::GetFontSize();
+  const Vec2 picture(4.8 * em, 3 * em);
+  for (const std::filesystem::path& file :
+       std::span(on_.settings.recent).first(std::min(kMostRecent, on_.settings.recent.size()))) {
+    ImGui::PushID(file.c_str());
+    open_by(file, "##recent", {0, 3.5f * em});
+    mark_last_item(("welcome " + file.filename().string()).c_str());
+    draw_file_row(file, on_.thumbnails.find(file), picture);
+    tooltip(file.c_str());
+    ImGui::PopID();
+  }
+}
+
+void WelcomeFeature::draw_scenes() {
+  ImGui::Spacing();
+  ImGui::TextDisabled("Scenes");
+  for (const std::filesystem::path& scene : example_scenes()) {
+    const std::string title = title_of_scene(scene);
+    open_by(scene, title.c_str(), {0, 0});
+    mark_last_item(("welcome " + title).c_str());
+  }
+}
+
+// At the left, where it hides least of what stands in the middle.
+void WelcomeFeature::draw_welcome() {
+  const float em = ImGui::GetFontSize();
+  const Area& picture = on_.view.layout.viewport;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  ImGui::SetNextWindowPos(to_im(picture.at + Vec2(1.2 * em)));
+  ImGui::SetNextWindowSize({15 * em, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
+  if (ImGui::Begin("##welcome", nullptr, kFlags)) {
+    mark_window("welcome");
+    ImGui::TextUnformatted("Kerf");
+    ImGui::TextDisabled("A laser for any triangle mesh");
+    ImGui::Spacing();
+    if (ImGui::Button("The first five minutes", {-1, 0})) begin_tour();
+    mark_last_item("welcome tour");
+    if (ImGui::Button("Cut the car", {-1, 0})) shown_ = false;
+    mark_last_item("welcome car");
+    draw_recent();
+    draw_scenes();
+    ImGui::Spacing();
+    ImGui::TextDisabled("Any key closes this; Help has it.");
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void WelcomeFeature::draw_tour() {
+  const char* name = tour_.step().part;
+  std::optional<Area> part = *name != '\0' ? on_.landmarks->find(name) : std::nullopt;
+  const Area& status = on_.view.layout.status;
+  if (part && part->at.y + part->size.y > status.at.y) part.reset();  // scrolled out of the column
+  const TourMoment now = tour_moment(on_);
+  switch (draw_tour_card(tour_, on_.view.layout.viewport, part)) {
+    case TourMove::kNone:
+      return;
+    case TourMove::kBack:
+      return tour_.go_back(now);
+    case TourMove::kOn:
+      return tour_.skip(now);
+    case TourMove::kEnd:
+      return tour_.end();
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> welcome_feature(Workspace& on) { return std::make_unique<WelcomeFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,314 @@
+#include "ui/editor/inspect/face_inspector.h"
+
+#include <imgui.h>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
+#include "core/base/tick.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/editor/shared/viewport_pointer.h"
+#include "ui/render/bodies/pick.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_text.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+  const double sine = glm::length(glm::cross(a, b)), cosine = glm::dot(a, b);
+  return sine == 0 && cosine == 0 ? 0 : std::atan2(sine, cosine) * 180 / kPi;
+}
+
+template <typename Text>
+std::string joined(const std::array<double, 3>& values, const char* between, const Text& text) {
+  return text(values[0]) + between + text(values[1]) + between + text(values[2]);
+}
+
+// "12", "border", "12 + 40 + 41 (ring of 4)".
+std::string across(const std::vector<FaceId>& faces) {
+  if (faces.empty()) return "border";
+  std::string text;
+  for (const FaceId f : faces) text += (text.empty() ? "" : " + ") + std::to_string(f.index);
+  if (faces.size() > 1) text += " (ring of " + std::to_string(faces.size() + 1) + ")";
+  return text;
+}
+
+std::string temperature_text(const FaceFacts& facts) {
+  const std::string now = text_of("Temperature   %.0f K", facts.temperature);
+  return facts.hottest > facts.temperature + 1 ? now + text_of(", once %.0f K", facts.hottest) : now;
+}
+
+}  // namespace
+
+FaceFacts face_facts(const Body& body, FaceId face) {
+  KERF_ASSERT(body.mesh.is_live(face));
+  const FaceData& data = body.mesh.data(face);
+  const Triangle t = body.mesh.triangle(face);
+  const std::array<VertexId, 3> corners = body.mesh.corners(face);
+  FaceFacts facts{face,
+                  body.loaded_face(body.loaded_base(face)),
+                  data.halvings,
+                  body.label(face),
+                  triangle_area(t),
+                  {},
+                  {},
+                  {},
+                  {}};
+  facts.temperature = body.heat.temperature(body.mesh, face, body.sheet.substance, body.sheet.thickness);
+  facts.hottest = body.heat.hottest_of(body.mesh, face);
+  facts.slot = tree_slot(body.tree, body.mesh, face).value_or(TreeSlot());
+  for (size_t i = 0; i < 3; ++i) {
+    const size_t next = (i + 1) % 3, last = (i + 2) % 3;
+    facts.edges[i] = glm::length(t[next] - t[i]);
+    facts.angles[i] = degrees_between(t[next] - t[i], t[last] - t[i]);
+    std::vector<Mesh::Side> sides;
+    body.mesh.append_edge_sides(face, corners[i], corners[next], sides);
+    for (const Mesh::Side& side : sides) facts.neighbours[i].push_back(side.face);
+  }
+  return facts;
+}
+
+std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit) {
+  const auto length = [&](double metres) { return length_label(metres, unit); };
+  const auto angle = [](double degrees) { return text_of("%.1f", degrees); };
+  const std::string level = facts.halvings == 0
+                                ? "as loaded"
+                                : "halved " + std::to_string(facts.halvings) + " times, of loaded face " +
+                                      std::to_string(facts.loaded.index);
+  return {"Face " + std::to_string(facts.face.index) + ", " + level,
+          "Piece   " + body.name_of(facts.piece),
+          "Area   " + area_label(facts.area, unit),
+          "Edges   " + joined(facts.edges, ", ", length),
+          "Angles   " + joined(facts.angles, ", ", angle) + " degrees",
+          "Across   " + across(facts.neighbours[0]) + ", " + across(facts.neighbours[1]) + ", " +
+              across(facts.neighbours[2]),
+          temperature_text(facts),
+          "Tree   block " + std::to_string(facts.slot.block) + ", place " +
+              std::to_string(facts.slot.place + 1) + " of up to 4" +
+              (facts.slot.hit ? "; the beam was in its box" : "")};
+}
+
+namespace {
+
+constexpr double kBefore = 1e-3, kWithin = 1e-4;  // diagonals of the world
+constexpr double kLeastSpan = 100;                // K
+
+std::optional<double> temperature_at(const World& world, const ViewState& view, const Pose& ray) {
+  const auto seen = pick(world, view.look, ray);
+  const double diagonal = world.loaded_bounds().diagonal();
+  if (!seen || seen->length > (kBefore + kWithin) * diagonal) return std::nullopt;
+  const Body& body = world.body(seen->body);
+  return body.heat.temperature(body.mesh, seen->face, body.sheet.substance, body.sheet.thickness);
+}
+
+// The part of the box in which the curve lies.
+struct Plot {
+  ImVec2 at, size;
+  double from = 0, to = 1, least = kAmbient, most = kAmbient;
+
+  ImVec2 place(const HeatProbe::Sample& s) const {
+    return {at.x + static_cast<float>((s.seconds - from) / (to - from)) * size.x,
+            at.y + size.y - static_cast<float>((s.temperature - least) / (most - least)) * size.y};
+  }
+};
+
+Plot plot_of(const std::vector<HeatProbe::Sample>& samples, ImVec2 at, ImVec2 size) {
+  KERF_ASSERT(samples.front().seconds < samples.back().seconds);
+  Plot plot{at, size, samples.front().seconds, samples.back().seconds};
+  for (const HeatProbe::Sample& s : samples) plot.most = std::max(plot.most, s.temperature);
+  plot.most = std::max(plot.most, kAmbient + kLeastSpan);
+  return plot;
+}
+
+}  // namespace
+
+void HeatProbe::follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked,
+                       bool inspects) {
+  if (clicked != at_) {
+    at_ = clicked;
+    samples_.clear();
+    if (!at_) return;
+    const Vec3 eye = view.seen_first().eye, way = glm::normalize(*at_ - eye);
+    ray_ = {*at_ - kBefore * world.loaded_bounds().diagonal() * way, way};
+  }
+  if (!at_ || (!inspects && !view.look.show.heat)) return;
+  const double seconds = static_cast<double>(world.clock()) / kTicksPerSecond;
+  if (!samples_.empty() && seconds < samples_.back().seconds) samples_.clear();
+  if (!samples_.empty() && seconds == samples_.back().seconds) return;
+  if (const auto now = temperature_at(world, view, ray_)) add({seconds, *now});
+}
+
+// Where there are too many, every second one goes.
+void HeatProbe::add(const Sample& sample) {
+  if (samples_.size() >= kMostSamples) {
+    size_t kept = 0;
+    for (size_t i = 0; i < samples_.size(); i += 2) samples_[kept++] = samples_[i];
+    samples_.resize(kept);
+  }
+  samples_.push_back(sample);
+}
+
+void draw_heat_probe(const HeatProbe& probe, const Area& picture) {
+  const std::vector<HeatProbe::Sample>& samples = probe.samples();
+  if (samples.size() < 2) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = ImGui::GetFontSize(), line = 1.2f * em;
+  const ImVec2 size(17 * em, 9 * em);
+  const Vec2 end = picture.at + picture.size;
+  const ImVec2 at(static_cast<float>(end.x) - size.x - em, static_cast<float>(end.y) - size.y - em);
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
+  list.AddText({at.x + 0.6f * em, at.y + 0.4f * em}, colours::kPictureText,
+               text_of("%.0f K at the point", samples.back().temperature).c_str());
+  const Plot plot = plot_of(samples, {at.x + 0.6f * em, at.y + 0.8f * em + line},
+                            {size.x - 1.2f * em, size.y - 1.6f * em - 2 * line});
+  list.AddRectFilled(plot.at, {plot.at.x + plot.size.x, plot.at.y + plot.size.y}, IM_COL32(10, 12, 16, 160));
+  std::vector<ImVec2> curve;
+  for (const HeatProbe::Sample& s : samples) curve.push_back(plot.place(s));
+  list.AddPolyline(curve.data(), static_cast<int>(curve.size()), colours::accent(), 0, 1.6f);
+  list.AddText({plot.at.x + 0.3f * em, plot.at.y + 0.1f * em}, colours::kPictureSecondary,
+               text_of("%.0f K", plot.most).c_str());
+  const float below = plot.at.y + plot.size.y + 0.2f * em;
+  list.AddText({plot.at.x, below}, colours::kPictureSecondary,
+               text_of("over %.3g s", plot.to - plot.from).c_str());
+  mark_area("heat probe", {{at.x, at.y}, {size.x, size.y}});
+}
+
+namespace {
+
+void draw_edges(const ViewState& view, const Body& body, const Pick& pick, ImDrawList& list) {
+  const Triangle t = body.mesh.triangle(pick.face);
+  const auto look = view.look.pieces.find({pick.body, body.mesh.data(pick.face).piece});
+  const Vec3 offset = look != view.look.pieces.end() ? look->second.offset : Vec3(0);
+  const FirstPicture picture(view);
+  std::array<ImVec2, 3> corners;
+  for (size_t i = 0; i < 3; ++i) {
+    const auto at = picture.place_of(body.placement.to_world(t[i]) + offset);
+    if (!at) return;
+    corners[i] = to_im(*at);
+  }
+  list.AddPolyline(corners.data(), 3, IM_COL32(10, 12, 16, 190), ImDrawFlags_Closed, 4);
+  list.AddPolyline(corners.data(), 3, colours::kPictureText, ImDrawFlags_Closed, 1.5f);
+}
+
+// Beside the pointer, on the side where there is room.
+void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string>& lines, ImDrawList& list) {
+  const float em = ImGui::GetFontSize(), line = 1.25f * ImGui::GetTextLineHeight();
+  Vec2 size(0, 1.2 * em + line * static_cast<float>(lines.size()));
+  for (const std::string& text : lines)
+    size.x = std::max<double>(size.x, ImGui::CalcTextSize(text.c_str()).x + 1.6 * em);
+  const Area& area = view.layout.first;
+  Vec2 at = pointer + Vec2(1.4 * em);
+  if (at.x + size.x > area.at.x + area.size.x) at.x = pointer.x - 1.4 * em - size.x;
+  if (at.y + size.y > area.at.y + area.size.y) at.y = pointer.y - 1.4 * em - size.y;
+  at = glm::max(at, area.at);
+  list.AddRectFilled(to_im(at), to_im(at + size), IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const ImVec2 text(static_cast<float>(at.x) + 0.8f * em,
+                      static_cast<float>(at.y) + 0.7f * em + line * static_cast<float>(i));
+    list.AddText(text, i == 0 ? colours::kPictureText : colours::kPictureSecondary, lines[i].c_str());
+  }
+  mark_area("face readout", {at, size});
+}
+
+// Draws over the picture what there is to know about the face under the pointer, in a box beside it, and the
+// face's edges.
+void draw_face_readout(const Workspace& on, ImDrawList& list) {
+  const ViewState& view = on.view;
+  if (!on.points() || view.in_second) return;
+  const Vec2 p = view.in_picture(on.pointer);
+  const auto seen = pick(on.world(), view.look, view.seen().ray(p.x, p.y));
+  if (!seen) return;
+  const Body& body = on.world().body(seen->body);
+  draw_edges(view, body, *seen, list);
+  draw_box(view, on.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
+}
+
+constexpr const char* kInspectTool = "Inspect and measure";
+
+class InspectFeature : public Feature {
+ public:
+  explicit InspectFeature(Workspace& on) : on_(on) {}
+
+  std::vector<ActionGroup> actions() override {
+    UserAction action = tool_action(on_, kInspectTool, "M",
+                                    "Tells what there is to know about the face under the pointer; two "
+                                    "clicks measure the distance between two "
+                                    "points.");
+    action.run = [this, take = action.run] {
+      take();
+      measured_.clear();
+    };
+    return {{302, "Tool", {action}}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press& press) override {
+    if (!inspects() || press.control) return nullptr;
+    return std::make_unique<ClickOnce>([this] { measure(); });
+  }
+  bool let_go() override {
+    if (measured_.empty()) return false;
+    measured_.clear();
+    return true;
+  }
+  const char* hint() const override {
+    return inspects() ? "Inspect: click two points to measure their distance" : nullptr;
+  }
+
+  void advance(double) override {
+    if (!inspects()) measured_.clear();
+  }
+  void follow_queue(double) override {
+    if (on_.changes.is_pending()) return;
+    const auto clicked = measured_.empty() ? std::nullopt : std::optional(measured_.back());
+    probe_.follow(on_.world(), on_.view, clicked, inspects());
+  }
+  void forget() override { measured_.clear(); }
+
+  void draw_marks(ImDrawList& list) override {
+    if (inspects() && measured_.size() == 1) draw_measured_point(on_.view, measured_.front(), list);
+    if (inspects() && measured_.size() == 2) {
+      const double length = glm::length(measured_[1] - measured_[0]);
+      draw_distance(on_.view, measured_[0], measured_[1], length_label(length, on_.view.frame.unit), list);
+    }
+    if (inspects()) draw_face_readout(on_, list);
+    draw_heat_probe(probe_, on_.view.layout.first);
+  }
+
+ private:
+  bool inspects() const { return on_.tool == kInspectTool; }
+  void measure();
+
+  Workspace& on_;
+  std::vector<Vec3> measured_;  // m, the points that were clicked: at most two
+  HeatProbe probe_;
+};
+
+// The third click begins another distance.
+void InspectFeature::measure() {
+  if (on_.view.in_second) return on_.message.say("Distances are measured in the left half.", true);
+  const auto point = point_under_pointer(on_);
+  if (!point) return on_.message.say("There is no surface under the pointer.", true);
+  if (measured_.size() == 2) measured_.clear();
+  measured_.push_back(*point);
+  if (measured_.size() < 2)
+    return on_.message.say("Click a second point to measure its distance from this one.");
+  const Vec3 way = measured_[1] - measured_[0];
+  const auto text = [&](double length) { return length_label(length, on_.view.frame.unit); };
+  on_.message.say("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) + ", along Y " +
+                  text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> inspect_feature(Workspace& on) { return std::make_unique<InspectFeature>(on); }
+
+}  // namespace kerf

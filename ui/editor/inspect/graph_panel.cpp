@@ -1,0 +1,379 @@
+#include "ui/editor/inspect/graph_panel.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "ui/editor/inspect/graph_state.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/render/bodies/pick.h"
+#include "ui/render/view/view_switches.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the chosen piece",
+                            "Pieces"};
+constexpr std::array kPlacings{"Unrolled along the cut", "By position", "By force"};
+constexpr float kLeastGap = 3;          // pixels, between two marks of loops
+constexpr float kHeightOfWidth = 0.8f;  // of the canvas below the rows
+// Sizes of the text: the width of a panel from which on its rows are beside the canvas, and their width.
+constexpr float kWide = 44, kRows = 24;
+
+void placing_row(GraphState& graph) {
+  property("Laid out");
+  const bool positioned = graph.cannot_unroll() && graph.removed() > 0;
+  const char* shown =
+      positioned ? "By position: it does not run around" : kPlacings.at(static_cast<size_t>(graph.placing()));
+  if (begin_fitted_combo("##placing", shown)) {
+    for (size_t i = 0; i < kPlacings.size(); ++i) {
+      const auto placing = static_cast<GraphState::Placing>(i);
+      if (ImGui::Selectable(kPlacings.at(i), placing == graph.placing())) graph.place(placing);
+    }
+    ImGui::EndCombo();
+    return;
+  }
+  mark_last_item("graph placing");
+  tooltip(
+      "Unrolled: the way around the cut from left to right, and its two sides above and below; by position "
+      "where the cut does not run around. By position: where the faces are, seen along the direction in "
+      "which they "
+      "extend least. By force: linked nodes pull each other, near ones push each other away.");
+}
+
+// Played by the button or drawn by hand.
+void traversal_row(GraphState& graph) {
+  property("Traversal");
+  if (ImGui::Button(graph.playing() ? "Stop" : "Play")) graph.play(!graph.playing());
+  mark_last_item("graph play");
+  tooltip("Plays the breadth-first search from the ringed node: what it has come to is blue.");
+  ImGui::SameLine();
+  int marked = static_cast<int>(graph.marked());
+  ImGui::SetNextItemWidth(-1);
+  if (whole_slider({"Traversal", "##marked",
+                    "How many faces the search has marked. A click on a single face starts it from there."},
+                   marked, 0, static_cast<int>(graph.reached()), count_text(graph.marked(), "face"))) {
+    graph.play(false);
+    graph.set_marked(static_cast<size_t>(marked));
+  }
+  mark_last_item("graph slider");
+}
+
+// A line below the last slider for each removal that closed a loop.
+void mark_closings(const GraphState& graph) {
+  const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+  const float em = ImGui::GetFontSize(), grab = ImGui::GetStyle().GrabMinSize;
+  const float width = most.x - least.x - grab - 4;
+  float last = -kLeastGap;
+  for (const size_t closing : graph.closings()) {
+    const float share = static_cast<float>(closing) / static_cast<float>(graph.removed());
+    const float x = std::round(least.x + 2 + 0.5f * grab + share * width);
+    if (x < last + kLeastGap) continue;
+    last = x;
+    ImGui::GetWindowDrawList()->AddLine({x, most.y + 1}, {x, most.y + 0.4f * em}, colours::secondary(), 1);
+  }
+  ImGui::Dummy({0, 0.1f * em});
+}
+
+// The removals in their order, with the moments at which one closed a loop.
+void removals_row(GraphState& graph, const ViewState& view) {
+  property("Removals");
+  int removals = static_cast<int>(graph.removals());
+  ImGui::SetNextItemWidth(-1);
+  const auto& closings = graph.closings();
+  const auto closed = std::upper_bound(closings.begin(), closings.end(), graph.removals()) - closings.begin();
+  const std::string shown =
+      grouped(graph.removals()) + ", " + count_text(static_cast<size_t>(closed), "loop");
+  const std::string meaning = with_shortcut(
+      view,
+      "How many faces the stroke had removed. A tick is the moment at which a removal closed a loop of "
+      "removed "
+      "faces, which is when Kerf searches. The picture shows the loops while it shows the component graph.",
+      action_name(view_switch(SwitchId::kGraph)));
+  if (whole_slider({"Removals", "##removals", meaning.c_str()}, removals, 0,
+                   static_cast<int>(graph.removed()), shown))
+    graph.set_removals(static_cast<size_t>(removals));
+  mark_last_item("graph removals");
+  mark_closings(graph);
+}
+
+std::string verdict(const GraphState& graph) {
+  if (graph.marked() < graph.reached()) return "The search goes on.";
+  if (graph.shows_piece()) return "The search reached every face that hangs together with the first.";
+  if (graph.removed() == 0) return "Nothing is cut yet.";
+  const size_t rest = graph.total() - graph.reached();
+  if (!graph.separated()) return "Not separated: the search reached every face that hung together before.";
+  const size_t others = graph.sets() - 1;
+  return "Separated: the search did not reach " + count_text(rest, "face") + " in " +
+         count_text(others, "other part") + ".";
+}
+
+// What Kerf does in place of the search.
+std::string loops_text(const GraphState& graph) {
+  const std::vector<size_t>& closings = graph.closings();
+  const std::string of = " of " + grouped(graph.removed()) + " removals";
+  if (closings.empty()) return "Kerf itself did not search: none" + of + " closed a loop.";
+  return "Kerf itself searches where the removed faces close a loop: " + grouped(closings.size()) + of +
+         " closed one, the first with removal " + grouped(closings.front()) + ".";
+}
+
+void draw_verdict(const GraphState& graph) {
+  ImGui::TextWrapped("Reached %s of %s", grouped(graph.marked()).c_str(), grouped(graph.total()).c_str());
+  ImGui::TextWrapped("%s", verdict(graph).c_str());
+  mark_last_item("graph verdict");
+  if (graph.removed() > 0) secondary_text(loops_text(graph));
+  if (!graph.complete()) secondary_text("Some faces that the stroke removed are not kept any more.");
+}
+
+// What a node is, for the pointer that rests on it.
+void explain(const GraphState& graph, const Document& document, uint32_t node) {
+  const DrawnGraph::Node& n = graph.drawn()->nodes[node];
+  if (!document.world().contains(n.face.body)) return;
+  const std::string piece = document.world().body(n.face.body).name_of(n.face.piece);
+  std::string text = n.faces == 1 ? "Face " + std::to_string(n.face.face.index) : grouped(n.faces) + " faces";
+  text += (n.removed ? ", removed from " : " of ") + piece;
+  if (n.faces > 1) text += ". A click divides the cluster.";
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
+std::optional<FaceOfBody> face_under(const Document& document, const ViewState& view,
+                                     std::optional<Vec2> pointer) {
+  if (!pointer) return std::nullopt;
+  const Vec2 p = view.in_picture(*pointer);
+  const auto seen = pick(document.world(), view.look, view.seen().ray(p.x, p.y));
+  return seen ? std::optional(FaceOfBody{seen->body, seen->face}) : std::nullopt;
+}
+
+}  // namespace
+
+void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> chosen) {
+  int view = pieces_shown_ ? 3 : graph.shows_piece() ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
+  if (marked_choice_row(
+          "Nodes", "##nodes", view, kNodes, "graph nodes",
+          "The faces around the last stroke, all faces of the bodies that it cut, those of one piece, or the "
+          "pieces and what they came off. More than 2,000 faces are drawn as clusters."))
+    show_nodes(graph, view, chosen);
+  if (graph.shows_piece()) graph.show_piece(chosen);
+}
+
+void GraphPanel::show_nodes(GraphState& graph, int view, std::optional<PieceId> chosen) {
+  pieces_shown_ = view == 3;
+  const GraphScope scope = view == 1 ? GraphScope::kWhole : GraphScope::kAroundCut;
+  if (view < 2) graph.show_cut();
+  if (view < 2 && scope != graph.scope()) graph.show(scope);
+  if (view == 2) graph.show_piece(chosen);
+  canvas_.fit();
+}
+
+void GraphPanel::light(const GraphState& graph, const Document& document, ViewState& view,
+                       const GraphCanvas::Pointer& on_canvas, std::optional<FaceOfBody> in_picture) {
+  std::optional<FaceOfBody> lit = in_picture;
+  if (on_canvas.over) {
+    lit = graph.face_of(*on_canvas.over);
+    explain(graph, document, *on_canvas.over);
+  }
+  if (lit == view.look.lit_face) return;
+  view.look.lit_face = lit;
+  view.picture_old = true;
+}
+
+void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewState& view,
+                             std::optional<Vec2> pointer, float height) {
+  const DrawnGraph& drawn = *graph.drawn();
+  const std::optional<FaceOfBody> face = face_under(document, view, pointer);
+  const std::optional<uint32_t> lit = face ? graph.node_of(*face) : std::nullopt;
+  KERF_ASSERT(graph.start() < drawn.of.size());
+  const uint32_t start = drawn.of[graph.start()];
+  if (framed_ != graph.number()) canvas_.come_near();
+  framed_ = graph.number();
+  const bool to_scale = graph.placing() != GraphState::Placing::kForce;
+  const GraphCanvas::Pointer on_canvas = canvas_.draw(
+      {drawn, graph.layout(), lit, start == DrawnGraph::kNone ? std::nullopt : std::optional(start),
+       to_scale ? std::optional(view.frame.unit) : std::nullopt},
+      height);
+  light(graph, document, view, on_canvas, lit ? face : std::nullopt);
+  if (!on_canvas.clicked) return;
+  const DrawnGraph::Node& n = drawn.nodes[*on_canvas.clicked];
+  if (n.faces > 1) {
+    graph.open(*on_canvas.clicked);
+  } else if (!n.removed) {
+    graph.start_from(*on_canvas.clicked);
+  }
+  view.picture_old = true;
+}
+
+bool GraphPanel::fit_under_pointer() {
+  if (!canvas_.hovered()) return false;
+  canvas_.fit();
+  return true;
+}
+
+// What stands where the graph would.
+static void draw_absence(GraphState& graph) {
+  if (!graph.is_left_out())
+    return secondary_text(graph.shows_piece() ? "Choose a piece: its graph is drawn here."
+                                              : "There are no faces.");
+  secondary_text("The graph of " + grouped(graph.left_out()) + " faces takes a moment after each stroke.");
+  if (ImGui::Button("Draw it")) graph.ask_for_it();
+  mark_last_item("graph ask");
+}
+
+void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
+  if (ImGui::Button("Fit")) canvas_.fit();
+  mark_last_item("graph fit");
+  tooltip(
+      "Shows all of the graph (F while the pointer is over it). The wheel zooms, a drag moves the graph.");
+  ImGui::SameLine();
+  if (ImGui::Button("Near the cut")) canvas_.come_near();
+  mark_last_item("graph near");
+  tooltip("Shows the faces around the ringed one, beside the cut, so large that they can be told apart.");
+  if (graph.any_open()) {
+    ImGui::SameLine();
+    if (ImGui::Button("Close clusters")) graph.close_all();
+  }
+  if (!begin_properties("traversal")) return;
+  traversal_row(graph);
+  if (graph.removed() > 0) removals_row(graph, view);
+  end_properties();
+  draw_verdict(graph);
+}
+
+void GraphPanel::draw_pieces(const Document& document, ViewState& view) {
+  if (origins_of_ != document.journal().size()) {
+    rows_ = piece_tree(piece_origins(document));
+    origins_of_ = document.journal().size();
+  }
+  std::erase_if(rows_,
+                [&](const PieceTreeRow& row) { return !document.world().contains(row.origin.piece.body); });
+  draw_piece_tree(rows_, document, view);
+}
+
+void GraphPanel::draw_rows(GraphState& graph, const Document& document, ViewState& view) {
+  if (begin_properties("graph")) {
+    draw_view_row(graph, first_chosen(view.look.pieces));
+    if (!pieces_shown_) placing_row(graph);
+    end_properties();
+  }
+  if (pieces_shown_) draw_pieces(document, view);
+}
+
+void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& view,
+                      std::optional<Vec2> pointer) {
+  const float em = ImGui::GetFontSize();
+  const bool wide = ImGui::GetContentRegionAvail().x > kWide * em;
+  if (wide) ImGui::BeginChild("##rows", {kRows * em, 0});
+  draw_rows(graph, document, view);
+  const bool drawn = !pieces_shown_ && !graph.is_left_out() && graph.drawn();
+  if (drawn && !wide)
+    draw_canvas(graph, document, view, pointer, kHeightOfWidth * ImGui::GetContentRegionAvail().x);
+  if (!pieces_shown_ && !drawn) draw_absence(graph);
+  if (drawn) draw_rows_of_faces(graph, view);
+  if (!wide) return;
+  ImGui::EndChild();
+  ImGui::SameLine();
+  if (drawn) draw_canvas(graph, document, view, pointer, ImGui::GetContentRegionAvail().y);
+}
+
+namespace {
+
+// Reads the graph that was asked for, beside the frames, and hands it to `graph`, which must outlive it; if
+// it is stopped, the graph stays left out. The document is not changed. Precondition: graph.is_asked_for().
+LongChange graph_reading(GraphState& graph) {
+  KERF_ASSERT(graph.is_asked_for());
+  graph.no_longer_ask();
+  struct Reading {
+    GraphState graph;
+    bool done = false;
+  };
+  const auto reading = std::make_shared<Reading>(Reading{graph});
+  return {"Reading the graph of " + grouped(graph.left_out()) + " faces",
+          [reading](Document& document, const Progress& progress) {
+            reading->done = reading->graph.read_left_out(document, progress);
+            return Outcome();
+          },
+          [reading, &graph](const Outcome&) {
+            if (reading->done) graph = std::move(reading->graph);
+          }};
+}
+
+constexpr const char* kGraphPanel = "Graph";
+
+class GraphFeature : public Feature {
+ public:
+  explicit GraphFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kGraphPanel, Tab::kLook, 1100, false,
+             [this] {
+               const bool seen = on_.points() && !on_.view.in_second;
+               panel_.draw(graph_, on_.work.document, on_.view,
+                           seen ? std::optional(on_.pointer) : std::nullopt);
+             },
+             Dock::kStrip}};
+  }
+  std::vector<Gesture> gestures() const override {
+    return {{140, "F over the graph", "Show all of it, while the pointer is over it"}};
+  }
+  bool takes(const InputEvent& event, bool) override {
+    const bool fits = event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_F && event.mods == 0;
+    return fits && panel_.fit_under_pointer();
+  }
+
+  void follow_queue(double seconds) override;
+  bool moving() const override { return graph_.playing(); }
+  void report(nlohmann::ordered_json& report) const override {
+    report["graph"] = {{"nodes", graph_.drawn() ? graph_.drawn()->nodes.size() : 0},
+                       {"marked", graph_.marked()},
+                       {"reached", graph_.reached()},
+                       {"total", graph_.total()},
+                       {"removed", graph_.removed()},
+                       {"removals", graph_.removals()},
+                       {"closings", graph_.closings().size()},
+                       {"loops", graph_.drawn() ? graph_.drawn()->loops.size() : 0},
+                       {"of_piece", graph_.shows_piece()},
+                       {"any_open", graph_.any_open()},
+                       {"face_lit", on_.view.look.lit_face.has_value()}};
+  }
+
+ private:
+  Workspace& on_;
+  GraphState graph_;
+  GraphPanel panel_;
+};
+
+void GraphFeature::follow_queue(double seconds) {
+  ViewState& view = on_.view;
+  const Document& document = on_.work.document;
+  const bool panel = on_.panels.shows(kGraphPanel);
+  if (!panel && view.look.lit_face) {
+    view.look.lit_face.reset();
+    view.picture_old = true;
+  }
+  if (!panel && !view.look.show.graph) return graph_.play(false);
+  graph_.follow(document, on_.holds_back());
+  graph_.advance(std::min(seconds, Workspace::kLongestStep));
+  if (graph_.is_asked_for() && !on_.changes.is_pending() && !document.execution().in_stroke() &&
+      document.waiting() == 0)
+    on_.changes.begin(graph_reading(graph_));
+  if (view.look.graph == graph_.drawn()) return;
+  view.look.graph = graph_.drawn();
+  if (view.look.show.graph) view.picture_old = true;
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> graph_feature(Workspace& on) { return std::make_unique<GraphFeature>(on); }
+
+}  // namespace kerf

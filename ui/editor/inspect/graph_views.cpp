@@ -1,0 +1,389 @@
+#include "ui/editor/inspect/graph_views.h"
+
+#include <imgui.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "core/base/assert.h"
+#include "core/joints/joined_parts.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/render/passes/mark_passes.h"
+#include "ui/render/view/colours.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kZoomOfNotch = 1.2, kLeastZoom = 0.5, kMostZoom = 400;
+constexpr double kLeastRadius = 1.5, kMostRadius = 9;  // of a node that is a single face, pixels
+constexpr double kRadiusOfLink = 0.38;                 // of a node, relative to the usual link
+constexpr double kTellApart = 16;                      // pixels from node to node
+constexpr double kOutlined = 3;                        // pixels; smaller nodes have no outline
+constexpr double kFilled = 0.46;                       // of the field, by half of the graph
+constexpr double kOffMiddle = 0.35;                    // of half of the field
+constexpr double kScaleBar = 110;                      // pixels, at most
+constexpr double kLongLink =
+    1;  // of a layout; longer ones, as over the seam of an unrolled cut, are drawn faintly
+constexpr double kOpaqueLink = 110, kFaintest = 12;
+constexpr double kReach = 5;  // pixels around a node in which it is under the pointer
+
+ImU32 opaque(uint32_t hex, int opacity = 255) {
+  return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, opacity);
+}
+
+// The length in a layout that a quarter of the links do not exceed; 0 without links. Those of a large cluster
+// are many and long.
+double usual_link(const DrawnGraph& graph, const GraphLayout& places) {
+  std::vector<double> lengths;
+  lengths.reserve(graph.edges.size());
+  for (const auto& [a, b] : graph.edges) lengths.push_back(glm::length(places[a] - places[b]));
+  if (lengths.empty()) return 0;
+  const auto quarter = lengths.begin() + static_cast<ptrdiff_t>(lengths.size() / 4);
+  std::nth_element(lengths.begin(), quarter, lengths.end());
+  return *quarter;
+}
+
+// How many metres the unit of a layout stands for on average along the links; 0 where that cannot be told.
+double metres_per_unit_of(const DrawnGraph& graph, const GraphLayout& places) {
+  double in_space = 0, in_plane = 0;
+  for (const auto& [a, b] : graph.edges) {
+    const double link = glm::length(places[a] - places[b]);
+    if (link > kLongLink) continue;
+    in_plane += link;
+    in_space += glm::length(graph.nodes[a].middle - graph.nodes[b].middle);
+  }
+  return in_plane > 0 ? in_space / in_plane : 0;
+}
+
+// The largest of 1, 2 and 5 times a power of ten that does not exceed a length. Precondition: it is positive.
+double round_length(double most) {
+  const double power = std::pow(10, std::floor(std::log10(most)));
+  for (const double times : {5.0, 2.0}) {
+    if (times * power <= most) return times * power;
+  }
+  return power;
+}
+
+ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+Vec2 vec(const ImVec2& p) { return {p.x, p.y}; }
+
+}  // namespace
+
+// That of a cluster grows slowly with its faces.
+double GraphCanvas::radius_of(const DrawnGraph::Node& node) const {
+  return node.faces == 1 ? radius_ : radius_ * std::min(2.2, 1.2 + 0.1 * std::sqrt(node.faces));
+}
+
+// Frames what is wished for.
+void GraphCanvas::fulfil(const Drawn& drawn, double link) {
+  if (wish_ == Wish::kNone || drawn.places.empty()) return;
+  Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const Vec2& p : drawn.places) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const Vec2 extent = glm::max(high - low, Vec2(1e-9));
+  const Vec2 fitting = 2 * kFilled * size_ / (extent * half_);
+  const double all = std::clamp(std::min(fitting.x, fitting.y), kLeastZoom, kMostZoom);
+  middle_ = 0.5 * (low + high);
+  zoom_ = all;
+  if (wish_ == Wish::kStart && drawn.start && link > 0) {
+    zoom_ = std::clamp(kTellApart / (link * half_), all, kMostZoom);
+    // A start at the border of the graph is a little off the middle, so that less of the field is empty.
+    const Vec2 reach = kOffMiddle * glm::min(0.5 * size_ / (half_ * zoom_), 0.5 * extent);
+    middle_ = glm::clamp(drawn.places[*drawn.start], low + reach, high - reach);
+  }
+  wish_ = Wish::kNone;
+}
+
+// The child window of the canvas scrolls by a pixel that nobody sees, so that the wheel does not scroll the
+// column of panels.
+void GraphCanvas::listen() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    const Vec2 from = (vec(io.MousePos) - centre_) / half_;
+    const double before = zoom_;
+    zoom_ = std::clamp(zoom_ * std::pow(kZoomOfNotch, io.MouseWheel), kLeastZoom, kMostZoom);
+    middle_ += from * (1 / before - 1 / zoom_);
+  }
+  if (ImGui::IsItemActivated()) dragged_ = false;
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    dragged_ = true;
+    middle_ -= vec(io.MouseDelta) / (half_ * zoom_);
+  }
+}
+
+// Links that are longer than usual are fainter, so that those of a large cluster leave the others to be seen.
+void GraphCanvas::draw_links(const DrawnGraph& graph, const GraphLayout& places, double link) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const auto& edge : graph.edges) {
+    const uint32_t hex =
+        graph.is_cut(edge) ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[edge[0]]));
+    const double length = std::max(glm::length(places[edge[0]] - places[edge[1]]), link);
+    const double opacity = length > kLongLink ? kFaintest : kOpaqueLink * 2 * link / (length + link);
+    list.AddLine(im(on_screen(places[edge[0]])), im(on_screen(places[edge[1]])),
+                 opaque(hex, static_cast<int>(std::max(opacity, kFaintest))));
+  }
+}
+
+// Returns the node under the pointer.
+std::optional<uint32_t> GraphCanvas::draw_nodes(const DrawnGraph& graph, const GraphLayout& places) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Vec2 pointer = vec(ImGui::GetIO().MousePos);
+  std::optional<uint32_t> over;
+  double nearest = std::numeric_limits<double>::infinity();
+  // What stays lies over what was removed.
+  std::vector<uint32_t> order(graph.nodes.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_partition(order.begin(), order.end(), [&](uint32_t i) { return graph.nodes[i].removed; });
+  for (const uint32_t i : order) {
+    const Vec2 p = on_screen(places[i]), off = glm::abs(p - centre_) - 0.5 * size_;
+    const double radius = radius_of(graph.nodes[i]);
+    if (std::max(off.x, off.y) > radius) continue;
+    const int corners = radius < 4 ? 8 : 16;
+    list.AddCircleFilled(im(p), static_cast<float>(radius), opaque(colour_of(graph.state(graph.nodes[i]))),
+                         corners);
+    if (radius >= kOutlined)
+      list.AddCircle(im(p), static_cast<float>(radius), IM_COL32(10, 12, 16, 200), corners, 1);
+    const double away = glm::length(pointer - p);
+    if (away >= std::min(nearest, radius + kReach)) continue;
+    nearest = away;
+    over = i;
+  }
+  return over;
+}
+
+void GraphCanvas::draw_ring(const DrawnGraph& graph, const GraphLayout& places, uint32_t node,
+                            uint32_t colour) const {
+  const double radius = radius_of(graph.nodes[node]) + 3;
+  ImGui::GetWindowDrawList()->AddCircle(im(on_screen(places[node])), static_cast<float>(radius), colour, 20,
+                                        2);
+}
+
+// At the lower left.
+void GraphCanvas::draw_scale(const DrawnGraph& graph, const GraphLayout& places, FileUnit unit) const {
+  const double metres = metres_per_unit_of(graph, places);
+  if (!(metres > 0)) return;
+  const double per_pixel = metres / (half_ * zoom_), length = round_length(kScaleBar * per_pixel);
+  const float em = ImGui::GetFontSize(), width = static_cast<float>(length / per_pixel);
+  const ImVec2 from(static_cast<float>(centre_.x - 0.5 * size_.x) + 0.7f * em,
+                    static_cast<float>(centre_.y + 0.5 * size_.y) - 0.7f * em);
+  const ImVec2 to(from.x + width, from.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string text = "about " + length_label(length, unit);
+  const float wide = std::max(width, ImGui::CalcTextSize(text.c_str()).x);
+  list.AddRectFilled({from.x - 0.3f * em, from.y - 1.5f * em},
+                     {from.x + wide + 0.3f * em, from.y + 0.4f * em},
+                     ImGui::GetColorU32(ImGuiCol_FrameBg, 0.8f), 3);
+  list.AddLine(from, to, colours::secondary(), 1.5f);
+  for (const ImVec2& end : {from, to})
+    list.AddLine({end.x, end.y - 0.25f * em}, {end.x, end.y + 0.25f * em}, colours::secondary(), 1.5f);
+  list.AddText({from.x, from.y - 1.4f * em}, colours::secondary(), text.c_str());
+}
+
+GraphCanvas::Pointer GraphCanvas::draw(const Drawn& drawn, float height) {
+  const auto& [graph, places, lit, start, scale] = drawn;
+  KERF_ASSERT(places.size() == graph.nodes.size());
+  KERF_ASSERT((!lit || *lit < graph.nodes.size()) && (!start || *start < graph.nodes.size()));
+  Pointer pointer;
+  hovered_ = false;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  if (ImGui::BeginChild("##canvas", {0, height}, true, ImGuiWindowFlags_NoScrollbar)) {
+    const Vec2 at = vec(ImGui::GetWindowPos());
+    size_ = vec(ImGui::GetWindowSize());
+    centre_ = at + 0.5 * size_;
+    half_ = kFilled * std::min(size_.x, size_.y);
+    ImGui::SetCursorScreenPos(im(at));
+    ImGui::InvisibleButton("##field", im(size_ + Vec2(0, 2)));
+    mark_area("graph canvas", {at, size_});
+    ImGui::SetScrollY(1);
+    hovered_ = ImGui::IsItemHovered();
+    const double link = usual_link(graph, places);
+    fulfil(drawn, link);
+    listen();
+    radius_ = std::clamp(kRadiusOfLink * link * half_ * zoom_, kLeastRadius, kMostRadius);
+    draw_links(graph, places, link);
+    pointer.over = draw_nodes(graph, places);
+    if (!hovered_) pointer.over.reset();
+    if (ImGui::IsItemDeactivated() && !dragged_) pointer.clicked = pointer.over;
+    if (start) {
+      draw_ring(graph, places, *start, colours::text());
+      mark_area("graph start", {on_screen(places[*start]) - Vec2(2), Vec2(4)});
+    }
+    const std::optional<uint32_t> ringed = pointer.over ? pointer.over : lit;
+    if (ringed) draw_ring(graph, places, *ringed, colours::accent());
+    if (scale) draw_scale(graph, places, *scale);
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  return pointer;
+}
+
+namespace {
+
+constexpr size_t kMostRows = 500, kRowsInSight = 14;
+
+// Depth-first, and the pieces of one parent by step.
+class TreeOrder {
+ public:
+  explicit TreeOrder(const std::vector<PieceNode>& origins) {
+    for (const PieceNode& o : origins) known_[o.piece] = true;
+    for (const PieceNode& o : origins) {
+      if (has_parent(o)) children_[*o.came_off].push_back(o);
+    }
+    for (auto& [parent, children] : children_)
+      std::stable_sort(children.begin(), children.end(),
+                       [](const PieceNode& a, const PieceNode& b) { return a.step < b.step; });
+    for (const PieceNode& o : origins) {
+      if (!has_parent(o)) add(o, o.came_off ? 1 : 0);
+    }
+  }
+  std::vector<PieceTreeRow> take() { return std::move(rows_); }
+
+ private:
+  // A piece of which nothing is left has no row.
+  bool has_parent(const PieceNode& o) const { return o.came_off && known_.contains(*o.came_off); }
+  void add(const PieceNode& origin, int depth) {
+    rows_.push_back({origin, depth});
+    const auto found = children_.find(origin.piece);
+    if (found == children_.end()) return;
+    for (const PieceNode& child : found->second) add(child, depth + 1);
+  }
+
+  std::map<PieceId, bool> known_;
+  std::map<PieceId, std::vector<PieceNode>> children_;
+  std::vector<PieceTreeRow> rows_;
+};
+
+ImU32 colour_of_piece(const World& world, const ViewState& view, const PieceId& id) {
+  const auto look = view.look.pieces.find(id);
+  const bool numbered = look != view.look.pieces.end() && look->second.number != 0;
+  const bool part = is_loaded_part(world.body(id.body), id.label);
+  const uint32_t number = part ? 0 : numbered ? look->second.number : id.label;
+  const Vec3 c = strong_piece_colour(number);
+  return ImGui::ColorConvertFloat4ToU32(
+      {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
+}
+
+std::string origin_words(const PieceNode& node, const Document& document, FileUnit unit) {
+  const Body& body = document.world().body(node.piece.body);
+  if (is_loaded_part(body, node.piece.label)) return "is a part that no cut separated";
+  if (!node.came_off)
+    return node.piece.label == 0 ? "is what is left of its body" : "came off in a step that is not known";
+  const PieceId from = *node.came_off;
+  const std::string name = document.world().contains(from.body)
+                               ? document.world().body(from.body).name_of(from.label)
+                               : "a piece that is deleted";
+  const std::string did = step_words(document.history(), node.step, unit);
+  return "came off " + name + " in step " + std::to_string(node.step + 1) + " (" + did + ")";
+}
+
+std::string holder_words(const PieceNode& node) {
+  const std::string parts = grouped(node.parts) + " parts";
+  switch (node.held_by) {
+    case Holder::kNothing:
+      return node.beside > 0 ? "Nothing holds it: it stays until it is moved or time passes."
+                             : "Nothing holds it: it is a body of its own.";
+    case Holder::kItself:
+      return "It hangs together as one part.";
+    case Holder::kBody:
+      return "Its " + parts + " never hung together; they move as one because they are one body.";
+    case Holder::kPin:
+      return node.parts > 1 ? "Its " + parts + " are one body, which is pinned."
+                            : "Its body is pinned: it stays whatever acts on it.";
+  }
+  return "";
+}
+
+void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view) {
+  const PieceId id = row.origin.piece;
+  const Body& body = document.world().body(id.body);
+  const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+  const auto look = view.look.pieces.find(id);
+  const bool chosen = look != view.look.pieces.end() && look->second.selected;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float x = at.x + em * (0.5f + static_cast<float>(row.depth)), y = at.y + 0.5f * line;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (row.depth > 0) {
+    list.AddLine({x - em, at.y - 0.3f * line}, {x - em, y}, colours::secondary());
+    list.AddLine({x - em, y}, {x - 0.4f * em, y}, colours::secondary());
+  }
+  list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(document.world(), view, id));
+  ImGui::SetCursorScreenPos({x + 0.8f * em, at.y});
+  if (ImGui::Selectable(fitted_label(body.name_of(id.label), ImGui::GetContentRegionAvail().x).c_str(),
+                        chosen, ImGuiSelectableFlags_SpanAllColumns)) {
+    choose_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);
+    view.picture_old = true;
+  }
+  mark_last_item("piece node", static_cast<int>(id.label));
+  if (!chosen) tooltip(words_on(row.origin, document, view.frame.unit).c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row.origin.came_off ? ("step " + std::to_string(row.origin.step + 1)).c_str() : "");
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(name_of(row.origin.held_by));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(grouped(body.pieces[id.label].faces).c_str());
+}
+
+// What is to be known of the chosen piece.
+void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document, const ViewState& view) {
+  const std::optional<PieceId> chosen = first_chosen(view.look.pieces);
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const PieceTreeRow& r) { return r.origin.piece == chosen; });
+  if (row == rows.end()) return;
+  ImGui::TextWrapped("%s", words_on(row->origin, document, view.frame.unit).c_str());
+  mark_last_item("piece words");
+}
+
+}  // namespace
+
+std::string words_on(const PieceNode& node, const Document& document, FileUnit unit) {
+  const std::string name = document.world().body(node.piece.body).name_of(node.piece.label);
+  const std::string others = node.piece.label != 0 || node.beside == 0 ? ""
+                             : node.beside == 1
+                                 ? " One piece that came off still stands with it."
+                                 : " " + grouped(node.beside) + " pieces that came off still stand with it.";
+  return name + " " + origin_words(node, document, unit) + ". " + holder_words(node) + others;
+}
+
+std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins) {
+  return TreeOrder(origins).take();
+}
+
+void draw_piece_tree(const std::vector<PieceTreeRow>& rows, const Document& document, ViewState& view) {
+  constexpr ImGuiTableFlags kList =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  const auto lines = static_cast<float>(std::clamp<size_t>(rows.size() + 1, 2, kRowsInSight));
+  const float height = lines * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y);
+  if (!ImGui::BeginTable("piece nodes", 4, kList, {0, height})) return;
+  ImGui::TableSetupColumn("Piece", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("Came off", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("Held by", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableHeadersRow();
+  for (size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    draw_row(rows[i], document, view);
+    ImGui::PopID();
+  }
+  ImGui::EndTable();
+  if (rows.size() > kMostRows)
+    ImGui::TextDisabled("%s more are not listed.", grouped(rows.size() - kMostRows).c_str());
+  draw_words(rows, document, view);
+}
+
+}  // namespace kerf

@@ -1,0 +1,409 @@
+#include "ui/editor/inspect/ruler.h"
+
+#include <imgui.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/base/platform.h"
+#include "ui/editor/shared/document_session.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/editor/shared/viewport_pointer.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kName = "name";
+constexpr const char* kFrom = "from";
+constexpr const char* kTo = "to";
+
+std::optional<Vec3> point_of(const nlohmann::json& json) {
+  if (!json.is_array() || json.size() != 3) return std::nullopt;
+  Vec3 point(0);
+  for (int i = 0; i < 3; ++i) {
+    const nlohmann::json& number = json[static_cast<size_t>(i)];
+    if (!number.is_number() || !std::isfinite(number.get<double>())) return std::nullopt;
+    point[i] = number.get<double>();
+  }
+  return point;
+}
+
+std::optional<RulerMark> mark_of(const nlohmann::json& json) {
+  if (!json.is_object()) return std::nullopt;
+  const nlohmann::json name = json.value(kName, nlohmann::json());
+  const auto from = point_of(json.value(kFrom, nlohmann::json()));
+  const auto to = point_of(json.value(kTo, nlohmann::json()));
+  if (!name.is_string() || !from || !to) return std::nullopt;
+  return RulerMark{name.get<std::string>(), *from, *to};
+}
+
+// In quotes, in which a quote is written twice.
+std::string quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_number(double number) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), ",%.9g", number);
+  return text.data();
+}
+
+}  // namespace
+
+void RulerList::begin_edit() {
+  undone_to_.push_back(marks_);
+  redone_to_.clear();
+}
+
+void RulerList::add(const Vec3& from, const Vec3& to) {
+  const auto has = [&](const std::string& name) {
+    return std::any_of(marks_.begin(), marks_.end(), [&](const RulerMark& m) { return m.name == name; });
+  };
+  size_t number = marks_.size() + 1;
+  while (has("Distance " + std::to_string(number))) ++number;
+  marks_.push_back({"Distance " + std::to_string(number), from, to});
+}
+
+void RulerList::move(size_t mark, bool to_end, const Vec3& at) {
+  KERF_ASSERT(mark < marks_.size());
+  (to_end ? marks_[mark].to : marks_[mark].from) = at;
+}
+
+void RulerList::rename(size_t mark, std::string name) {
+  KERF_ASSERT(mark < marks_.size());
+  marks_[mark].name = std::move(name);
+}
+
+void RulerList::remove(size_t mark) {
+  KERF_ASSERT(mark < marks_.size());
+  marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(mark));
+}
+
+void RulerList::undo() {
+  KERF_ASSERT(can_undo());
+  redone_to_.push_back(std::exchange(marks_, std::move(undone_to_.back())));
+  undone_to_.pop_back();
+}
+
+void RulerList::redo() {
+  KERF_ASSERT(can_redo());
+  undone_to_.push_back(std::exchange(marks_, std::move(redone_to_.back())));
+  redone_to_.pop_back();
+}
+
+nlohmann::json RulerList::to_json() const {
+  if (marks_.empty()) return nullptr;
+  nlohmann::json all = nlohmann::json::array();
+  for (const RulerMark& m : marks_) {
+    all.push_back(
+        {{kName, m.name}, {kFrom, {m.from.x, m.from.y, m.from.z}}, {kTo, {m.to.x, m.to.y, m.to.z}}});
+  }
+  return all;
+}
+
+void RulerList::read(const nlohmann::json& entry) {
+  *this = RulerList();
+  if (!entry.is_array()) return;
+  for (const nlohmann::json& json : entry) {
+    if (auto mark = mark_of(json)) marks_.push_back(std::move(*mark));
+  }
+}
+
+std::string RulerList::to_csv() const {
+  std::string text = "name,from x,from y,from z,to x,to y,to z,length\n";
+  for (const RulerMark& m : marks_) {
+    text += quoted(m.name);
+    for (const double number : {m.from.x, m.from.y, m.from.z, m.to.x, m.to.y, m.to.z, m.length()})
+      text += csv_number(number);
+    text += '\n';
+  }
+  return text;
+}
+
+namespace {
+
+constexpr const char* kRuler = "Ruler";      // the tool and the panel
+constexpr const char* kRulerKey = "rulers";  // in the head of a document
+constexpr double kReachOfEnd = 8;            // screen coordinates
+
+struct EndOfMark {
+  size_t mark = 0;
+  bool to = false;
+};
+
+class RulerFeature : public Feature {
+ public:
+  explicit RulerFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kRuler, Tab::kLook, 1350, false, [this] { draw_panel(); }}};
+  }
+  std::vector<ActionGroup> actions() override;
+
+  std::unique_ptr<Interaction> claim(const Press& press) override;
+  bool let_go() override { return std::exchange(first_, std::nullopt).has_value(); }
+  const char* hint() const override {
+    return in_hand() ? "Ruler: two clicks keep a distance; its ends are dragged" : nullptr;
+  }
+
+  void forget() override {
+    first_.reset();
+    renamed_.reset();
+    list_.read(head_entry(on_.work.scene, kRulerKey));
+  }
+
+  bool awaits_focus() const override { return renamed_ && take_focus_; }
+  void draw_marks(ImDrawList& list) override;
+  void draw_windows() override {
+    if (!std::exchange(field_drawn_, false)) renamed_.reset();
+  }
+  void mark(Landmarks& landmarks) const override;
+  void report(nlohmann::ordered_json& report) const override { report[kRulerKey] = list_.to_json(); }
+
+ private:
+  // Moves an end over the surfaces.
+  class DragOfEnd : public Interaction {
+   public:
+    DragOfEnd(RulerFeature& feature, EndOfMark end) : feature_(feature), end_(end) {}
+    void move(const InputEvent&) override {
+      const auto surface = point_under_pointer(feature_.on_);
+      if (!surface || end_.mark >= feature_.list_.marks().size()) return;
+      if (!std::exchange(edits_, true)) feature_.list_.begin_edit();
+      feature_.list_.move(end_.mark, end_.to, *surface);
+      feature_.keep();
+    }
+    const char* words() const override { return "Ruler: the end follows the pointer over the surface"; }
+
+   private:
+    RulerFeature& feature_;
+    EndOfMark end_;
+    bool edits_ = false;
+  };
+
+  bool in_hand() const { return on_.tool == kRuler; }
+  bool shown() const { return in_hand() || on_.panels.shows(kRuler); }
+  void keep() { set_head_entry(on_.work.scene, kRulerKey, list_.to_json()); }
+  std::optional<EndOfMark> end_under_pointer() const;
+  void measure();
+  void step(bool back);
+
+  void draw_panel();
+  void draw_row(size_t mark);
+  void edit_name(size_t mark);
+  void choose_file_to_export();
+  std::string export_to(const std::filesystem::path& file);
+
+  Workspace& on_;
+  RulerList list_;
+  std::optional<Vec3> first_;      // m, the end that was clicked, of a distance that waits for the other
+  std::optional<size_t> renamed_;  // the mark whose name is being edited
+  bool take_focus_ = false;        // the field of the name is new
+  bool field_drawn_ = false;       // in this frame
+  std::array<char, 96> new_name_{};
+};
+
+// Input
+// --------------------------------------------------------------------------------------------------------
+
+std::vector<ActionGroup> RulerFeature::actions() {
+  const UserAction take =
+      tool_action(on_, kRuler, "",
+                  "Two clicks on surfaces keep the distance between them, which is named, moved, "
+                  "saved and exported.",
+                  true);
+  const auto action = [](const char* name, const char* tip, std::function<void()> run,
+                         std::function<const char*()> why_not) {
+    return UserAction{
+        .name = name, .tip = tip, .run = std::move(run), .why_not = std::move(why_not), .in_menu = false};
+  };
+  return {
+      {302, "Tool", {take}},
+      {1410,
+       "Ruler",
+       {action(
+            "Undo the edit of distances", "Of the distances that the ruler keeps.", [this] { step(true); },
+            [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
+        action(
+            "Redo the edit of distances", "Edits them again as before the undo.", [this] { step(false); },
+            [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
+        action(
+            "Export the distances...", "As a table (.csv) with the ends and the length of each.",
+            [this] { choose_file_to_export(); },
+            [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })}}};
+}
+
+std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
+  const FirstPicture picture(on_.view);
+  for (size_t i = 0; i < list_.marks().size(); ++i) {
+    for (const bool to : {false, true}) {
+      const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);
+      if (place && glm::length(*place - on_.pointer) < kReachOfEnd) return EndOfMark{i, to};
+    }
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<Interaction> RulerFeature::claim(const Press& press) {
+  if (!in_hand() || press.control || on_.view.in_second) return nullptr;
+  if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
+  return std::make_unique<ClickOnce>([this] { measure(); });
+}
+
+// Measures from the last click or to the next one.
+void RulerFeature::measure() {
+  const auto surface = point_under_pointer(on_);
+  if (!surface) return on_.message.say("There is no surface under the pointer.", true);
+  if (!first_) {
+    first_ = *surface;
+    return on_.message.say("Click a second point to keep its distance from this one.");
+  }
+  list_.begin_edit();
+  list_.add(*std::exchange(first_, std::nullopt), *surface);
+  keep();
+  const RulerMark& mark = list_.marks().back();
+  on_.message.say(mark.name + ": " + length_label(mark.length(), on_.view.frame.unit));
+}
+
+void RulerFeature::step(bool back) {
+  if (back) {
+    list_.undo();
+  } else {
+    list_.redo();
+  }
+  renamed_.reset();
+  keep();
+}
+
+// The panel
+// --------------------------------------------------------------------------------------------------------
+
+void RulerFeature::draw_panel() {
+  if (list_.marks().empty()) ImGui::TextWrapped("Take the tool Ruler and click two points on surfaces.");
+  if (!list_.marks().empty() && ImGui::BeginTable("distances", 3, ImGuiTableFlags_RowBg)) {
+    const float em = ImGui::GetFontSize();
+    ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("Length", ImGuiTableColumnFlags_WidthFixed, 5 * em);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 4 * em);
+    for (size_t i = 0; i < list_.marks().size(); ++i) draw_row(i);
+    ImGui::EndTable();
+  }
+  if (row_button("Undo", 3, list_.can_undo() ? nullptr : "No distance was edited yet.",
+                 "Takes the last edit of a distance back."))
+    step(true);
+  ImGui::SameLine();
+  if (row_button("Redo", 3, list_.can_redo() ? nullptr : "No edit was undone.", "Edits it again."))
+    step(false);
+  ImGui::SameLine();
+  if (row_button("Export", 3, list_.marks().empty() ? "No distance is kept." : nullptr,
+                 "Writes the distances to a table (.csv)."))
+    choose_file_to_export();
+}
+
+void RulerFeature::draw_row(size_t mark) {
+  ImGui::PushID(static_cast<int>(mark));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string name = list_.marks()[mark].name;
+  if (renamed_ == mark) {
+    edit_name(mark);
+  } else if (ImGui::Selectable(fitted_label(name + "###name", ImGui::GetContentRegionAvail().x).c_str())) {
+    renamed_ = mark;
+    take_focus_ = field_drawn_ = true;
+    new_name_.fill('\0');
+    std::memcpy(new_name_.data(), name.data(), std::min(name.size(), new_name_.size() - 1));
+  }
+  mark_last_item("ruler name", static_cast<int>(mark));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), on_.view.frame.unit).c_str());
+  ImGui::TableNextColumn();
+  const bool removed = ImGui::SmallButton("remove");
+  mark_last_item("ruler remove", static_cast<int>(mark));
+  ImGui::PopID();
+  if (!removed) return;
+  list_.begin_edit();
+  list_.remove(mark);
+  renamed_.reset();
+  keep();
+}
+
+// Enter takes the name; whatever else ends the edit leaves it as it was.
+void RulerFeature::edit_name(size_t mark) {
+  field_drawn_ = true;
+  if (take_focus_) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  const bool entered =
+      ImGui::InputText("##name", new_name_.data(), new_name_.size(),
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (take_focus_) {
+    take_focus_ = !ImGui::IsItemActive();
+    return;
+  }
+  if (!entered && ImGui::IsItemActive()) return;
+  renamed_.reset();
+  const std::string name = new_name_.data();
+  if (!entered || name.empty() || name == list_.marks()[mark].name) return;
+  list_.begin_edit();
+  list_.rename(mark, name);
+  keep();
+}
+
+void RulerFeature::choose_file_to_export() {
+  browse(on_.browser,
+         {.title = "Export the distances",
+          .verb = "Export",
+          .hint = "Name; the ending is .csv",
+          .endings = {".csv"},
+          .take = [this](const std::filesystem::path& file) { return export_to(file); },
+          .inputs = [this] { return inputs_of(on_.work); }},
+         on_.settings.folder, "distances.csv");
+}
+
+std::string RulerFeature::export_to(const std::filesystem::path& file) {
+  const Status written = write_file_atomically(file, list_.to_csv());
+  if (!written) return written.error().message;
+  on_.message.say("Written: " + file.string());
+  return "";
+}
+
+// The picture
+// --------------------------------------------------------------------------------------------------------
+
+void RulerFeature::draw_marks(ImDrawList& list) {
+  if (!shown()) return;
+  for (const RulerMark& m : list_.marks()) {
+    draw_distance(on_.view, m.from, m.to, m.name + ": " + length_label(m.length(), on_.view.frame.unit),
+                  list);
+  }
+  if (first_ && in_hand()) draw_measured_point(on_.view, *first_, list);
+}
+
+void RulerFeature::mark(Landmarks& landmarks) const {
+  const FirstPicture picture(on_.view);
+  for (size_t i = 0; i < list_.marks().size() && shown(); ++i) {
+    const RulerMark& m = list_.marks()[i];
+    if (const auto at = picture.place_of(m.from))
+      landmarks.mark("ruler from " + std::to_string(i), {*at, Vec2(0)});
+    if (const auto at = picture.place_of(m.to))
+      landmarks.mark("ruler to " + std::to_string(i), {*at, Vec2(0)});
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> ruler_feature(Workspace& on) { return std::make_unique<RulerFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+
+namespace kerf {
+
+// A distance that was measured and is kept, between two points of the world (m).
+struct RulerMark {
+  std::string name;
+  Vec3 from{0}, to{0};
+  double length() const { return glm::length(to - from); }
+  friend bool operator==(const RulerMark&, const RulerMark&) = default;
+};
+
+// The marks of a document in the order in which they were made, with an undo of their own.
+class RulerList {
+ public:
+  const std::vector<RulerMark>& marks() const { return marks_; }
+
+  // Begins a step of the undo: the edits until the next call belong to it.
+  void begin_edit();
+  // Edits. Precondition of all: begin_edit() was called, and the list has the mark.
+  //
+  // Adds a mark with a name that none has yet: "Distance 1".
+  void add(const Vec3& from, const Vec3& to);
+  void move(size_t mark, bool to_end, const Vec3& at);
+  void rename(size_t mark, std::string name);
+  void remove(size_t mark);
+
+  bool can_undo() const { return !undone_to_.empty(); }
+  bool can_redo() const { return !redone_to_.empty(); }
+  void undo();
+  void redo();
+
+  // The entry of the marks in the head of a document, null where there are none, and back: entries that
+  // cannot be read are left out, and nothing can be undone.
+  nlohmann::json to_json() const;
+  void read(const nlohmann::json& entry);
+
+  // One line for each mark after a line of titles: name, X, Y and Z of both ends and the length, in the
+  // numbers of the file.
+  std::string to_csv() const;
+
+ private:
+  std::vector<RulerMark> marks_;
+  std::vector<std::vector<RulerMark>> undone_to_, redone_to_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,297 @@
+#include "ui/editor/inspect/scalar_map.h"
+
+#include <imgui.h>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_fields.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kPlotEms = 5, kStripEms = 0.45f, kGripEms = 0.38f;
+constexpr double kLeastApart = 0.01;  // of the histogram, between the handles
+
+ImU32 colour_at(const ScalarRange& range, double value) {
+  const glm::vec3 c = scalar_colour((value - range.low) / (range.high - range.low));
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+}
+
+// The plot on the screen.
+struct Frame {
+  const Histogram& histogram;
+  ImVec2 at, size;
+
+  double share_of(double value) const {
+    return std::clamp((value - histogram.from) / (histogram.to - histogram.from), 0.0, 1.0);
+  }
+  float x_of(double value) const { return at.x + static_cast<float>(share_of(value)) * size.x; }
+  double value_at(float x) const {
+    const double share = std::clamp<double>((x - at.x) / size.x, 0, 1);
+    return histogram.from + share * (histogram.to - histogram.from);
+  }
+};
+
+void draw_columns(const Frame& frame, const ScalarRange& range, float height, ImDrawList& list) {
+  const Histogram& h = frame.histogram;
+  const auto most = static_cast<double>(*std::max_element(h.bins.begin(), h.bins.end()));
+  for (size_t i = 0; i < h.bins.size(); ++i) {
+    if (h.bins[i] == 0) continue;
+    const double begin = h.from + h.width() * static_cast<double>(i);
+    const auto tall = static_cast<float>(std::sqrt(static_cast<double>(h.bins[i]) / most)) * height;
+    const float left = frame.x_of(begin), right = std::max(left + 1, frame.x_of(begin + h.width()) - 1);
+    list.AddRectFilled({left, frame.at.y + height - std::max(1.0f, tall)}, {right, frame.at.y + height},
+                       colour_at(range, begin + 0.5 * h.width()));
+  }
+}
+
+// The colours along the axis, from the first to the last between the handles.
+void draw_strip(const Frame& frame, const ScalarRange& range, float top, ImDrawList& list) {
+  const float bottom = frame.at.y + frame.size.y;
+  for (float x = frame.at.x; x < frame.at.x + frame.size.x; x += 2) {
+    const float right = std::min(x + 2, frame.at.x + frame.size.x);
+    list.AddRectFilled({x, top}, {right, bottom}, colour_at(range, frame.value_at(0.5f * (x + right))));
+  }
+}
+
+void draw_handle(float x, const Frame& frame, bool held, ImDrawList& list) {
+  const float grip = kGripEms * ImGui::GetFontSize(), bottom = frame.at.y + frame.size.y;
+  const ImU32 colour = held ? colours::accent() : colours::text();
+  list.AddLine({x, frame.at.y}, {x, bottom}, IM_COL32(0, 0, 0, 120), 3);
+  list.AddLine({x, frame.at.y}, {x, bottom}, colour, 1);
+  list.AddTriangleFilled({x - grip, frame.at.y}, {x + grip, frame.at.y}, {x, frame.at.y + 1.3f * grip},
+                         colour);
+}
+
+// Takes the handle that is nearer to the press, and keeps to it as long as the button is held.
+bool drag(const Frame& frame, ScalarRange& range) {
+  if (!ImGui::IsItemActive()) return false;
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID held = ImGui::GetID("held handle");
+  const float x = ImGui::GetIO().MousePos.x;
+  if (ImGui::IsItemActivated())
+    storage.SetBool(held, std::abs(x - frame.x_of(range.high)) < std::abs(x - frame.x_of(range.low)));
+  const ScalarRange before = range;
+  const Histogram& h = frame.histogram;
+  const double apart = kLeastApart * (h.to - h.from), value = frame.value_at(x);
+  if (storage.GetBool(held)) {
+    range.high = std::max(value, range.low + apart);
+  } else {
+    range.low = std::min(value, range.high - apart);
+  }
+  return !(range == before);
+}
+
+}  // namespace
+
+bool draw_histogram(const Histogram& histogram, ScalarRange& range) {
+  const float em = ImGui::GetFontSize(), grip = kGripEms * em;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 whole{std::max(4 * em, ImGui::GetContentRegionAvail().x), kPlotEms * em};
+  ImGui::InvisibleButton("histogram", whole);
+  const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  // The grips of handles at the ends stand out by half.
+  const Frame frame{histogram, {corner.x + grip, corner.y}, {whole.x - 2 * grip, whole.y}};
+  const bool changed = drag(frame, range);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float strip = kStripEms * em, height = whole.y - strip - 2;
+  list.AddRectFilled(corner, {corner.x + whole.x, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                     3);
+  draw_columns(frame, range, height, list);
+  draw_strip(frame, range, corner.y + height + 2, list);
+  for (const auto& [name, value] :
+       {std::pair("scalar low", range.low), std::pair("scalar high", range.high)}) {
+    const float x = frame.x_of(value);
+    draw_handle(x, frame, hovered, list);
+    mark_area(name, {{x - grip, corner.y}, {2 * grip, whole.y}});
+  }
+  tooltip(
+      "How many faces have which value (columns by the square root of their number). Drag a handle to where "
+      "the colours are to begin or to end.");
+  return changed;
+}
+
+namespace {
+
+constexpr const char* kScalarPanel = "Scalar map";
+constexpr double kRestShare = 10;    // computing takes a tenth of the time at most
+constexpr double kOutermost = 0.01;  // of the faces at each end, which "Fit most" leaves out
+constexpr const char* kTip = "Colours every face by a quantity, with a legend in the picture.";
+
+class ScalarMapFeature : public Feature {
+ public:
+  explicit ScalarMapFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kScalarPanel, Tab::kLook, 1060, false, [this] { draw(); }}};
+  }
+  std::vector<ActionGroup> actions() override;
+  void follow(const Delta& delta) override { map_.follow(on_.world(), delta); }
+  void forget() override {
+    map_.forget();
+    on_.view.look.scalar.reset();
+  }
+  void follow_queue(double) override;
+  bool moving() const override { return map_.is_old(); }
+  void report(nlohmann::ordered_json& report) const override;
+
+ private:
+  void show(std::optional<FaceQuantity> quantity);
+  void update();
+  void hand_over();
+  void draw();
+  void draw_choice();
+  void draw_range();
+  bool draw_end(const char* name, double& end, const char* meaning);
+  UserAction action(std::optional<FaceQuantity> quantity);
+
+  Workspace& on_;
+  ScalarMap map_;
+  NumberFields fields_;
+  FileUnit unit_ = FileUnit::kMetre;  // of the labels that the picture has
+  double next_ = 0;                   // s of the clock, before which no values are computed
+};
+
+UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
+  const std::string name = std::string("Colour faces by: ") + (quantity ? name_of(*quantity) : "paint");
+  UserAction action = picture_action(on_.view, name.c_str(), kTip, [this, quantity] {
+    show(quantity);
+    if (quantity) on_.panels.show(kScalarPanel);
+  });
+  action.checked = [this, quantity] { return map_.shown() == quantity; };
+  return action;
+}
+
+std::vector<ActionGroup> ScalarMapFeature::actions() {
+  std::vector<UserAction> actions{action(std::nullopt)};
+  for (size_t i = 0; i < kFaceQuantities; ++i) actions.push_back(action(static_cast<FaceQuantity>(i)));
+  return {{1403, "View", std::move(actions)}};
+}
+
+// The other ways to colour faces end.
+void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
+  ShowOptions& others = on_.view.look.show;
+  if (quantity) others.pieces = others.sizes = others.heat = false;
+  map_.show(quantity);
+  next_ = 0;
+  if (!quantity) hand_over();
+}
+
+// Ends where another way to colour faces is switched on.
+void ScalarMapFeature::follow_queue(double) {
+  if (!map_.shown()) return;
+  const ShowOptions& others = on_.view.look.show;
+  if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
+  map_.follow_steps(on_.world(), on_.work.document.waiting() > 0);
+  map_.follow_heat(on_.world());
+  if (map_.is_old()) update();
+  if (unit_ != on_.view.frame.unit) hand_over();
+}
+
+void ScalarMapFeature::update() {
+  const auto now = [this] { return on_.clock != nullptr ? on_.clock->seconds() : 0.0; };
+  const double began = now();
+  if (began < next_) return;
+  const bool shown_before = on_.view.look.scalar != nullptr, changed_before = on_.view.picture_old;
+  map_.update(on_.world(),
+              on_.picture != nullptr ? on_.picture->first().loaded_shadings() : LoadedShadings());
+  next_ = now() + kRestShare * (now() - began);
+  hand_over();
+  // Heat alone moves no shape.
+  if (shown_before && map_.shown() == FaceQuantity::kTemperature) {
+    on_.view.picture_old = changed_before;
+    on_.view.heat_old = true;
+  }
+}
+
+void ScalarMapFeature::hand_over() {
+  unit_ = on_.view.frame.unit;
+  on_.view.look.scalar = map_.field(unit_);
+  on_.view.picture_old = true;
+}
+
+void ScalarMapFeature::draw() {
+  draw_choice();
+  if (!map_.shown()) return;
+  if (map_.histogram().faces == 0 && map_.is_old()) return;
+  if (map_.histogram().faces == 0)
+    return secondary_text(*map_.shown() == FaceQuantity::kRimDistance ? "No cut has left a rim yet."
+                                                                      : "No face is shown.");
+  draw_range();
+}
+
+void ScalarMapFeature::draw_choice() {
+  if (!begin_properties("scalar map")) return;
+  std::string names{"Paint", 6};
+  for (size_t i = 0; i < kFaceQuantities; ++i) {
+    std::string name = name_of(static_cast<FaceQuantity>(i));
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    names += name + '\0';
+  }
+  int choice = map_.shown() ? 1 + static_cast<int>(*map_.shown()) : 0;
+  if (choice_row("Colour by", "##quantity", choice, names.c_str(), "Colour by", kTip))
+    show(choice > 0 ? std::optional(static_cast<FaceQuantity>(choice - 1)) : std::nullopt);
+  end_properties();
+}
+
+void ScalarMapFeature::draw_range() {
+  ScalarRange range = map_.range();
+  bool changed = draw_histogram(map_.histogram(), range);
+  if (begin_properties("range")) {
+    changed = draw_end("From", range.low, "What has the first colour, and all below it.") || changed;
+    changed = draw_end("To", range.high, "What has the last colour, and all above it.") || changed;
+    figure_row("Faces", grouped(map_.histogram().faces), "Those that have a value.");
+    end_properties();
+  }
+  if (changed && range.low < range.high) map_.set_range(range), hand_over();
+  for (const auto& [name, share, tip] :
+       {std::tuple("Fit", 0.0,
+                   "Lets the colours reach from the least value to the largest, also after cuts."),
+        std::tuple("Fit most", kOutermost, "The same without the hundredth of the faces at either end.")}) {
+    if (share > 0) ImGui::SameLine();
+    if (ImGui::Button(name)) map_.fit(share), hand_over();
+    mark_last_item((std::string("scalar ") + name).c_str());
+    tooltip(tip);
+  }
+}
+
+bool ScalarMapFeature::draw_end(const char* name, double& end, const char* meaning) {
+  switch (*map_.shown()) {
+    case FaceQuantity::kLongestEdge:
+    case FaceQuantity::kRimDistance:
+      return length_field(fields_, name, end, label_unit(map_.range().high, on_.view.frame.unit), meaning);
+    case FaceQuantity::kLeastAngle:
+      return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
+    case FaceQuantity::kTemperature:
+      return fields_.number(name, end, "%.0f K", meaning);
+    case FaceQuantity::kLevel:
+      break;
+  }
+  return fields_.number(name, end, "%.3g", meaning);
+}
+
+void ScalarMapFeature::report(nlohmann::ordered_json& report) const {
+  nlohmann::ordered_json& all = report["scalar_map"];
+  all["quantity"] = nullptr;
+  if (!map_.shown()) return;
+  all["quantity"] = name_of(*map_.shown());
+  all["faces"] = map_.histogram().faces;
+  all["low"] = map_.range().low;
+  all["high"] = map_.range().high;
+  all["fits"] = map_.fits();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> scalar_map_feature(Workspace& on) { return std::make_unique<ScalarMapFeature>(on); }
+
+}  // namespace kerf

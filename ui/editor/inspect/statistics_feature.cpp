@@ -1,0 +1,124 @@
+#include "ui/editor/shared/features.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kManyFaces = 100'000;  // among which what the program itself takes is no matter
+constexpr float kPlotHeight = 1.7f, kNumberWidth = 5.2f;  // sizes of the text
+
+struct ChartRow {
+  StepChart::Line line;
+  const char* name;
+  const char* meaning;
+};
+
+constexpr std::array kStages{
+    ChartRow{StepChart::kFind, "Find", "Asking the tree for the faces under the beam."},
+    ChartRow{StepChart::kRefine, "Refine", "Splitting them until they are fine enough."},
+    ChartRow{StepChart::kRemove, "Remove", "Taking them out of the mesh."},
+    ChartRow{StepChart::kTree, "Tree", "Following with the tree."},
+    ChartRow{StepChart::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
+
+// The line of a row up to `top`, and its last number beside it.
+void plot_row(const StepChart& chart, const ChartRow& row, float top, const std::string& last) {
+  property(row.name);
+  const float em = ImGui::GetFontSize();
+  const std::span<const float> values = chart.line(row.line);
+  ImGui::PushID(row.name);
+  ImGui::PushStyleColor(ImGuiCol_PlotLines, colours::accent());
+  ImGui::PlotLines("##line", values.data(), static_cast<int>(values.size()), 0, nullptr, 0,
+                   std::max(top, 1e-6f),
+                   {std::max(em, ImGui::GetContentRegionAvail().x - kNumberWidth * em), kPlotHeight * em});
+  ImGui::PopStyleColor();
+  tooltip(row.meaning);
+  ImGui::PopID();
+  ImGui::SameLine();
+  const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(last.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(last.c_str());
+}
+
+void stage_rows(const StepChart& chart) {
+  float top = 0;  // one scale, so that the stages can be compared
+  for (const ChartRow& row : kStages) top = std::max(top, chart.largest(row.line));
+  for (const ChartRow& row : kStages) plot_row(chart, row, top, text_of("%.2f ms", chart.last(row.line)));
+}
+
+void change_rows(const StepChart& chart) {
+  const float top = std::max(chart.largest(StepChart::kBorn), chart.largest(StepChart::kGone));
+  const auto faces = [&](StepChart::Line line) { return grouped(static_cast<size_t>(chart.last(line))); };
+  plot_row(chart, {StepChart::kBorn, "Born", "Faces that are new or have new corners."}, top,
+           faces(StepChart::kBorn));
+  plot_row(chart, {StepChart::kGone, "Gone", "Faces that are no more."}, top, faces(StepChart::kGone));
+  plot_row(chart, {StepChart::kSent, "Sent", "Faces and lists sent to the graphics card for a picture."},
+           chart.largest(StepChart::kSent), text_of("%.0f kB", chart.last(StepChart::kSent)));
+}
+
+void memory_row(const char* name, size_t bytes, size_t faces, const char* meaning) {
+  property(name);
+  std::string text = text_of("%.0f MB", static_cast<double>(bytes) / (1 << 20));
+  if (faces >= kManyFaces)
+    text += text_of(", %.0f bytes a face", static_cast<double>(bytes) / static_cast<double>(faces));
+  ImGui::TextUnformatted(text.c_str());
+  tooltip(meaning);
+}
+
+void memory_rows(const MemoryStatistics& memory, size_t faces) {
+  memory_row("Process", memory.process, faces, "All that the program holds, drivers included.");
+  memory_row(
+      "Meshes", memory.meshes, faces,
+      "Faces, edges and corners of all bodies, of the right half, and of the scene as it was loaded where "
+      "that is kept for a recut.");
+  memory_row("Trees", memory.trees, faces, "The trees of these.");
+  memory_row("Shading", memory.pictures.shading, faces,
+             "Smooth normals of the faces as they were loaded, from which parts of them are shaded.");
+  memory_row("Shadows", memory.pictures.shadows, faces,
+             "What casts shadows, and the volumes that it keeps from each light.");
+  memory_row(
+      "Graphics", memory.pictures.graphics, faces,
+      "Buffers of faces and volumes for the graphics card, and the lists of what is in them. A card with "
+      "memory of its own holds the buffers there, beside the process.");
+  memory_row("History", memory.history, faces, "What steps changed, so that they can be taken back.");
+  memory_row(
+      "Other", memory.other(), faces,
+      "What is left of the process: the program itself, drivers and pictures. A software renderer keeps a "
+      "copy of all that it draws here.");
+}
+
+// What the last steps took and changed, and where memory goes.
+void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown) {
+  if (!begin_properties("##statistics")) return;
+  stage_rows(chart);
+  change_rows(chart);
+  memory_rows(shown.memory, shown.faces);
+  end_properties();
+}
+
+class StatisticsFeature : public Feature {
+ public:
+  explicit StatisticsFeature(Workspace& on) : on_(on) {}
+  std::vector<Panel> panels() override {
+    return {{"Statistics", Tab::kLook, 1400, false,
+             [this] { draw_statistics_panel(on_.statistics.chart, on_.statistics.shown); }}};
+  }
+
+ private:
+  Workspace& on_;
+};
+
+}  // namespace
+
+std::unique_ptr<Feature> statistics_feature(Workspace& on) { return std::make_unique<StatisticsFeature>(on); }
+
+}  // namespace kerf

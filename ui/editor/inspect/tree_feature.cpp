@@ -1,0 +1,171 @@
+#include "ui/editor/shared/features.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int kAllLevels = 64;
+
+// What a row says: what it means, or why it can do nothing.
+std::string explanation(const ViewState& view, const char* meaning) {
+  if (view.look.show.aabb) return meaning;
+  return with_shortcut(view, "The boxes are not shown: switch them on above.",
+                       action_name(view_switch(SwitchId::kBoxes)));
+}
+
+void explain(const ViewState& view, const char* meaning) { tooltip(explanation(view, meaning).c_str()); }
+
+void depth_row(ViewState& view, int tree_depth) {
+  property("Down to");
+  TreeOverlay& tree = view.look.tree;
+  const int deepest = std::max(1, tree_depth);
+  int depth = std::min(tree.deepest, deepest);
+  const std::string text =
+      depth == deepest ? std::to_string(depth) + ": all" : "level " + std::to_string(depth);
+  const std::string meaning = explanation(view, "Levels of the tree under its root that are drawn.");
+  if (whole_slider({"Down to", "##depth", meaning.c_str()}, depth, 0, deepest, text)) {
+    tree.deepest = depth == deepest ? kAllLevels : depth;
+    view.picture_old = true;
+  }
+}
+
+void flag_row(ViewState& view, const char* name, const char* label, bool& flag, const char* meaning) {
+  property(name);
+  if (ImGui::Checkbox(label, &flag)) view.picture_old = true;
+  explain(view, meaning);
+}
+
+void body_row(ViewState& view, const World& world) {
+  property("Body");
+  std::optional<BodyId>& only = view.look.tree.body;
+  if (only && !world.contains(*only)) only.reset();
+  const std::vector<BodyId> ids = world.ids();
+  const bool one = ids.size() < 2;
+  ImGui::BeginDisabled(one);
+  if (begin_fitted_combo("##body", only ? world.body(*only).own_name() : "all bodies")) {
+    if (ImGui::Selectable("all bodies", !only)) only.reset(), view.picture_old = true;
+    for (const BodyId id : ids) {
+      ImGui::PushID(static_cast<int>(id.slot));
+      if (ImGui::Selectable(world.body(id).own_name().c_str(), only == id))
+        only = id, view.picture_old = true;
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::EndDisabled();
+  explain(view, one ? "There is only one body." : "The body whose tree is drawn.");
+}
+
+void palette_row(ViewState& view, Settings& settings) {
+  if (choice_row("Colours", "##palette", settings.palette, "Red and green\0Orange and blue\0", nullptr,
+                 "Orange and blue can be told apart by the colour-blind; the accent of the panels turns blue "
+                 "with it."))
+    view.picture_old = true;
+}
+
+// A stroke asks the tree once or a few times for each move of the beam.
+void query_rows(const ShownStatistics& shown) {
+  std::string per_query = "nothing is cut", per_stroke = per_query;
+  if (shown.stroke) {
+    const size_t queries = shown.stroke->statistics.queries, tested = shown.stroke->statistics.tested.faces;
+    per_query = grouped(tested / std::max<size_t>(1, queries)) + " of " + count_text(shown.faces, "face");
+    per_stroke = grouped(tested) + " in " + grouped(queries) + (queries == 1 ? " query" : " queries");
+  }
+  figure_row(
+      "Per query", per_query,
+      "Faces that a query of the last stroke tested one by one, on average, and all that there are: the "
+      "tree spares the rest.");
+  figure_row(
+      "Per stroke", per_stroke,
+      "Faces that all queries of the last stroke tested. A face near the beam is tested by many of them.");
+}
+
+void figure_rows(const ShownStatistics& shown) {
+  const std::string depth = shown.tree_depth ? ", depth " + std::to_string(*shown.tree_depth) : "";
+  figure_row("Nodes", grouped(shown.tree_nodes) + depth,
+             "Boxes of all trees, and levels under the root of the deepest.");
+  query_rows(shown);
+}
+
+// Which boxes of the trees are drawn, and how large the trees are.
+void draw_tree_panel(ViewState& view, const World& world, Settings& settings, const ShownStatistics& shown) {
+  if (!begin_properties("tree")) return;
+  property("Boxes");
+  draw_switch(view, SwitchId::kBoxes, "shown");
+  ImGui::BeginDisabled(!view.look.show.aabb);
+  depth_row(view, shown.tree_depth.value_or(0));
+  TreeOverlay& tree = view.look.tree;
+  flag_row(view, "Only", "leaves", tree.leaves_only, "Only the boxes that hold one face.");
+  flag_row(view, "", "where the beam was", tree.hit_only, "Only the boxes in which the beam is or was.");
+  body_row(view, world);
+  ImGui::EndDisabled();
+  palette_row(view, settings);
+  figure_rows(shown);
+  end_properties();
+}
+
+UserAction level_action(Workspace& on, const char* name, int by) {
+  UserAction action =
+      picture_action(on.view, name, "Levels of the tree under its root that are drawn.", [&on, by] {
+        const int all = std::max(1, on.statistics.shown.tree_depth.value_or(1));
+        int& deepest = on.view.look.tree.deepest;
+        deepest = std::max(0, std::min(deepest, all) + by);
+      });
+  action.why_not = [&on] { return on.view.look.show.aabb ? nullptr : "The boxes are not shown."; };
+  return action;
+}
+
+UserAction palette_action(Workspace& on) {
+  BoxPalette& palette = on.settings.palette;
+  UserAction action = picture_action(
+      on.view, "Boxes: orange and blue",
+      "Colours that can be told apart by the colour-blind, in place of red and green.", [&palette] {
+        palette = palette == BoxPalette::kRedAndGreen ? BoxPalette::kOrangeAndBlue : BoxPalette::kRedAndGreen;
+      });
+  action.checked = [&palette] { return palette == BoxPalette::kOrangeAndBlue; };
+  return action;
+}
+
+class TreeFeature : public Feature {
+ public:
+  explicit TreeFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{"Tree", Tab::kLook, 1050, false,
+             [this] { draw_tree_panel(on_.view, on_.world(), on_.settings, on_.statistics.shown); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    TreeOverlay& tree = on_.view.look.tree;
+    return {
+        {1402,
+         "Tree",
+         {flag_action(on_.view, "Boxes: leaves only", tree.leaves_only, "Only the boxes that hold one face."),
+          flag_action(on_.view, "Boxes: only where the beam was", tree.hit_only,
+                      "Only the boxes in which the beam is or was."),
+          level_action(on_, "Boxes: one level more", 1), level_action(on_, "Boxes: one level less", -1),
+          palette_action(on_)}}};
+  }
+  void advance(double) override { on_.statistics.depth_wanted = on_.panels.shows("Tree"); }
+  void follow(const Delta&) override {
+    std::optional<BodyId>& body = on_.view.look.tree.body;
+    if (body && !on_.world().contains(*body)) body.reset();
+  }
+  void forget() override { on_.view.look.tree.body.reset(); }
+
+ private:
+  Workspace& on_;
+};
+
+}  // namespace
+
+std::unique_ptr<Feature> tree_feature(Workspace& on) { return std::make_unique<TreeFeature>(on); }
+
+}  // namespace kerf

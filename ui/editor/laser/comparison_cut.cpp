@@ -1,0 +1,215 @@
+#include "ui/editor/laser/comparison_cut.h"
+
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/laser_controls.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+// The world that the first's last stroke began with, or as it is where nothing was cut; none: too large.
+std::optional<World> world_to_cut(Document& first) {
+  if (first.history().last_cut()) return first.before_last_stroke();
+  if (first.world().live_faces() > Document::kMostFacesToCopy) return std::nullopt;
+  return first.world();
+}
+
+}  // namespace
+
+void TwinCut::begin(Document& first, const Resolution& resolution) {
+  std::optional<World> world = world_to_cut(first);
+  there_ = world.has_value();
+  document_ = there_ ? Document(std::move(*world)) : Document();
+  document_.set_window(0);
+  resolution_ = resolution;
+  revision_ = first.revision();
+  commands_ = 0;
+  begun_ = true;
+}
+
+bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
+  if (!first.history().last_cut()) {
+    const bool anew = !begun_ || first.revision() != revision_;
+    if (anew) begin(first, controls.of(1));
+    return anew;
+  }
+  const Resolution resolution = controls.of(first.history().last_settings().laser.radius);
+  const bool anew = !begun_ || first.revision() != revision_ || resolution != resolution_;
+  if (anew) begin(first, resolution);
+  if (!there_) return anew;
+  const std::vector<Command>& stroke = first.history().last_stroke();
+  for (; commands_ < stroke.size(); ++commands_) {
+    Command command = stroke[commands_];
+    if (auto* start = std::get_if<BeginStroke>(&command)) {
+      start->settings = first.history().last_settings();
+      start->settings.resolution = resolution_;
+    }
+    // Time stands still in the twin.
+    const bool in_time = std::visit([]<typename C>(const C&) { return HappensInTime<C>; }, command);
+    if (in_time) continue;
+    const Outcome applied = document_.apply(command);
+    KERF_ASSERT(applied.ok());
+    (void)applied;
+  }
+  return anew;
+}
+
+namespace {
+
+constexpr size_t kMovesOfTwin = 16;  // in a step
+
+std::string resolution_text(const Resolution& r, FileUnit unit) {
+  if (r.rule == Resolution::Rule::kTargetEdge) return "Edges of " + length_label(r.target_edge, unit);
+  if (r.rule == Resolution::Rule::kTolerance) return "Within " + length_label(r.tolerance, unit);
+  return r.depth == 0 ? "Whole faces" : "Depth " + std::to_string(r.depth);
+}
+
+// What a half shows, in its upper left corner.
+void draw_half_label(const Area& half, const std::string& what, const std::string& faces, ImDrawList& list) {
+  const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+  const float x = static_cast<float>(half.at.x) + em, y = static_cast<float>(half.at.y) + em;
+  const float width = std::max(ImGui::CalcTextSize(what.c_str()).x, ImGui::CalcTextSize(faces.c_str()).x);
+  list.PushClipRect(to_im(half.at), to_im(half.at + half.size), true);
+  list.AddRectFilled({x - 0.6f * em, y - 0.4f * em}, {x + width + 0.6f * em, y + 2.2f * line + 0.4f * em},
+                     colours::kPictureShade, 3);
+  list.AddText({x, y}, colours::kPictureText, what.c_str());
+  list.AddText({x, y + 1.2f * line}, colours::kPictureSecondary, faces.c_str());
+  list.PopClipRect();
+}
+
+class SplitFeature : public Feature {
+ public:
+  explicit SplitFeature(Workspace& on) : on_(on) {
+    on.time_holds.push_back([this] { return shown_ ? "Bodies stand still in the split view." : nullptr; });
+  }
+
+  std::vector<Panel> panels() override {
+    return {{"Resolution", Tab::kCut, 401, true, [this] { draw_rows(); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {{720,
+             "View",
+             {UserAction{.name = "Split view",
+                         .shortcut = "S",
+                         .tip = "The last stroke at a second resolution, in a right half of the picture.",
+                         .run = [this] { show(!shown_); },
+                         .checked = [this] { return shown_; }}}}};
+  }
+
+  void follow_queue(double) override;
+  bool moving() const override { return twin_.waiting() > 0; }
+  void forget() override { begin_anew(); }
+  void draw_marks(ImDrawList& list) override;
+  void report(nlohmann::ordered_json& report) const override {
+    report["split"] = {{"shown", shown_}, {"faces", twin_.world().live_faces()}};
+  }
+
+ private:
+  // A stroke by hand ends.
+  void show(bool shown) {
+    cancel_stroke(on_);
+    shown_ = shown;
+    begin_anew();
+    on_.view.in_second = false;
+    on_.view.picture_old = true;
+  }
+  void begin_anew() {
+    twin_.forget();
+    on_.second = shown_ ? &twin_.world() : nullptr;
+  }
+  void draw_rows();
+  bool cut(Renderer& renderer);
+
+  Workspace& on_;
+  bool shown_ = false;
+  ResolutionControls resolution_{.edge_fraction = 1};
+  TwinCut twin_;
+};
+
+void SplitFeature::follow_queue(double) {
+  on_.statistics.shown.twin_faces = twin_.world().live_faces();
+  if (!shown_) return;
+  const Result<Renderer*> half = on_.picture->second();
+  if (!half) {
+    show(false);
+    return on_.message.say(half.error().message, true);
+  }
+  const double began = on_.clock->seconds();
+  const bool anything = cut(**half);
+  on_.second = &twin_.world();
+  if (!anything) return;
+  on_.cut_seconds += on_.clock->seconds() - began;
+  on_.view.picture_old = on_.statistics.world_changed = true;
+}
+
+// Returns whether anything was queued, or the world is another one.
+bool SplitFeature::cut(Renderer& renderer) {
+  const bool anew = twin_.follow(on_.work.document, resolution_);
+  if (anew) on_.changes.show_world(twin_.world(), renderer);
+  const bool waited = twin_.waiting() > 0;
+  while (twin_.waiting() > 0 && on_.clock->seconds() < on_.cut_until) {
+    const Result<StepResult> step = twin_.step(kMovesOfTwin);
+    if (!step) {
+      renderer.resend(twin_.world());
+      on_.message.say("In the right half: " + step.error().message, true);
+      break;
+    }
+    renderer.follow(twin_.world(), step->delta);
+    if (on_.view.look.ghost || on_.view.look.show.face_numbers) renderer.send_faces(twin_.world());
+  }
+  return anew || waited;
+}
+
+void SplitFeature::draw_rows() {
+  if (!begin_properties("split view")) return;
+  property("Split view");
+  bool shown = shown_;
+  if (ImGui::Checkbox((with_shortcut(on_.view, "two resolutions", "Split view") + "###split").c_str(),
+                      &shown))
+    show(shown);
+  tooltip("The last stroke once more beside the picture, at a resolution of its own.");
+  if (shown_) {
+    property("Right half");
+    ImGui::Dummy({1, ImGui::GetFrameHeight()});
+    if (resolution_rows(resolution_, {on_.laser.radius, on_.view.frame.unit})) on_.view.picture_old = true;
+    figure_row("Faces", grouped(on_.statistics.shown.twin_faces), "Faces of all bodies in the right half.");
+  }
+  end_properties();
+}
+
+void SplitFeature::draw_marks(ImDrawList& list) {
+  const Layout& l = on_.view.layout;
+  if (!l.split()) return;
+  const Document& document = on_.work.document;
+  const bool cut = document.history().strokes() > 0;
+  const double radius = on_.laser.radius;
+  const FileUnit unit = on_.view.frame.unit;
+  draw_half_label(
+      l.first,
+      resolution_text(cut ? document.history().last_settings().resolution : on_.laser.resolution.of(radius),
+                      unit),
+      count_text(on_.statistics.shown.faces, "face"), list);
+  draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
+                  twin_.there() ? count_text(on_.statistics.shown.twin_faces, "face")
+                                : "Too large to be cut twice (more than 400 000 faces)",
+                  list);
+  const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
+  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);
+  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> split_feature(Workspace& on) { return std::make_unique<SplitFeature>(on); }
+
+}  // namespace kerf

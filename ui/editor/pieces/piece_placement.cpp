@@ -1,0 +1,380 @@
+#include "ui/editor/pieces/piece_placement.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <array>
+#include <cmath>
+
+#include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
+#include "core/document/edit_piece.h"
+#include "ui/editor/pieces/piece_move.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/viewport_pointer.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kArrowEms = 5.5, kRingEms = 4.2;  // length and radius
+constexpr double kFreeFromEms = 1.2;  // around the pivot arrows are not taken: a click there picks
+constexpr std::array kAxes{PieceMove::Axis::kX, PieceMove::Axis::kY, PieceMove::Axis::kZ};
+
+char letter_of(PieceMove::Axis axis) { return static_cast<char>('X' + static_cast<int>(axis)); }
+
+PieceHandle arrow(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis axis) {
+  PieceHandle handle{{picture, std::string("move ") + letter_of(axis),
+                      gizmo_arrow(picture, pivot, direction_of(axis), kArrowEms), 1},
+                     PieceMove::Kind::kMove,
+                     axis};
+  handle.free_share = kFreeFromEms / kArrowEms;
+  return handle;
+}
+
+PieceHandle ring(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis axis) {
+  const auto i = static_cast<size_t>(axis);
+  const Vec3 u = direction_of(kAxes.at((i + 1) % 3)), v = direction_of(kAxes.at((i + 2) % 3));
+  return {{picture, std::string("turn ") + letter_of(axis), gizmo_ring(picture, pivot, u, v, kRingEms),
+           kGizmoRing / 2},
+          PieceMove::Kind::kTurn,
+          axis};
+}
+
+// A long line through the pivot along the axis that the move keeps to.
+void draw_axis(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis axis, ImDrawList& list) {
+  const Vec3 way = direction_of(axis) * (60 * picture.metres_of_em(pivot));
+  Vec3 ends[2] = {pivot - way, pivot + way};
+  for (Vec3& end : ends) {
+    for (int i = 0; i < 8 && !picture.place_of(end); ++i) end = 0.5 * (end + pivot);
+  }
+  const auto from = picture.place_of(ends[0]), to = picture.place_of(ends[1]);
+  if (from && to) list.AddLine(to_im(*from), to_im(*to), colours::kAxes.at(static_cast<size_t>(axis)), 1.5f);
+}
+
+void draw_words(const Area& picture, const std::string& words, ImDrawList& list) {
+  constexpr const char* kKeys = "X Y Z: axis   0-9: amount   Enter or click: done   Esc or right click: back";
+  const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+  const float width = std::max(ImGui::CalcTextSize(words.c_str()).x, ImGui::CalcTextSize(kKeys).x);
+  const auto x = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * width;
+  const auto y = static_cast<float>(picture.at.y + picture.size.y) - 4 * em;
+  list.AddRectFilled({x - em, y - 0.6f * em}, {x + width + em, y + 2.2f * line + 0.6f * em},
+                     IM_COL32(0x1b, 0x1f, 0x26, 225), 3);
+  list.AddText({x, y}, colours::kPictureText, words.c_str());
+  list.AddText({x, y + 1.2f * line}, colours::kPictureSecondary, kKeys);
+}
+
+// The point of pivot_shown(), wherever the eye is.
+std::optional<Vec3> turned_about(const PieceMap& looks, const std::optional<PieceMove>& move, bool picks,
+                                 const World& world) {
+  if (move) {
+    const PieceMove::Look look = move->look();
+    return look.turn * move->pivot() + look.offset;
+  }
+  if (!picks || why_no_move(looks) != nullptr) return std::nullopt;
+  const PieceId piece = *first_chosen(looks);
+  const PieceLook& look = looks.at(piece);
+  return look.turn * pivot_of(world.body(piece.body), piece.label) + look.offset;
+}
+
+}  // namespace
+
+std::optional<Vec3> pivot_shown(const ViewState& view, const std::optional<PieceMove>& move, bool picks,
+                                const World& world) {
+  const auto pivot = turned_about(view.look.pieces, move, picks, world);
+  return pivot && FirstPicture(view).place_of(*pivot) ? pivot : std::nullopt;
+}
+
+std::vector<PieceHandle> piece_handles(const ViewState& view, const std::optional<Vec3>& pivot) {
+  std::vector<PieceHandle> handles;
+  if (!pivot) return handles;
+  const FirstPicture picture(view);
+  for (const PieceMove::Axis axis : kAxes) handles.push_back(ring(picture, *pivot, axis));
+  for (const PieceMove::Axis axis : kAxes) handles.push_back(arrow(picture, *pivot, axis));
+  return handles;
+}
+
+void draw_piece_handles(const ViewState& view, const std::optional<Vec3>& pivot,
+                        const std::optional<PieceMove>& move, Vec2 pointer, ImDrawList& list) {
+  if (!pivot) return;
+  if (move) {
+    if (move->axis()) draw_axis(FirstPicture(view), *pivot, *move->axis(), list);
+    draw_words(view.layout.first, move->words(std::string(unit_symbol(view.frame.unit)).c_str()), list);
+    return;
+  }
+  const std::vector<PieceHandle> handles = piece_handles(view, pivot);
+  const auto under = handle_under(handles, pointer);
+  for (const PieceHandle& handle : handles) {
+    const bool pointed_at = under && under->name == handle.name;
+    draw_handle(handle, view.layout.em,
+                pointed_at ? colours::kPictureText : colours::kAxes.at(static_cast<size_t>(handle.axis)),
+                list);
+  }
+}
+
+namespace {
+
+constexpr double kRadiansOfDegree = kPi / 180;
+constexpr double kHalfTurn = 180;  // degrees
+
+// Angles are shown without the rounding of sines and cosines, and without a sign at zero.
+double tidy(double degrees) { return std::round(degrees * 1e9) / 1e9 + 0.0; }
+
+}  // namespace
+
+Vec3 angles_of(const glm::dquat& orientation) {
+  const glm::dvec3 radians = glm::eulerAngles(orientation);
+  return {tidy(radians.x / kRadiansOfDegree), tidy(radians.y / kRadiansOfDegree),
+          tidy(radians.z / kRadiansOfDegree)};
+}
+
+glm::dquat orientation_of(const Vec3& angles) {
+  return glm::normalize(glm::dquat(angles * kRadiansOfDegree));
+}
+
+std::optional<Command> PlacementRows::draw(const World& world, const ViewState& view) {
+  if (!begin_properties("placement")) return std::nullopt;
+  const char* why_not = why_no_move(view.look.pieces);
+  std::optional<Command> command;
+  if (why_not == nullptr) {
+    command = draw_fields(world, view, *first_chosen(view.look.pieces));
+  } else {
+    draw_empty(why_not);
+  }
+  end_properties();
+  return command;
+}
+
+std::optional<Command> PlacementRows::draw_fields(const World& world, const ViewState& view,
+                                                  const PieceId& piece) {
+  const Body& body = world.body(piece.body);
+  Placement to = body.placement;
+  const Vec3 before = pivot_of(body, piece.label), centre_in_body = to.to_body(before);
+  Vec3 centre = before, angles = angles_of(to.orientation);
+  if (fields_.vector("Centre", centre, "%.5g",
+                     "X, Y and Z of the chosen piece's centre of area, in the unit of the file.",
+                     file_unit(view.frame.unit), world.loaded_bounds().diagonal()))
+    to.position += centre - before;
+  if (fields_.vector("Rotation", angles, "%.4g",
+                     "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.", kDegrees,
+                     kHalfTurn)) {
+    to.orientation = orientation_of(angles);
+    to.position = before - to.orientation * centre_in_body;
+  }
+  return to != body.placement ? std::optional<Command>(MovePiece{piece, to}) : std::nullopt;
+}
+
+void PlacementRows::draw_empty(const char* why) {
+  ImGui::BeginDisabled();
+  for (const char* name : {"Centre", "Rotation"}) {
+    property(name);
+    std::array<char, 2> text{"-"};
+    ImGui::InputText((std::string("##") + name).c_str(), text.data(), text.size(),
+                     ImGuiInputTextFlags_ReadOnly);
+    tooltip(why);
+  }
+  ImGui::EndDisabled();
+}
+
+namespace {
+
+class MovingFeature : public Feature {
+ public:
+  explicit MovingFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{"Pieces", Tab::kCut, 601, true, [this] { draw_placement(); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {{240,
+             "Edit",
+             {move_action("Move the chosen", "G", PieceMove::Kind::kMove),
+              move_action("Rotate the chosen", "R", PieceMove::Kind::kTurn), duplicate_action()}}};
+  }
+  std::vector<Gesture> gestures() const override {
+    return {{40, "Left drag on an arrow or a ring",
+             "Move or turn the chosen piece, with the tool that picks; Ctrl snaps to steps and vertices"}};
+  }
+
+  bool takes(const InputEvent& event, bool in_picture) override;
+  std::unique_ptr<Interaction> claim(const Press& press) override;
+  const char* hint() const override {
+    if (!moving_.moves()) return nullptr;
+    return moving_.move().kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Turning a piece";
+  }
+
+  void advance(double) override {
+    moving_.drop_if_lost(on_.world());
+    if (!on_.changes.is_pending()) grab_copy();
+  }
+  void forget() override { moving_.forget(); }
+
+  void draw_marks(ImDrawList& list) override {
+    if (on_.cutting()) return;
+    draw_piece_handles(on_.view, pivot(), moving_.now(), on_.pointer_over_picture(), list);
+    const std::optional<MoveSnap> snap = moving_.moves() ? moving_.move().snap() : std::nullopt;
+    if (snap && snap->vertex) draw_measured_point(on_.view, *snap->vertex, list);
+  }
+  void mark(Landmarks& landmarks) const override {
+    mark_handles(piece_handles(on_.view, pivot()), landmarks);
+  }
+
+ private:
+  // A drag by one of the handles.
+  class DragOfPiece : public Interaction {
+   public:
+    explicit DragOfPiece(MovingFeature& feature) : feature_(feature) {}
+    void move(const InputEvent& event) override {
+      if (!over()) feature_.follow_pointer(event);
+    }
+    void release(const InputEvent&) override {
+      if (!over()) feature_.confirm();
+    }
+    bool over() const override { return !feature_.moving_.moves(); }
+
+   private:
+    MovingFeature& feature_;
+  };
+
+  std::optional<Vec3> pivot() const {
+    return pivot_shown(on_.view, moving_.now(), on_.tool == kPickTool, on_.world());
+  }
+  UserAction move_action(const char* name, const char* key, PieceMove::Kind kind);
+  UserAction duplicate_action();
+  void draw_placement();
+
+  void follow_pointer(const InputEvent& event) {
+    moving_.follow(on_.world(), event.at, (event.mods & GLFW_MOD_CONTROL) != 0);
+  }
+  void take_key(int key);
+  void confirm() {
+    if (const auto command = moving_.confirm()) on_.changes.ask(*command);
+  }
+  // A copy that was moved is taken back by undo.
+  void cancel() {
+    if (moves_copy_) on_.changes.ask("Undo", [this] { on_.changes.step_through_history(true); });
+    moving_.end();
+  }
+  void duplicate();
+  void grab_copy();
+
+  Workspace& on_;
+  Moving moving_{on_.view};
+  bool moves_copy_ = false;                   // the piece is a copy that was made for the move
+  std::optional<BodyId> newest_before_copy_;  // the body that was the newest when a copy was asked for
+  PlacementRows placement_;
+};
+
+// While a piece is moved by keys it follows the pointer without a button; a click ends that.
+bool MovingFeature::takes(const InputEvent& event, bool in_picture) {
+  if (!moving_.moves()) return false;
+  if (event.kind == InputEvent::Kind::kKey) {
+    take_key(event.button);
+    return true;
+  }
+  if (on_.held) return false;
+  if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
+  const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
+  if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
+  if (left && in_picture) {
+    confirm();
+  } else {
+    cancel();
+  }
+  return in_picture;
+}
+
+// Enter confirms, Esc cancels, G and R change what is done, the others go to PieceMove::key.
+void MovingFeature::take_key(int key) {
+  switch (key) {
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      return confirm();
+    case GLFW_KEY_ESCAPE:
+      return cancel();
+    case GLFW_KEY_G:
+    case GLFW_KEY_R:
+      moving_.begin(on_.world(), key == GLFW_KEY_G ? PieceMove::Kind::kMove : PieceMove::Kind::kTurn,
+                    on_.pointer);
+      break;
+    default:
+      if (!moving_.key(key)) return;
+      break;
+  }
+  moving_.follow(on_.world(), on_.pointer, false);
+}
+
+std::unique_ptr<Interaction> MovingFeature::claim(const Press& press) {
+  if (!picks(on_, press)) return nullptr;
+  const auto handle = handle_under(piece_handles(on_.view, pivot()), on_.pointer);
+  if (!handle) return nullptr;
+  moving_.begin(on_.world(), handle->kind, on_.pointer);
+  moving_.constrain(handle->axis);
+  moves_copy_ = false;
+  return std::make_unique<DragOfPiece>(*this);
+}
+
+// The key has its usual meaning unless the tool that picks is in hand and a piece is chosen.
+UserAction MovingFeature::move_action(const char* name, const char* key, PieceMove::Kind kind) {
+  return {
+      .name = name,
+      .shortcut = key,
+      .tip =
+          "The chosen piece follows the pointer: X, Y and Z keep it to an axis, digits give the "
+          "amount, Enter or a click ends it, Esc takes it back. The key does it with the tool that "
+          "picks in hand.",
+      .run =
+          [this, kind] {
+            cancel_stroke(on_);
+            moving_.begin(on_.world(), kind, on_.pointer);
+            moves_copy_ = false;
+          },
+      .why_not = [this] { return why_no_move(on_.view.look.pieces); },
+      .has_key_when = [this] { return on_.tool == kPickTool && chosen_pieces(on_.view.look.pieces) > 0; }};
+}
+
+UserAction MovingFeature::duplicate_action() {
+  return {.name = "Duplicate the chosen",
+          .shortcut = "Shift+D",
+          .tip = "Adds a copy of the chosen piece, which the pointer then moves.",
+          .run = [this] { on_.changes.ask("Duplicate the chosen", [this] { duplicate(); }); },
+          .why_not = [this] { return why_no_move(on_.view.look.pieces); }};
+}
+
+// A piece that was hidden meanwhile is not chosen any more.
+void MovingFeature::duplicate() {
+  const auto piece = first_chosen(on_.view.look.pieces);
+  if (!piece) return;
+  newest_before_copy_ = on_.world().ids().back();
+  on_.changes.apply(DuplicatePiece{*piece, on_.world().body(piece->body).placement});
+}
+
+// Chooses the copy that was made since it was asked for, if it is there, and begins to move it.
+void MovingFeature::grab_copy() {
+  const std::optional<BodyId> newest_before = std::exchange(newest_before_copy_, std::nullopt);
+  const std::vector<BodyId> ids = on_.world().ids();
+  if (!newest_before || ids.empty() || ids.back() == *newest_before) return;
+  const Records<Piece>& pieces = on_.world().body(ids.back()).pieces;
+  choose_none(on_.view.look.pieces);
+  for (uint32_t label = 0; label < pieces.size(); ++label) {
+    if (pieces[label].faces > 0) on_.view.look.pieces[{ids.back(), label}].selected = true;
+  }
+  moving_.begin(on_.world(), PieceMove::Kind::kMove, on_.pointer);
+  moves_copy_ = true;
+  on_.view.picture_old = true;
+}
+
+void MovingFeature::draw_placement() {
+  if (const auto command = placement_.draw(on_.world(), on_.view)) on_.changes.ask(*command);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> moving_feature(Workspace& on) { return std::make_unique<MovingFeature>(on); }
+
+}  // namespace kerf

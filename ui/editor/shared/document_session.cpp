@@ -1,0 +1,318 @@
+#include "ui/editor/shared/document_session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/base/assert.h"
+#include "core/base/platform.h"
+#include "core/document/document.h"
+#include "core/document/execution.h"
+#include "core/document/replay.h"
+#include "core/mesh/mesh_file.h"
+#include "ui/render/picture.h"
+
+namespace kerf {
+
+namespace {
+
+nlohmann::json head_of(const SceneDescription& scene) {
+  nlohmann::json head = nlohmann::json::parse(scene.others, nullptr, false);
+  return head.is_object() ? head : nlohmann::json::object();
+}
+
+}  // namespace
+
+nlohmann::json head_entry(const SceneDescription& scene, const char* key) {
+  return head_of(scene).value(key, nlohmann::json());
+}
+
+void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::json& entry) {
+  KERF_ASSERT(std::ranges::any_of(kEditorKeys, [&](std::string_view known) { return known == key; }));
+  nlohmann::json head = head_of(scene);
+  if (entry.is_null()) {
+    head.erase(key);
+  } else {
+    head[key] = entry;
+  }
+  scene.others = head.dump();
+}
+
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenCopies(250);
+constexpr int kCopyShare = 8;  // a copy may take one such part of the time
+
+// Nobody stops it, so it does not fail.
+CutSoFar copy_of(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
+  CutSoFar copy{scene, world, {}};
+  for (const BodyId id : world.ids()) copy.prepared.emplace(id, prepare_shading(world.body(id), shadings));
+  const Status cast = prepare_shadows(world, copy.prepared, nullptr);
+  KERF_ASSERT(cast.ok());
+  return copy;
+}
+
+}  // namespace
+
+void LoadNews::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
+  const Clock::time_point began = Clock::now();
+  if (!watched_ || began < next_ || world.live_faces() > Document::kMostFacesToCopy) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (so_far_) return;
+  }
+  CutSoFar copy = copy_of(scene, world, shadings);
+  const Clock::time_point ended = Clock::now();
+  next_ = ended + std::max<Clock::duration>(kBetweenCopies, kCopyShare * (ended - began));
+  const std::lock_guard lock(mutex_);
+  so_far_ = std::move(copy);
+}
+
+std::optional<CutSoFar> LoadNews::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(so_far_, std::nullopt);
+}
+
+namespace {
+
+constexpr size_t kShadowsLater = 200'000;  // faces, above which the first picture has no shadows
+
+// The shares of the time that reading, hashes, smooth normals and shadows take, and the share of the whole
+// that strokes and a journal take where there are any.
+constexpr double kReading = 0.48, kHashing = 0.01, kShading = 0.25, kShadows = 0.26, kCutting = 0.3;
+
+// The longest time without a beam that is passed by moving the bodies, which takes a few seconds.
+constexpr Ticks kTicksToSkip = 20 * kTicksPerSecond;
+
+bool is_over(const std::future<Result<LoadedFiles>>& result, double seconds) {
+  return result.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
+}
+
+Result<Scene> read_beside_others(const std::filesystem::path& file, const Progress* progress) {
+  if (is_journal(file)) return bad_input(file.string() + ": a journal is opened alone");
+  return read_scene(file, progress);
+}
+
+void put_into(Scene& scene, Scene more) {
+  for (const BodyId id : more.world.ids()) scene.world.add(std::move(more.world.body(id)));
+  scene.bodies.insert(scene.bodies.end(), more.bodies.begin(), more.bodies.end());
+  scene.paints.merge(more.paints);
+  scene.strokes.insert(scene.strokes.end(), more.strokes.begin(), more.strokes.end());
+}
+
+// Reads several files as one scene. One that cannot be read keeps no other out: it is taken out of `files`,
+// and `refused` gets the reason. Fails if none can be read.
+Result<OpenedFile> read_together(std::vector<std::filesystem::path>& files, std::vector<std::string>& refused,
+                                 const Progress* progress) {
+  bool stopped = false;
+  const Progress watched{[&](double fraction) {
+    stopped = progress != nullptr && !progress->report(fraction);
+    return !stopped;
+  }};
+  OpenedFile all;
+  std::vector<std::filesystem::path> good;
+  std::optional<Error> fault;
+  const double share = 1 / static_cast<double>(files.size());
+  for (size_t i = 0; i < files.size(); ++i) {
+    const double before = share * static_cast<double>(i);
+    const Progress reading = share_of(&watched, before, before + share);
+    Result<Scene> more = read_beside_others(files[i], &reading);
+    if (stopped) return cancelled();
+    if (more) {
+      put_into(all.scene, std::move(*more));
+      good.push_back(files[i]);
+    } else {
+      if (!fault) fault = more.error();
+      refused.push_back(more.error().message);
+    }
+  }
+  if (good.empty()) return *fault;
+  files = std::move(good);
+  return all;
+}
+
+Result<OpenedFile> read_order(LoadOrder& order, std::vector<std::string>& refused, const Progress* progress) {
+  if (!order.left && order.files.size() == 1) return open_file(order.files.front(), progress);
+  if (!order.left) return read_together(order.files, refused, progress);
+  Result<Scene> scene = load_scene(order.left->scene, progress);
+  if (!scene) return scene.error();
+  return OpenedFile{std::move(*scene), *order.left};
+}
+
+std::string notes_of(const World& world) {
+  for (const BodyId id : world.ids()) {
+    const std::vector<std::string> notes = load_notes(world.body(id).loaded);
+    if (!notes.empty()) return notes.front();
+  }
+  return "";
+}
+
+Document document_of(World world, const SceneDescription& scene, size_t history_bytes) {
+  Document document(std::move(world), [scene](const Progress* progress) -> Result<World> {
+    Result<Scene> again = load_scene(scene, progress);
+    if (!again) return again.error();
+    return std::move(again->world);
+  });
+  document.set_window(history_bytes);
+  return document;
+}
+
+using AfterStep = std::function<void()>;
+
+// Shows how far the document is cut again.
+AfterStep shown_by(LoadNews* news, const LoadedFiles& loaded) {
+  if (news == nullptr) return [] {};
+  LoadedShadings shadings;
+  for (const auto& [id, body] : loaded.prepared) shadings.emplace(id, LoadedShading{body.frame, body.bases});
+  return [news, &loaded, shadings = std::move(shadings)] {
+    news->show(loaded.scene, loaded.document.world(), shadings);
+  };
+}
+
+// A step that fails here failed when the journal was made too. Whether it came to its end.
+bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
+                const AfterStep& after_step) {
+  Replay replay(journal, loaded.document, time_skips(journal, kTicksToSkip));
+  QueueRun how;
+  how.told = [&](const Result<StepResult>&) -> Status { return after_step(), Done{}; };
+  how.progress = &progress;
+  if (!replay.run(how)) return false;
+  loaded.marks = journal.marks;
+  loaded.damaged = !journal.damage.empty();
+  if (loaded.damaged) {
+    loaded.fault = journal.damage;
+  } else if (replay.difference()) {
+    loaded.fault = "The state differs from the one that the journal recorded";
+  } else if (!replay.other_machine().empty()) {
+    loaded.fault = replay.cut_otherwise()
+                       ? "Bodies moved on another kind of machine: they were put where they were there, and "
+                         "a stroke that "
+                         "was drawn while they moved has cut otherwise here"
+                       : "Bodies moved on another kind of machine: they were put where they were there";
+  } else if (replay.skipped() > 0) {
+    loaded.skipped = replay.skipped();
+  }
+  return true;
+}
+
+// What the strokes of the scene and the journal say.
+Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
+               const AfterStep& after_step) {
+  bool stopped = false;
+  const Progress watched{[&](double fraction) { return !(stopped = !progress.report(fraction)); }};
+  const double middle = loaded.scene.strokes.empty() ? 0 : (journal.commands.empty() ? 1 : 0.5);
+  const Progress strokes = share_of(&watched, 0, middle), commands = share_of(&watched, middle, 1);
+  const auto told = [&](const StepResult&) { after_step(); };
+  const Status cut = cut_strokes(loaded.document, loaded.scene.strokes, told, &strokes);
+  if (stopped) return cancelled();
+  if (!cut) loaded.fault = cut.error().message;
+  if (!replay_all(journal, loaded, commands, after_step)) return cancelled();
+  return Done{};
+}
+
+// A fault is noted; only who stops it makes it fail.
+Status hash_all(LoadedFiles& loaded, const Progress& progress) {
+  bool stopped = false;
+  const Progress watched{[&](double fraction) { return !(stopped = !progress.report(fraction)); }};
+  const Status noted = note_hashes(loaded.scene, &watched);
+  if (stopped) return cancelled();
+  if (!noted) loaded.cannot_be_kept = noted.error();
+  return Done{};
+}
+
+}  // namespace
+
+std::string LoadOrder::name() const {
+  if (left) return "the work that was left";
+  std::string name = files.front().filename().string();
+  if (files.size() > 1) name += " and " + std::to_string(files.size() - 1) + " more";
+  return name;
+}
+
+Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNews* news) {
+  KERF_ASSERT(order.left || !order.files.empty());
+  const auto say = [news](const char* what) {
+    if (news != nullptr) news->say(what);
+  };
+  say("reading");
+  const bool journal = order.left || (order.files.size() == 1 && is_journal(order.files.front()));
+  ProgressShares shares(progress);
+  const double cutting = journal ? kCutting : 0, rest = 1 - cutting;
+  const Progress reading = shares.next(rest * kReading), hashing = shares.next(rest * kHashing),
+                 shading = shares.next(rest * kShading), deeds = shares.next(cutting),
+                 shadows = shares.next(rest * kShadows),
+                 drawing = share_of(progress, rest * (kReading + kHashing), rest),
+                 afterwards = share_of(progress, rest, 1);
+  LoadedFiles loaded;
+  Result<OpenedFile> work = read_order(order, loaded.refused, &reading);
+  if (!work) return work.error();
+  Scene& scene = work->scene;
+  loaded.order = std::move(order);
+  loaded.notes = notes_of(scene.world);
+  loaded.scene = scene;
+  if (const Status hashed = hash_all(loaded, hashing); !hashed) return hashed.error();
+  say("shading");
+  const bool uncut = loaded.scene.strokes.empty() && work->journal.commands.empty();
+  loaded.shadows_later = uncut && scene.world.live_faces() > kShadowsLater;
+  const Progress& shading_alone = uncut ? drawing : shading;
+  Result<PreparedBodies> prepared = uncut && !loaded.shadows_later
+                                        ? prepare_drawing(scene.world, &drawing)
+                                        : prepare_shading(scene.world, &shading_alone);
+  if (!prepared) return prepared.error();
+  loaded.prepared = std::move(*prepared);
+  if (scene.world.live_faces() <= Document::kMostFacesToCopy) loaded.as_loaded = scene.world;
+  loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
+  if (!uncut) say("cutting again");
+  const AfterStep after_step = shown_by(uncut ? nullptr : news, loaded);
+  after_step();
+  const Status cut = cut_all(work->journal, loaded, uncut ? afterwards : deeds, after_step);
+  if (!cut) return cut.error();
+  loaded.document.set_face_budget(usual_face_budget(machine_memory()));
+  if (uncut) return loaded;
+  say("shadows");
+  const Status cast = prepare_shadows(loaded.document.world(), loaded.prepared, &shadows);
+  if (!cast) return cast.error();
+  return loaded;
+}
+
+void FileLoader::start(LoadOrder order, bool watched) {
+  cancel();
+  job_ = std::make_unique<Job>();
+  job_->order = std::move(order);
+  if (watched) job_->news.watch();
+  job_->result = std::async(std::launch::async, [job = job_.get()] {
+    const Progress progress{[job](double fraction) {
+      job->fraction = fraction;
+      return !job->given_up;
+    }};
+    return load_files(job->order, &progress, &job->news);
+  });
+}
+
+void FileLoader::cancel() {
+  if (!job_) return;
+  job_->given_up = true;
+  given_up_.push_back(std::move(job_));
+}
+
+bool FileLoader::is_over(double seconds) const {
+  KERF_ASSERT(busy());
+  return kerf::is_over(job_->result, seconds);
+}
+
+std::optional<Result<LoadedFiles>> FileLoader::take() {
+  std::erase_if(given_up_, [](const auto& job) { return kerf::is_over(job->result, 0); });
+  if (!job_ || !is_over(0)) return std::nullopt;
+  const std::unique_ptr<Job> job = std::move(job_);
+  return job->result.get();
+}
+
+void cancel_opening(Opening& opening, Message& message) {
+  KERF_ASSERT(opening.loader.busy());
+  message.say("Opening " + opening.loader.order().name() + " was cancelled: everything is as it was.");
+  opening.loader.cancel();
+  opening.left_work.clear();  // is offered at the next start
+}
+
+}  // namespace kerf

@@ -1,0 +1,439 @@
+#include "ui/editor/shared/file_browser.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/base/platform.h"
+#include "core/document/journal.h"
+#include "core/mesh/files/mesh_format.h"
+#include "ui/window/layout.h"
+#include "ui/window/property_rows.h"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool can_be_opened(const fs::path& file) {
+  const std::string ending = lower(file.extension().string());
+  return ending == ".json" || is_journal(file) || mesh_format(ending).has_value();
+}
+
+}  // namespace
+
+std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault) {
+  fault.clear();
+  std::vector<FolderEntry> entries;
+  std::error_code error;
+  fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with('.')) continue;
+    std::error_code unknown;
+    if (at->is_directory(unknown)) {
+      entries.push_back({name, true, 0});
+    } else if (at->is_regular_file(unknown) && can_be_opened(at->path())) {
+      const uintmax_t bytes = at->file_size(unknown);
+      entries.push_back({name, false, unknown ? 0 : bytes});
+    }
+  }
+  if (error) fault = folder.string() + ": this folder cannot be read";
+  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+    if (a.folder != b.folder) return a.folder;
+    const std::string low_a = lower(a.name), low_b = lower(b.name);
+    return low_a != low_b ? low_a < low_b : a.name < b.name;
+  });
+  return entries;
+}
+
+bool passes_filter(const std::string& name, const std::string& filter) {
+  return lower(name).find(lower(filter)) != std::string::npos;
+}
+
+namespace {
+
+struct Choice {
+  MeshFormat format;
+  const char *name, *tip;
+};
+constexpr std::array kChoices{
+    Choice{MeshFormat::kObj, "OBJ", "Text, exact to the bit, with the names and colours of materials (MTL)."},
+    Choice{MeshFormat::kPly, "PLY", "Binary, exact to the bit, without materials."},
+    Choice{MeshFormat::kStl, "STL", "Binary in single precision, without materials; for printers."},
+    Choice{MeshFormat::kOff, "OFF", "Text, exact to the bit, without materials."},
+    Choice{MeshFormat::kGlb, "GLB", "Binary glTF 2.0 in single precision, with the names of materials."}};
+
+}  // namespace
+
+std::optional<MeshFormat> draw_mesh_formats(MeshFormat current) {
+  std::optional<MeshFormat> chosen;
+  for (const Choice& choice : kChoices) {
+    if (&choice != kChoices.data()) ImGui::SameLine();
+    if (ImGui::RadioButton(choice.name, choice.format == current)) chosen = choice.format;
+    mark_last_item((std::string("format ") + choice.name).c_str());
+    tooltip(choice.tip);
+  }
+  return chosen;
+}
+
+void draw_file_names(std::span<const std::filesystem::path> files) {
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(" ...").x;
+  std::string text = "Writes";
+  for (const std::filesystem::path& file : files) {
+    const std::string more = (text == "Writes" ? " " : ", ") + file.filename().string();
+    if (ImGui::CalcTextSize((text + more).c_str()).x > room) {
+      text += " ...";
+      break;
+    }
+    text += more;
+  }
+  ImGui::TextDisabled("%s", text.c_str());
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPage = 10;
+
+bool exports(const FileBrowser& b) { return b.wish.writes != nullptr; }
+bool opens(const FileBrowser& b) { return b.wish.endings.empty() && !exports(b); }
+
+bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
+  if (entry.folder) return true;
+  if (exports(b)) return mesh_format(fs::path(entry.name).extension().string()).has_value();
+  return entry.name.ends_with(b.wish.listed);
+}
+
+void set_name(FileBrowser& b, const std::string& text) {
+  b.name.fill('\0');
+  std::memcpy(b.name.data(), text.data(), std::min(text.size(), b.name.size() - 1));
+}
+
+void enter_folder(FileBrowser& b, const fs::path& folder) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(folder, error);
+  b.folder = error ? folder : whole;
+  b.entries = list_folder(b.folder, b.fault);
+  b.cursor = 0;
+  b.is_chosen = false;
+  b.replace.clear();
+  b.show_cursor = true;
+  b.take_focus = true;
+  if (opens(b)) set_name(b, "");
+}
+
+std::vector<size_t> left_by_filter(const FileBrowser& b) {
+  const std::string filter = opens(b) ? b.name.data() : "";
+  std::vector<size_t> left;
+  for (size_t i = 0; i < b.entries.size(); ++i) {
+    if (is_listed(b, b.entries[i]) && passes_filter(b.entries[i].name, filter)) left.push_back(i);
+  }
+  return left;
+}
+
+// A path that was typed: absolute, or from the home folder.
+std::optional<fs::path> typed_path(const FileBrowser& b) {
+  const std::string text = b.name.data();
+  if (text.empty()) return std::nullopt;
+  if (text.front() == '/') return text;
+  const fs::path home = home_folder();
+  if (text.front() == '~' && !home.empty()) return home.string() + text.substr(1);
+  return std::nullopt;
+}
+
+// The files that are there already of those that would be written.
+std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file) {
+  if (opens(b)) return {};
+  std::vector<fs::path> files = exports(b) ? b.wish.writes(file) : std::vector{file};
+  std::error_code error;
+  std::erase_if(files, [&](const fs::path& f) { return !fs::exists(f, error); });
+  return files;
+}
+
+void choose_file(FileBrowser& b, const fs::path& file) {
+  const std::vector<fs::path> there = to_be_replaced(b, file);
+  for (const fs::path& replaced : there) {
+    if (!b.wish.inputs) break;
+    const Status free = b.wish.inputs().check(b.wish.verb, replaced);
+    if (free) continue;
+    b.fault = free.error().message;
+    return;
+  }
+  if (!there.empty() && b.replace != file) {
+    b.replace = file;
+    b.fault = there.front().filename().string() +
+              (there.size() == 1 ? " is" : " and " + std::to_string(there.size() - 1) + " more are") +
+              " there already: choose Replace, or press Enter again";
+    return;
+  }
+  b.fault = b.wish.take(file);
+  b.open = !b.fault.empty();
+}
+
+void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
+  const fs::path path = b.folder / entry.name;
+  if (entry.folder) {
+    enter_folder(b, path);
+  } else if (opens(b)) {
+    choose_file(b, path);
+  } else {
+    set_name(b, entry.name);
+  }
+}
+
+// A name to write to that does not say what to write gets an ending.
+fs::path with_ending(fs::path file, const FileBrowser& b) {
+  const std::string ending = file.extension().string();
+  const std::vector<std::string>& endings = b.wish.endings;
+  if (exports(b) && !mesh_format(ending)) file += "." + std::string(format_row(b.format).ending);
+  if (!endings.empty() && std::find(endings.begin(), endings.end(), ending) == endings.end())
+    file += endings.front();
+  return file;
+}
+
+void accept(FileBrowser& b) {
+  std::error_code error;
+  if (const auto typed = typed_path(b)) {
+    if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
+    return choose_file(b, with_ending(*typed, b));
+  }
+  if (!opens(b)) {
+    if (b.name.front() != '\0') choose_file(b, with_ending(b.folder / b.name.data(), b));
+    return;
+  }
+  const std::vector<size_t> left = left_by_filter(b);
+  if (!b.is_chosen || b.cursor >= left.size()) return;
+  const FileBrowser::Entry entry = b.entries[left[b.cursor]];
+  choose_entry(b, entry);
+}
+
+void draw_where(FileBrowser& b) {
+  if (ImGui::Button("Up")) enter_folder(b, b.folder.parent_path());
+  tooltip("The folder around this one (Backspace)");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const float room = ImGui::GetContentRegionAvail().x;
+  std::string shown = b.folder.string();
+  while (shown.size() > 8 && ImGui::CalcTextSize(shown.c_str()).x > room) shown = "..." + shown.substr(6);
+  ImGui::TextUnformatted(shown.c_str());
+  tooltip(b.folder.c_str());
+}
+
+std::string size_text(uintmax_t bytes) {
+  constexpr std::array kUnits{"B", "kB", "MB", "GB"};
+  auto size = static_cast<double>(bytes);
+  size_t unit = 0;
+  for (; size >= 1000 && unit + 1 < kUnits.size(); ++unit) size /= 1000;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), size < 10 && unit > 0 ? "%.1f %s" : "%.0f %s", size, kUnits[unit]);
+  return text.data();
+}
+
+// At the right of its column, so that sizes can be compared.
+void draw_size(uintmax_t bytes) {
+  const std::string text = size_text(bytes);
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, room));
+  ImGui::TextDisabled("%s", text.c_str());
+}
+
+void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, bool& gone) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(place));
+  const std::string label = entry.folder ? entry.name + "/" : entry.name;
+  constexpr ImGuiSelectableFlags kRow = ImGuiSelectableFlags_SpanAllColumns |
+                                        ImGuiSelectableFlags_AllowDoubleClick |
+                                        ImGuiSelectableFlags_DontClosePopups;
+  const bool clicked = ImGui::Selectable(label.c_str(), b.is_chosen && b.cursor == place, kRow);
+  const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (b.cursor == place && b.show_cursor) ImGui::SetScrollHereY();
+  ImGui::PopID();
+  ImGui::TableNextColumn();
+  if (!entry.folder) draw_size(entry.bytes);
+  if (!clicked) return;
+  b.cursor = place;
+  b.is_chosen = true;
+  if (!opens(b) && !entry.folder) set_name(b, entry.name);
+  if (!twice) return;
+  const FileBrowser::Entry chosen = entry;
+  gone = true;
+  choose_entry(b, chosen);
+}
+
+void draw_list(FileBrowser& b) {
+  const std::vector<size_t> left = left_by_filter(b);
+  if (!left.empty()) b.cursor = std::min(b.cursor, left.size() - 1);
+  constexpr ImGuiTableFlags kList =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  const float below = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing();
+  const ImVec2 size(0, std::max(3 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().y - below));
+  if (!ImGui::BeginTable("entries", 2, kList, size)) return;
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 5 * ImGui::GetFontSize());
+  bool gone = false;  // the entries are those of another folder now
+  for (size_t place = 0; place < left.size() && !gone; ++place) {
+    draw_entry(b, place, b.entries[left[place]], gone);
+  }
+  b.show_cursor = false;
+  if (left.empty()) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", b.entries.empty() ? "Nothing here that can be opened" : "No name matches");
+  }
+  ImGui::EndTable();
+}
+
+// The field for the name, and what the keyboard asks for.
+void draw_name(FileBrowser& b) {
+  const bool was_empty = b.name.front() == '\0';
+  if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  b.take_focus = false;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##name", b.wish.hint, b.name.data(), b.name.size(),
+                               ImGuiInputTextFlags_AutoSelectAll)) {
+    b.cursor = 0;
+    b.is_chosen = b.name.front() != '\0';
+    b.replace.clear();
+    b.fault.clear();
+  }
+  const FileBrowser::Keys keys = std::exchange(b.keys, {});
+  if (keys.escape) b.open = false;
+  if (keys.backspace && was_empty) enter_folder(b, b.folder.parent_path());
+  const auto count = static_cast<std::ptrdiff_t>(left_by_filter(b).size());
+  std::ptrdiff_t at = static_cast<std::ptrdiff_t>(b.cursor) + keys.steps;
+  if (!b.is_chosen && keys.steps > 0) --at;  // the first step chooses the first
+  if (keys.first) at = 0;
+  if (keys.last) at = count;
+  b.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(at, 0, std::max<std::ptrdiff_t>(count - 1, 0)));
+  if (keys.steps != 0 || keys.first || keys.last) b.show_cursor = b.is_chosen = true;
+  if (keys.enter) {
+    b.take_focus = true;
+    accept(b);
+  }
+}
+
+// The name gets the ending of the format that is chosen, and an ending that is typed chooses its format.
+void draw_export(FileBrowser& b) {
+  const fs::path name = b.name.data();
+  if (const auto typed = mesh_format(name.extension().string())) b.format = *typed;
+  if (const auto chosen = draw_mesh_formats(b.format)) {
+    b.format = *chosen;
+    fs::path stem = name;
+    if (mesh_format(name.extension().string())) stem.replace_extension();
+    set_name(b, with_ending(stem, b).string());
+    b.replace.clear();
+    b.fault.clear();
+    b.take_focus = true;
+  }
+  draw_file_names(b.wish.writes(with_ending(b.folder / b.name.data(), b)));
+}
+
+void draw_buttons(FileBrowser& b) {
+  ImGui::PushTextWrapPos(0);
+  if (b.fault.empty()) {
+    ImGui::TextDisabled("%s",
+                        "Up and Down choose, Enter takes, Backspace goes to the folder around, Esc closes");
+  } else {
+    ImGui::TextUnformatted(b.fault.c_str());
+  }
+  ImGui::PopTextWrapPos();
+  const char* verb = b.replace.empty() ? b.wish.verb : "Replace";
+  if (ImGui::Button(verb, {7 * ImGui::GetFontSize(), 0})) accept(b);
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", {7 * ImGui::GetFontSize(), 0})) b.open = false;
+}
+
+}  // namespace
+
+void browse(FileBrowser& b, FileWish wish, fs::path folder, const std::string& name) {
+  const MeshFormat format = b.format;
+  b = FileBrowser();
+  b.format = format;
+  b.wish = std::move(wish);
+  b.open = true;
+  std::error_code error;
+  if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
+  enter_folder(b, folder);
+  set_name(b, name);
+}
+
+void browser_key(FileBrowser& browser, int key) {
+  FileBrowser::Keys& keys = browser.keys;
+  switch (key) {
+    case GLFW_KEY_UP:
+      --keys.steps;
+      break;
+    case GLFW_KEY_DOWN:
+      ++keys.steps;
+      break;
+    case GLFW_KEY_PAGE_UP:
+      keys.steps -= kPage;
+      break;
+    case GLFW_KEY_PAGE_DOWN:
+      keys.steps += kPage;
+      break;
+    case GLFW_KEY_HOME:
+      keys.first = true;
+      break;
+    case GLFW_KEY_END:
+      keys.last = true;
+      break;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      keys.enter = true;
+      break;
+    case GLFW_KEY_BACKSPACE:
+      keys.backspace = true;
+      break;
+    case GLFW_KEY_ESCAPE:
+      keys.escape = true;
+      break;
+    default:
+      break;
+  }
+}
+
+void draw_file_browser(FileBrowser& b) {
+  if (!b.open) return;
+  KERF_ASSERT(b.wish.take);
+  const char* title = b.wish.title;
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowSize({std::min(44 * em, 0.92f * window.x), std::min(34 * em, 0.88f * window.y)});
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+  bool wanted = true;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  const bool drawn = ImGui::BeginPopupModal(title, &wanted, kFixed);
+  ImGui::PopStyleVar();
+  if (!drawn) return;
+  draw_where(b);
+  draw_name(b);
+  if (exports(b)) draw_export(b);
+  draw_list(b);
+  draw_buttons(b);
+  if (!wanted) b.open = false;
+  if (!b.open) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace kerf

@@ -1,0 +1,131 @@
+#include "ui/editor/shared/file_frames.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/document/commands.h"
+#include "core/mesh/files/mesh_format.h"
+#include "ui/editor/shared/document_session.h"
+#include "ui/window/number_text.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kKey = "shown";  // in a scene: {"unit": "mm", "up": "z"}
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+std::string mesh_kind(const SceneDescription& scene) {
+  if (scene.bodies.size() != 1) return "";
+  const auto format = mesh_format(scene.bodies.front().mesh.extension().string());
+  return format ? std::string(format_row(*format).ending) : "";
+}
+
+FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
+                         const Settings& settings) {
+  if (const auto noted = frame_from_json(head_entry(scene, kKey))) return {*noted};
+  const std::string kind = mesh_kind(scene);
+  if (!is_mesh_file || kind.empty()) return {};
+  const auto known = settings.frames.find(kind);
+  if (known != settings.frames.end() && known->second) return {*known->second};
+  const bool sound = is_finite(bounds.min) && is_finite(bounds.max) && bounds.diagonal() > 0;
+  const FileFrame guess = sound ? guess_frame(*mesh_format(kind), bounds.min, bounds.max) : FileFrame();
+  return {guess, known == settings.frames.end()};
+}
+
+void note_frame(SceneDescription& scene, const FileFrame& frame) {
+  if (frame.is_default() && head_entry(scene, kKey).is_null()) return;
+  set_head_entry(scene, kKey, frame_to_json(frame));
+}
+
+void show_in_frame(ViewState& view, const FileFrame& frame) {
+  for (Light& light : view.look.lights)
+    light.at = from_y_up(to_y_up(light.at, view.camera.up_axis()), frame.up);
+  view.camera.set_up_axis(frame.up);
+  view.frame = frame;
+  view.picture_old = true;
+}
+
+void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings) {
+  show_in_frame(view, frame);
+  view.frame_asked_for.clear();
+  if (const std::string kind = mesh_kind(scene); !kind.empty()) settings.frames[kind] = frame;
+}
+
+std::string extents_label(const Vec3& size, FileUnit unit) {
+  const Vec3 metres = metres_per_unit(unit) * size;
+  const LengthUnit shown = unit_for(std::max({metres.x, metres.y, metres.z}));
+  return text_of("%.3g x %.3g x %.3g ", metres.x / shown.metres, metres.y / shown.metres,
+                 metres.z / shown.metres) +
+         shown.name;
+}
+
+std::string area_label(double area, FileUnit unit) {
+  const double metres = metres_per_unit(unit);
+  if (unit != FileUnit::kInch || area == 0) return area_text(area * metres * metres);
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.3g in\xc2\xb2", area);
+  return text.data();
+}
+
+namespace {
+
+constexpr size_t kMostNames = 2;
+
+// What the beam took most from comes first.
+std::string names_of(const HistoryStep& step) {
+  std::vector<std::pair<std::string, size_t>> names(step.cut_names().begin(), step.cut_names().end());
+  if (names.empty()) return step.done() ? "nothing, " : "";
+  std::stable_sort(names.begin(), names.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (size_t i = 0; i < std::min(names.size(), kMostNames); ++i) text += names[i].first + ", ";
+  if (names.size() > kMostNames) text += std::to_string(names.size() - kMostNames) + " more, ";
+  return text;
+}
+
+std::string how(const CutSettings& settings, FileUnit unit) {
+  return "radius " + length_label(settings.laser.radius, unit) +
+         (settings.laser.pattern == Pattern::kRays4 ? ", four rays" : "");
+}
+
+std::string how_again(const Resolution& resolution, FileUnit unit) {
+  switch (resolution.rule) {
+    case Resolution::Rule::kTargetEdge:
+      return "edges of " + length_label(resolution.target_edge, unit);
+    case Resolution::Rule::kTolerance:
+      return "within " + length_label(resolution.tolerance, unit);
+    case Resolution::Rule::kDepth:
+      return std::to_string(resolution.depth) + (resolution.depth == 1 ? " level" : " levels");
+  }
+  return "";
+}
+
+// The number of the stroke among all of the history, from 1.
+size_t number_of(const History& history, size_t stroke) {
+  size_t number = 0;
+  for (size_t i = 0; i <= stroke; ++i) number += history.step(i).kind() == HistoryStep::Kind::kStroke;
+  return number;
+}
+
+}  // namespace
+
+std::string step_words(const History& history, size_t step, FileUnit unit) {
+  KERF_ASSERT(step < history.size());
+  const HistoryStep& of = history.step(step);
+  if (!history.cuts(step)) return words(of.commands().front(), unit, of.piece_name);
+  const std::string cut = "Cut " + std::to_string(number_of(history, history.base_of(step)));
+  const CutSettings& settings = history.settings_of(step);
+  if (of.kind() == HistoryStep::Kind::kStroke) return cut + ": " + names_of(of) + how(settings, unit);
+  return cut + " again: " + names_of(of) + how_again(settings.resolution, unit);
+}
+
+}  // namespace kerf

@@ -1,0 +1,173 @@
+#include "ui/editor/shared/laser_tool.h"
+
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/base/geometry.h"
+#include "core/cut/cut_step.h"
+#include "ui/editor/shared/user_input.h"
+#include "ui/render/passes/beam_effects.h"
+
+namespace kerf {
+
+namespace {
+
+// How far the emitter lies to the right and above the eye, as a share of the focus: enough for the beam to be
+// seen from the side, and so little that it cuts under the pointer at all depths.
+constexpr double kEmitterAside = 0.004;
+constexpr double kLeastMove = 0.5;  // pixels
+
+// The depth of the corner of the world's box that is nearest to the eye, or of what is looked at if that is
+// nearer.
+double least_depth(const World& world, const CameraView& view) {
+  const World::Bounds b = world.bounds();
+  double least = view.focus;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z);
+    least = std::min(least, glm::dot(corner - view.eye, view.forward));
+  }
+  return least;
+}
+
+}  // namespace
+
+// How far before what is aimed at the beam is emitted: in an orthographic view from before everything that
+// there is; from the eye otherwise, and where there is nothing.
+double LaserTool::distance_of_emitter(const World& world, const CameraView& view) const {
+  const double diagonal = world.bounds().diagonal();
+  if (!view.parallel || !(diagonal > 0)) return focus_;
+  return focus_ - least_depth(world, view) + 0.1 * diagonal;
+}
+
+// In an orthographic view the emitter moves with the pointer, so that all poses are parallel.
+Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  const Vec3 target = ray.origin + ray.direction * focus_;
+  const Vec3 before = view.parallel ? target - view.forward * emitter_ : view.eye;
+  const Vec3 emitter = before + (view.right + view.up) * (kEmitterAside * emitter_);
+  return {emitter, glm::normalize(target - emitter)};
+}
+
+// How the beam is drawn.
+void LaserTool::set_up(const CutSettings& settings) {
+  radius_ = settings.laser.radius;
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
+  reach_ = settings.laser.range.high;
+}
+
+void LaserTool::take_over(const CutSettings& settings, double emitter) {
+  if (cutting_) return;
+  set_up(settings);
+  emitter_ = emitter;
+}
+
+void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
+                      double heard) {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  const double diagonal = document.world().bounds().diagonal();
+  const std::optional<double> hit = first_hit(document.world(), ray);
+  focus_ = hit.value_or(view.focus);
+  emitter_ = distance_of_emitter(document.world(), view);
+  pointer_ = pointer;
+  pose_ = aim(view, pointer);
+  begin(document, controls.settings(diagonal), heard);
+  held_ = {BeginStroke{settings_, pose_}};
+  if (hit) begin_held(document);
+}
+
+// A stroke with the settings at pose_.
+void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
+  settings_ = settings;
+  set_up(settings);
+  if (!document.execution().beam_waits()) {
+    beam_ = pose_;
+    strike_.reset();
+  }
+  cutting_ = true;
+  began_ = heard;
+  told_ = 0;
+}
+
+void LaserTool::fire(Document& document, const Pose& pose, double distance, const CutSettings& settings,
+                     double heard) {
+  KERF_ASSERT(!cutting_ && distance > 0 && is_unit(pose.direction));
+  emitter_ = distance;
+  pose_ = pose;
+  begin(document, settings, heard);
+  held_ = {BeginStroke{settings_, pose_}};
+  if (time_passes_ || meets_anything(document.world(), settings_.laser, pose_)) begin_held(document);
+}
+
+void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
+  if (!cutting_ || (pose.origin == pose_.origin && pose.direction == pose_.direction)) return;
+  if (are_opposite(pose_.direction, pose.direction)) {
+    release(document);
+    return fire(document, pose, emitter_, settings_, heard);
+  }
+  move_to(document, pose, heard);
+}
+
+// The beam is drawn at once where it meets nothing.
+void LaserTool::move_to(Document& document, const Pose& pose, double heard) {
+  const Pose before = std::exchange(pose_, pose);
+  told_ = std::max(told_, heard - began_);
+  const MoveBeam move{pose_, told_};
+  if (held_.empty()) {
+    document.apply(move);
+    return;
+  }
+  held_.emplace_back(move);
+  if (time_passes_ || meets_anything(document.world(), settings_.laser, BeamMove{before, pose_, 0}))
+    return begin_held(document);
+  if (!document.execution().beam_waits()) beam_ = pose_;
+}
+
+void LaserTool::begin_held(Document& document) {
+  for (const Command& command : std::exchange(held_, {})) document.apply(command);
+}
+
+void LaserTool::follow_time(Document& document, bool passes) {
+  time_passes_ = passes;
+  if (passes && has_moved()) begin_held(document);
+}
+
+void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard) {
+  if (!cutting_) return;
+  const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
+  const bool is_click = !held_.empty() && !has_moved();
+  if (glm::length(moved) < (is_click ? kClickReach : kLeastMove)) return;
+  pointer_ = pointer;
+  KERF_ASSERT(heard >= began_);
+  move_to(document, aim(view, pointer), heard);
+}
+
+void LaserTool::go_on(Document& document, double heard) {
+  if (!emits() || document.waiting() > 0 || heard - began_ <= told_) return;
+  told_ = heard - began_;
+  document.apply(MoveBeam{pose_, told_});
+}
+
+bool LaserTool::release(Document& document) {
+  if (!cutting_) return false;
+  cutting_ = false;
+  // The ray of the pointer met nothing, but the beam may touch a body with its edge.
+  if (!held_.empty() && meets_anything(document.world(), settings_.laser, pose_)) begin_held(document);
+  const bool missed = !std::exchange(held_, {}).empty();
+  if (!missed) document.apply(EndStroke{});
+  return missed;
+}
+
+void LaserTool::find_strike(const Document& document) {
+  strike_ = kerf::find_strike(document.world(), beam_, radius_, overshoot_, reach_);
+}
+
+std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
+  if (!cutting_ && !document.execution().moves_wait()) return std::nullopt;
+  BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * emitter_),
+                   std::nullopt, radius_};
+  if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;
+  return beam;
+}
+
+}  // namespace kerf

@@ -1,0 +1,246 @@
+#include "ui/editor/shared/piece_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/document/edit_piece.h"
+#include "core/edit/separation.h"
+#include "core/joints/joined_parts.h"
+
+namespace kerf {
+
+void drop_plain(PieceMap& looks) {
+  std::erase_if(looks, [](const auto& entry) { return entry.second == PieceLook(); });
+}
+
+namespace {
+
+std::string name_of(const World& world, const PieceRow& row) {
+  const Body& body = world.body(row.id.body);
+  if (row.id.label == body.named || body.piece_names.contains(row.id.label))
+    return body.name_of(row.id.label);
+  const std::string part = row.part ? loaded_part_name(world, row.id) : "";
+  return part.empty() ? body.name + " " + std::to_string(row.part ? row.id.label : row.number) : part;
+}
+
+// Bodies, pieces, parts.
+int kind_of(const PieceRow& row) { return row.part ? 2 : row.id.label == 0 ? 0 : 1; }
+
+double fraction(double x) { return x - std::floor(x); }
+
+// As hue_colour of body.vert: linear light of a hue (0 .. 1), a saturation and a lightness.
+Vec3 hue_colour(double hue, double saturation, double value) {
+  const Vec3 turned = glm::abs(glm::fract(Vec3(hue, hue + 2.0 / 3, hue + 1.0 / 3)) * 6.0 - 3.0) - 1.0;
+  return value * glm::mix(Vec3(1), glm::clamp(turned, 0.0, 1.0), saturation);
+}
+
+}  // namespace
+
+std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
+  std::vector<PieceRow> rows;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      const Piece& piece = body.pieces[label];
+      if (piece.faces == 0) continue;
+      const auto look = looks.find({id, label});
+      const uint32_t number = look != looks.end() && look->second.number != 0 ? look->second.number : label;
+      const bool part = is_loaded_part(body, label);
+      PieceRow& row = rows.emplace_back();
+      row = {{id, label}, part ? 0 : number, "", piece.faces, piece.area, body.pinned, part};
+      row.name = name_of(world, row);
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {
+    return kind_of(a) != kind_of(b) ? kind_of(a) < kind_of(b) : a.area > b.area;
+  });
+  return rows;
+}
+
+SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId>& specks) {
+  const auto is_one = [&](const PieceRow& row) { return specks.contains(row.id); };
+  SortedPieces sorted;
+  if (std::count_if(rows.begin(), rows.end(), is_one) < 2) {
+    sorted.rest = std::move(rows);
+    return sorted;
+  }
+  for (PieceRow& row : rows) (is_one(row) ? sorted.specks : sorted.rest).push_back(std::move(row));
+  return sorted;
+}
+
+Vec3 strong_piece_colour(uint32_t number) {
+  if (number == 0) return Vec3(0.45);
+  const double turn = fraction(number * 0.61803399), shade = fraction(number * 0.7548777);
+  return glm::pow(hue_colour(turn, 0.80, 0.40 + 0.25 * shade), Vec3(1 / 2.2));
+}
+
+void choose_piece(PieceMap& looks, const PieceId& id, bool add) {
+  const auto found = looks.find(id);
+  const bool was = found != looks.end() && found->second.selected;
+  const bool alone = was && chosen_pieces(looks) == 1;
+  if (!add) choose_none(looks);
+  looks[id].selected = add ? !was : !alone;
+  drop_plain(looks);
+}
+
+void choose_none(PieceMap& looks) {
+  for (auto& [id, look] : looks) look.selected = false;
+  drop_plain(looks);
+}
+
+size_t chosen_pieces(const PieceMap& looks) {
+  return static_cast<size_t>(
+      std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.selected; }));
+}
+
+const char* why_none_chosen(const PieceMap& looks) {
+  return chosen_pieces(looks) > 0 ? nullptr : "No piece is chosen: Ctrl+click one, or choose it in the list.";
+}
+
+std::optional<PieceId> first_chosen(const PieceMap& looks) {
+  for (const auto& [key, look] : looks) {
+    if (look.selected) return key;
+  }
+  return std::nullopt;
+}
+
+std::vector<PieceId> hidden_pieces(const PieceMap& looks) {
+  std::vector<PieceId> hidden;
+  for (const auto& [id, look] : looks) {
+    if (look.hidden) hidden.push_back(id);
+  }
+  return hidden;
+}
+
+std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks) {
+  std::vector<PieceId> others;
+  for (const PieceRow& row : list_pieces(world)) {
+    const auto look = looks.find(row.id);
+    if (look == looks.end() || !(look->second.hidden || look->second.selected)) others.push_back(row.id);
+  }
+  return others;
+}
+
+PieceId named_after(const Delta& delta, PieceId id) {
+  // One after the other: what was detached may be detached from again.
+  for (const Detached& d : delta.detached) {
+    if (id == PieceId{d.from, d.label}) id.body = d.to;
+  }
+  return id;
+}
+
+void follow_world(const World& world, const Delta& delta, PieceMap& looks) {
+  PieceMap now;
+  for (const auto& [before, look] : looks) {
+    const PieceId id = named_after(delta, before);
+    if (has_faces(world, id)) now[id] = look;
+  }
+  for (auto& [id, look] : now) look.hidden = false;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; body.hidden && label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces == 0) continue;
+      now[{id, label}].hidden = true;
+      now[{id, label}].selected = false;
+    }
+  }
+  drop_plain(now);
+  looks = std::move(now);
+}
+
+namespace {
+
+// How much two pieces differ that may be the same part cut differently: the squared distance of their centres
+// in terms of their area, plus the squared share of area that one has more. From kOther on they are others.
+constexpr double kOther = 0.25;
+
+bool all_settled(const World& world) {
+  const std::vector<BodyId> ids = world.ids();
+  return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return kerf::is_settled(world.body(id)); });
+}
+
+}  // namespace
+
+std::vector<PieceNumbers::Known> PieceNumbers::pieces_of(const World& world) {
+  std::vector<Known> pieces;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 1; label < body.pieces.size(); ++label) {
+      const Piece& p = body.pieces[label];
+      if (p.faces == 0) continue;
+      const Vec3 centre = body.middle() + (p.area > 0 ? p.moments.first / p.area : Vec3(0));
+      pieces.push_back({{id, label}, body.loaded_as, 0, p.area, body.placement.to_world(centre)});
+    }
+  }
+  return pieces;
+}
+
+void PieceNumbers::follow(const World& world, bool anew, bool may_return, PieceMap& looks) {
+  anew_ = anew_ || anew;
+  waits_ = !all_settled(world);
+  if (waits_) return;
+  std::map<PieceId, Known*> present;
+  for (Known& known : known_) {
+    if (known.present && !anew_) present.emplace(known.id, &known);
+    known.present = false;
+  }
+  std::vector<Known> came;
+  for (Known& piece : pieces_of(world)) {
+    const auto same = present.find(piece.id);
+    if (same == present.end()) {
+      came.push_back(piece);
+    } else {
+      piece.number = same->second->number;
+      *same->second = piece;
+    }
+  }
+  anew_ = false;
+  match(came);
+  if (!may_return) std::erase_if(known_, [](const Known& k) { return !k.present; });
+  for (const Known& known : known_) {
+    if (known.present) looks[known.id].number = known.number == known.id.label ? 0 : known.number;
+  }
+  drop_plain(looks);
+}
+
+// The pairs that differ least first.
+void PieceNumbers::match(std::vector<Known>& came) {
+  std::vector<std::tuple<double, size_t, size_t>> pairs;
+  for (size_t i = 0; i < came.size(); ++i) {
+    for (size_t j = 0; j < known_.size(); ++j) {
+      const Known &a = came[i], &b = known_[j];
+      const double larger = std::max(a.area, b.area);
+      if (b.present || a.loaded_as != b.loaded_as || !(larger > 0)) continue;
+      const Vec3 apart = a.centre - b.centre;
+      const double more = (a.area - b.area) / larger, differ = glm::dot(apart, apart) / larger + more * more;
+      if (differ < kOther) pairs.emplace_back(differ, i, j);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [differ, i, j] : pairs) {
+    if (came[i].number != 0 || known_[j].present) continue;
+    came[i].number = known_[j].number;
+    known_[j] = came[i];
+  }
+  for (Known& piece : came) {
+    if (piece.number != 0) continue;
+    piece.number = free_number(piece);
+    known_.push_back(piece);
+  }
+}
+
+// Its label unless another piece of the same body has that number.
+uint32_t PieceNumbers::free_number(const Known& piece) const {
+  uint32_t most = 0;
+  bool taken = false;
+  for (const Known& known : known_) {
+    if (known.loaded_as != piece.loaded_as) continue;
+    most = std::max(most, known.number);
+    taken = taken || known.number == piece.id.label;
+  }
+  return taken ? std::max(most, piece.id.label) + 1 : piece.id.label;
+}
+
+}  // namespace kerf

@@ -1,0 +1,45 @@
+#include "ui/editor/shared/user_input.h"
+
+#include <GLFW/glfw3.h>
+
+#include "core/base/assert.h"
+#include "ui/window/window.h"
+
+namespace kerf {
+
+namespace {
+
+// Where several actions have a key, those that have it only at the moment come first.
+const UserAction* action_of(std::span<const UserAction> actions, int key, int mods) {
+  const UserAction* found = nullptr;
+  for (const UserAction& action : actions) {
+    if (key == 0 || (action.key != key && action.pad_key != key) || action.mods != mods) continue;
+    if (action.has_key_when && action.has_key_when()) return &action;
+    if (!action.has_key_when && found == nullptr) found = &action;
+  }
+  return found;
+}
+
+}  // namespace
+
+void UserAction::set_shortcut(const std::string& text) {
+  const auto chord = parse_chord(text).value_or(KeyChord());
+  shortcut = text;
+  key = chord.key;
+  mods = chord.mods;
+}
+
+bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message) {
+  constexpr int kCounted = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+  const UserAction* action = action_of(actions, key, mods & kCounted);
+  if (action == nullptr) return false;
+  KERF_ASSERT(action->run);
+  if (const char* why = action->objection()) {
+    message.say(why, true);
+  } else {
+    action->run();
+  }
+  return true;
+}
+
+}  // namespace kerf

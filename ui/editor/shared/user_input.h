@@ -1,0 +1,124 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/window/property_rows.h"
+#include "ui/window/status_message.h"
+#include "ui/window/window.h"
+
+struct ImDrawList;
+
+namespace kerf {
+
+// Something that the user can ask for by menu, by key and by name. The menus, the keys, the command palette
+// and the sheet of shortcuts are all made from one list of these.
+struct UserAction {
+  const char* menu = nullptr;  // null: that of its group
+  std::string name;
+  std::string shortcut = {};  // as parse_chord() reads it; empty: none
+  int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
+  std::string tip = {};
+  std::function<std::optional<TipPicture>()> tip_picture = {};  // under the tip; empty: none
+  std::function<void()> run = {};
+  std::function<bool()> checked = {};         // empty: not a switch
+  std::function<const char*()> why_not = {};  // a sentence where it cannot be done at the moment, or null
+  // Where it is set, the key belongs to the action only while this holds, and then to no other action.
+  std::function<bool()> has_key_when = {};
+  // The actions of a submenu, as they are at the moment, in place of `run`. They have neither keys nor
+  // submenus.
+  std::function<std::vector<UserAction>()> items = {};
+  bool in_menu = true;      // false: the command palette alone offers it, beside a panel
+  bool ends_group = false;  // a line under it in the menu
+  int key = 0, mods = 0;    // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
+
+  // Why it cannot be done at the moment; null where it can.
+  const char* objection() const { return why_not ? why_not() : nullptr; }
+  // Gives it the key that a text names; a text that names none takes its key.
+  void set_shortcut(const std::string& text);
+};
+
+// An action that sets a value, which must outlive it, and then calls `then`. It is checked while the value is
+// set, and is not in a menu. `menu` may be null.
+template <typename Value>
+UserAction setting_action(
+    const char* menu, const char* name, const char* tip, Value& value, Value set,
+    std::function<void()> then = [] {}) {
+  return {.menu = menu,
+          .name = name,
+          .tip = tip,
+          .run = [&value, set, then = std::move(then)] { value = set, then(); },
+          .checked = [&value, set] { return value == set; },
+          .in_menu = false};
+}
+
+// What the mouse does in the picture, for the sheet of shortcuts.
+struct Gesture {
+  int place;  // in the sheet
+  const char* gesture;
+  const char* meaning;
+};
+
+// Runs the action of a key. One that cannot be done at the moment says why in the status bar. Returns whether
+// the key has an action.
+bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message);
+
+// A press of the left button in the picture, without Alt, which is for looking round.
+struct Press {
+  const InputEvent& event;
+  bool shift = false, control = false;
+};
+
+// What the mouse does from the press of a button in the picture until its release. The place of the pointer
+// is Workspace::pointer; events carry their time and the modifier keys.
+class Interaction {
+ public:
+  virtual ~Interaction() = default;
+
+  virtual void move(const InputEvent&) {}
+  virtual void release(const InputEvent&) {}
+  // Esc. Returns whether the interaction is over by that; otherwise it goes on.
+  virtual bool cancel() { return false; }
+  // Whether it is over before the button is released.
+  virtual bool over() const { return false; }
+
+  // Whether it draws a stroke, so that handles are not in the way.
+  virtual bool cuts() const { return false; }
+  // What it does, for the status bar; null: nothing to tell of.
+  virtual const char* words() const { return nullptr; }
+  // Draws over the picture.
+  virtual void draw(ImDrawList&) const {}
+};
+
+// Does something at the release of the button, wherever the pointer went since the press.
+class ClickOnce : public Interaction {
+ public:
+  explicit ClickOnce(std::function<void()> click) : click_(std::move(click)) {}
+  void release(const InputEvent&) override { click_(); }
+
+ private:
+  std::function<void()> click_;
+};
+
+// Does something at each move of the pointer.
+class PlainDrag : public Interaction {
+ public:
+  // `words` as Interaction::words() returns them.
+  PlainDrag(const char* words, std::function<void(const InputEvent&)> follow)
+      : words_(words), follow_(std::move(follow)) {}
+  void move(const InputEvent& event) override { follow_(event); }
+  const char* words() const override { return words_; }
+
+ private:
+  const char* words_;
+  std::function<void(const InputEvent&)> follow_;
+};
+
+// The distance that the pointer may move between the press and the release of a click, in screen coordinates.
+inline constexpr double kClickReach = 4;
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+#include "ui/editor/shared/viewport_pointer.h"
+
+#include <cmath>
+
+#include "core/base/assert.h"
+#include "core/base/geometry.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/render/bodies/pick.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kOrbitPerHeight = 3.6;  // radians for a drag over the height of the picture
+constexpr double kZoomPerNotch = 0.88;
+
+// How far the pointer has moved since the last call, in heights of the picture.
+Vec2 way_of(const Workspace& on, Vec2& last) {
+  return (on.pointer - std::exchange(last, on.pointer)) / on.view.pane().size.y;
+}
+
+}  // namespace
+
+void Orbit::move(const InputEvent&) {
+  const Vec2 way = way_of(on_, last_);
+  const double speed = on_.settings.drag_speed;
+  on_.view.camera.orbit(-way.x * kOrbitPerHeight * speed, way.y * kOrbitPerHeight * speed);
+}
+
+void Pan::move(const InputEvent&) {
+  const Vec2 way = 2.0 * way_of(on_, last_);
+  on_.view.camera.pan(way.x / on_.view.aspect(), -way.y, on_.view.aspect());
+}
+
+void zoom(Workspace& on, double notches) {
+  const Vec2 p = on.view.in_picture(on.pointer);
+  on.view.camera.zoom(std::pow(kZoomPerNotch, notches * on.settings.wheel_speed), p.x, p.y, on.view.aspect());
+}
+
+std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions& look, const Pose& ray) {
+  const std::optional<Pick> seen = pick(world, look, ray);
+  if (!seen) return std::nullopt;
+  const Body& body = world.body(seen->body);
+  const Triangle t = body.mesh.triangle(seen->face);
+  const Vec3 across = body.placement.orientation * glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = glm::length(across);
+  Vec3 normal = length > 0 ? across / length : -ray.direction;
+  if (glm::dot(normal, ray.direction) > 0) normal = -normal;
+  return SurfacePoint{ray.origin + ray.direction * seen->length, normal};
+}
+
+std::optional<Vec3> point_under_pointer(const Workspace& on) {
+  const auto surface = surface_point(on.world(), on.view.look, FirstPicture(on.view).ray(on.pointer));
+  return surface ? std::optional(surface->at) : std::nullopt;
+}
+
+Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
+  KERF_ASSERT(is_unit(from) && is_unit(to));
+  const double w = 1 + glm::dot(from, to);
+  if (w < 1e-6) return -to;  // no rotation is the shortest
+  const glm::dquat turn = glm::normalize(glm::dquat(w, glm::cross(from, to)));
+  return turn * direction;
+}
+
+void choose_under_pointer(Workspace& on, bool add) {
+  if (on.view.in_second) return on.message.say("Pieces are chosen in the left half.", true);
+  const Vec2 p = on.view.in_picture(on.pointer);
+  const std::optional<Pick> seen = pick(on.world(), on.view.look, on.view.seen().ray(p.x, p.y));
+  if (seen) {
+    const uint32_t label = on.world().body(seen->body).mesh.data(seen->face).piece;
+    choose_piece(on.view.look.pieces, {seen->body, label}, add);
+  } else if (!add) {
+    choose_none(on.view.look.pieces);
+  }
+  on.view.picture_old = true;
+}
+
+std::vector<PieceId> chosen_ids(const PieceMap& looks) {
+  std::vector<PieceId> chosen;
+  for (const auto& [id, look] : looks) {
+    if (look.selected) chosen.push_back(id);
+  }
+  return chosen;
+}
+
+}  // namespace kerf

@@ -1,0 +1,433 @@
+#include "ui/editor/time/play_controls.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "core/base/assert.h"
+#include "core/document/text/json.h"
+#include "core/world/heat_flow.h"
+#include "core/world/rigid_body.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/user_input.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/editor/shared/viewport_pointer.h"
+#include "ui/editor/shared/world_changes.h"
+#include "ui/editor/time/time_flow.h"
+#include "ui/render/bodies/overlay_marks.h"
+#include "ui/render/bodies/pick.h"
+#include "ui/render/view/frame_space.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_fields.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+UserAction speed_action(Workspace& on, PlayState& play, bool faster) {
+  return {.name = faster ? "Time: faster" : "Time: slower",
+          .shortcut = faster ? "=" : "-",
+          .pad_key = faster ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT,
+          .tip = "From an eighth of real time to real time.",
+          .run =
+              [&play, &message = on.message, faster] {
+                KERF_ASSERT(faster ? play.can_go_faster() : play.can_go_slower());
+                faster ? ++play.speed_index : --play.speed_index;
+                message.say(std::string("Time passes at ") + play.speed().name);
+              },
+          .why_not = [&play, faster]() -> const char* {
+            if (faster) return play.can_go_faster() ? nullptr : "Time passes in real time already.";
+            return play.can_go_slower() ? nullptr : "Time passes at an eighth of real time already.";
+          },
+          .ends_group = faster};
+}
+
+std::vector<UserAction> time_actions(Workspace& on, PlayState& play) {
+  const auto why_no_play = [&on] { return on.why_time_stands_still(); };
+  return {
+      UserAction{
+          .name = "Play",
+          .shortcut = "Space",
+          .tip = "Pieces that came off fall, or everything stands still again. One undo takes a fall back.",
+          .run = [&play] { play.play_or_pause(); },
+          .checked = [&play] { return play.playing; },
+          .why_not = [&play, why_no_play] { return play.playing ? nullptr : why_no_play(); }},
+      UserAction{.name = "One tick",
+                 .shortcut = ".",
+                 .tip = "Lets 1/120 s pass.",
+                 .run = [&play] { play.ask_for_tick(); },
+                 .why_not = why_no_play},
+      speed_action(on, play, false),
+      speed_action(on, play, true),
+  };
+}
+
+}  // namespace
+
+const char* why_no_pin(const ViewState& view) { return why_none_chosen(view.look.pieces); }
+
+bool chosen_are_pinned(const World& world, const ViewState& view) {
+  bool any = false;
+  for (const auto& [id, look] : view.look.pieces) {
+    if (!look.selected || !world.contains(id.body)) continue;
+    if (!world.body(id.body).pinned) return false;
+    any = true;
+  }
+  return any;
+}
+
+SetEnvironment with_gravity(const World& world, const FileFrame& frame, bool on) {
+  Environment around = default_environment(world, frame);
+  if (!on) around.gravity = Vec3(0);
+  if (!on && frame.up != UpAxis::kY) around.ground.reset();
+  return {around};
+}
+
+void ask_to_pin(Workspace& on, bool pinned) {
+  const char* name = pinned ? "Pin pieces" : "Unpin pieces";
+  const auto run = [&on, name, pinned] {
+    cancel_stroke(on);
+    on.changes.change(name, is_small(on.work.document),
+                      edit_all(chosen_ids(on.view.look.pieces), [pinned](const PieceId& p) {
+                        return PinPiece{p, pinned};
+                      }));
+    return true;
+  };
+  on.changes.ask({.name = name, .run = run, .is_one = true});
+}
+
+std::vector<UserAction> body_actions(Workspace& on, PlayState& play) {
+  std::vector<UserAction> actions = time_actions(on, play);
+  const auto has_gravity = [&on] { return on.world().environment().gravity != Vec3(0); };
+  const auto are_pinned = [&on] { return chosen_are_pinned(on.world(), on.view); };
+  actions.push_back(
+      {.name = "Gravity",
+       .tip = "Without it pieces float apart. The Bodies panel sets its value.",
+       .run = [&on, has_gravity] { on.changes.ask(with_gravity(on.world(), on.view.frame, !has_gravity())); },
+       .checked = has_gravity});
+  actions.push_back({.name = "Pin the chosen",
+                     .shortcut = "Shift+P",
+                     .tip =
+                         "The chosen pieces stay where they are while others move; the same again lets them "
+                         "move.",
+                     .run = [&on, are_pinned] { ask_to_pin(on, !are_pinned()); },
+                     .checked = are_pinned,
+                     .why_not = [&on] { return why_no_pin(on.view); }});
+  return actions;
+}
+
+namespace {
+
+constexpr int kCoils = 9;
+constexpr float kLeastCoiled = 2;  // sizes of the text; a shorter spring is a line
+
+constexpr double kAsFast = 0.9;  // of the chosen speed; a smaller one that is reached is told
+
+std::string words_of(const PlayState& play, const ReachedSpeed& reached, const World& world) {
+  const double seconds = seconds_of_ticks(world.clock());
+  if (!play.playing) return text_of("Paused  %.2f s", seconds);
+  return "Playing " + speed_text(play, reached) + text_of("  %.1f s", seconds);
+}
+
+// A zigzag between two places, with a dark line under it.
+void draw_coil(Vec2 from, Vec2 to, float em, ImDrawList& list) {
+  const Vec2 way = to - from;
+  const double length = glm::length(way);
+  const Vec2 aside = length > 0 ? Vec2(-way.y, way.x) / length * (0.3 * em) : Vec2(0);
+  std::vector<ImVec2> points{to_im(from)};
+  const int coils = length > kLeastCoiled * em ? kCoils : 0;
+  for (int i = 0; i < coils; ++i) {
+    const double along = 0.12 + 0.76 * (i + 0.5) / coils;
+    points.push_back(to_im(from + along * way + (i % 2 == 0 ? aside : -aside)));
+  }
+  points.push_back(to_im(to));
+  const int count = static_cast<int>(points.size());
+  list.AddPolyline(points.data(), count, IM_COL32(10, 12, 16, 170), 0, 4);
+  list.AddPolyline(points.data(), count, colours::accent(), 0, 1.8f);
+}
+
+}  // namespace
+
+std::string speed_text(const PlayState& play, const ReachedSpeed& reached) {
+  const double least = kAsFast * play.speed().of_real_time;
+  if (!reached.of_real_time() || *reached.of_real_time() >= least) return play.speed().name;
+  return text_of("%.2gx of %s", *reached.of_real_time(), play.speed().name);
+}
+
+// As wide as the longest time to come, so that it stands still.
+void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const World& world,
+                     const ViewState& view, Badges& badges) {
+  constexpr float kLeastEms = 9.5f;
+  badges.draw(view, play.playing ? Badges::Sign::kPlaying : Badges::Sign::kPaused,
+              words_of(play, reached, world), "play badge", kLeastEms);
+}
+
+void draw_spring(const Spring& spring, const World& world, const ViewState& view) {
+  if (!world.contains(spring.piece.body)) return;
+  const Placement& placement = world.body(spring.piece.body).placement;
+  const FirstPicture picture(view);
+  const auto from = picture.place_of(placement.to_world(spring.at));
+  const auto to = picture.place_of(spring.to);
+  if (!from || !to) return;
+  const float em = ImGui::GetFontSize();
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  draw_coil(*from, *to, em, list);
+  for (const Vec2& end : {*from, *to}) {
+    list.AddCircleFilled(to_im(end), 0.32f * em, IM_COL32(10, 12, 16, 170));
+    list.AddCircleFilled(to_im(end), 0.22f * em, colours::accent());
+  }
+}
+
+namespace {
+
+// A spring, without tension, on the point of a visible piece that is seen at a place of the first half of the
+// picture (screen coordinates). Nothing where nothing is seen, or where the body is pinned.
+std::optional<Spring> spring_at(const World& world, const ViewState& view, Vec2 place) {
+  const Pose ray = FirstPicture(view).ray(place);
+  const std::optional<Pick> seen = pick(world, view.look, ray);
+  if (!seen || world.body(seen->body).pinned) return std::nullopt;
+  const Body& body = world.body(seen->body);
+  const Vec3 held = ray.origin + ray.direction * seen->length;
+  return Spring{{seen->body, body.mesh.data(seen->face).piece}, body.placement.to_body(held), held};
+}
+
+// Moves the far end of the spring under a place of the first half, in the plane through where it is that
+// faces the camera.
+void stretch(Spring& spring, const ViewState& view, Vec2 place) {
+  spring.to = FirstPicture(view).at_depth_of(spring.to, place);
+}
+
+// Play, pause and speed, gravity and ground, pins, the views of contacts, and what the last tick did.
+class BodiesPanel {
+ public:
+  void draw(Workspace& on, PlayState& play);
+
+ private:
+  void draw_environment(Workspace& on);
+
+  NumberFields fields_;
+};
+
+void draw_time(Workspace& on, PlayState& play) {
+  const char* why_not = on.why_time_stands_still();
+  const auto told = [&](const char* meaning, const char* action) {
+    return with_shortcut(on.view, meaning, action);
+  };
+  if (row_button(play.playing ? "Pause###play" : "Play###play", 2, play.playing ? nullptr : why_not,
+                 told("Pieces that came off fall, or everything stands still again.", "Play").c_str()))
+    play.play_or_pause();
+  mark_last_item("bodies play");
+  ImGui::SameLine();
+  if (row_button("One tick", 2, why_not, told("Lets 1/120 s pass.", "One tick").c_str())) play.ask_for_tick();
+  mark_last_item("bodies tick");
+}
+
+void draw_speed(PlayState& play) {
+  property("Speed");
+  if (begin_fitted_combo("##speed", play.speed().name)) {
+    for (size_t i = PlayState::kSpeeds.size(); i-- > 0;) {
+      if (ImGui::Selectable(PlayState::kSpeeds.at(i).name, i == play.speed_index)) play.speed_index = i;
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip("How fast time passes, against real time. It passes more slowly where a tick takes longer.");
+  }
+}
+
+void draw_pin(Workspace& on) {
+  const bool pinned = chosen_are_pinned(on.world(), on.view);
+  if (row_button(pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(on.view),
+                 with_shortcut(on.view, "What is pinned stays where it is while other pieces move.",
+                               "Pin the chosen")
+                     .c_str()))
+    ask_to_pin(on, !pinned);
+  mark_last_item("bodies pin");
+}
+
+void draw_statistics(const TickStatistics& statistics) {
+  if (statistics.bodies == 0) return;
+  const std::string text = grouped(statistics.bodies) + " bodies, " + grouped(statistics.awake) + " awake, " +
+                           grouped(statistics.contacts) + " contacts";
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  draw_fitted_text(text, "What the last tick in which bodies moved found.");
+  ImGui::PopStyleColor();
+}
+
+void BodiesPanel::draw_environment(Workspace& on) {
+  const World& world = on.work.document.world();
+  const FileFrame& frame = on.view.frame;
+  Environment around = world.environment();
+  const double metres = metres_per_unit(frame.unit);
+  bool gravity = around.gravity != Vec3(0);
+  property("Gravity");
+  if (ImGui::Checkbox("##gravity", &gravity)) on.changes.ask(with_gravity(world, frame, gravity));
+  mark_last_item("gravity on");
+  tooltip("Without gravity pieces float apart.");
+  if (!around.ground) around = default_environment(world, frame);
+  around.metre = 1 / metres;
+  double value = metres * glm::length(around.gravity);
+  const Vec3 down = from_y_up({0, -1, 0}, frame.up);
+  if (gravity && fields_.number("Its value", value, "%.3g m/s\xc2\xb2",
+                                "9.81 on the earth, 1.62 on the moon.", {}, kPositive)) {
+    around.gravity = value / metres * down;
+    on.changes.ask(SetEnvironment{around});
+  }
+  double height = around.ground.value_or(0);
+  const LengthUnit unit = label_unit(0.1 * world.loaded_bounds().diagonal(), frame.unit);
+  if (gravity &&
+      length_field(fields_, "Ground", height, unit, "The height of the ground on which pieces rest.")) {
+    around.ground = height;
+    on.changes.ask(SetEnvironment{around});
+  }
+}
+
+void BodiesPanel::draw(Workspace& on, PlayState& play) {
+  draw_time(on, play);
+  if (begin_properties("bodies")) {
+    draw_speed(play);
+    draw_environment(on);
+    end_properties();
+  }
+  draw_pin(on);
+  for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
+    draw_switch(on.view, id);
+  draw_statistics(on.work.document.execution().physics().statistics());
+}
+
+// Whether the user has let time pass for the bodies, and that is not undone.
+bool has_played(const History& history) {
+  for (size_t i = 0; i < history.position(); ++i) {
+    const std::vector<Command>& commands = history.step(i).commands();
+    if (!commands.empty() && std::holds_alternative<Play>(commands.front())) return true;
+  }
+  return false;
+}
+
+class TimeFeature : public Feature {
+ public:
+  explicit TimeFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{"Bodies", Tab::kMove, 700, true, [this] { panel_.draw(on_, play_); }}};
+  }
+  std::vector<ActionGroup> actions() override { return {{520, "Bodies", body_actions(on_, play_)}}; }
+  std::vector<Gesture> gestures() const override {
+    return {{50, "Ctrl+left drag on a piece", "Pull it by a spring, while bodies move"}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press& press) override {
+    if (!picks(on_, press) || !play_.playing) return nullptr;
+    const auto spring = spring_at(on_.world(), on_.view, on_.pointer);
+    return spring ? std::make_unique<Pull>(*this, *spring) : nullptr;
+  }
+  const char* hint() const override {
+    return on_.tool == kPickTool && play_.playing ? "Pick: drag pulls a piece, a click chooses it" : nullptr;
+  }
+
+  void advance(double) override {
+    if (dynamic_cast<const Pull*>(on_.held.get()) == nullptr) spring_.reset();
+    on_.cools_unseen = cooling_.passes_unseen();
+  }
+  void follow_queue(double seconds) override;
+  bool moving() const override { return cooling_.moving() || play_.playing || play_.one_tick; }
+  void follow(const Delta& delta) override {
+    if (spring_) spring_->piece = named_after(delta, spring_->piece);
+  }
+
+  void draw_marks(ImDrawList&) override {
+    if (spring_) draw_spring(*spring_, on_.world(), on_.view);
+    const bool stands = !play_.playing && !on_.cools && has_played(on_.work.document.history());
+    if (play_.playing || stands) draw_play_badge(play_, reached_, on_.world(), on_.view, on_.badges);
+    if (on_.settings.heat_held && is_hot(on_.world()))
+      on_.badges.draw(on_.view, Badges::Sign::kMode, "Heat is held", "heat badge");
+  }
+  void report(nlohmann::ordered_json& report) const override;
+
+ private:
+  // What was pressed while time passes is pulled by a drag, and chosen by a click.
+  class Pull : public Interaction {
+   public:
+    Pull(TimeFeature& feature, const Spring& spring)
+        : feature_(feature), pressed_at_(feature.on_.pointer), spring_(spring) {}
+
+    void move(const InputEvent&) override;
+    void release(const InputEvent& event) override {
+      if (!pulls_) choose_under_pointer(feature_.on_, (event.mods & GLFW_MOD_SHIFT) != 0);
+    }
+    bool cancel() override { return pulls_; }
+    const char* words() const override { return pulls_ ? "Pulling: release to let go" : nullptr; }
+
+   private:
+    TimeFeature& feature_;
+    Vec2 pressed_at_;
+    Spring spring_;
+    bool pulls_ = false;
+  };
+
+  Workspace& on_;
+  PlayState play_;
+  std::optional<Spring> spring_;  // that a piece is pulled by
+  TimeFlow flow_{on_, play_, spring_};
+  Cooling cooling_{on_, play_};
+  ReachedSpeed reached_;
+  BodiesPanel panel_;
+};
+
+void TimeFeature::Pull::move(const InputEvent&) {
+  if (!pulls_ && glm::length(feature_.on_.pointer - pressed_at_) > kClickReach) {
+    pulls_ = true;
+    feature_.spring_ = spring_;
+  }
+  if (feature_.spring_) stretch(*feature_.spring_, feature_.on_.view, feature_.on_.pointer);
+}
+
+void TimeFeature::follow_queue(double seconds) {
+  flow_.advance(seconds);
+  cooling_.advance(seconds);
+  on_.cools = cooling_.flows();
+  on_.plays = play_.playing;
+  reached_.follow(play_.playing, on_.world().clock(), seconds);
+  on_.statistics.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
+  // The picture is old wherever contacts may have changed.
+  if (on_.changes.is_pending() || !on_.view.picture_old) return;
+  on_.view.look.bodies =
+      gather_body_marks(on_.world(), on_.work.document.execution().physics(), on_.view.look.show);
+}
+
+nlohmann::ordered_json heat_of(const World& world) {
+  double hottest = kAmbient;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    body.mesh.columns().for_each_set(body.heat.energy, [&](FaceId f) {
+      const Sheet& sheet = body.sheet;
+      hottest = std::max(hottest, body.heat.temperature(body.mesh, f, sheet.substance, sheet.thickness));
+    });
+  }
+  return {{"hottest", hottest}, {"emitted", world.energy().emitted}, {"absorbed", world.energy().absorbed}};
+}
+
+void TimeFeature::report(nlohmann::ordered_json& report) const {
+  const World& world = on_.world();
+  report["time"] = {
+      {"ticks", world.clock()},
+      {"playing", play_.playing},
+      {"speed", play_.speed().of_real_time},
+      {"gravity", vector_json(world.environment().gravity)},
+      {"ground", world.environment().ground ? nlohmann::ordered_json(*world.environment().ground)
+                                            : nlohmann::ordered_json(nullptr)}};
+  report["heat"] = heat_of(world);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> time_feature(Workspace& on) { return std::make_unique<TimeFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,442 @@
+#include "ui/editor/view/lights.h"
+
+#include <imgui.h>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/assert.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/view/legends.h"
+#include "ui/screen/live_picture.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+const Vec3 kWarm(1.0, 0.72, 0.42), kCool(0.72, 0.86, 1.0), kPale(1.0, 0.93, 0.82);
+
+Light sun(const Vec3& direction, const Vec3& colour, double intensity) {
+  return {Light::Kind::kDirectional, direction, colour, intensity};
+}
+
+// A lamp at a place between -1 and 1 of the world's box and as bright as a sun at `intensity` at its middle.
+Light lamp(const World::Bounds& bounds, const Vec3& place, const Vec3& colour, double intensity) {
+  const Vec3 middle = (bounds.min + bounds.max) * 0.5, half = (bounds.max - bounds.min) * 0.5;
+  const double diagonal = std::max(bounds.diagonal(), 1e-9);
+  const Vec3 at = middle + place * half;
+  const double share = std::max(glm::length(at - middle) / diagonal, 0.1);
+  return {Light::Kind::kPoint, at, colour, intensity * share * share};
+}
+
+const std::array<LightPreset, 6> kPresets{{
+    {"Workshop", "One key light from the upper left.",
+     [](const World::Bounds&) { return std::vector{Light{}}; }},
+    {"Noon", "The sun straight above.",
+     [](const World::Bounds&) {
+       return std::vector{sun({0.12, 1, 0.08}, kPale, 2.2)};
+     }},
+    {"Low sun", "Warm and grazing, with long shadows.",
+     [](const World::Bounds&) {
+       return std::vector{sun({-1, 0.32, 0.45}, kWarm, 2.6)};
+     }},
+    {"Lamp overhead", "A lamp close above.",
+     [](const World::Bounds& b) {
+       return std::vector{lamp(b, {0.5, 3.2, 0.4}, kPale, 2.2)};
+     }},
+    {"Lamp inside", "A lamp in the middle: light falls out through the holes.",
+     [](const World::Bounds& b) {
+       return std::vector{lamp(b, {0.02, 0.05, 0.02}, kWarm, 3.5)};
+     }},
+    {"Floodlights", "Four lamps around, as in a stadium.",
+     [](const World::Bounds& b) {
+       return std::vector{lamp(b, {-3, 4, 2}, kPale, 0.8), lamp(b, {3, 4, 2}, kCool, 0.7),
+                          lamp(b, {3, 4, -2}, kPale, 0.6), lamp(b, {-3, 4, -2}, kCool, 0.6)};
+     }},
+}};
+
+}  // namespace
+
+std::span<const LightPreset> light_presets() { return kPresets; }
+
+std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up) {
+  const Vec3 a = to_y_up(bounds.min, up), b = to_y_up(bounds.max, up);
+  std::vector<Light> lights = preset.lights({glm::min(a, b), glm::max(a, b)});
+  for (Light& light : lights) light.at = from_y_up(light.at, up);
+  return lights;
+}
+
+void add_light(ViewOptions& look, UpAxis up) {
+  KERF_ASSERT(look.lights.size() < kMostLights);
+  Light another;
+  another.at = from_y_up({0.7, 0.8, -0.4}, up);
+  another.intensity = 1;
+  look.shadow.inspected = look.lights.size();
+  look.lights.push_back(another);
+}
+
+void remove_light(ViewOptions& look) {
+  KERF_ASSERT(!look.lights.empty());
+  const size_t chosen = std::min(look.shadow.inspected, look.lights.size() - 1);
+  look.lights.erase(look.lights.begin() + static_cast<std::ptrdiff_t>(chosen));
+  look.shadow.inspected = 0;
+}
+
+namespace {
+
+constexpr double kReach = 12;     // screen coordinates around a handle that belong to it
+constexpr double kSphere = 0.72;  // its radius, of half the height of the picture
+
+// Around what is looked at, as large as always fits the picture.
+struct Sphere {
+  Vec3 middle;
+  double radius;
+};
+Sphere sphere_of(const CameraView& view) {
+  return {view.eye + view.forward * view.focus, kSphere * view.half_height()};
+}
+
+Vec3 place_of(const Light& light, const CameraView& view) {
+  if (light.kind == Light::Kind::kPoint) return light.at;
+  const Sphere sphere = sphere_of(view);
+  return sphere.middle + glm::normalize(light.at) * sphere.radius;
+}
+
+}  // namespace
+
+std::optional<Vec2> light_handle(const ViewState& view, size_t light) {
+  if (light >= view.look.lights.size()) return std::nullopt;
+  const FirstPicture picture(view);
+  const auto at = picture.place_of(place_of(view.look.lights[light], picture.camera()));
+  return at && view.layout.first.contains(*at) ? at : std::nullopt;
+}
+
+std::optional<size_t> light_under(const ViewState& view, Vec2 at) {
+  for (size_t i = 0; i < view.look.lights.size(); ++i) {
+    const std::optional<Vec2> handle = light_handle(view, i);
+    if (handle && glm::length(*handle - at) < kReach) return i;
+  }
+  return std::nullopt;
+}
+
+void drag_light(ViewState& view, size_t light, Vec2 to) {
+  if (light >= view.look.lights.size()) return;
+  Light& dragged = view.look.lights[light];
+  const FirstPicture picture(view);
+  if (dragged.kind == Light::Kind::kPoint) {
+    dragged.at = picture.at_depth_of(dragged.at, to);
+  } else {
+    const Sphere sphere = sphere_of(picture.camera());
+    const Vec3 now = place_of(dragged, picture.camera());
+    dragged.at =
+        glm::normalize(dragged_around(picture, sphere.middle, sphere.radius, now, to) - sphere.middle);
+  }
+  view.look.shadow.inspected = light;
+  view.picture_old = true;
+}
+
+void draw_light_handles(const ViewState& view, ImDrawList& list) {
+  for (size_t i = 0; i < view.look.lights.size(); ++i) {
+    const std::optional<Vec2> at = light_handle(view, i);
+    if (!at) continue;
+    const Light& light = view.look.lights[i];
+    const bool chosen = view.look.shadow.inspected == i;
+    const ImVec4 colour(static_cast<float>(std::sqrt(std::min(light.colour.x, 1.0))),
+                        static_cast<float>(std::sqrt(std::min(light.colour.y, 1.0))),
+                        static_cast<float>(std::sqrt(std::min(light.colour.z, 1.0))), 1);
+    list.AddCircleFilled(to_im(*at), 7.5f, IM_COL32(10, 12, 16, 170));
+    list.AddCircleFilled(to_im(*at), 5, ImGui::ColorConvertFloat4ToU32(colour));
+    list.AddCircle(to_im(*at), 9, chosen ? colours::accent() : colours::kPictureSecondary, 0, 1.5f);
+    // Rays tell the sun from a lamp.
+    for (int ray = 0; light.kind == Light::Kind::kDirectional && ray < 8; ++ray) {
+      const Vec2 out(std::cos(0.785398 * ray), std::sin(0.785398 * ray));
+      list.AddLine(to_im(*at + out * 11.0), to_im(*at + out * 15.0),
+                   chosen ? colours::accent() : colours::kPictureSecondary, 1.5f);
+    }
+  }
+}
+
+namespace {
+
+constexpr double kLeastIntensity = 0.02, kMostIntensity = 50;
+constexpr double kLeastReach = 0.25, kMostReach = 50;  // diagonals
+
+bool method_row(const char* label, const char* id, ShadowMethod& method) {
+  property(label);
+  bool changed = false;
+  const auto is = [&](const MethodWords& m) { return m.method == method; };
+  const std::span<const MethodWords> all = shadow_methods();
+  const auto found = std::find_if(all.begin(), all.end(), is);
+  KERF_ASSERT(found != all.end());
+  const MethodWords& now = *found;
+  if (begin_fitted_combo(id, now.name)) {
+    for (const MethodWords& m : all) {
+      if (ImGui::Selectable(m.name, m.method == method)) {
+        changed = m.method != method;
+        method = m.method;
+      }
+      tooltip(m.meaning);
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(now.meaning);
+  }
+  return changed;
+}
+
+bool slider_row(const Slider& slider, double& value, double low, double high, const RealFormat& format) {
+  property(slider.name);
+  return real_slider(slider, value, low, high, format);
+}
+
+bool shadow_rows(ViewState& view) {
+  ViewOptions& look = view.look;
+  ShadowOptions& shadow = look.shadow;
+  bool changed = false;
+  property("Shadows");
+  draw_switch(view, SwitchId::kShadows, "");
+  changed |= method_row("Method", "##method", shadow.method);
+  if (shadow.method != ShadowMethod::kRobust) {
+    changed |= slider_row(
+        {"Reach", "##reach",
+         "How far the paper's volumes are extruded, in sizes of the world; what lies beyond gets no "
+         "shadow.",
+         true},
+        shadow.extrusion, kLeastReach, kMostReach, "%.2g sizes");
+  }
+  property("");
+  changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
+  tooltip("Transparent black over what is in shadow, as in the paper, in place of leaving the light out.");
+  property("");
+  draw_switch(view, SwitchId::kCullBacks);
+  return changed;
+}
+
+bool compare_rows(ViewState& view, const ShadowStatistics& statistics) {
+  ShadowOptions& shadow = view.look.shadow;
+  property("Compare");
+  draw_switch(view, SwitchId::kCompare, "two methods");
+  if (!view.look.show.shadow_compare) return false;
+  bool changed = method_row("with", "##beside", shadow.beside);
+  changed |= slider_row({"Split", "##split", "Where the two meet."}, shadow.split, 0, 1, "%.2f");
+  property("");
+  ImGui::TextUnformatted(statistics.differing ? text_of("%zu pixels differ", *statistics.differing).c_str()
+                                              : "counting the pixels that differ");
+  tooltip("Pixels of the whole picture that are in shadow with one method and lit with the other.");
+  return changed;
+}
+
+void trace_rows(ViewState& view, const ShadowStatistics& statistics) {
+  property("Rays");
+  draw_switch(view, SwitchId::kTrace, "trace");
+  if (!view.look.show.shadow_reference) return;
+  property("");
+  ImGui::TextUnformatted(
+      (statistics.wrong ? text_of("%zu wrong", *statistics.wrong) : tracing_text(statistics)).c_str());
+}
+
+void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
+  if (light.kind == kind) return;
+  const Vec3 middle = (bounds.min + bounds.max) * 0.5;
+  const Vec3 way = light.kind == Light::Kind::kPoint ? light.at - middle : light.at;
+  const double length = glm::length(way);
+  const Vec3 direction = length > 0 ? way / length : Vec3(0, 1, 0);
+  light.at = kind == Light::Kind::kPoint ? middle + direction * bounds.diagonal() : direction;
+  light.kind = kind;
+}
+
+bool light_rows(Light& light, const World::Bounds& bounds) {
+  bool changed = false;
+  Light::Kind kind = light.kind;
+  if (choice_row("Kind", "##kind", kind, "Directional\0Point\0", nullptr,
+                 "Drag its handle in the picture to move it.")) {
+    choose_kind(light, kind, bounds);
+    changed = true;
+  }
+  property("Colour");
+  glm::vec3 shown = glm::sqrt(glm::clamp(glm::vec3(light.colour), 0.0f, 1.0f));
+  if (ImGui::ColorEdit3("##colour", &shown.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs)) {
+    light.colour = Vec3(shown * shown);
+    changed = true;
+  }
+  changed |= slider_row(
+      {"Intensity", "##intensity",
+       "What arrives on a surface that faces it; of a lamp at a distance of one size of the world.", true},
+      light.intensity, kLeastIntensity, kMostIntensity, "%.3g");
+  return changed;
+}
+
+bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
+  property("Preset");
+  bool changed = false;
+  if (begin_fitted_combo("##preset", "Choose")) {
+    for (const LightPreset& preset : light_presets()) {
+      if (ImGui::Selectable(preset.name)) {
+        look.lights = lights_of(preset, bounds, up);
+        look.shadow.inspected = 0;
+        changed = true;
+      }
+      tooltip(preset.meaning);
+    }
+    ImGui::EndCombo();
+  }
+  return changed;
+}
+
+// Buttons to choose a light, to add one and to take the chosen one away.
+bool choose_light(ViewOptions& look, UpAxis up) {
+  std::vector<Light>& lights = look.lights;
+  size_t& chosen = look.shadow.inspected;
+  bool changed = false;
+  for (size_t i = 0; i < lights.size(); ++i) {
+    const std::string label = " " + std::to_string(i + 1) + " ";
+    if (i > 0) ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(i == chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+    if (ImGui::Button(label.c_str())) {
+      changed = chosen != i;
+      chosen = i;
+    }
+    ImGui::PopStyleColor();
+  }
+  if (!lights.empty()) ImGui::SameLine();
+  ImGui::BeginDisabled(lights.size() >= kMostLights);
+  if (ImGui::Button("Add")) {
+    add_light(look, up);
+    changed = true;
+  }
+  tooltip("Up to four.");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(lights.empty());
+  if (ImGui::Button("Remove")) {
+    remove_light(look);
+    changed = true;
+  }
+  ImGui::EndDisabled();
+  return changed;
+}
+
+// The lights and how their shadows are cast. `bounds` are those of the world.
+void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowStatistics& statistics) {
+  ViewOptions& look = view.look;
+  bool changed = choose_light(look, view.camera.up_axis());
+  if (begin_properties("light")) {
+    changed |= preset_row(look, bounds, view.camera.up_axis());
+    if (look.shadow.inspected < look.lights.size())
+      changed |= light_rows(look.lights[look.shadow.inspected], bounds);
+    changed |= shadow_rows(view);
+    changed |= compare_rows(view, statistics);
+    trace_rows(view, statistics);
+    end_properties();
+  }
+  if (changed) view.picture_old = true;
+}
+
+constexpr const char* kLightPanel = "Light";
+
+class LightFeature : public Feature {
+ public:
+  explicit LightFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kLightPanel, Tab::kLook, 1310, false,
+             [this] { draw_light_panel(on_.view, on_.world().bounds(), on_.statistics.shadows); }}};
+  }
+  std::vector<ActionGroup> actions() override { return {{1300, "Light", light_actions()}}; }
+  std::vector<Gesture> gestures() const override {
+    return {{130, "Left drag on a light", "Move it, while the Light panel is open"}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press&) override {
+    const auto light = light_under(on_.view, on_.pointer);
+    if (!light || !shows_handles()) return nullptr;
+    return std::make_unique<PlainDrag>("Moving a light", [this, light = *light](const InputEvent&) {
+      drag_light(on_.view, light, on_.pointer);
+    });
+  }
+
+  void forget() override { on_.view.look.shadow.inspected = 0; }
+
+  void draw_marks(ImDrawList& list) override {
+    if (shows_handles() && !on_.cutting()) draw_light_handles(on_.view, list);
+  }
+  void mark(Landmarks& landmarks) const override {
+    for (size_t i = 0; i < on_.view.look.lights.size() && shows_handles(); ++i) {
+      if (const auto handle = light_handle(on_.view, i))
+        landmarks.mark("light " + std::to_string(i), {*handle, Vec2(0)});
+    }
+  }
+  // Where each light is, and its handle in the window where that is shown.
+  void report(nlohmann::ordered_json& report) const override {
+    nlohmann::ordered_json& all = report["lights"] = nlohmann::ordered_json::array();
+    for (size_t i = 0; i < on_.view.look.lights.size(); ++i) {
+      const Vec3& at = on_.view.look.lights[i].at;
+      nlohmann::ordered_json light{{"at", {at.x, at.y, at.z}}};
+      const auto handle = light_handle(on_.view, i);
+      if (handle && shows_handles()) light["handle"] = {handle->x, handle->y};
+      all.push_back(light);
+    }
+    const auto& wrong = on_.statistics.shadows.wrong;
+    report["pixels_that_rays_have_otherwise"] =
+        wrong ? nlohmann::ordered_json(*wrong) : nlohmann::ordered_json();
+  }
+
+ private:
+  bool shows_handles() const { return on_.panels.shows(kLightPanel); }
+  std::vector<UserAction> light_actions();
+  std::vector<UserAction> presets();
+
+  Workspace& on_;
+};
+
+std::vector<UserAction> LightFeature::presets() {
+  std::vector<UserAction> actions;
+  for (const LightPreset& preset : light_presets()) {
+    actions.push_back({.name = preset.name, .tip = preset.meaning});
+    actions.back().run = [&on = on_, &preset] {
+      ViewOptions& look = on.view.look;
+      look.lights = lights_of(preset, on.world().bounds(), on.view.camera.up_axis());
+      look.shadow.inspected = 0;
+      on.view.picture_old = true;
+    };
+  }
+  return actions;
+}
+
+std::vector<UserAction> LightFeature::light_actions() {
+  ViewState& view = on_.view;
+  ViewOptions& look = view.look;
+  UserAction add = picture_action(view, "Add a light",
+                                  "A directional light; its handle is dragged while the Light panel is open.",
+                                  [&view] { add_light(view.look, view.camera.up_axis()); });
+  add.why_not = [&look] {
+    return look.lights.size() < kMostLights ? nullptr : "There are four lights already.";
+  };
+  UserAction remove = picture_action(view, "Remove the chosen light", "The one that the Light panel shows.",
+                                     [&look] { remove_light(look); });
+  remove.why_not = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
+  UserAction next =
+      picture_action(view, "Next light", "Chooses the light whose values the Light panel shows.", [&look] {
+        KERF_ASSERT(!look.lights.empty());
+        look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
+      });
+  next.why_not = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
+  return {UserAction{.name = "Light preset", .items = [this] { return presets(); }, .in_menu = false}, add,
+          remove, next,
+          flag_action(view, "Shadows: paper look", look.shadow.paper_look,
+                      "Transparent black over what is in shadow, in place of leaving the light out.")};
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> light_feature(Workspace& on) { return std::make_unique<LightFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,340 @@
+#include "ui/editor/view/section.h"
+
+#include <imgui.h>
+#include <array>
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/base/assert.h"
+#include "core/base/geometry.h"
+#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/window/number_fields.h"
+#include "ui/window/property_rows.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kNormalEms = 6.5, kTiltEms = 4.4;  // length and radius
+constexpr double kMargin = 1.06;                    // of the frame around the world
+constexpr ImU32 kColour = IM_COL32(0xbc, 0xdd, 0xff, 255), kFaint = IM_COL32(0xbc, 0xdd, 0xff, 90);
+constexpr ImU32 kDark = IM_COL32(10, 12, 16, 150);
+
+constexpr double kSmallAngle = 1e-4;  // radians, over which the grip's way in the picture is taken
+constexpr double kLeastWay2 = 1e-6;   // of the grip in the picture, for a radian, squared
+constexpr double kLeastLevel = 1e-6;  // sine of the angle between the normal and upwards
+
+Vec3 upwards(UpAxis up) { return up == UpAxis::kY ? Vec3(0, 1, 0) : Vec3(0, 0, 1); }
+
+// As wide as high, so that lengths and angles are those on the screen.
+Vec2 on_screen(const CameraView& view, const Vec3& seen) { return {seen.x * view.aspect, seen.y}; }
+
+// Half of what a box takes up along a unit vector.
+double half_size(const World::Bounds& bounds, const Vec3& along) {
+  return 0.5 * glm::dot(glm::abs(along), bounds.max - bounds.min);
+}
+
+// The rectangle of the plane that the world's box fits in.
+void draw_frame(const FirstPicture& picture, const SectionPlane& plane, const World::Bounds& bounds,
+                ImDrawList& list) {
+  const PlaneAxes axes = axes_of(plane, picture.camera().up_axis);
+  const Vec3 box = bounds.min + 0.5 * (bounds.max - bounds.min);
+  const Vec3 middle = box - plane.normal * plane.height_of(box);
+  const Vec3 u = axes.level * (kMargin * half_size(bounds, axes.level));
+  const Vec3 v = axes.steep * (kMargin * half_size(bounds, axes.steep));
+  std::array<ImVec2, 4> corners;
+  const std::array<Vec3, 4> points{middle - u - v, middle + u - v, middle + u + v, middle - u + v};
+  for (size_t i = 0; i < 4; ++i) {
+    const auto at = picture.place_of(points[i]);
+    if (!at) return;
+    corners[i] = to_im(*at);
+  }
+  list.AddPolyline(corners.data(), 4, kDark, ImDrawFlags_Closed, 2.6f);
+  list.AddPolyline(corners.data(), 4, kFaint, ImDrawFlags_Closed, 1.2f);
+}
+
+// A half ring around an axis in the plane. The rings of both axes cross in their middles, so that their names
+// stand for other points.
+SectionHandle ring(const FirstPicture& picture, const SectionPlane& plane, const Vec3& axis, const char* name,
+                   SectionDrag::Kind kind) {
+  const Vec3 v = glm::cross(axis, plane.normal);
+  return {{picture, name, gizmo_ring(picture, plane.point, plane.normal, v, kTiltEms), kGizmoRing / 4}, kind};
+}
+
+}  // namespace
+
+PlaneAxes axes_of(const SectionPlane& plane, UpAxis up) {
+  KERF_ASSERT(is_unit(plane.normal));
+  const Vec3 level = glm::cross(upwards(up), plane.normal);
+  const double sine = glm::length(level);
+  const Vec3 unit = sine > kLeastLevel ? level / sine : Vec3(1, 0, 0);
+  return {unit, glm::normalize(glm::cross(plane.normal, unit))};
+}
+
+SectionDrag::SectionDrag(Kind kind, const SectionPlane& from, const CameraView& view, Vec2 pointer,
+                         const Vec3& grip)
+    : kind_(kind), from_(from), view_(view), began_(pointer), grip_(grip) {}
+
+SectionPlane SectionDrag::to(Vec2 pointer) const {
+  return kind_ == Kind::kMove ? moved(pointer) : turned(pointer);
+}
+
+SectionPlane SectionDrag::moved(Vec2 pointer) const {
+  const double way = dragged_along(view_.ray(began_.x, began_.y), view_.ray(pointer.x, pointer.y),
+                                   from_.point, from_.normal);
+  return {from_.point + from_.normal * way, from_.normal};
+}
+
+// The grip goes along the tangent of its circle: the angle is the share of the pointer's way along the
+// tangent as it is seen.
+SectionPlane SectionDrag::turned(Vec2 pointer) const {
+  const PlaneAxes axes = axes_of(from_, view_.up_axis);
+  const Vec3 axis = kind_ == Kind::kTilt ? axes.level : axes.steep;
+  const Vec3 tangent = glm::cross(axis, grip_ - from_.point);
+  const Vec3 here = view_.project(grip_), there = view_.project(grip_ + tangent * kSmallAngle);
+  if (here.z <= 0 || there.z <= 0) return from_;
+  const Vec2 way = (on_screen(view_, there) - on_screen(view_, here)) / kSmallAngle;
+  const double way2 = glm::dot(way, way);
+  if (way2 < kLeastWay2) return from_;
+  const Vec2 moved = (pointer - began_) * Vec2(view_.aspect, 1);
+  const glm::dquat turn = glm::angleAxis(glm::dot(moved, way) / way2, axis);
+  return {from_.point, glm::normalize(turn * from_.normal)};
+}
+
+std::vector<SectionHandle> section_handles(const ViewState& view) {
+  const SectionPlane* plane = shown_section(view.look);
+  const FirstPicture picture(view);
+  if (plane == nullptr || !picture.place_of(plane->point)) return {};
+  const PlaneAxes axes = axes_of(*plane, picture.camera().up_axis);
+  return {ring(picture, *plane, axes.level, "section tilt", SectionDrag::Kind::kTilt),
+          ring(picture, *plane, axes.steep, "section swing", SectionDrag::Kind::kSwing),
+          {{picture, "section move", gizmo_arrow(picture, plane->point, plane->normal, kNormalEms), 1},
+           SectionDrag::Kind::kMove}};
+}
+
+std::optional<SectionDrag> section_drag_at(const ViewState& view, Vec2 at) {
+  if (!view.layout.first.contains(at)) return std::nullopt;
+  const auto handle = handle_under(section_handles(view), at);
+  if (!handle) return std::nullopt;
+  return SectionDrag(handle->kind, *view.look.section, view.seen_first(), view.in_first(at),
+                     nearest_point(*handle, at).point);
+}
+
+void draw_section(const ViewState& view, const World::Bounds& bounds, std::optional<Vec2> pointer,
+                  const std::optional<SectionDrag>& dragged, ImDrawList& list) {
+  const std::vector<SectionHandle> handles = section_handles(view);
+  if (handles.empty()) return;
+  draw_frame(FirstPicture(view), *view.look.section, bounds, list);
+  const auto under = pointer && !dragged ? handle_under(handles, *pointer) : std::nullopt;
+  for (const SectionHandle& handle : handles) {
+    const bool held = dragged ? dragged->kind() == handle.kind : under && under->kind == handle.kind;
+    draw_handle(handle, view.layout.em, held ? colours::accent() : kColour, list);
+  }
+}
+
+namespace {
+
+// Edits, by buttons and by name
+// --------------------------------------------------------------------------------------------------------
+
+// Each edit ends with the plane shown.
+void show(ViewState& view, const SectionPlane& plane) {
+  view.look.section = plane;
+  view.look.show.section = true;
+  view.picture_old = true;
+}
+
+// Sets the plane through the middle of the world if it is shown and stands nowhere yet.
+void place_section(ViewState& view, const World& world) {
+  if (!view.look.show.section || view.look.section || world.ids().empty()) return;
+  show(view, section_through(world.bounds(), -view.seen_first().forward));
+}
+
+// Shows what was taken away, and takes away what was shown.
+void flip_section(ViewState& view) {
+  KERF_ASSERT(view.look.section);
+  show(view, {view.look.section->point, -view.look.section->normal});
+}
+
+// Turns the plane about its point: across an axis of the world (0: X, 1: Y, 2: Z), with the eye on the side
+// that is taken away, or parallel to the picture. Precondition: the plane is placed.
+void turn_section_across(ViewState& view, int axis) {
+  KERF_ASSERT(view.look.section && axis >= 0 && axis < 3);
+  Vec3 normal(0);
+  normal[axis] = view.seen_first().forward[axis] > 0 ? -1 : 1;
+  show(view, {view.look.section->point, normal});
+}
+
+void turn_section_to_view(ViewState& view) {
+  KERF_ASSERT(view.look.section);
+  show(view, {view.look.section->point, -view.seen_first().forward});
+}
+
+// The plane as text in the clipboard, and back; see section_text().
+void copy_section(const ViewState& view, Message& message) {
+  KERF_ASSERT(view.look.section);
+  ImGui::SetClipboardText(section_text(*view.look.section).c_str());
+  message.say("The section plane is in the clipboard as text, as kerf render --section takes it");
+}
+
+void paste_section(ViewState& view, Message& message) {
+  const char* text = ImGui::GetClipboardText();
+  const Result<SectionPlane> plane = parse_section(text != nullptr ? text : "");
+  if (!plane) return message.say("The clipboard holds no section plane: " + plane.error().message, true);
+  show(view, *plane);
+  message.say("");
+}
+
+// The panel
+// --------------------------------------------------------------------------------------------------------
+
+bool button(const char* name, const char* landmark, const char* meaning, bool first = false) {
+  if (!first) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool clicked = ImGui::Button(name);
+  mark_last_item(landmark);
+  tooltip(meaning);
+  return clicked;
+}
+
+void draw_turns(ViewState& view) {
+  property("Turn");
+  if (button("X", "section X", "Across the X axis.", true)) turn_section_across(view, 0);
+  if (button("Y", "section Y", "Across the Y axis.")) turn_section_across(view, 1);
+  if (button("Z", "section Z", "Across the Z axis.")) turn_section_across(view, 2);
+  if (button("View", "section view", "Parallel to the picture.")) turn_section_to_view(view);
+  if (button("Flip", "section flip", "Shows the other side.")) flip_section(view);
+}
+
+void draw_text(ViewState& view, Message& message) {
+  property("As text");
+  if (button("Copy", "section copy", "To the clipboard, as kerf render --section takes it.", true))
+    copy_section(view, message);
+  if (button("Paste", "section paste", "From the clipboard.")) paste_section(view, message);
+}
+
+// The feature
+// --------------------------------------------------------------------------------------------------------
+
+// Moves or turns the plane by one of its handles.
+class DragOfPlane : public Interaction {
+ public:
+  DragOfPlane(Workspace& on, SectionDrag drag) : on_(on), drag_(std::move(drag)) {}
+
+  const SectionDrag& drag() const { return drag_; }
+  void move(const InputEvent&) override { show(on_.view, drag_.to(on_.view.in_picture(on_.pointer))); }
+  bool cancel() override {
+    show(on_.view, drag_.from());
+    return true;
+  }
+  const char* words() const override {
+    return drag_.kind() == SectionDrag::Kind::kMove ? "Moving the section plane"
+                                                    : "Turning the section plane";
+  }
+
+ private:
+  Workspace& on_;
+  SectionDrag drag_;
+};
+
+using Edit = std::function<void(ViewState&)>;
+
+// The plane is shown first, where it is not.
+UserAction edit_action(Workspace& on, const char* name, const char* tip, Edit edit) {
+  UserAction action{.name = name, .tip = tip, .in_menu = false};
+  action.run = [&on, edit = std::move(edit)] {
+    on.view.look.show.section = true;
+    place_section(on.view, on.world());
+    if (on.view.look.section) edit(on.view);
+  };
+  return action;
+}
+
+UserAction across(Workspace& on, const char* name, int axis) {
+  return edit_action(on, name, "Turns the section plane about its point; what is towards the eye goes.",
+                     [axis](ViewState& view) { turn_section_across(view, axis); });
+}
+
+class SectionFeature : public Feature {
+ public:
+  explicit SectionFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{"View", Tab::kLook, 1000, true, [this] { draw_rows(); }}};
+  }
+
+  std::vector<ActionGroup> actions() override {
+    return {{1500,
+             "View",
+             {edit_action(on_, "Section plane: flip", "Shows the other side.", flip_section),
+              across(on_, "Section plane: across X", 0), across(on_, "Section plane: across Y", 1),
+              across(on_, "Section plane: across Z", 2),
+              edit_action(on_, "Section plane: parallel to the picture", "Turns it about its point.",
+                          turn_section_to_view),
+              edit_action(on_, "Section plane: copy", "As text, as kerf render --section takes it.",
+                          [this](ViewState& view) { copy_section(view, on_.message); }),
+              UserAction{.name = "Section plane: paste",
+                         .tip = "Sets it as the text in the clipboard says.",
+                         .run = [this] { paste_section(on_.view, on_.message); },
+                         .in_menu = false}}}};
+  }
+
+  std::vector<Gesture> gestures() const override {
+    return {{120, "Left drag on the section plane's handles", "Move it along its normal, or turn it"}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press&) override {
+    auto drag = section_drag_at(on_.view, on_.pointer);
+    return drag ? std::make_unique<DragOfPlane>(on_, std::move(*drag)) : nullptr;
+  }
+
+  void advance(double) override { place_section(on_.view, on_.world()); }
+
+  void forget() override {
+    on_.view.look.section.reset();
+    on_.view.look.show.section = false;
+  }
+
+  void draw_marks(ImDrawList& list) override {
+    if (on_.cutting()) return;
+    const auto* held = dynamic_cast<const DragOfPlane*>(on_.held.get());
+    draw_section(on_.view, on_.world().bounds(), on_.points() ? std::optional(on_.pointer) : std::nullopt,
+                 held != nullptr ? std::optional(held->drag()) : std::nullopt, list);
+  }
+
+  void mark(Landmarks& landmarks) const override { mark_handles(section_handles(on_.view), landmarks); }
+
+ private:
+  void draw_rows();
+
+  Workspace& on_;
+  NumberFields fields_;
+};
+
+// Rows of the panel while the plane is shown: its point and its normal as numbers that can be typed, in the
+// numbers of the file, and buttons that flip, turn, copy and paste it.
+void SectionFeature::draw_rows() {
+  ViewState& view = on_.view;
+  if (shown_section(view.look) == nullptr || !begin_properties("section plane")) return;
+  SectionPlane plane = *view.look.section;
+  bool typed = fields_.vector("Section", plane.point, "%.5g",
+                              "X, Y and Z of the point that the plane goes through and turns about.",
+                              file_unit(view.frame.unit), on_.world().loaded_bounds().diagonal());
+  typed |= fields_.vector("Normal", plane.normal, "%.4g",
+                          "The direction that the plane faces, of any length. What lies on this side is not "
+                          "drawn.");
+  if (typed && plane.normal != Vec3(0)) {
+    view.look.section = SectionPlane::facing(plane.point, plane.normal);
+    view.picture_old = true;
+  }
+  draw_turns(view);
+  draw_text(view, on_.message);
+  end_properties();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> section_feature(Workspace& on) { return std::make_unique<SectionFeature>(on); }
+
+}  // namespace kerf

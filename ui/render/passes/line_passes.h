@@ -1,0 +1,83 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/world/world.h"
+#include "ui/gl/buffers.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/view/frame_space.h"
+#include "ui/render/view/view_options.h"
+
+namespace kerf {
+
+// Draws boxes of the tree and normals of faces as thin coloured lines with a dark outline. The lines of a
+// body are collected again when it has changed and is shown, in time linear in its size.
+class LineOverlay {
+ public:
+  explicit LineOverlay(Shaders& shaders);
+
+  // Discards all collected lines.
+  void forget() { gathered_.clear(); }
+  // Discards the collected lines of one body.
+  void forget(BodyId id) { gathered_.erase(id); }
+  void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
+            const glm::mat4& clip_from_frame, const ViewOptions& options);
+
+ private:
+  struct Stick {
+    glm::vec3 from, to;
+  };
+  // The lines of one body.
+  struct Gathered {
+    std::vector<BoxLine> all_boxes;
+    gl::Stream<BoxLine> boxes{
+        gl::ItemsAre::kInstances,
+        {{3, offsetof(BoxLine, low)}, {3, offsetof(BoxLine, high)}, {2, offsetof(BoxLine, style)}}};
+    gl::Stream<Stick> sticks{gl::ItemsAre::kInstances,
+                             {{3, offsetof(Stick, from)}, {3, offsetof(Stick, to)}}};
+    ShowOptions shown;
+    TreeOverlay tree;
+  };
+  void gather(Gathered& lines, const Body& body, const FloatFrame& frame, const ViewOptions& options) const;
+  std::vector<BoxLine> gather_boxes(const Body& body, const FloatFrame& frame, const TreeOverlay& tree) const;
+  std::vector<Stick> gather_normals(const Body& body, const FloatFrame& frame) const;
+
+  gl::Program box_, stick_;
+  std::map<BodyId, Gathered> gathered_;
+};
+
+// Draws ViewOptions::wire over the surfaces that are there. What lies deeper below a surface than
+// DrawnWire::depth is not seen.
+class WirePass {
+ public:
+  explicit WirePass(Shaders& shaders);
+
+  // Draws over the bound picture, whose depth buffer is used. The edges are sent once for each wire.
+  void draw(const Subject& subject, const FrameUniforms& frame);
+
+ private:
+  using Edges = gl::Stream<DrawnWire::Edge>;
+
+  void send(std::shared_ptr<const DrawnWire> wire);
+
+  gl::Program program_;
+  std::shared_ptr<const DrawnWire> sent_;
+  std::vector<Edges> edges_;  // by part of the wire that was sent
+};
+
+// Draws a line where the section plane cuts faces.
+class SectionPass {
+ public:
+  explicit SectionPass(Shaders& shaders);
+
+  // Draws over the bound picture, whose depth is that of the bodies. Costs nothing without a section plane.
+  // Precondition: the uniform block of the frame is bound.
+  void draw(const Subject& subject, int height) const;
+
+ private:
+  gl::Program line_;
+};
+
+}  // namespace kerf

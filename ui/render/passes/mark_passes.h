@@ -1,0 +1,106 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/graph/drawn_graph.h"
+#include "ui/gl/buffers.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/bodies/overlay_marks.h"
+#include "ui/render/view/colours.h"
+
+namespace kerf {
+
+// Draws lines of any colours, each with a dark one under it, so that they show on anything.
+class ColouredLines {
+ public:
+  explicit ColouredLines(Shaders& shaders);
+
+  struct Line {
+    glm::vec3 from, to;  // in the coordinates of FrameSpace
+    glm::vec4 colour;
+  };
+  // What a section plane leaves of a line: all or nothing, by its middle, or a part of it.
+  enum class AtSection { kWhole, kPart };
+  // `half_width` is in pixels of a picture of usual height; see line.glsl. Precondition: blending
+  // is switched on.
+  void draw(std::span<const Line> lines, float half_width, AtSection section = AtSection::kWhole);
+
+ private:
+  gl::Program program_;
+  gl::Stream<Line> lines_{gl::ItemsAre::kInstances,
+                          {{3, offsetof(Line, from)}, {3, offsetof(Line, to)}, {4, offsetof(Line, colour)}}};
+};
+
+// Draws the marks of ViewOptions::bodies over everything: contacts as their normals, the redder the larger
+// the impulse; colliders as chords and small crosses at their points; centres of mass as crosses, coloured by
+// whether the body moves, sleeps or is pinned; joints as their axes, hubs with a circle around it, and welds
+// as crosses.
+class BodyPass {
+ public:
+  explicit BodyPass(Shaders& shaders);
+
+  // Draws over the bound picture. Precondition: the uniform block of the frame is bound.
+  void draw(const Subject& subject, double diagonal);
+
+ private:
+  ColouredLines lines_;
+};
+
+// The colour of a kind of marks as 0xrrggbb (sRGB).
+uint32_t colour_of(StageMarks::Kind kind);
+
+// Draws what a stage of a cut did: translucent faces and volumes, and lines around faces and boxes. What a
+// surface hides is not seen, except for the box that was visited last.
+class StagePass {
+ public:
+  explicit StagePass(Shaders& shaders);
+
+  // Draws ViewOptions::stage over the bound picture, whose depth buffer is used. O(marks).
+  void draw(const Subject& subject);
+
+ private:
+  struct Corner {
+    glm::vec3 at;
+    glm::vec4 colour;
+  };
+  void draw_fills(const std::vector<Corner>& corners);
+
+  gl::Program fills_;
+  ColouredLines lines_;
+  gl::Stream<Corner> corners_{gl::ItemsAre::kVertices,
+                              {{3, offsetof(Corner, at)}, {4, offsetof(Corner, colour)}}};
+};
+
+// The colour of a node of the component graph as 0xrrggbb (sRGB).
+uint32_t colour_of(DrawnGraph::State state);
+
+// Draws a component graph on the faces whose graph it is: a disc on the middle of each face and a line over
+// each shared edge, and a line along each loop of removed faces; what a surface hides is not seen. Also the
+// outline of the face that is lit.
+class GraphPass {
+ public:
+  explicit GraphPass(Shaders& shaders);
+
+  // Draws over the bound picture, whose depth buffer is used, what the subject's options say. O(nodes).
+  void draw(const Subject& subject, const FrameUniforms& frame);
+
+ private:
+  struct Disc {
+    glm::vec3 middle;
+    float radius;
+    glm::vec4 colour;
+  };
+  void draw_graph(const Subject& subject, const DrawnGraph& graph, const FrameUniforms& frame);
+  void draw_loops(const Subject& subject, const DrawnGraph& graph);
+  void draw_lit_face(const Subject& subject);
+  void draw_discs(const std::vector<Disc>& discs);
+
+  ColouredLines links_;
+  gl::Program nodes_;
+  gl::Stream<Disc> discs_{
+      gl::ItemsAre::kInstances,
+      {{3, offsetof(Disc, middle)}, {1, offsetof(Disc, radius)}, {4, offsetof(Disc, colour)}}};
+};
+
+}  // namespace kerf

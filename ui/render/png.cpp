@@ -1,0 +1,119 @@
+#include "ui/render/png.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "core/base/assert.h"
+#include "core/base/platform.h"
+
+#define STBI_ONLY_PNG
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb_image.h>
+#include <stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace kerf {
+
+namespace {
+
+std::array<uint8_t, 3> mean_colour(const Pixels& all, int left, int right, int top, int bottom) {
+  std::array<unsigned, 3> sum{};
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) {
+      const size_t at =
+          3 * (static_cast<size_t>(y) * static_cast<size_t>(all.width) + static_cast<size_t>(x));
+      for (size_t c = 0; c < 3; ++c) sum[c] += all.rgb[at + c];
+    }
+  }
+  const auto pixels = static_cast<unsigned>((right - left) * (bottom - top));
+  std::array<uint8_t, 3> mean{};
+  for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<uint8_t>((sum[c] + pixels / 2) / pixels);
+  return mean;
+}
+
+}  // namespace
+
+Pixels read_pixels(unsigned framebuffer, int width, int height) {
+  Pixels pixels{width, height,
+                std::vector<uint8_t>(3 * static_cast<size_t>(width) * static_cast<size_t>(height))};
+  const size_t row = 3 * static_cast<size_t>(width);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.rgb.data());
+  for (size_t low = 0, high = static_cast<size_t>(height); low + 1 < high--; ++low) {
+    std::swap_ranges(pixels.rgb.begin() + static_cast<std::ptrdiff_t>(low * row),
+                     pixels.rgb.begin() + static_cast<std::ptrdiff_t>((low + 1) * row),
+                     pixels.rgb.begin() + static_cast<std::ptrdiff_t>(high * row));
+  }
+  return pixels;
+}
+
+Pixels cut_out(const Pixels& all, int x, int y, int width, int height) {
+  KERF_ASSERT(x >= 0 && x < all.width && y >= 0 && y < all.height && width > 0 && height > 0);
+  Pixels part{std::min(width, all.width - x), std::min(height, all.height - y), {}};
+  for (int row = y; row < y + part.height; ++row) {
+    const auto from = all.rgb.begin() + std::ptrdiff_t{3} * (std::ptrdiff_t{row} * all.width + x);
+    part.rgb.insert(part.rgb.end(), from, from + std::ptrdiff_t{3} * part.width);
+  }
+  return part;
+}
+
+Pixels shrunk(const Pixels& all, int width, int height) {
+  KERF_ASSERT(all.width > 0 && all.height > 0 && width > 0 && height > 0);
+  const double scale =
+      std::min(static_cast<double>(all.width) / width, static_cast<double>(all.height) / height);
+  const auto wide = std::max(1, static_cast<int>(width * scale));
+  const auto high = std::max(1, static_cast<int>(height * scale));
+  const Pixels part = cut_out(all, (all.width - wide) / 2, (all.height - high) / 2, wide, high);
+  Pixels small{std::min(width, wide), std::min(height, high), {}};
+  for (int y = 0; y < small.height; ++y) {
+    const int top = y * high / small.height, bottom = (y + 1) * high / small.height;
+    for (int x = 0; x < small.width; ++x) {
+      const int left = x * wide / small.width, right = (x + 1) * wide / small.width;
+      for (const uint8_t channel : mean_colour(part, left, right, top, bottom)) small.rgb.push_back(channel);
+    }
+  }
+  return small;
+}
+
+std::filesystem::path frame_file(const std::filesystem::path& folder, size_t frame) {
+  char name[40];
+  std::snprintf(name, sizeof name, "frame-%05zu.png", frame);
+  return folder / name;
+}
+
+Status write_png(const Pixels& pixels, const std::filesystem::path& file) {
+  KERF_ASSERT(pixels.rgb.size() ==
+              3 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
+  std::string bytes;
+  const auto append = [](void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
+  };
+  if (!stbi_write_png_to_func(append, &bytes, pixels.width, pixels.height, 3, pixels.rgb.data(),
+                              3 * pixels.width)) {
+    return failed(file.string() + ": the picture cannot be packed");
+  }
+  return write_file_atomically(file, bytes);
+}
+
+std::optional<Pixels> read_png(const std::filesystem::path& file) {
+  Pixels pixels;
+  int channels = 0;
+  uint8_t* data = stbi_load(file.c_str(), &pixels.width, &pixels.height, &channels, 3);
+  if (data == nullptr) return std::nullopt;
+  pixels.rgb.assign(data, data + 3 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
+  stbi_image_free(data);
+  return pixels;
+}
+
+}  // namespace kerf

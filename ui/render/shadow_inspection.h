@@ -1,0 +1,133 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/shadow/shadow_rays.h"
+#include "ui/gl/framebuffer.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/passes/face_numbers.h"
+#include "ui/render/passes/ground_pass.h"
+#include "ui/render/shadow_pass.h"
+
+namespace kerf {
+
+// For each pixel of a picture the visible face and the stencil count of a shadow. Rows start at the bottom.
+struct ShadowCounts {
+  int width = 0, height = 0;
+  std::vector<uint32_t> faces;   // lower 24 bits: slot; upper 8: number of the body from 1; 0: sky
+  std::vector<uint8_t> stencil;  // lit where 0
+
+  static constexpr uint32_t kGround = 0xff000000u;
+  static uint32_t mark(uint32_t body, uint32_t slot) { return (body % 127 + 1) << 24 | (slot & 0xffffffu); }
+};
+
+// Renders the visible faces and the stencil counts with one sample per pixel and reads both back.
+class ShadowProbe {
+ public:
+  explicit ShadowProbe(Shaders& shaders);
+
+  // If `ground` is null, only bodies are visible. Changes the bound framebuffer. Precondition: the uniform
+  // block of the frame is bound and matches the size, which is positive.
+  ShadowCounts look(const Subject& subject, ShadowPass& shadows, size_t light, ShadowMethod method,
+                    const GroundPass* ground, int width, int height);
+
+ private:
+  void draw_marks(const Subject& subject, const GroundPass* ground) const;
+
+  gl::Program faces_, ground_;
+  std::optional<gl::Framebuffer> picture_;
+};
+
+// The number of pixels that are lit in only one of two pictures. Precondition: they have the same size.
+size_t differing_pixels(const ShadowCounts& a, const ShadowCounts& b);
+
+// A ray tracer for what a picture shows: all bodies in the order of their ids, pieces at their drawn
+// positions.
+ShadowRays rays_through(const Subject& subject);
+
+// Traces the shadows of a picture pixel by pixel, in rows from the bottom, in several calls.
+class ShadowReference {
+ public:
+  // `near`: distance of the near plane along the view's forward axis, m; `ground`: its height (m) if it is
+  // visible and receives shadows. What `section` takes away is not seen and casts shadows.
+  // Precondition: the size is positive.
+  ShadowReference(ShadowRays rays, const CameraView& view, double near,
+                  const std::optional<SectionPlane>& section, const Light& light,
+                  std::optional<double> ground, int width, int height);
+
+  // Traces whole rows, at least `pixels` pixels or all that are left.
+  void trace(size_t pixels);
+  bool done() const { return row_ == height_; }
+  double share_done() const { return static_cast<double>(row_) / height_; }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  // For each pixel the visible face as in ShadowCounts::faces and the number of surfaces that occlude the
+  // light; 0 in rows that are not traced yet.
+  const std::vector<uint32_t>& faces() const { return faces_; }
+  const std::vector<int>& occluders() const { return occluders_; }
+
+ private:
+  std::optional<ShadowRays::Seen> look(const Pose& ray) const;
+  void trace_pixel(int x, int y);
+
+  ShadowRays rays_;
+  CameraView view_;
+  double near_;
+  std::optional<SectionPlane> section_;
+  Light light_;
+  std::optional<double> ground_;
+  int width_, height_, row_ = 0;
+  std::vector<uint32_t> faces_;
+  std::vector<int> occluders_;
+};
+
+// The number of pixels that show the same face in both and are lit in only one. Rows that are not traced yet
+// do not count. Precondition: the pictures have the same size.
+size_t differing_pixels(const ShadowCounts& drawn, const ShadowReference& traced);
+
+// Draws ray-traced shadows over a picture: dark where the light is occluded, pale where it is not, and
+// magenta where the shadow volumes, counted with one sample per pixel, disagree. Rows that are not traced yet
+// stay unchanged.
+class ReferencePass {
+ public:
+  explicit ReferencePass(Shaders& shaders);
+
+  // Draws over the whole bound framebuffer. Precondition: both are of pictures of the same size.
+  void draw(const ShadowReference& traced, const ShadowCounts& drawn) const;
+
+ private:
+  gl::Program overlay_;
+  gl::Texture picture_;
+  gl::NoVertices no_vertices_;
+};
+
+// Draws the construction of shadow volumes over a picture: the silhouette in blue, thin and light for
+// multiplicity 1, stronger for 2 and violet above; the volumes as sheets and wire, blue from outside and
+// orange from inside; the stencil counts as a heat map; polygons that face the light in pale yellow and those
+// that face away in dark blue. A legend at the lower left explains the colours.
+class ShadowOverlay {
+ public:
+  explicit ShadowOverlay(Shaders& shaders);
+
+  // Draws for the light that the options inspect, over a picture whose depth is kept; its stencil is
+  // overwritten.
+  void draw(const Subject& subject, ShadowPass& shadows, FaceNumbers& numbers,
+            const gl::Framebuffer& picture) const;
+
+ private:
+  struct Inspected;
+  void draw_facing(const Inspected& seen) const;
+  void draw_counts(const Inspected& seen, FaceNumbers& numbers) const;
+  void draw_volumes(const Inspected& seen) const;
+  void draw_silhouette(const Inspected& seen, FaceNumbers& numbers) const;
+  void draw_lines(const Inspected& seen, float half_width, float reach,
+                  std::span<const glm::vec4> colours) const;
+
+  gl::Program line_, sheet_, facing_, solid_;
+  gl::NoVertices no_vertices_;
+};
+
+}  // namespace kerf

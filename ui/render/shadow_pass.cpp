@@ -1,0 +1,408 @@
+#include "ui/render/shadow_pass.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+
+#include "core/base/assert.h"
+#include "ui/gl/buffers.h"
+#include "ui/gl/draw_state.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/bodies/face_slots.h"
+
+namespace kerf {
+
+LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
+                          const BodyLooks& looks) {
+  const auto seen_from = [&](const PieceLook& look) -> LightPoint {
+    const Vec3 at = light.kind == Light::Kind::kDirectional ? light.at : light.at - look.offset;
+    const Vec3 before = look.is_turned() ? glm::conjugate(look.turn) * at : at;
+    if (light.kind == Light::Kind::kDirectional) return {glm::conjugate(placement.orientation) * before, 0};
+    return {frame.scaled(placement.to_body(before)), 1};
+  };
+  LightOnBody on{seen_from(PieceLook()), {}};
+  for (const auto& [group, look] : looks.by_group()) {
+    const bool sees_otherwise =
+        look.is_turned() || (light.kind == Light::Kind::kPoint && look.offset != Vec3(0));
+    if (!look.hidden && !sees_otherwise) continue;
+    if (on.pieces.size() <= group) on.pieces.resize(group + 1, on.light);
+    on.pieces[group] = look.hidden ? std::nullopt : std::optional(seen_from(look));
+  }
+  return on;
+}
+
+glm::vec4 light_in_frame(const Light& light, const FrameSpace& space) {
+  KERF_ASSERT(light.kind != Light::Kind::kDirectional || light.at != Vec3(0));
+  if (light.kind == Light::Kind::kDirectional) return {glm::vec3(glm::normalize(space.turned(light.at))), 0};
+  return {space.from_world(light.at), 1};
+}
+
+glm::vec4 light_colour(const Light& light, const FrameSpace& space, double diagonal) {
+  const float reference = space.length(diagonal);
+  return {glm::vec3(light.colour * light.intensity), reference * reference};
+}
+
+Vec3 direction_to(const Light& light, const Vec3& from) {
+  const Vec3 way = light.kind == Light::Kind::kDirectional ? light.at : light.at - from;
+  const double length = glm::length(way);
+  return length > 0 ? way / length : Vec3(0, 1, 0);
+}
+
+namespace {
+
+constexpr int kSignsUnit = 4;         // of the textures; no program of shadow_cap.vert uses it for another
+constexpr int kCopies = 2;            // of a side that are drawn at once
+constexpr uint32_t kGapOfItems = 16;  // clean items worth sending to save a call
+constexpr uint32_t kNoChunks = 0x80000000u;
+
+}  // namespace
+
+VolumeBuffer::Sides::Sides() {
+  glBindVertexArray(layout.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+  gl::read_floats(0, {3, GL_FLOAT, offsetof(Side, low)}, sizeof(Side));
+  gl::read_floats(1, {3, GL_FLOAT, offsetof(Side, high)}, sizeof(Side));
+  gl::read_whole(2, {1, GL_UNSIGNED_INT, offsetof(Side, piece)}, sizeof(Side));
+  gl::read_whole(3, {1, GL_INT, offsetof(Side, multiplicity)}, sizeof(Side));
+  for (const GLuint i : {0u, 1u, 2u, 3u}) glVertexAttribDivisor(i, 1);
+  glBindVertexArray(0);
+}
+
+void VolumeBuffer::Sides::replace(const std::vector<Side>& all) {
+  count = static_cast<GLsizei>(all.size());
+  room = all.size() + all.size() / 2;
+  gl::fill_buffer(GL_ARRAY_BUFFER, buffer, room * sizeof(Side));
+  gl::put_items<Side>(GL_ARRAY_BUFFER, buffer, 0, all);
+}
+
+VolumeBuffer::Side VolumeBuffer::side(const ShadowCaster& caster, const SilhouetteEdge& edge) const {
+  const ShadowCaster::Ends ends = caster.ends(edge.edge);
+  return {ends.low, ends.high, packed_piece(ends.piece), edge.multiplicity};
+}
+
+size_t VolumeBuffer::bytes() const { return signs_room_ + (sides_.room + many_.room) * sizeof(Side); }
+
+void VolumeBuffer::update(const ShadowCaster& caster) {
+  KERF_ASSERT(volume_.signs().size() == caster.face_slots());
+  const ShadowVolume::Touched touched = volume_.take_touched();
+  if (!touched.all && touched.faces.empty() && touched.places.empty()) return;
+  send_signs(touched);
+  send_sides(caster, touched);
+  send_many(caster);
+}
+
+void VolumeBuffer::send_signs(const ShadowVolume::Touched& touched) {
+  constexpr uint32_t kChunk = FaceBuffer::kChunkFaces;
+  const auto faces = static_cast<uint32_t>(volume_.signs().size());
+  const bool anew = faces > signs_room_;
+  if (anew) make_room(faces);
+  DirtySlots dirty;
+  if (touched.all || anew) dirty.mark_all(faces);
+  for (const uint32_t f : touched.faces) dirty.mark(f);
+  for (const SlotRange range : dirty.take(kGapOfItems, kChunk)) {
+    glBindBuffer(GL_TEXTURE_BUFFER, signs_[range.begin / kChunk].buffer.name());
+    glBufferSubData(GL_TEXTURE_BUFFER, range.begin % kChunk, range.end - range.begin,
+                    &volume_.signs()[range.begin]);
+  }
+}
+
+// All signs are sent anew then.
+void VolumeBuffer::make_room(uint32_t faces) {
+  constexpr uint32_t kChunk = FaceBuffer::kChunkFaces;
+  signs_room_ = faces <= kChunk ? std::bit_ceil(faces) : (faces + kChunk - 1) / kChunk * kChunk;
+  signs_.resize((signs_room_ + kChunk - 1) / kChunk);
+  for (const Signs& signs : signs_)
+    gl::fill_buffer(GL_TEXTURE_BUFFER, signs.buffer, std::min(signs_room_, kChunk));
+}
+
+void VolumeBuffer::send_sides(const ShadowCaster& caster, const ShadowVolume::Touched& touched) {
+  const std::span<const SilhouetteEdge> edges = volume_.silhouette();
+  std::vector<Side> sides;
+  if (touched.all || edges.size() > sides_.room) {
+    for (const SilhouetteEdge& e : edges) sides.push_back(side(caster, e));
+    return sides_.replace(sides);
+  }
+  DirtySlots dirty;
+  for (const uint32_t place : touched.places) {
+    if (place < edges.size()) dirty.mark(place);
+  }
+  for (const SlotRange range : dirty.take(kGapOfItems, kNoChunks)) {
+    sides.clear();
+    const uint32_t end = std::min<uint32_t>(range.end, static_cast<uint32_t>(edges.size()));
+    for (uint32_t i = range.begin; i < end; ++i) sides.push_back(side(caster, edges[i]));
+    gl::put_items<Side>(GL_ARRAY_BUFFER, sides_.buffer, range.begin, sides);
+  }
+  sides_.count = static_cast<GLsizei>(edges.size());
+}
+
+// Few edges have more than two copies, but the silhouette must be walked for them; it is short beside the
+// mesh.
+void VolumeBuffer::send_many(const ShadowCaster& caster) {
+  std::vector<Side> more;
+  for (const SilhouetteEdge& e : volume_.silhouette()) {
+    for (int left = std::abs(e.multiplicity) - kCopies; left > 0; left -= kCopies) {
+      const int copies = std::min(left, kCopies);
+      more.push_back(side(caster, {e.edge, e.multiplicity > 0 ? copies : -copies}));
+    }
+  }
+  if (!more.empty() || many_.count > 0) many_.replace(more);
+}
+
+void VolumeBuffer::bind_signs(const gl::Program& program, size_t chunk) const {
+  program.set("signs", kSignsUnit);
+  glActiveTexture(GL_TEXTURE0 + kSignsUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, signs_[chunk].texture.name());
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_R8I, signs_[chunk].buffer.name());
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void VolumeBuffer::draw_sides(const gl::Program& program, int vertices_of_side) const {
+  program.set("vertices_of_side", vertices_of_side);
+  for (const Sides* sides : {&sides_, &many_}) {
+    if (sides->count == 0) continue;
+    glBindVertexArray(sides->layout.name());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kCopies * vertices_of_side, sides->count);
+  }
+}
+
+void VolumeBuffer::draw_edges(int vertices) const {
+  if (sides_.count == 0) return;
+  glBindVertexArray(sides_.layout.name());
+  glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, sides_.count);
+}
+
+namespace {
+
+// Writes the stencil alone.
+gl::State counting(const gl::Stencil& stencil) {
+  return {.writes_depth = false, .writes_colour = false, .writes_alpha = false, .stencil = stencil};
+}
+
+// Counts the two sides of what is drawn where they lie behind the surface that is seen. `outward`: front
+// faces look out of the volume.
+gl::State counting_behind(bool outward) {
+  if (outward) return counting({.front_behind = GL_DECR_WRAP, .back_behind = GL_INCR_WRAP});
+  return counting({.front_behind = GL_INCR_WRAP, .back_behind = GL_DECR_WRAP});
+}
+
+// The least height of the unit vector towards a light for which volumes end at a floor: they get long below
+// it.
+constexpr float kLeastRise = 0.1f;
+
+std::optional<float> floor_for(const glm::vec4& light, std::optional<float> floor) {
+  return light.w == 0 && light.y >= kLeastRise ? floor : std::nullopt;
+}
+
+void set_floor(const gl::Program& program, std::optional<float> floor) {
+  program.set("has_floor", floor ? 1 : 0);
+  program.set("floor_height", floor.value_or(0));
+}
+
+std::vector<uint32_t> take_slots(DirtySlots& dirty) {
+  std::vector<uint32_t> slots;
+  for (const SlotRange range : dirty.take(0, FaceBuffer::kChunkFaces)) {
+    for (uint32_t f = range.begin; f < range.end; ++f) slots.push_back(f);
+  }
+  return slots;
+}
+
+}  // namespace
+
+ShadowPass::ShadowPass(Shaders& shaders)
+    : cap_(shaders.load(
+          {{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_cap.vert"}, {"empty.frag"}})),
+      side_(shaders.load(
+          {{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_side.vert"}, {"empty.frag"}})) {}
+
+void ShadowPass::carry_on(BodyId from, BodyId to) {
+  const auto found = bodies_.find(from);
+  if (found == bodies_.end()) return;
+  bodies_.insert_or_assign(to, std::move(found->second));
+  bodies_.erase(found);
+}
+
+void ShadowPass::follow(const Delta& delta) {
+  for (const BodyDelta& d : delta.bodies) {
+    const auto found = bodies_.find(d.body);
+    if (found == bodies_.end()) continue;
+    found->second.dirty.mark(d.born);
+    found->second.dirty.mark(d.gone);
+    found->second.relabelled.mark(d.relabelled);
+  }
+}
+
+void ShadowPass::note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after) {
+  work_.faces += after.faces - before.faces;
+  work_.edges += after.edges - before.edges;
+}
+
+void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame,
+                          const BodyLooks& looks) {
+  if (!shadows.caster) {
+    shadows.caster = std::make_unique<ShadowCaster>(body.mesh, frame);
+    shadows.dirty = {};
+    shadows.relabelled = {};
+    shadows.groups.reset();
+    ++work_.casters;
+  }
+  shadows.relabelled.mark(regrouped(body.mesh, shadows.groups.get(), looks.groups().get()));
+  shadows.groups = looks.groups();
+  if (shadows.dirty.empty() && shadows.relabelled.empty()) return;
+  const std::vector<uint32_t> slots = take_slots(shadows.dirty), labels = take_slots(shadows.relabelled);
+  const ShadowCaster::Change change =
+      shadows.caster->update(body.mesh, slots, labels, labels_of(shadows.groups));
+  for (auto& [key, kept] : shadows.volumes) {
+    const ShadowVolume::Effort before = kept.buffer.volume().effort();
+    kept.buffer.volume().follow(*shadows.caster, change);
+    note_effort(before, kept.buffer.volume().effort());
+  }
+}
+
+ShadowPass::Kept& ShadowPass::bring_up_to_date(const Subject& subject, BodyId id, const Body& body,
+                                               const BodyPicture& picture, VolumeKey key) {
+  BodyShadows& shadows = bodies_[id];
+  const FloatFrame& frame = picture.faces().frame();
+  const BodyLooks looks(id, subject.options);
+  catch_up(shadows, body, frame, looks);
+  const auto [found, fresh] = shadows.volumes.try_emplace(key, key.second);
+  Kept& kept = found->second;
+  kept.used = true;
+  LightOnBody light = light_on_body(subject.options.lights[key.first], body.placement, frame, looks);
+  ShadowVolume& volume = kept.buffer.volume();
+  if (fresh || !(volume.light() == light)) {
+    const ShadowVolume::Effort before = volume.effort();
+    volume.rebuild(*shadows.caster, std::move(light));
+    note_effort(before, volume.effort());
+    ++work_.rebuilt;
+  }
+  kept.buffer.update(*shadows.caster);
+  return kept;
+}
+
+const VolumeBuffer* ShadowPass::volume(const Subject& subject, BodyId id, size_t light, ShadowMethod method) {
+  const auto found = subject.bodies.find(id);
+  if (found == subject.bodies.end() || !subject.world.contains(id)) return nullptr;
+  return &bring_up_to_date(subject, id, subject.world.body(id), found->second, {light, method}).buffer;
+}
+
+const ShadowCaster* ShadowPass::caster(BodyId id) const {
+  const auto found = bodies_.find(id);
+  return found == bodies_.end() ? nullptr : found->second.caster.get();
+}
+
+void ShadowPass::drop_unused() {
+  for (auto& [id, shadows] : bodies_) {
+    std::erase_if(shadows.volumes, [](const auto& entry) { return !entry.second.used; });
+    for (auto& [key, kept] : shadows.volumes) kept.used = false;
+  }
+}
+
+void ShadowPass::draw_caps(const Subject& subject, VolumeKey key, int sign, bool pushed) {
+  cap_.set("wanted", sign);
+  cap_.set("pushed", pushed ? 1 : 0);
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+    const VolumeBuffer& volume = bodies_.at(id).volumes.at(key).buffer;
+    picture.bind(cap_, subject.space, body.placement);
+    picture.faces().draw_chunks([&](size_t chunk) { volume.bind_signs(cap_, chunk); });
+  });
+}
+
+void ShadowPass::draw_sides(const Subject& subject, VolumeKey key, int vertices) {
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+    picture.bind(side_, subject.space, body.placement);
+    bodies_.at(id).volumes.at(key).buffer.draw_sides(side_, vertices);
+  });
+}
+
+// A section plane takes nothing from the caps; but they are drawn in two parts, so that the part that is seen
+// has been clipped to the very triangles of the picture.
+void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
+  const NearCaps how = subject.options.shadow.near_caps;
+  const SectionClip clip(subject.options);
+  for (const int under : {1, -1}) {
+    if (under < 0 && shown_section(subject.options) == nullptr) continue;
+    cap_.set("under", under);
+    for (const int sign : {1, -1}) {
+      gl::State state = counting_behind(sign > 0);
+      if (how == NearCaps::kLessOrEqual) state.depth = GL_LEQUAL;
+      if (how == NearCaps::kDisplaced) state.offset = gl::DepthOffset{0, -1};
+      const gl::ScopedState scope(state);
+      draw_caps(subject, key, sign, false);
+    }
+  }
+}
+
+// A triangle is drawn with its corners in the order that the picture has, so that its depths are the same to
+// the bit; whether its front looks out of the volume at its near cap depends on whether it faces the light,
+// and at its far cap it is the other way round. Near caps are clipped as the picture is; what lies at
+// infinity must not be clipped at all. Without a floor, all points at infinity of a light from one direction
+// are one, and there are no far caps.
+void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light,
+                                std::optional<float> floor) {
+  cap_.use();
+  cap_.set("light", light);
+  set_floor(cap_, floor);
+  count_near_caps(subject, key);
+  const auto clamped = [](gl::State state) {
+    state.clamps_depth = true;
+    return state;
+  };
+  const bool ends_in_a_point = light.w == 0 && !floor;
+  if (!ends_in_a_point) {
+    for (const int sign : {1, -1}) {
+      const gl::ScopedState state(clamped(counting_behind(sign < 0)));
+      draw_caps(subject, key, sign, true);
+    }
+  }
+  side_.use();
+  side_.set("light", light);
+  set_floor(side_, floor);
+  side_.set("reach", 0.0f);
+  const gl::ScopedState state(clamped(counting_behind(true)));
+  draw_sides(subject, key, ends_in_a_point ? 3 : 6);
+}
+
+void ShadowPass::count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light) {
+  side_.use();
+  side_.set("light", light);
+  const double diagonal = subject.world.bounds().diagonal();
+  side_.set("reach", subject.space.length(subject.options.shadow.extrusion * diagonal));
+  const auto count_sides = [&](GLenum culled, GLenum change) {
+    gl::State state = counting({.passed = change});
+    state.culled = culled;
+    const gl::ScopedState scope(state);
+    draw_sides(subject, key, 6);
+  };
+  count_sides(GL_BACK, GL_INCR);
+  count_sides(GL_FRONT, GL_DECR);
+}
+
+void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method,
+                       std::optional<float> hidden_below) {
+  KERF_ASSERT(light < subject.options.lights.size());
+  const VolumeKey key{light, method};
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+    bring_up_to_date(subject, id, body, picture, key);
+  });
+  glClear(GL_STENCIL_BUFFER_BIT);
+  const glm::vec4 in_frame = light_in_frame(subject.options.lights[light], subject.space);
+  if (method == ShadowMethod::kRobust) {
+    count_robustly(subject, key, in_frame, floor_for(in_frame, hidden_below));
+  } else {
+    count_as_the_paper(subject, key, in_frame);
+  }
+}
+
+PictureMemory ShadowPass::memory() const {
+  PictureMemory memory;
+  for (const auto& [id, shadows] : bodies_) {
+    if (shadows.caster) memory.shadows += shadows.caster->bytes();
+    for (const auto& [key, kept] : shadows.volumes) {
+      memory.shadows += kept.buffer.volume().bytes();
+      memory.graphics += kept.buffer.bytes();
+    }
+  }
+  return memory;
+}
+
+}  // namespace kerf

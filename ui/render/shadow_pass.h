@@ -1,0 +1,178 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/shadow/light.h"
+#include "core/shadow/shadow_volume.h"
+#include "core/world/rigid_body.h"
+#include "core/world/world_delta.h"
+#include "ui/gl/buffers.h"
+#include "ui/gl/program.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/bodies/face_buffer.h"
+#include "ui/render/bodies/piece_looks.h"
+#include "ui/render/bodies/prepared_body.h"
+#include "ui/render/view/frame_space.h"
+
+namespace kerf {
+
+// A light as a body sees it that stands at `placement` and has these looks.
+LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
+                          const BodyLooks& looks);
+
+// The uniform "light" of the shaders: the light in frame coordinates. Precondition: the direction of a
+// directional light is not zero.
+glm::vec4 light_in_frame(const Light& light, const FrameSpace& space);
+
+// The uniform "light_colour". `diagonal` of the world, m.
+glm::vec4 light_colour(const Light& light, const FrameSpace& space, double diagonal);
+
+// The unit direction from a point of the world towards a light.
+Vec3 direction_to(const Light& light, const Vec3& from);
+
+// The shadow volume of one body for one light on the GPU: the sign of every face, in the same chunks as in
+// FaceBuffer, and the silhouette with one instance per edge. Updates send only changes.
+class VolumeBuffer {
+ public:
+  explicit VolumeBuffer(ShadowMethod method) : volume_(method) {}
+
+  ShadowVolume& volume() { return volume_; }
+  const ShadowVolume& volume() const { return volume_; }
+
+  // Memory of the buffers on the GPU, in bytes.
+  size_t bytes() const;
+
+  // Sends the changes of the volume since the last call. Precondition: the volume has followed the caster.
+  void update(const ShadowCaster& caster);
+
+  // Binds the signs of a chunk for `program`, which contains shadow_cap.vert and is in use.
+  void bind_signs(const gl::Program& program, size_t chunk) const;
+  // Draws every side as often as its multiplicity demands, each with so many vertices. Precondition:
+  // `program`, which contains shadow_side.vert, is in use.
+  void draw_sides(const gl::Program& program, int vertices_of_side) const;
+  // Draws one instance with so many vertices per edge, whatever its multiplicity.
+  void draw_edges(int vertices) const;
+
+ private:
+  // An edge as the GPU reads it.
+  struct Side {
+    glm::vec3 low, high;  // in the body's float frame
+    uint32_t piece;       // packed_piece of its label
+    int32_t multiplicity;
+  };
+  struct Signs {
+    gl::Buffer buffer;
+    gl::Texture texture;
+  };
+  struct Sides {
+    gl::Buffer buffer;
+    gl::VertexArray layout;
+    size_t room = 0;
+    GLsizei count = 0;
+    Sides();
+    void replace(const std::vector<Side>& all);
+  };
+
+  Side side(const ShadowCaster& caster, const SilhouetteEdge& edge) const;
+  void send_signs(const ShadowVolume::Touched& touched);
+  void make_room(uint32_t faces);
+  void send_sides(const ShadowCaster& caster, const ShadowVolume::Touched& touched);
+  void send_many(const ShadowCaster& caster);
+
+  ShadowVolume volume_;
+  std::vector<Signs> signs_;  // by chunk
+  uint32_t signs_room_ = 0;   // of them all together
+  Sides sides_;               // the silhouette; the shader draws at most two copies
+  Sides many_;                // the remaining copies of edges with higher multiplicity
+};
+
+// The work since the pass was created.
+struct ShadowWork {
+  uint64_t casters = 0;  // whole bodies whose edges were found
+  uint64_t faces = 0;    // whose sign was computed, over all lights
+  uint64_t edges = 0;    // whose multiplicity was computed, over all lights
+  uint64_t rebuilt = 0;  // volumes computed from nothing
+};
+
+// Counts for every pixel the surfaces that occlude a light, with shadow volumes in the stencil buffer (F.
+// Crow: Shadow algorithms for computer graphics, 1977; T. Heidmann: Real shadows, real time, 1991) by depth
+// fail (W. Bilodeau, M. Songy and, independently, J. Carmack), with volumes that extend to infinity and a
+// projection without a far plane (C. Everitt, M. Kilgard: Practical and robust stenciled shadow volumes,
+// 2002).
+//
+// Volumes are cached per body, light and method. They follow Deltas and do not depend on the viewpoint.
+class ShadowPass {
+ public:
+  explicit ShadowPass(Shaders& shaders);
+
+  // Discards all shadows, for another world or a Delta that was lost.
+  void forget() { bodies_.clear(); }
+  // Discards the shadows of one body.
+  void forget(BodyId id) { bodies_.erase(id); }
+  // Renames the body `from` to `to`, with its shadows.
+  void carry_on(BodyId from, BodyId to);
+  // Follows changes of faces. Bodies that came or went have to be adopted or forgotten.
+  void follow(const Delta& delta);
+  // Takes over a shadow caster of a body, in its picture frame. Precondition: the caster is not null.
+  void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) {
+    KERF_ASSERT(caster != nullptr);
+    bodies_[id].caster = std::move(caster);
+  }
+
+  // Counts into the stencil of what is bound, where the scissor lets it, the shadow of a light of
+  // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`
+  // and an invariant position, with depth func GL_LESS. Afterwards a pixel is lit where the stencil is 0, and
+  // with kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no
+  // shadow. Where something hides all that lies below a height (frame coordinates), volumes that light from
+  // above casts end there: what they cover beyond costs a software renderer most of their time.
+  void count(const Subject& subject, size_t light, ShadowMethod method,
+             std::optional<float> hidden_below = std::nullopt);
+
+  // The current volume of a body, or null if the body is not drawn.
+  const VolumeBuffer* volume(const Subject& subject, BodyId id, size_t light, ShadowMethod method);
+  const ShadowCaster* caster(BodyId id) const;
+
+  // Discards volumes that were not used since the last call.
+  void drop_unused();
+
+  ShadowWork work() const { return work_; }
+
+  // The memory of casters, volumes and their buffers.
+  PictureMemory memory() const;
+
+ private:
+  using VolumeKey = std::pair<size_t, ShadowMethod>;
+  struct Kept {
+    VolumeBuffer buffer;
+    bool used = true;
+    explicit Kept(ShadowMethod method) : buffer(method) {}
+  };
+  struct BodyShadows {
+    std::unique_ptr<ShadowCaster> caster;
+    std::map<VolumeKey, Kept> volumes;
+    DirtySlots dirty;
+    DirtySlots relabelled;  // slots whose label alone changed
+    std::shared_ptr<const PieceGroups> groups;
+  };
+
+  void catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame, const BodyLooks& looks);
+  Kept& bring_up_to_date(const Subject& subject, BodyId id, const Body& body, const BodyPicture& picture,
+                         VolumeKey key);
+  void note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after);
+  void count_near_caps(const Subject& subject, VolumeKey key);
+  void count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light,
+                      std::optional<float> floor);
+  void count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light);
+  void draw_caps(const Subject& subject, VolumeKey key, int sign, bool pushed);
+  void draw_sides(const Subject& subject, VolumeKey key, int vertices_of_side);
+
+  gl::Program cap_, side_;
+  std::map<BodyId, BodyShadows> bodies_;
+  ShadowWork work_;
+};
+
+}  // namespace kerf

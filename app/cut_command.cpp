@@ -122,7 +122,7 @@ class CutRun {
       }();
       if (!built) return built.error();
       tell(built->report);
-      job_.note_loaded(built->report);
+      job_.record_loaded(built->report);
       job_.notes.insert(job_.notes.end(), built->report.warnings.begin(), built->report.warnings.end());
       loaded_notes_ = job_.notes.size();
       const Stopwatch watch(job_.build_tree_s);
@@ -135,7 +135,7 @@ class CutRun {
       if (!added) return added.error();
     }
     if (!options_.journal.empty()) {
-      if (const auto noted = note_hashes(scene_); !noted) return noted;
+      if (const auto noted = record_hashes(scene_); !noted) return noted;
     }
     if (any_is_solid(world)) prefer_smooth_rim(options_);
     job_.input_min_angle = smallest_angle(world);
@@ -207,7 +207,7 @@ class CutRun {
     how.progress = &progress;
     how.told = [&](const Result<StepResult>& bite) -> Status {
       if (!bite) return bite.error();
-      job_.note_bite(*bite, document_.world(), std::chrono::duration<double>(Clock::now() - began).count());
+      job_.record_bite(*bite, document_.world(), std::chrono::duration<double>(Clock::now() - began).count());
       began = Clock::now();
       return Done{};
     };

@@ -38,8 +38,8 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const 
 }
 
 std::string missed_text(const CutJob& job, const std::string& file) {
-  constexpr size_t kMostNamed = 8;
-  const size_t count = job.missed.size(), named = count > kMostNamed ? kMostNamed - 1 : count;
+  constexpr size_t kMaxNamed = 8;
+  const size_t count = job.missed.size(), named = count > kMaxNamed ? kMaxNamed - 1 : count;
   std::string text = file + ": ";
   for (size_t i = 0; i < named; ++i) {
     if (i > 0) text += i + 1 == count ? " and " : ", ";

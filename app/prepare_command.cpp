@@ -89,7 +89,7 @@ class PrepareRun {
     }
     if (options_.subdivide) {
       const Subdivision scheme = *subdivision_named(*options_.subdivide);
-      if (mesh_.live_faces() > kMostToSubdivide) return bad_input("--subdivide: the mesh has too many faces");
+      if (mesh_.live_faces() > kMaxToSubdivide) return bad_input("--subdivide: the mesh has too many faces");
       const auto s = step("subdividing", [&](const Progress* p) { return subdivide(mesh_, scheme, {}, p); });
       if (!s) return s;
     }
@@ -171,7 +171,7 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
   command->add_option(
       "--subdivide", o->subdivide,
       "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
-  add_number(*command, "--smooth", o->smooth, {1, kMostSmoothing},
+  add_number(*command, "--smooth", o->smooth, {1, kMaxSmoothing},
              "How often vertices move half the way to their neighbours' middle");
   on_call(
       *command, invocation, [o] { return PrepareRun(*o).run(); },

@@ -56,7 +56,7 @@ struct FiguresArguments {
   std::string out, film, list, size = "1280x720";
 };
 
-constexpr int kLeastSide = 64;
+constexpr int kMinSide = 64;
 
 Status make_figures(const FiguresArguments& a, const std::vector<Figure>& figures, const PixelSize& size) {
   if (const Status made = PiecesFolder{a.out}.make(); !made) return made;
@@ -122,7 +122,7 @@ Status run(const FiguresArguments& a) {
     return bad_input("--out or --film: name a folder for the figures or for the films");
   const auto size = parse_size(a.size);
   if (!size) return size.error();
-  if (std::min(size->width, size->height) < kLeastSide)
+  if (std::min(size->width, size->height) < kMinSide)
     return bad_input("--size: a figure with its caption needs at least 64x64 pixels");
   const std::filesystem::path own = assets_folder() / "figures.json";
   const std::filesystem::path file = a.list.empty() ? own : std::filesystem::path(a.list);

@@ -112,7 +112,7 @@ class ReplayRun {
     if (const auto s = run_queue(replay, document); !s) return s;
     const uint64_t hash = state_hash(document.world());
     std::cout << hash_text(hash) << '\n';
-    note_missed();
+    record_missed();
     if (!folder.path.empty()) {
       if (const auto s = folder.write(job_, document.world(), first_settings()); !s) return s.error();
     }
@@ -157,7 +157,7 @@ class ReplayRun {
     if (const Status s = unpack(std::move(work), work_); !s) return s;
     if (work_.journal.torn) warn(work_.journal.damage);
     const World& world = work_.scene.world;
-    for (const BodyId id : world.ids()) job_.note_loaded(world.body(id).loaded);
+    for (const BodyId id : world.ids()) job_.record_loaded(world.body(id).loaded);
     job_.input_min_angle = smallest_angle(world);
     lasting_ = lasting_commands(work_.journal.commands);
     size_t strokes = 0;
@@ -203,8 +203,8 @@ class ReplayRun {
       const size_t stroke = replay.applied() > 0 ? strokes_[replay.applied() - 1] : 0;
       if (stroke > 0 && (step->delta.removed_faces > 0 || step->statistics.met_s > 0))
         met_[stroke - 1] = true;
-      job_.note_bite(*step, document.world(),
-                     std::chrono::duration<double>(Clock::now() - step_began_).count());
+      job_.record_bite(*step, document.world(),
+                       std::chrono::duration<double>(Clock::now() - step_began_).count());
     } else {
       warn(step.error().message);
     }
@@ -213,7 +213,7 @@ class ReplayRun {
     return filmed;
   }
 
-  void note_missed() {
+  void record_missed() {
     for (size_t i = 0; i < met_.size(); ++i) {
       if (!met_[i]) job_.missed.push_back(i);
     }

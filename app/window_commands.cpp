@@ -295,8 +295,8 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
       "Who drives: bot, or still for a car that does nothing; you in a window, if it is not given");
   command->add_option("--difficulty", a->difficulty,
                       "easy, normal or hard (in a window as it was last set there, otherwise normal)");
-  add_number(*command, "--seed", a->seed, {0, kMostSeed}, "The seed of everything that is random (1)");
-  add_number(*command, "--seconds", a->seconds, {0, kMostSeconds},
+  add_number(*command, "--seed", a->seed, {0, kMaxSeed}, "The seed of everything that is random (1)");
+  add_number(*command, "--seconds", a->seconds, {0, kMaxSeconds},
              "Ends the match after so many seconds of its own time; 0: it goes on");
   command->add_flag("--headless", a->headless, "Without a window, as fast as it goes");
   command->add_option("--report", a->report, "A JSON file for what came of the match");

@@ -22,7 +22,7 @@
 #include "kerf_c.h"
 
 namespace kerf {
-inline namespace face {
+inline namespace api {
 
 // What could not be done, in one sentence. What failed has changed nothing.
 class Failure : public std::runtime_error {
@@ -45,7 +45,7 @@ class Busy : public Failure {
   using Failure::Failure;
 };
 
-inline void throw_unless_ok(kerf_result result) {
+inline void check(kerf_result result) {
   if (result == KERF_OK) return;
   if (result == KERF_BUSY) throw Busy(kerf_message());
   if (result == KERF_BAD_INPUT) throw BadInput(kerf_message());
@@ -72,7 +72,7 @@ class Run {
     if (control_.progress) c.progress = &Run::ask;
     const kerf_result result = function(&c);
     if (thrown_) std::rethrow_exception(thrown_);
-    throw_unless_ok(result);
+    check(result);
   }
 
  private:
@@ -104,15 +104,14 @@ class Mesh {
     if (vertices.size() % 3 != 0) throw BadInput("vertices: must be three numbers each");
     if (faces.size() % 3 != 0) throw BadInput("faces: must be three indices each");
     kerf_mesh* mesh = nullptr;
-    throw_unless_ok(
-        kerf_mesh_make(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &mesh));
+    check(kerf_mesh_make(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &mesh));
     mesh_.reset(mesh, kerf_mesh_free);
   }
   // Takes a mesh of kerf_c.h over.
   explicit Mesh(kerf_mesh* mesh) : mesh_(mesh, kerf_mesh_free) {}
 
   // Writes it; the ending of the path says the format.
-  void write(const std::string& path) const { throw_unless_ok(kerf_mesh_write(get(), path.c_str())); }
+  void write(const std::string& path) const { check(kerf_mesh_write(get(), path.c_str())); }
 
   // Three numbers a vertex (m), three indices a face; they live as long as any copy of the mesh.
   std::span<const double> vertices() const {
@@ -177,7 +176,7 @@ class World {
  public:
   World() {
     kerf_world* world = nullptr;
-    throw_unless_ok(kerf_world_make(&world));
+    check(kerf_world_make(&world));
     world_.reset(world);
   }
   // Opens a scene, a journal, whose commands are replayed, or a mesh.
@@ -261,14 +260,10 @@ class World {
   }
 
   // Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.
-  void save_scene(const std::string& folder) const {
-    throw_unless_ok(kerf_world_save_scene(get(), folder.c_str()));
-  }
+  void save_scene(const std::string& folder) const { check(kerf_world_save_scene(get(), folder.c_str())); }
 
   // Writes the journal of the cuts, which `kerf replay` checks, with the meshes that were added beside it.
-  void save_journal(const std::string& path) const {
-    throw_unless_ok(kerf_world_save_journal(get(), path.c_str()));
-  }
+  void save_journal(const std::string& path) const { check(kerf_world_save_journal(get(), path.c_str())); }
   // The report of all cuts so far as JSON, like the report.json of `kerf cut`.
   std::string report(const Control& control = {}) const {
     char* text = nullptr;
@@ -280,13 +275,13 @@ class World {
   // Sixteen hexadecimal digits; the same as of `kerf cut` for the same meshes and strokes.
   std::string hash() const {
     char text[17];
-    throw_unless_ok(kerf_world_hash(get(), text));
+    check(kerf_world_hash(get(), text));
     return text;
   }
   // The component graph of the faces as JSON.
   std::string graph() const {
     char* text = nullptr;
-    throw_unless_ok(kerf_world_graph(get(), &text));
+    check(kerf_world_graph(get(), &text));
     const std::unique_ptr<char, void (*)(char*)> owner(text, kerf_text_free);
     return text;
   }
@@ -307,7 +302,7 @@ class World {
   std::unique_ptr<kerf_world, Free> world_;
 };
 
-}  // namespace face
+}  // namespace api
 }  // namespace kerf
 
 #endif

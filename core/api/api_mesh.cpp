@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMostElements = size_t{1} << 31;
+constexpr size_t kMaxElements = size_t{1} << 31;
 
 bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -40,7 +40,7 @@ Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* fa
                  kerf_mesh& mesh) {
   if (vertices == nullptr || vertex_count == 0) return bad_input("vertices: there is none");
   if (faces == nullptr || face_count == 0) return bad_input("faces: there is none");
-  if (vertex_count > kMostElements || face_count > kMostElements)
+  if (vertex_count > kMaxElements || face_count > kMaxElements)
     return bad_input("vertices and faces: there are more than 2147483648 of one of them");
   mesh.positions.resize(vertex_count);
   for (size_t v = 0; v < vertex_count; ++v) {

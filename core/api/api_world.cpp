@@ -29,7 +29,7 @@ namespace kerf {
 
 namespace {
 
-constexpr unsigned kMostThreads = 1024;
+constexpr unsigned kMaxThreads = 1024;
 
 constexpr const char* kNoMemory = "there is not enough memory";
 
@@ -87,7 +87,7 @@ Call::Call(const kerf_control* control) {
 }
 
 kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
-  if (control_.threads > kMostThreads) return told(KERF_BAD_INPUT, "threads: must be from 0 to 1024");
+  if (control_.threads > kMaxThreads) return told(KERF_BAD_INPUT, "threads: must be from 0 to 1024");
   const DefaultArithmetic arithmetic;
   const Progress progress{[&](double share) {
     stopped_ = stopped_ || (control_.progress != nullptr && control_.progress(share, control_.user) != 0);
@@ -146,7 +146,7 @@ Status Beginning::save(const Document& document, const std::filesystem::path& fi
     if (const Status written = write_mesh(view, body.mesh, MeshFormat::kObj); !written) return written;
     scene.bodies.push_back(std::move(body));
   }
-  if (const Status noted = note_hashes(scene); !noted) return noted;
+  if (const Status noted = record_hashes(scene); !noted) return noted;
   std::vector<StateMark> marks;
   // The journal that was opened may end within a stroke.
   if (!document.execution().in_stroke() && document.waiting() == 0) marks.push_back(state_mark(document));
@@ -212,7 +212,7 @@ Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, c
   world.add(std::move(*body));
   to.beginning.add(mesh, name);
   if (!to.document.journal().empty()) to.beginning.lose();
-  to.job.note_loaded(loaded);
+  to.job.record_loaded(loaded);
   grow(to.bounds, world.bounds());
   to.document = Document(std::move(world));
   return Done{};
@@ -226,7 +226,7 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   to.beginning.open(file->scene);
   Document& document = to.document;
   document = Document(std::move(file->scene.world));
-  for (const BodyId id : document.world().ids()) to.job.note_loaded(document.world().body(id).loaded);
+  for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
   const double diagonal = to.bounds->diagonal();
   for (const StrokePath& stroke : file->scene.strokes) {

@@ -20,7 +20,7 @@ inline constexpr double kOpposite = 1e-9;
 // A closed part of a mesh has a volume if the sum of its signed terms exceeds this fraction of the sum of
 // their bounds. Rounding is 1.2e-10 of that at worst for a million terms, and near 1e-13 in practice; a plate
 // whose thickness is a millionth of its width exceeds the value by a factor of a thousand.
-inline constexpr double kLeastVolume = 1e-10;
+inline constexpr double kMinVolume = 1e-10;
 
 // Culling by boxes ------------------------------------------------------------------------------------------
 //
@@ -47,16 +47,16 @@ inline constexpr float kSlopeRoundings = 0x1p-20f;  // reciprocal of a direction
 
 // Smallest component of a ray's unit direction. Smaller ones are replaced by it, because the reciprocal must
 // be finite and stay so when it is multiplied by coordinates of the tree, which are below 2^7.
-inline constexpr float kLeastComponent = 1e-20f;
+inline constexpr float kMinComponent = 1e-20f;
 
 // Smallest parameter of a ray at which boxes count, relative to the extent of the tree. It is positive
 // because the bit patterns of positive floats compare like the floats themselves.
-inline constexpr double kLeastRayParameter = 1e-30;
+inline constexpr double kMinRayParameter = 1e-30;
 
 // Centroids of a range whose extent along an axis is smaller than this, in the frame of the tree, count as
 // one point: dividing by it would overflow. Bins are scaled by kBinScale, slightly less than 1, so that the
 // largest centroid falls into the last bin despite rounding.
-inline constexpr float kLeastSpread = 1e-34f;
+inline constexpr float kMinSpread = 1e-34f;
 inline constexpr float kBinScale = 0.9999f;
 
 // Separation ------------------------------------------------------------------------------------------------
@@ -112,6 +112,6 @@ inline constexpr double kCoplanar = 1 - 1e-12;
 
 // An edge is flipped only if the cosine of the smallest angle decreases by more than this. A positive bound
 // makes the sequence of flips finite, and smaller gains are not visible.
-inline constexpr double kLeastFlipGain = 1e-3;
+inline constexpr double kMinFlipGain = 1e-3;
 
 }  // namespace kerf

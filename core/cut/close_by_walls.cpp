@@ -19,10 +19,10 @@ SpeckSearch::SpeckSearch(const SweptDistance& distance, std::span<const RimSide>
 }
 
 void SpeckSearch::append(RimState& rim, FaceId start, std::vector<FaceId>& specks) const {
-  constexpr size_t kMostFaces = 64;
+  constexpr size_t kMaxFaces = 64;
   std::vector<FaceId> part{start}, neighbours;
   for (size_t i = 0; i < part.size(); ++i) {
-    if (part.size() > kMostFaces || !lies_along(rim, part[i])) return;
+    if (part.size() > kMaxFaces || !lies_along(rim, part[i])) return;
     neighbours.clear();
     rim.mesh().append_nearest_neighbours(part[i], neighbours);
     for (const FaceId n : neighbours) {
@@ -251,11 +251,11 @@ bool WallClosing::go_on(RimState& rim) {
 }
 
 Resumable<ClosedRim> WallClosing::close() {
-  constexpr int kMostRounds = 8;
+  constexpr int kMaxRounds = 8;
   ClosedRim closed;
   co_await find_open_faces();
   co_await find_sides();
-  for (int i = 0; i < kMostRounds && !sides_.empty(); ++i) {
+  for (int i = 0; i < kMaxRounds && !sides_.empty(); ++i) {
     if (!co_await remove_ears()) break;
     co_await find_sides();
   }

@@ -60,7 +60,7 @@ size_t find_near(RimState& rim, uint32_t i) {
       heap.push_back(f);
       std::push_heap(heap.begin(), heap.end(), std::greater<>());
     }
-    rim.region.note_near(f, i);
+    rim.region.record_near(f, i);
   }
   return found.size();
 }
@@ -122,7 +122,7 @@ class RimBite {
 
   Result<Reached> go_through(RimState& rim, const Sweep& sweep) {
     do {
-      if (!work_.must_go_on() && !progress_.report(0)) return cancelled();
+      if (!work_.is_uninterruptible() && !progress_.report(0)) return cancelled();
       const Stage before = work_.stage;
       const Result<bool> over = go_on(rim, sweep);
       if (!over) return over.error();
@@ -230,16 +230,16 @@ class RimBite {
   }
 
   void fit_again_or_settle() {
-    constexpr int kMostRounds = 4;
-    if (++work_.rounds < kMostRounds && !work_.waiting.empty()) return go_to(Stage::kRefine);
+    constexpr int kMaxRounds = 4;
+    if (++work_.rounds < kMaxRounds && !work_.waiting.empty()) return go_to(Stage::kRefine);
     work_.waiting.clear();
     work_.rounds = 0;
     go_to(Stage::kListNear);
   }
 
   void flip_again_or_close() {
-    constexpr int kMostRounds = 4;
-    const bool again = std::exchange(work_.flipped, false) && ++work_.rounds < kMostRounds;
+    constexpr int kMaxRounds = 4;
+    const bool again = std::exchange(work_.flipped, false) && ++work_.rounds < kMaxRounds;
     if (again) return;
     work_.waiting.clear();
     go_to(Stage::kCloseByWalls);
@@ -297,11 +297,11 @@ double RimState::distance(VertexId v, FaceId face) {
   if (known != 0) return work.distances[known - 1];
   double d = region.signed_distance(face, mesh().position(v));
   if (std::abs(d) <= kRimOn * radius()) d = 0;
-  note_distance(v, d);
+  record_distance(v, d);
   return d;
 }
 
-void RimState::note_distance(VertexId v, double d) {
+void RimState::record_distance(VertexId v, double d) {
   uint32_t& known = work.distance_of.at(v.index);
   if (known == 0) {
     work.distances.push_back(d);

@@ -119,7 +119,7 @@ class Refinement {
         const Replacement& r = splits[i];
         to_split_.insert(to_split_.end(), r.born.begin(), r.born.begin() + r.born_count);
       }
-      if (step_.mesh().live_faces() > settings_.most_faces) return too_many_faces(settings_);
+      if (step_.mesh().live_faces() > settings_.max_faces) return too_many_faces(settings_);
     }
     return Done{};
   }
@@ -162,7 +162,7 @@ bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f)
 }
 
 Error too_many_faces(const CutSettings& settings) {
-  return failed("the cut would make more than " + std::to_string(settings.most_faces) +
+  return failed("the cut would make more than " + std::to_string(settings.max_faces) +
                 " faces: choose a coarser resolution or a shorter stroke");
 }
 
@@ -260,8 +260,8 @@ void raise(World& world, BodyId id, std::span<const FaceId> faces, std::span<con
     const double before = body.heat.energy_of(body.mesh, f), now = energies[i];
     if (now <= before) continue;
     body.heat.set_energy(body.mesh, f, now);
-    body.heat.note_hottest(body.mesh, f,
-                           body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
+    body.heat.record_hottest(body.mesh, f,
+                             body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
     added += now - before;
   }
   EnergyLedger& ledger = world.edit_energy();

@@ -30,7 +30,7 @@ size_t faces_together();
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame = false);
 // Finds the faces that the beam touches, each once, ascending.
 void hit(BodyStep& step, std::vector<FaceId>& faces);
-// Processes the next faces_together() faces of move.to_split. Fails if settings.most_faces is exceeded or
+// Processes the next faces_together() faces of move.to_split. Fails if settings.max_faces is exceeded or
 // `progress` stops it.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
 // Whether the resolution lets a face stay as it is under the beam of the move. Precondition: the face is
@@ -49,7 +49,7 @@ void update_tree(BodyStep& step);
 // Searches for separated parts, visiting about `most` faces; see kerf::settle. Returns the number of faces
 // visited and relabelled. `hit` are the faces of which some were removed since the last search.
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most,
-                Meanwhile meanwhile = Meanwhile::kEdits);
+                EditPolicy policy = EditPolicy::kAllowEdits);
 // Separates what joints do not hold any more (see hold_parts), and gives cavities to the pieces around them
 // (see hold_cavities), once nothing is left to be searched.
 void hold_what_joints_hold(World& world, Delta& delta, Hold hold = Hold::kStill);
@@ -57,7 +57,7 @@ void hold_what_joints_hold(World& world, Delta& delta, Hold hold = Hold::kStill)
 void end_step(BodyStep& step, StepResult& result);
 // Adds the changes alone. Returns them, valid until the result changes, or null if there are none.
 const BodyDelta* take_changes(BodyStep& step, StepResult& result);
-// The error of a cut that exceeds settings.most_faces.
+// The error of a cut that exceeds settings.max_faces.
 Error too_many_faces(const CutSettings& settings);
 
 // Leaves the heat of a cut by the geometric model in the faces beside what a move of the beam removed: where

@@ -274,7 +274,7 @@ StepResult go_on_separating(World& world, size_t most, Hold hold) {
   StepResult result;
   for (const BodyId id : world.ids()) {
     BodyStep step(id, world.body(id));
-    separate(world, step, {}, most, hold == Hold::kStill ? Meanwhile::kNoEdits : Meanwhile::kEdits);
+    separate(world, step, {}, most, hold == Hold::kStill ? EditPolicy::kNoEdits : EditPolicy::kAllowEdits);
     end_step(step, result);
   }
   hold_what_joints_hold(world, result.delta, hold);
@@ -285,9 +285,9 @@ bool is_settled(const World& world) {
   return std::ranges::all_of(world.ids(), [&](BodyId id) { return is_settled(world.body(id)); });
 }
 
-size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most, Meanwhile meanwhile) {
+size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most, EditPolicy policy) {
   const Stopwatch watch(step.statistics.separate_s);
-  const size_t visited = step.edit.separate(most, meanwhile);
+  const size_t visited = step.edit.separate(most, policy);
   ask_joints(world, world.body(step.id), hit, visited > 0);
   return visited;
 }

@@ -88,7 +88,7 @@ struct UnfinishedRim {
 
   // Whether the body is in a state that nothing but the following steps may end: some of its walls are there
   // and others not.
-  bool must_go_on() const { return closing && closing->is_adding(); }
+  bool is_uninterruptible() const { return closing && closing->is_adding(); }
   // Whether a step has begun it.
   bool begun() const { return bodies > 0 || stage != Stage::kSweep || next > 0; }
 };
@@ -142,8 +142,8 @@ struct CutSettings {
   }
   // A cut fails before a body has more live faces than this. By itself it is what 32-bit numbers of
   // half-edges leave room for; memory ends before (see Document::set_face_budget).
-  static constexpr size_t kMostFaces = size_t{1} << 28;
-  size_t most_faces = kMostFaces;
+  static constexpr size_t kMaxFaces = size_t{1} << 28;
+  size_t max_faces = kMaxFaces;
   // The number of faces that a move visits in a search for separated pieces; the following moves continue the
   // search. The limit is per move and not per step, so that labels do not depend on the division into steps.
   size_t search_a_move = 1'000;
@@ -201,7 +201,7 @@ struct StepResult {
 // a move separates have their labels when the move is finished. A single query of the tree and the separation
 // after one move are never divided.
 //
-// Fails if settings.most_faces is reached or `progress` stops it. The part of the cut that was done remains,
+// Fails if settings.max_faces is reached or `progress` stops it. The part of the cut that was done remains,
 // but its delta is lost, so that everything that follows the world must read it again. `unfinished` is reset.
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                             UnfinishedMove& unfinished, const Progress* progress = nullptr);
@@ -230,8 +230,8 @@ using SweptByBody = std::map<BodyId, std::vector<BeamMove>>;
 // The rim is closed once unfinished.begun() is false afterwards; until then nothing else may change the
 // world, and the next step must be given the same arguments. The result does not depend on the division into
 // steps. The world is consistent between them, but for a body to which walls are being added (see
-// UnfinishedRim::must_go_on): neither `progress` nor a budget may stop it then. Pieces are looked for in the
-// last steps.
+// UnfinishedRim::is_uninterruptible): neither `progress` nor a budget may stop it then. Pieces are looked for
+// in the last steps.
 //
 // Faces in which a chord would deviate from the boundary by more than kRimChord are split by the scheme
 // first. A vertex near the boundary is moved onto it along an edge if that does not change the surface; every

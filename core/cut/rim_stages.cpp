@@ -42,7 +42,7 @@ void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
 Status refine_rim(RimState& rim) {
   std::vector<FaceId>& waiting = rim.work.waiting;
   for (size_t tests = 0; tests < faces_together() && !waiting.empty(); ++tests) {
-    if (rim.mesh().live_faces() > rim.settings.most_faces) return too_many_faces(rim.settings);
+    if (rim.mesh().live_faces() > rim.settings.max_faces) return too_many_faces(rim.settings);
     const FaceId f = waiting.back();
     waiting.pop_back();
     if (may_split(rim, f) && fails(rim, f)) split_near_rim(rim, f, waiting);
@@ -193,7 +193,7 @@ void move(RimState& rim, const RimSnap& s, Mesh::Star& star) {
     return;
   }
   rim.step.edit.move_vertex(s.vertex, s.to, star);
-  rim.note_on_boundary(s.vertex);
+  rim.record_on_boundary(s.vertex);
 }
 
 void add_very_near(RimState& rim, FaceId f, std::vector<RimSnap>& near) {
@@ -241,7 +241,7 @@ bool settle_on_rim(RimState& rim) {
   return visit_nearest(rim.work.snaps, [&](const RimSnap& s) {
     if (rim.distance(s.vertex, s.face) == 0) return;
     rim.mesh().star(s.vertex, star);
-    if (star.alone && !without_chord(rim, star, s).valid()) rim.note_on_boundary(s.vertex);
+    if (star.alone && !without_chord(rim, star, s).valid()) rim.record_on_boundary(s.vertex);
   });
 }
 
@@ -274,12 +274,12 @@ void split_at(RimState& rim, FaceId f, const Crossing& edge) {
   const VertexId in = edge.from_inside ? edge.from : edge.to, out = edge.from_inside ? edge.to : edge.from;
   const Vec3 a = rim.mesh().position(in), b = rim.mesh().position(out), at = rim.region.crossing(f, a, b);
   const double on_boundary = kRimOn * rim.radius();
-  if (glm::length(at - a) <= on_boundary) return rim.note_on_boundary(in);
-  if (glm::length(at - b) <= on_boundary) return rim.note_on_boundary(out);
+  if (glm::length(at - a) <= on_boundary) return rim.record_on_boundary(in);
+  if (glm::length(at - b) <= on_boundary) return rim.record_on_boundary(out);
   std::vector<Mesh::FaceSplit> splits;
   rim.step.edit.split_edge_at(f, edge.from, edge.to, at, splits);
   for (const Mesh::FaceSplit& s : splits) {
-    rim.note_on_boundary(s.midpoint);
+    rim.record_on_boundary(s.midpoint);
     if (!rim.region.is_near(s.kept)) continue;
     rim.region.inherit({&s.added, 1}, {&s.kept, 1});
     rim.faces.push_back(s.added);
@@ -348,7 +348,7 @@ class Flip {
     gain_ = worst(before) - worst(after);
   }
 
-  bool pays() const { return gain_ > kLeastFlipGain; }
+  bool pays() const { return gain_ > kMinFlipGain; }
 
   void make(BodyEdit& edit) const { edit.flip_edge(face_, from_, to_); }
 

@@ -34,14 +34,14 @@ struct RimState {
   std::array<double, 3> distances_of(FaceId face);
 
   // Records that a vertex lies on the boundary.
-  void note_on_boundary(VertexId v) { note_distance(v, 0); }
+  void record_on_boundary(VertexId v) { record_distance(v, 0); }
 
   // Whether the face lies inside the region: no corner is outside, and at least one corner, or the centroid
   // if all corners are on the boundary, is inside.
   bool inside(FaceId face);
 
  private:
-  void note_distance(VertexId v, double d);
+  void record_distance(VertexId v, double d);
 };
 
 // The stages, in their order. Each call handles the next items, looks at no more than faces_together() of

@@ -25,7 +25,7 @@ void StrokeRegion::append(List& list, uint32_t part) {
   list.last = added;
 }
 
-void StrokeRegion::note_near(FaceId f, uint32_t part) {
+void StrokeRegion::record_near(FaceId f, uint32_t part) {
   uint32_t& list = list_of_.at(f.index);
   if (list == 0) {
     lists_.emplace_back();
@@ -155,7 +155,7 @@ Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside
 
 namespace {
 
-constexpr size_t kMostOfLeaf = 4;
+constexpr size_t kMaxOfLeaf = 4;
 constexpr size_t kDeepest = 64;  // more halvings than there can be
 
 }  // namespace
@@ -167,7 +167,7 @@ SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMov
   for (uint32_t i = 0; i < nodes_.size(); ++i) {
     bound(i, moves);
     const auto [first, end] = std::pair(nodes_[i].first, nodes_[i].end);
-    if (end - first <= kMostOfLeaf) continue;
+    if (end - first <= kMaxOfLeaf) continue;
     nodes_[i].halves = static_cast<uint32_t>(nodes_.size());
     const size_t middle = first + (end - first) / 2;
     nodes_.push_back({first, middle, {}, {}});

@@ -22,7 +22,7 @@ class StrokeRegion {
   const SweptCylinder& part(size_t i) const { return parts_[i]; }
 
   // Appends a part to the list of a face. Precondition: the parts of a face are told in ascending order.
-  void note_near(FaceId f, uint32_t part);
+  void record_near(FaceId f, uint32_t part);
   // Faces of the parents' area replaced them: each child is near every part that any parent is near, for it
   // may lie where only that parent lay. Slots are reused, so parents may be among the children. Precondition:
   // a parent is near the region. Constant time where the parents have one list, else linear in their lists.

@@ -200,7 +200,7 @@ constexpr double kRefinedRadii = 1.5;  // faces are fine as far from the axis, i
 constexpr double kSpacingsASample = 0.8;
 // The parts of a move of one radius, and of one that takes the time radius^2 / diffusivity.
 constexpr double kPartsARadius = 4, kPartsADiffusionTime = 16;
-constexpr double kMostParts = 4096;  // of a move
+constexpr double kMaxHeatSlices = 4096;  // of a move
 // Faces at which rays wait are split up to so many times as far from the axis.
 constexpr double kBeyondRays = 1.01;
 
@@ -267,7 +267,7 @@ class ThermalMoves {
           std::max(most, (absorptivity(s, settings_.laser.wavelength) * joules + burnt(sheet, move)) / spot);
       most = std::max(most, kPartsADiffusionTime * diffusivity * move.seconds / (w * w));
     }
-    return std::min(std::ceil(most), kMostParts);
+    return std::min(std::ceil(most), kMaxHeatSlices);
   }
 
   // The most that burning gives during a move (J).

@@ -53,7 +53,7 @@ class Autosave {
 
   // Starts to keep a document with this scene, which was last saved to `work_of` (may be empty) and opened
   // from the files `opened`. The file of the previous document is removed once the new one is written.
-  // Precondition: the meshes have hashes (see note_hashes).
+  // Precondition: the meshes have hashes (see record_hashes).
   void begin(SceneDescription scene, std::filesystem::path work_of,
              std::vector<std::filesystem::path> opened = {});
 

@@ -12,14 +12,14 @@ void append_ticks(std::vector<Command>& commands, const AdvanceTime& advance, si
   if (commands.size() > first) {
     auto* last = std::get_if<AdvanceTime>(&commands.back());
     if (last && last->bodies == advance.bodies && last->joins == advance.joins) {
-      const Ticks taken = std::min(left, AdvanceTime::kMostInALine - last->ticks);
+      const Ticks taken = std::min(left, AdvanceTime::kMaxInALine - last->ticks);
       last->ticks += taken;
       left -= taken;
     }
   }
-  for (; left > 0; left -= std::min(left, AdvanceTime::kMostInALine))
+  for (; left > 0; left -= std::min(left, AdvanceTime::kMaxInALine))
     commands.emplace_back(
-        AdvanceTime{std::min(left, AdvanceTime::kMostInALine), advance.bodies, advance.joins});
+        AdvanceTime{std::min(left, AdvanceTime::kMaxInALine), advance.bodies, advance.joins});
 }
 
 void CommandLog::append(const Command& command) {
@@ -39,7 +39,7 @@ void CommandLog::shrink(size_t size) {
 size_t CommandLog::final_size() const {
   if (commands_.size() <= sealed_) return commands_.size();
   const auto* last = std::get_if<AdvanceTime>(&commands_.back());
-  return commands_.size() - (last && last->ticks < AdvanceTime::kMostInALine ? 1 : 0);
+  return commands_.size() - (last && last->ticks < AdvanceTime::kMaxInALine ? 1 : 0);
 }
 
 namespace {
@@ -52,12 +52,12 @@ class Timeline {
       position_ -= position_ > 0;
     } else if (std::holds_alternative<Redo>(command)) {
       position_ += position_ < steps_.size();
-    } else if (const auto kind = begun_by(command, last())) {
+    } else if (const auto kind = history_step_kind(command, last())) {
       steps_.resize(position_, Step{});
       steps_.push_back({*kind, {number}});
       ++position_;
     } else if (position_ > 0) {
-      const bool is_time = begun_by(command, std::nullopt).has_value();
+      const bool is_time = history_step_kind(command, std::nullopt).has_value();
       if (is_time) steps_.resize(position_, Step{});
       steps_[position_ - 1].commands.push_back(number);
     }

@@ -9,7 +9,7 @@ namespace kerf {
 
 // Appends an AdvanceTime to commands of one step of the history. It is merged with the AdvanceTime commands
 // at the end of the list, from number `first` on, so that each but the last of them is a whole line of a
-// journal (AdvanceTime::kMostInALine).
+// journal (AdvanceTime::kMaxInALine).
 void append_ticks(std::vector<Command>& commands, const AdvanceTime& advance, size_t first = 0);
 
 // The commands that were applied to a document, in their order, as its journal holds them. Consecutive

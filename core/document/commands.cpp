@@ -24,8 +24,8 @@ constexpr std::array kRims{"faces", "smooth"};
 constexpr std::array kAssists{"none", "oxygen"};
 constexpr std::array kModels{"geometric", "thermal"};
 
-constexpr double kMostMoves = 1e9;
-constexpr Ticks kMostTicks = Ticks{1} << 40;
+constexpr double kMaxMoves = 1e9;
+constexpr Ticks kMaxTicks = Ticks{1} << 40;
 
 std::string fineness(const Resolution& r, FileUnit unit) {
   switch (r.rule) {
@@ -60,7 +60,7 @@ static void describe(Fields& f, CutSettings& s) {
   f.number("pulse-rate", s.laser.pulse_rate, kPositive, 0);
   f.number("duty", s.laser.duty, kPositiveShare, 1);
   f.choice("assist", s.laser.assist, kAssists, Assist::kNone);
-  f.whole("most-faces", s.most_faces, 1, uint64_t{1} << 32, CutSettings::kMostFaces);
+  f.whole("most-faces", s.max_faces, 1, uint64_t{1} << 32, CutSettings::kMaxFaces);
 }
 
 std::string BeginStroke::words(FileUnit unit) const {
@@ -79,8 +79,8 @@ void describe(Fields& f, MoveBeam& c) {
 }
 
 void describe(Fields& f, StopStroke& c) {
-  f.number("moves", c.moves, {0, kMostMoves});
-  f.whole("ticks", c.ticks, 0, kMostTicks, 0);
+  f.number("moves", c.moves, {0, kMaxMoves});
+  f.whole("ticks", c.ticks, 0, kMaxTicks, 0);
 }
 
 std::string Recut::words(FileUnit unit) const {
@@ -90,7 +90,7 @@ std::string Recut::words(FileUnit unit) const {
 void describe(Fields& f, Recut& c) { f.object("settings", c.settings); }
 
 void describe(Fields& f, AdvanceTime& c) {
-  f.whole("ticks", c.ticks, 1, AdvanceTime::kMostInALine);
+  f.whole("ticks", c.ticks, 1, AdvanceTime::kMaxInALine);
   f.flag("bodies", c.bodies, false);
   f.flag("joins", c.joins, false);
 }
@@ -264,7 +264,7 @@ void describe(Fields& f, SubdividePiece& c) {
 }
 
 Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progress* progress) const {
-  if (has_faces(world, piece) && world.body(piece.body).pieces[piece.label].faces > kMostToSubdivide)
+  if (has_faces(world, piece) && world.body(piece.body).pieces[piece.label].faces > kMaxToSubdivide)
     return bad_input(piece_words(piece) + " has too many faces to be subdivided");
   return remake_piece(
       world, piece, generation,
@@ -280,7 +280,7 @@ std::string SmoothPiece::words(const std::string& piece_name) const {
 
 void describe(Fields& f, SmoothPiece& c) {
   piece_field(f, c.piece);
-  f.whole("times", c.times, 1, kMostSmoothing);
+  f.whole("times", c.times, 1, kMaxSmoothing);
 }
 
 Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress* progress) const {

@@ -89,7 +89,7 @@ struct AdvanceTime {
 
   static constexpr const char* kName = "advance-time";
   // The largest number in one line of a journal: each second of a run is a line of its own.
-  static constexpr Ticks kMostInALine = kTicksPerSecond;
+  static constexpr Ticks kMaxInALine = kTicksPerSecond;
 
   std::string words() const { return bodies ? "Time with moving bodies" : "Time"; }
 };
@@ -123,7 +123,7 @@ struct Play {
 class Fields;
 
 // Commands that change a piece as a whole. But for DuplicatePiece, the piece becomes a body of its own first,
-// where it is not one already (see edit_piece). run() does the command (see HappensAtOnce).
+// where it is not one already (see edit_piece). run() does the command (see ImmediateCommand).
 
 // Puts a piece at a placement.
 struct MovePiece {
@@ -218,7 +218,7 @@ void describe(Fields& f, SetSolid& c);
 class Fields;
 
 // Commands that give a piece another mesh. It becomes a body of its own (see remake_piece). run() does the
-// command (see HappensAtOnce).
+// command (see ImmediateCommand).
 
 // Simplifies a piece to a number of faces or to an error in metres (see simplify).
 struct SimplifyPiece {
@@ -273,7 +273,7 @@ struct AddMesh {
   static constexpr const char* kName = "add-mesh";
   std::string words() const { return "Add " + name; }
   size_t weight() const { return file.native().size() + name.size(); }
-  // Does it (see HappensAtOnce).
+  // Does it (see ImmediateCommand).
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, AddMesh& c);
@@ -284,7 +284,7 @@ struct SetEnvironment {
 
   static constexpr const char* kName = "set-environment";
   std::string words() const { return "Gravity and ground"; }
-  // Does it (see HappensAtOnce).
+  // Does it (see ImmediateCommand).
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SetEnvironment& c);
@@ -320,13 +320,13 @@ using Command = std::variant<BeginStroke, MoveBeam, EndStroke, StopStroke, Recut
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).
 // On failure the world is unchanged.
 template <typename C>
-concept HappensAtOnce = requires(const C& command, World& world) {
+concept ImmediateCommand = requires(const C& command, World& world) {
   { command.run(world, uint32_t{}, nullptr) } -> std::same_as<Result<Delta>>;
 };
 
 // A command that lets time pass or acts while it passes. It is queued behind the moves before it.
 template <typename C>
-concept HappensInTime =
+concept TimedCommand =
     std::same_as<C, AdvanceTime> || std::same_as<C, DragBody> || std::same_as<C, ReleaseBody>;
 
 // Function objects for std::visit, one for each kind of command or for some of them.

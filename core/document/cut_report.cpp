@@ -93,14 +93,14 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
 
 }  // namespace
 
-void CutJob::note_loaded(const MeshReport& mesh) {
+void CutJob::record_loaded(const MeshReport& mesh) {
   input_faces += mesh.faces;
   input_vertices += mesh.vertices;
   input_area += mesh.area;
   input_components += mesh.components;
 }
 
-void CutJob::note_bite(const StepResult& bite, const World& world, double seconds) {
+void CutJob::record_bite(const StepResult& bite, const World& world, double seconds) {
   statistics.add(bite.statistics);
   removed_faces += bite.delta.removed_faces;
   removed_area += bite.delta.removed_area;

@@ -15,9 +15,9 @@ namespace kerf {
 // The totals and times of a job, for report.json.
 struct CutJob {
   // Adds a loaded mesh to the totals of the input.
-  void note_loaded(const MeshReport& mesh);
+  void record_loaded(const MeshReport& mesh);
   // Adds the result of one call of Document::step, which took `seconds` and left this world.
-  void note_bite(const StepResult& bite, const World& world, double seconds);
+  void record_bite(const StepResult& bite, const World& world, double seconds);
   // To be called around each stroke, so that those are known that met nothing.
   void begin_stroke();
   void end_stroke();

@@ -31,7 +31,7 @@ Outcome Document::apply(const Command& command, const Progress* progress) {
                  [&](const MoveBeam& c) { move_stroke(c); },
                  [&](const EndStroke&) { end_stroke(); },
                  [&](const StopStroke& c) { outcome = stop(c, progress); },
-                 [&](const HappensInTime auto& c) { add_in_time(c); },
+                 [&](const TimedCommand auto& c) { add_in_time(c); },
                  [&](const Play& c) {
                    end_stroke();
                    begin_step(c);
@@ -40,7 +40,7 @@ Outcome Document::apply(const Command& command, const Progress* progress) {
                  [&](const Recut& c) { outcome = recut(c); },
                  [&](const Undo&) { outcome = undo(progress); },
                  [&](const Redo&) { outcome = redo(progress); },
-                 [&](const HappensAtOnce auto& c) { outcome = do_at_once(c, progress); },
+                 [&](const ImmediateCommand auto& c) { outcome = do_at_once(c, progress); },
              },
              command);
   return outcome;
@@ -79,7 +79,7 @@ void Document::add_in_time(const Command& command) {
   if (time && time->ticks == 0) return;
   execution_.history().drop_undone();
   const bool first = history().position() == 0;
-  if (begun_by(command, first ? std::nullopt : std::optional(last().kind()))) {
+  if (history_step_kind(command, first ? std::nullopt : std::optional(last().kind()))) {
     begin_step(command);
   } else {
     last().add(command);
@@ -238,7 +238,7 @@ Outcome Document::stop(const StopStroke& command, const Progress* progress) {
 
 std::optional<World> Document::before_last_stroke() {
   const auto stroke = history().last_cut();
-  if (!stroke || !is_last(*stroke) || world().live_faces() > kMostFacesToCopy) return std::nullopt;
+  if (!stroke || !is_last(*stroke) || world().live_faces() > kMaxFacesToCopy) return std::nullopt;
   return execution_.copy_before(history().base_of(*stroke));
 }
 
@@ -261,7 +261,7 @@ bool Document::can_start_again() const {
 
 Delta Document::start_again() {
   KERF_ASSERT(can_start_again());
-  Delta delta = execution_.take_back(history().position() - 1);
+  Delta delta = execution_.undo(history().position() - 1);
   last().forget();
   delta.append(execution_.run_again());
   ++revision_;
@@ -300,7 +300,7 @@ Outcome Document::undo(const Progress* progress) {
   if (step.images() == Images::kLetGo || (again && !execution_.can_run_again(at - 1)))
     return replay(at, progress);
   Delta delta = std::move(passed.delta);
-  delta.append(execution_.take_back(at));
+  delta.append(execution_.undo(at));
   if (!step.done()) step.forget();
   steps.back();
   if (again) delta.append(execution_.run_again());
@@ -318,7 +318,7 @@ Outcome Document::redo(const Progress* progress) {
   HistoryStep& step = steps.step(at);
   Outcome outcome;
   if (step.images() == Images::kHeld && step.done() && execution_.queue_is_empty()) {
-    outcome.delta = execution_.bring_again(at);
+    outcome.delta = execution_.redo(at);
     steps.forth();
   } else if (step.kind() == Kind::kEdit) {
     outcome = redo_at_once(at, progress);

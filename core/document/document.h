@@ -146,7 +146,7 @@ class Document {
 
   // A copy of the world as it was before the last stroke that was not undone. Nothing if its before-images
   // were discarded, or if the world has more faces than can be copied between two frames.
-  static constexpr size_t kMostFacesToCopy = 400'000;
+  static constexpr size_t kMaxFacesToCopy = 400'000;
   std::optional<World> before_last_stroke();
 
   // A number that increases whenever a stroke is begun, stopped, cut again, undone or redone.

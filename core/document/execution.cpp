@@ -15,12 +15,12 @@ namespace {
 // Loading a mesh and writing its pieces takes 260 bytes a face, and a stroke 130 bytes for each face that it
 // makes; before-images and what is drawn take as much again.
 constexpr uint64_t kBytesAFace = 400;
-constexpr size_t kLeastBudget = 100'000;
+constexpr size_t kMinBudget = 100'000;
 
 }  // namespace
 
 size_t usual_face_budget(uint64_t memory) {
-  return std::clamp<uint64_t>(memory / kBytesAFace, kLeastBudget, CutSettings::kMostFaces);
+  return std::clamp<uint64_t>(memory / kBytesAFace, kMinBudget, CutSettings::kMaxFaces);
 }
 
 Error over_face_budget(size_t budget) {
@@ -68,7 +68,7 @@ void Execution::enqueue(size_t step, const Command& command) {
                  [&](const Recut&) { KERF_ASSERT(!"queued by the commands of its stroke"); },
                  [&](const Undo&) { KERF_ASSERT(!"never part of a step"); },
                  [&](const Redo&) { KERF_ASSERT(!"never part of a step"); },
-                 [&](const HappensAtOnce auto&) { KERF_ASSERT(!"happens at once"); },
+                 [&](const ImmediateCommand auto&) { KERF_ASSERT(!"happens at once"); },
              },
              command);
 }
@@ -109,7 +109,7 @@ Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progr
   recorder_.open(world_, at, history_.window() > 0);
   Result<Delta> delta =
       std::visit(Overloaded{
-                     [&](HappensAtOnce auto& c) { return c.run(world_, step.generation, progress); },
+                     [&](ImmediateCommand auto& c) { return c.run(world_, step.generation, progress); },
                      [&](const auto&) -> Result<Delta> {
                        KERF_ASSERT(!"this command does not happen at once");
                        return Delta{};
@@ -131,17 +131,17 @@ Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progr
 
 // Going back ------------------------------------------------------------------------------------------------
 
-Delta Execution::take_back(size_t step) {
+Delta Execution::undo(size_t step) {
   if (recorder_.step() == step) close();
   queue_.drop(step);
   physics_ = Physics();
-  return history_.step(step).take_back(world_);
+  return history_.step(step).undo(world_);
 }
 
-Delta Execution::bring_again(size_t step) {
+Delta Execution::redo(size_t step) {
   close();
   physics_ = Physics();
-  return history_.step(step).bring_again(world_);
+  return history_.step(step).redo(world_);
 }
 
 Delta Execution::cut_again() {
@@ -151,7 +151,7 @@ Delta Execution::cut_again() {
   physics_ = Physics();
   Delta delta;
   if (!history_.step(before).done()) {
-    delta = history_.step(before).take_back(world_);
+    delta = history_.step(before).undo(world_);
     history_.step(before).forget();
   }
   delta.append(restore_what_is_cut_again(step));

@@ -159,10 +159,10 @@ class Execution {
 
   // Takes a step out of the world and what waits of it out of the queue, by its before-images. Precondition:
   // they are held, and all later steps are taken back.
-  Delta take_back(size_t step);
+  Delta undo(size_t step);
   // Brings a step back that was done when it was taken back. Precondition: the queue is empty, and the images
   // of the step are held.
-  Delta bring_again(size_t step);
+  Delta redo(size_t step);
   // Takes the stroke that a recut, the last step of the history, cuts again out of the world as an edit of
   // the recut, and queues its commands with other settings. A stroke of which moves wait is taken back for
   // good: whoever undoes the recut has it executed again.
@@ -211,7 +211,7 @@ class Execution {
   void close();
   void keep_open(size_t step);
   void note(size_t step, const StepResult& some);
-  void note_cut(size_t step, const StepResult& some);
+  void record_cut(size_t step, const StepResult& some);
   Result<StepResult> noted(size_t step, Result<StepResult> some);
   bool is_over(size_t step) const;
   bool is_last(size_t step) const { return step + 1 == history_.position(); }

@@ -79,18 +79,18 @@ StepResult Execution::separate_more() {
   const size_t most = walked_ ? walked_->settings.search_a_move : CutSettings{}.search_a_move;
   StepResult some = go_on_separating(world_, most);
   if (recorder_.step()) {
-    note_cut(*recorder_.step(), some);
+    record_cut(*recorder_.step(), some);
     finish(*recorder_.step());
   }
   return some;
 }
 
 Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progress& progress) {
-  constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
+  constexpr size_t kMaxAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
   if (is_over_budget()) return over_face_budget(face_budget_);
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
-  const std::vector<BeamMove> moves = queue_.begin_moves(world_, one_stage ? 1 : std::min(most, kMostAtOnce));
+  const std::vector<BeamMove> moves = queue_.begin_moves(world_, one_stage ? 1 : std::min(most, kMaxAtOnce));
   walked_->list_path(world_);
   const CutSettings& settings = walked_->settings;
   UnfinishedMove& unfinished = queue_.unfinished();
@@ -101,7 +101,8 @@ Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progr
 }
 
 Result<StepResult> Execution::close_rim_of_stroke(const Progress& progress) {
-  if (is_over_budget() && !queue_.unfinished_rim().must_go_on()) return over_face_budget(face_budget_);
+  if (is_over_budget() && !queue_.unfinished_rim().is_uninterruptible())
+    return over_face_budget(face_budget_);
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   Result<StepResult> some =
@@ -133,7 +134,7 @@ Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress)
   if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
   release_pieces(world_, history_.step(step).generation, all.delta);
   follow_with_spring(world_, all.delta);
-  note_cut(step, all);
+  record_cut(step, all);
   if (const auto& stroke = queue_.front_in_time().stroke) stroke->inherit(all.delta.detached);
   Result<StepResult> moved = move_under_beam(step, progress);
   if (!moved) return moved;
@@ -164,7 +165,7 @@ Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progr
     if (moves.empty() || stroke->settings.model == Model::kThermal) continue;
     Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
     if (!cut) return cut;
-    note_cut(step, *cut);
+    record_cut(step, *cut);
     all.delta.append(std::move(cut->delta));
     all.statistics.add(cut->statistics);
   }
@@ -217,12 +218,12 @@ void Execution::close_and_trim() {
 
 void Execution::note(size_t step, const StepResult& some) {
   history_.step(step).touch(some.delta);
-  history_.step(step).note_new_pieces(world_, some.delta);
+  history_.step(step).record_new_pieces(world_, some.delta);
   history_.step(step).add(some.statistics);
 }
 
 // Bodies that touched a changed body are woken.
-void Execution::note_cut(size_t step, const StepResult& some) {
+void Execution::record_cut(size_t step, const StepResult& some) {
   forget_contacts(world_, some.delta);
   physics_.follow(some.delta);
   note(step, some);
@@ -230,7 +231,7 @@ void Execution::note_cut(size_t step, const StepResult& some) {
 
 Result<StepResult> Execution::noted(size_t step, Result<StepResult> some) {
   if (!some) return some;
-  note_cut(step, *some);
+  record_cut(step, *some);
   finish(step);
   return some;
 }
@@ -264,7 +265,7 @@ void Execution::finish(size_t step) {
 // so does what is drawn of it afterwards: it may be cut again. If it is one that is cut again itself, nothing
 // is cut, as the earlier settings do not count any more.
 bool Execution::give_up(size_t step, bool stopped) {
-  KERF_ASSERT(!queue_.unfinished_rim().must_go_on());
+  KERF_ASSERT(!queue_.unfinished_rim().is_uninterruptible());
   if (in_stroke() && is_last(step)) drawn_->given_up = true;
   queue_.drop_strokes(step);
   if (stopped) queue_.clear();
@@ -273,7 +274,7 @@ bool Execution::give_up(size_t step, bool stopped) {
     finish(step);
     return false;
   }
-  take_back(step);
+  undo(step);
   history_.step(step).forget();
   if (stopped) return true;
   begin(step);

@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-// See begun_by().
+// See history_step_kind().
 struct BegunStep {
   using Kind = HistoryStep::Kind;
   std::optional<Kind> last;
@@ -21,10 +21,10 @@ struct BegunStep {
   std::optional<Kind> operator()(const BeginStroke&) const { return Kind::kStroke; }
   std::optional<Kind> operator()(const Recut&) const { return Kind::kRecut; }
   std::optional<Kind> operator()(const Play&) const { return Kind::kTime; }
-  std::optional<Kind> operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
+  std::optional<Kind> operator()(const ImmediateCommand auto&) const { return Kind::kEdit; }
   // Bodies move in steps that are begun for it, or in those of strokes (see Document).
   std::optional<Kind> operator()(const AdvanceTime& c) const { return time(c.joins && !c.bodies); }
-  std::optional<Kind> operator()(const HappensInTime auto&) const { return time(false); }
+  std::optional<Kind> operator()(const TimedCommand auto&) const { return time(false); }
   std::optional<Kind> operator()(const MoveBeam&) const { return std::nullopt; }
   std::optional<Kind> operator()(const EndStroke&) const { return std::nullopt; }
   std::optional<Kind> operator()(const StopStroke&) const { return std::nullopt; }
@@ -74,7 +74,7 @@ bool is_live(const Mesh& mesh, FaceId f) { return f.index < mesh.face_slots() &&
 }  // namespace
 
 HistoryStep::HistoryStep(const Command& first) {
-  const std::optional<Kind> kind = begun_by(first, std::nullopt);
+  const std::optional<Kind> kind = history_step_kind(first, std::nullopt);
   KERF_ASSERT(kind);
   kind_ = kind.value_or(Kind::kEdit);
   add(first);
@@ -147,14 +147,14 @@ void HistoryStep::follow_bodies(const Delta& delta) {
 }
 
 void HistoryStep::keep_cut_faces(const BodyDelta& delta) {
-  const size_t count = std::min(delta.removed.size(), kMostCutFaces - sums_.cut_faces_kept);
+  const size_t count = std::min(delta.removed.size(), kMaxCutFaces - sums_.cut_faces_kept);
   if (count == 0) return;
   std::vector<CutFace>& kept = cut_faces_[delta.body];
   kept.insert(kept.end(), delta.removed.begin(), delta.removed.begin() + static_cast<std::ptrdiff_t>(count));
   sums_.cut_faces_kept += count;
 }
 
-void HistoryStep::let_go_cut_faces() {
+void HistoryStep::drop_cut_faces() {
   cut_faces_.clear();
   sums_.cut_faces_kept = 0;
 }
@@ -163,8 +163,8 @@ PieceId HistoryStep::piece_after_step(PieceId before) const { return piece_after
 
 // The latest removals are looked at first, because the last of those that separate a piece is beside it. What
 // was beside it then may have been removed later, with the label of the new piece.
-void HistoryStep::note_new_pieces(const World& world, const Delta& delta) {
-  constexpr size_t kMostLookedAt = 20'000;
+void HistoryStep::record_new_pieces(const World& world, const Delta& delta) {
+  constexpr size_t kMaxLookedAt = 20'000;
   if (const std::optional<double> radius = beam_radius(commands_.front()))
     sums_.specks.merge(new_specks(world, delta, *radius));
   for (const BodyDelta& b : delta.bodies) {
@@ -175,7 +175,7 @@ void HistoryStep::note_new_pieces(const World& world, const Delta& delta) {
     const std::vector<CutFace>& faces = cut->second;
     std::set<uint32_t> unknown(b.new_pieces.begin(), b.new_pieces.end());
     std::unordered_map<uint32_t, uint32_t> label_then;  // of faces that were removed later; never iterated
-    const size_t end = faces.size() - std::min(faces.size(), kMostLookedAt);
+    const size_t end = faces.size() - std::min(faces.size(), kMaxLookedAt);
     for (size_t i = faces.size(); i-- > end && !unknown.empty();) {
       label_then[faces[i].face.index] = faces[i].piece;
       for (const FaceId n : faces[i].neighbours) {
@@ -199,13 +199,13 @@ void HistoryStep::forget() {
   images_ = Images::kNone;
 }
 
-void HistoryStep::let_go() {
+void HistoryStep::drop_before_images() {
   if (images_ == Images::kHeld) images_ = Images::kLetGo;
   changes_.clear();
   sums_.bytes = 0;
 }
 
-Delta HistoryStep::take_back(World& world) {
+Delta HistoryStep::undo(World& world) {
   for (size_t i = changes_.size(); i-- > 0;) world.exchange(changes_[i]);
   return delta(world, true);
 }
@@ -245,7 +245,7 @@ Delta HistoryStep::go_back_to(const Mark& mark, World& world) {
   return back;
 }
 
-Delta HistoryStep::bring_again(World& world) {
+Delta HistoryStep::redo(World& world) {
   for (World::Change& change : changes_) world.exchange(change);
   return delta(world, false);
 }
@@ -289,7 +289,8 @@ Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const
   return all;
 }
 
-std::optional<HistoryStep::Kind> begun_by(const Command& command, std::optional<HistoryStep::Kind> last) {
+std::optional<HistoryStep::Kind> history_step_kind(const Command& command,
+                                                   std::optional<HistoryStep::Kind> last) {
   return std::visit(BegunStep{last}, command);
 }
 
@@ -414,7 +415,7 @@ void History::trim() {
   size_t held = bytes();
   for (size_t i = 0; i < steps_.size() && held > window_; ++i) {
     held -= steps_[i]->bytes();
-    steps_[i]->let_go();
+    steps_[i]->drop_before_images();
   }
   trim_cut_faces();
 }
@@ -422,7 +423,7 @@ void History::trim() {
 void History::trim_cut_faces() {
   size_t kept = 0;
   for (size_t i = steps_.size(); i-- > 0;) {
-    if (kept > kMostCutFaces) steps_[i]->let_go_cut_faces();
+    if (kept > kMaxCutFaces) steps_[i]->drop_cut_faces();
     kept += steps_[i]->cut_faces_kept();
   }
 }

@@ -74,7 +74,7 @@ class HistoryStep {
   // Makes the step waiting again, after its changes were taken out of the world. Drops all records of them.
   void forget();
   // Discards the before-images. The changes stay in the world.
-  void let_go();
+  void drop_before_images();
 
   // The id after the step of a body that has the id `before` ahead of it and was not removed by it.
   BodyId id_after_step(BodyId before) const { return id_after(bodies_, before); }
@@ -83,10 +83,10 @@ class HistoryStep {
   PieceId piece_after_step(PieceId before) const;
 
   // The pieces that came off in the step, by the ids of the bodies after the step, and the label of the piece
-  // that each came off. note_new_pieces() is told of each part of the step right after it: what came off what
-  // is found from the faces that were removed beside a new piece.
+  // that each came off. record_new_pieces() is told of each part of the step right after it: what came off
+  // what is found from the faces that were removed beside a new piece.
   const std::map<PieceId, uint32_t>& came_off() const { return sums_.came_off; }
-  void note_new_pieces(const World& world, const Delta& delta);
+  void record_new_pieces(const World& world, const Delta& delta);
   // Of these, those that were specks when they came off (see is_speck), found or not what they came off.
   const std::set<PieceId>& specks() const { return sums_.specks; }
   // The pieces that the step detached, one after the other.
@@ -96,17 +96,17 @@ class HistoryStep {
 
   // The faces that the beam removed in the step, by the id of the body after the step, for views of the cut.
   // They are kept while the step is undone, and when its before-images are discarded. Beyond
-  // kMostCutFaces, and after let_go_cut_faces(), some are missing.
-  static constexpr size_t kMostCutFaces = 200'000;
+  // kMaxCutFaces, and after drop_cut_faces(), some are missing.
+  static constexpr size_t kMaxCutFaces = 200'000;
   const CutFaces& cut_faces() const { return cut_faces_; }
   size_t cut_faces_kept() const { return sums_.cut_faces_kept; }
   bool has_all_cut_faces() const { return sums_.cut_faces_kept == sums_.removed_faces; }
-  void let_go_cut_faces();
+  void drop_cut_faces();
 
   // Undoes or redoes the step by exchanging what it changed with its before-images. Preconditions: the images
   // are held, and all later steps are undone.
-  Delta take_back(World& world);
-  Delta bring_again(World& world);
+  Delta undo(World& world);
+  Delta redo(World& world);
   // What the parts of the step that have been executed sum up to.
   struct Sums {
     size_t bytes = 0;  // memory of the before-images
@@ -164,7 +164,8 @@ class HistoryStep {
 
 // The kind of the step of the history that a command begins where the step before it is of the kind `last`,
 // or where there is none. Nothing for a command that goes on with that step, and for Undo and Redo.
-std::optional<HistoryStep::Kind> begun_by(const Command& command, std::optional<HistoryStep::Kind> last);
+std::optional<HistoryStep::Kind> history_step_kind(const Command& command,
+                                                   std::optional<HistoryStep::Kind> last);
 
 // The timeline of a document: the steps before its position are done, those from the position on were undone.
 // The before-images of steps are kept within a limit of memory, the window; the oldest are discarded first.
@@ -232,8 +233,8 @@ class History {
   void set_window(size_t bytes);
   size_t bytes() const;
   // Discards before-images, the oldest first, until they are within the window; and the faces that the oldest
-  // steps cut, until at most kMostCutFaces are kept besides those of the latest step.
-  static constexpr size_t kMostCutFaces = 500'000;
+  // steps cut, until at most kMaxCutFaces are kept besides those of the latest step.
+  static constexpr size_t kMaxCutFaces = 500'000;
   void trim();
 
  private:

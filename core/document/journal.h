@@ -51,7 +51,7 @@ Result<Journal> read_journal(const std::filesystem::path& file);
 
 // The text of a journal. `folder` is the folder of the journal file; if it is empty, meshes are named by
 // their absolute paths. `work_of` and `opened` are those of Journal. Bad input if a mesh has no hash (see
-// note_hashes) or a name is not UTF-8.
+// record_hashes) or a name is not UTF-8.
 Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
                                  const std::filesystem::path& folder,
                                  std::span<const std::filesystem::path> opened = {});

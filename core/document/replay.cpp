@@ -88,7 +88,7 @@ size_t Replay::end_of_stopped() const {
     return std::visit(Overloaded{
                           [](const MoveBeam&) { return true; },
                           [](const EndStroke&) { return true; },
-                          [](const HappensInTime auto&) { return true; },
+                          [](const TimedCommand auto&) { return true; },
                           [](const auto&) { return false; },
                       },
                       command);

@@ -12,7 +12,7 @@ std::filesystem::path previous_version(const std::filesystem::path& file);
 Status save_file(const std::filesystem::path& file, std::string_view bytes);
 
 // Writes a journal with save_file. Bad input if the file is a mesh that the journal names. Precondition: the
-// meshes of the scene have hashes (see note_hashes).
+// meshes of the scene have hashes (see record_hashes).
 Status save_journal(const std::filesystem::path& file, const SceneDescription& scene,
                     std::span<const Command> commands, std::span<const StateMark> marks);
 

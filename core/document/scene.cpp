@@ -187,7 +187,7 @@ Result<Scene> read_scene(const std::filesystem::path& file, const Progress* prog
   return load_scene(std::move(*description), progress);
 }
 
-Status note_hashes(SceneDescription& description, const Progress* progress) {
+Status record_hashes(SceneDescription& description, const Progress* progress) {
   ProgressShares shares(progress);
   for (SceneBody& body : description.bodies) {
     const Progress hashing = shares.next(1 / static_cast<double>(description.bodies.size()));

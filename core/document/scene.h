@@ -49,7 +49,7 @@ struct Paint {
 };
 
 // The largest number of lights of a scene.
-inline constexpr size_t kMostLights = 4;
+inline constexpr size_t kMaxLights = 4;
 
 // A view of a scene.
 struct View {
@@ -87,7 +87,7 @@ struct SceneDescription {
   std::vector<SceneBody> bodies;
   std::map<std::string, Paint> paints;  // by material name
   std::optional<View> view;
-  std::vector<Light> lights;        // up to kMostLights; if empty, the default key light
+  std::vector<Light> lights;        // up to kMaxLights; if empty, the default key light
   std::string show;                 // default of `render --show`, in its syntax
   std::vector<StrokePath> strokes;  // cut when the scene is opened
   std::string others = "{}";        // JSON: the values of kEditorKeys
@@ -115,6 +115,6 @@ Result<Scene> read_scene(const std::filesystem::path& file, const Progress* prog
 
 // Computes the hash of every mesh file that has none yet, as journals require. Fails if a file cannot be
 // read.
-Status note_hashes(SceneDescription& description, const Progress* progress = nullptr);
+Status record_hashes(SceneDescription& description, const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -187,8 +187,8 @@ void describe(Fields& f, Light& light) {
 
 void lights_field(Fields& f, const char* key, std::vector<Light>& lights) {
   f.list(key, "lights", lights, kOptional);
-  f.check(lights.size() <= kMostLights, key,
-          "must hold no more than " + std::to_string(kMostLights) + " lights");
+  f.check(lights.size() <= kMaxLights, key,
+          "must hold no more than " + std::to_string(kMaxLights) + " lights");
 }
 
 void describe(Fields& f, SceneBody& body) {

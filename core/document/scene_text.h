@@ -38,7 +38,7 @@ void describe(Fields& f, SceneJoint& joint);
 void describe(Fields& f, Paint& paint);
 void describe(Fields& f, View& view);
 void describe(Fields& f, Light& light);
-// The list of at most kMostLights lights.
+// The list of at most kMaxLights lights.
 void lights_field(Fields& f, const char* key, std::vector<Light>& lights);
 
 }  // namespace kerf

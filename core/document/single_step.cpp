@@ -107,14 +107,14 @@ StageRecord SingleStep::describe() const {
 
 // A stage of many faces, with its parts. Very many parts are several stages.
 Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress) {
-  constexpr size_t kMostParts = 64;
+  constexpr size_t kMaxParts = 64;
   Result<StepResult> all = document_.step_stage(progress);
   const auto goes_on = [&] {
     if (kind == StageKind::kCloseRim) return document_.execution().rim_is_unfinished();
     return (kind == StageKind::kRefine || kind == StageKind::kRemove) && all->moves == 0 &&
            kind_of(document_.execution().unfinished_move().stage) == kind;
   };
-  for (size_t parts = 1; all && parts < kMostParts && goes_on(); ++parts) {
+  for (size_t parts = 1; all && parts < kMaxParts && goes_on(); ++parts) {
     Result<StepResult> part = document_.step_stage(progress);
     if (!part) return part;
     all->delta.append(std::move(part->delta));
@@ -145,11 +145,11 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
   if (record.kind == StageKind::kRemove) record.left = after.hit.size() - after.removed;
   if (record.kind == StageKind::kSeparate) record.specks = count_specks(record.done.delta, document_);
   if (record.move && after.stage == UnfinishedMove::Stage::kFind) swept_ = false;
-  note_work(record);
+  record_work(record);
   return record;
 }
 
-void SingleStep::note_work(const StageRecord& record) {
+void SingleStep::record_work(const StageRecord& record) {
   constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
   const StepStatistics& statistics = record.done.statistics;
   work_ += statistics.faces_made + record.done.delta.removed_faces + kOfStage;

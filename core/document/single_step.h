@@ -78,7 +78,7 @@ class SingleStep {
     Document::Mark mark;
   };
   const Place* place_before(size_t stages) const;
-  void note_work(const StageRecord& record);
+  void record_work(const StageRecord& record);
   Delta resume(size_t stages);
 
   Document& document_;

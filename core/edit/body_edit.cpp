@@ -57,14 +57,14 @@ void BodyEdit::split_in_four(FaceId f) {
   if (!body_->refinement.can_split(mesh(), f)) return;
   const size_t first = splits_.size();
   body_->refinement.split(body_->mesh, f, splits_);
-  note_splits(first);
+  record_splits(first);
 }
 
 void BodyEdit::bisect_at_longest_edge(FaceId f) {
   KERF_ASSERT(mesh().is_live(f));
   const size_t first = splits_.size();
   bisect_longest_edge(body_->mesh, body_->refinement, f, splits_);
-  note_splits(first);
+  record_splits(first);
 }
 
 void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at,
@@ -85,17 +85,17 @@ void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& a
     follow_area(body_->mesh.edit_data(s.added), kept + added, added);
     splits_.push_back(in_two(s));
   }
-  note_splits(first_split);
+  record_splits(first_split);
 }
 
 // The counts and the graph follow at once: what is moved or turned next is told to them too.
-void BodyEdit::note_splits(size_t first) {
+void BodyEdit::record_splits(size_t first) {
   for (size_t i = first; i < splits_.size(); ++i) {
     const Replacement& r = splits_[i];
     edited_.insert(edited_.end(), r.born.begin(), r.born.begin() + r.born_count);
     const int made = r.born_count - r.gone_count;
     faces_made_ += static_cast<size_t>(made);
-    note_replaced(*body_, r);
+    record_replaced(*body_, r);
     count(r.born[0], made, 0);
   }
 }
@@ -115,7 +115,7 @@ void BodyEdit::remove_face(FaceId f) {
   const Triangle t = mesh().triangle(f);
   const double area = triangle_area(t);
   const int64_t loops = body_->separation.loops;
-  note_removal(*body_, f);
+  record_removed_part(*body_, f);
   record_removal(f, t, loops);
   count(f, -1, -area);
   body_->edit_piece_of(f).moments -= area_moments(t, area, body_->middle());
@@ -127,7 +127,7 @@ void BodyEdit::remove_face(FaceId f) {
   edited_.push_back(f);
 }
 
-// Precondition: the separation state of the body still holds the neighbours of f (see note_removal).
+// Precondition: the separation state of the body still holds the neighbours of f (see record_removed_part).
 void BodyEdit::record_removal(FaceId f, const Triangle& corners, int64_t loops_before) {
   const FaceData& data = mesh().data(f);
   CutFace cut;
@@ -210,7 +210,7 @@ void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
     follow_area(body_->mesh.edit_data(faces[i]), before[i], area);
     moved_.push_back(faces[i]);
     edited_.push_back(faces[i]);
-    note_turned(*body_, faces[i], area - before[i]);
+    record_turned(*body_, faces[i], area - before[i]);
     if (!one_piece) body_->edit_piece_of(faces[i]).moments += moments_of(faces[i]);
   }
 }
@@ -273,8 +273,8 @@ void BodyEdit::clear_hit(FaceId f) {
   if (mesh().data(f).hit) body_->mesh.edit_data(f).hit = false;
 }
 
-size_t BodyEdit::separate(size_t most, Meanwhile meanwhile) {
-  const SettleResult result = settle(*body_, most, meanwhile);
+size_t BodyEdit::separate(size_t most, EditPolicy policy) {
+  const SettleResult result = settle(*body_, most, policy);
   new_pieces_.insert(new_pieces_.end(), result.new_pieces.begin(), result.new_pieces.end());
   relabelled_.insert(relabelled_.end(), result.relabelled.begin(), result.relabelled.end());
   return result.looked_at + result.relabelled.size();

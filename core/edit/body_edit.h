@@ -85,7 +85,7 @@ class BodyEdit {
 
   // Searches for separated parts (see settle), visiting about `most` faces. Returns the number of faces
   // visited and relabelled.
-  size_t separate(size_t most, Meanwhile meanwhile = Meanwhile::kEdits);
+  size_t separate(size_t most, EditPolicy policy = EditPolicy::kAllowEdits);
 
   // The number of faces that splits have created, minus those that were split.
   size_t faces_made() const { return faces_made_; }
@@ -106,7 +106,7 @@ class BodyEdit {
   void remove_face(FaceId f);
   void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
-  void note_splits(size_t first);
+  void record_splits(size_t first);
 
   Body* body_;
   std::vector<Replacement> splits_;  // not applied to the tree yet

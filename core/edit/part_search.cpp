@@ -154,7 +154,7 @@ bool PartSearch::go_on(size_t most, SettleResult& result) {
 
 // Edits between steps ---------------------------------------------------------------------------------------
 
-void PartSearch::note_replaced(const Replacement& replaced) {
+void PartSearch::record_replaced(const Replacement& replaced) {
   uint32_t mark = 0;  // the largest mark, i.e. that of a visited face if there is one
   for (int i = 0; i < replaced.gone_count; ++i)
     mark = std::max(mark, search_.mark.get(replaced.gone[i].index));
@@ -162,7 +162,7 @@ void PartSearch::note_replaced(const Replacement& replaced) {
   for (int i = 0; i < replaced.gone_count; ++i) {
     const FaceId f = replaced.gone[i];
     const uint32_t own = search_.mark.get(f.index);
-    if (mark & ~own & OpenSearch::kLookedAt) note_looked_at(f, own != 0 ? own : mark, half_of(replaced));
+    if (mark & ~own & OpenSearch::kLookedAt) record_looked_at(f, own != 0 ? own : mark, half_of(replaced));
   }
   for (int i = 0; i < replaced.born_count; ++i) {
     uint32_t& own = search_.mark.at(replaced.born[i].index);
@@ -181,7 +181,7 @@ double PartSearch::half_of(const Replacement& replaced) const {
 }
 
 // Marks a face as visited. One half of a green pair may not have been visited when the pair was split.
-void PartSearch::note_looked_at(FaceId f, uint32_t mark, double area) {
+void PartSearch::record_looked_at(FaceId f, uint32_t mark, double area) {
   search_.mark.at(f.index) = mark | OpenSearch::kLookedAt;
   SearchFront& front = *search_.front_of(f);
   ++front.faces;
@@ -190,7 +190,7 @@ void PartSearch::note_looked_at(FaceId f, uint32_t mark, double area) {
 
 // The neighbours of a removed face that no front has visited belong to the front that has reached the face,
 // or that has reached one of its neighbours without visiting it.
-void PartSearch::note_removal(FaceId f) {
+void PartSearch::record_removed_part(FaceId f) {
   if (search_.stage != OpenSearch::Stage::kGrow) return;
   uint32_t mark = search_.mark.get(f.index);
   if (mark & OpenSearch::kLookedAt) return;
@@ -202,7 +202,7 @@ void PartSearch::note_removal(FaceId f) {
   for (const FaceId n : state_.neighbours) reach(mark - 1, {n});
 }
 
-void PartSearch::note_turned(FaceId f, double area_gained) {
+void PartSearch::record_turned(FaceId f, double area_gained) {
   if (search_.stage == OpenSearch::Stage::kGrow && (search_.mark.get(f.index) & OpenSearch::kLookedAt) != 0)
     search_.front_of(f)->area += area_gained;
   look_again(f);
@@ -273,7 +273,7 @@ void PartSearch::sum_up() {
   for (uint32_t i = 0; i < search_.fronts.size(); ++i) {
     if (search_.front_parent[i] != i) continue;
     if (search_.fronts[i].exhausted()) {
-      note_exhausted(i);
+      record_exhausted(i);
     } else {
       ++open_[root(search_.group_parent, search_.group[i])];
       queue(i);
@@ -281,7 +281,7 @@ void PartSearch::sum_up() {
   }
 }
 
-void PartSearch::note_exhausted(uint32_t front) {
+void PartSearch::record_exhausted(uint32_t front) {
   const SearchFront& own = search_.fronts[front];
   assert(own.exhausted());
   Found& found = found_of(front);
@@ -365,7 +365,7 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
     if (!walk_.is_live(at)) continue;
     const FaceId f = turn_[at].face;
     const uint32_t mark = search_.mark.get(f.index);
-    if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark, walk_.area(at));
+    if (!(mark & OpenSearch::kLookedAt)) record_looked_at(f, mark, walk_.area(at));
   }
   search_.fronts[front].looked_at += turn_.size();
   for (const ReachedFace& n : neighbours) reach(front, n);
@@ -377,7 +377,7 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
     queue(front);
   } else {
     --open_[root(search_.group_parent, search_.group[front])];
-    note_exhausted(front);
+    record_exhausted(front);
   }
   return turn_.size();
 }

@@ -54,11 +54,11 @@ uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b);
 // later step. Private to core/edit.
 class PartSearch {
  public:
-  explicit PartSearch(Body& body, Meanwhile meanwhile = Meanwhile::kEdits)
+  explicit PartSearch(Body& body, EditPolicy policy = EditPolicy::kAllowEdits)
       : body_(body),
         state_(body.separation),
         search_(body.separation.search),
-        compares_(meanwhile == Meanwhile::kNoEdits),
+        compares_(policy == EditPolicy::kNoEdits),
         walk_(body.mesh) {}
 
   // Which fronts may belong to the same component. kClusters: those whose seeds were connected over removed
@@ -74,14 +74,14 @@ class PartSearch {
 
   // Follows the removal of f. Preconditions: f is live and about to be removed, state.neighbours holds its
   // neighbours.
-  void note_removal(FaceId f);
+  void record_removed_part(FaceId f);
 
   // Follows a split: the parts of a face that a front has reached belong to that front. They are visited
   // again, because their neighbours differ.
-  void note_replaced(const Replacement& replaced);
+  void record_replaced(const Replacement& replaced);
 
   // Follows a flip of an edge of f: f is visited again.
-  void note_turned(FaceId f, double area_gained);
+  void record_turned(FaceId f, double area_gained);
 
  private:
   // The parts found of one component, and its remainder.
@@ -104,7 +104,7 @@ class PartSearch {
 
   void seed_clusters();
   void seed_components();
-  void note_looked_at(FaceId f, uint32_t mark, double area);
+  void record_looked_at(FaceId f, uint32_t mark, double area);
   void look_again(FaceId f);
   double half_of(const Replacement& replaced) const;
   void reach(uint32_t front, const ReachedFace& reached);
@@ -121,7 +121,7 @@ class PartSearch {
   void take_from(SearchFront& front, size_t faces);
   bool must_grow(uint32_t front);
   void sum_up();
-  void note_exhausted(uint32_t front);
+  void record_exhausted(uint32_t front);
   Found& found_of(uint32_t front);
 
   // In label_parts.cpp.

@@ -112,7 +112,7 @@ void start_step(SeparationState& state) {
 
 }  // namespace
 
-void note_removal(Body& body, FaceId f) {
+void record_removed_part(Body& body, FaceId f) {
   KERF_ASSERT(body.mesh.is_live(f));
   SeparationState& state = body.separation;
   state.neighbours.clear();
@@ -123,22 +123,22 @@ void note_removal(Body& body, FaceId f) {
     state.ties.emplace_back(f, f);
   }
   CutLoops(body.mesh, state).remove(f);
-  if (!is_settled(body)) PartSearch(body).note_removal(f);
+  if (!is_settled(body)) PartSearch(body).record_removed_part(f);
 }
 
-void note_replaced(Body& body, const Replacement& replaced) {
-  if (!is_settled(body)) PartSearch(body).note_replaced(replaced);
+void record_replaced(Body& body, const Replacement& replaced) {
+  if (!is_settled(body)) PartSearch(body).record_replaced(replaced);
 }
 
-void note_turned(Body& body, FaceId f, double area_gained) {
+void record_turned(Body& body, FaceId f, double area_gained) {
   KERF_ASSERT(body.mesh.is_live(f));
-  if (!is_settled(body)) PartSearch(body).note_turned(f, area_gained);
+  if (!is_settled(body)) PartSearch(body).record_turned(f, area_gained);
 }
 
-SettleResult settle(Body& body, size_t most, Meanwhile meanwhile) {
+SettleResult settle(Body& body, size_t most, EditPolicy policy) {
   SeparationState& state = body.separation;
   SettleResult result;
-  PartSearch search(body, meanwhile);
+  PartSearch search(body, policy);
   bool& again = state.search.asked_again;
   if (may_have_come_apart(body.mesh, state)) {
     if (is_settled(body)) {

@@ -60,14 +60,14 @@ class CutLoops {
 
 // Reports that f is about to be removed. Preconditions: f is live, and the counts of its piece still include
 // it.
-void note_removal(Body& body, FaceId f);
+void record_removed_part(Body& body, FaceId f);
 
 // Reports that faces were split, before their counts are updated and before the new faces are edited again.
-void note_replaced(Body& body, const Replacement& replaced);
+void record_replaced(Body& body, const Replacement& replaced);
 
 // Reports that the neighbours of a face have changed because one of its edges was flipped, and by how much
 // its area (m^2) has grown thereby. Precondition: f is live.
-void note_turned(Body& body, FaceId f, double area_gained);
+void record_turned(Body& body, FaceId f, double area_gained);
 
 // The result of one call of settle().
 struct SettleResult {
@@ -79,7 +79,7 @@ struct SettleResult {
 inline constexpr size_t kNoLimit = std::numeric_limits<size_t>::max();
 
 // Whether the body may be edited while a search waits for the next call of settle().
-enum class Meanwhile { kEdits, kNoEdits };
+enum class EditPolicy { kAllowEdits, kNoEdits };
 
 // Finds the parts into which components were separated. The part with the largest area keeps the label of its
 // component (of equally large parts, see kEqualArea, the one with the lowest face); each other part gets a
@@ -91,7 +91,7 @@ enum class Meanwhile { kEdits, kNoEdits };
 // label. Without edits meanwhile, it estimates which part is the smaller one and visits few faces of the
 // other: 1.25 times as many as were separated, and at most five times as many where the estimate is wrong.
 // The result is the same.
-SettleResult settle(Body& body, size_t most = kNoLimit, Meanwhile meanwhile = Meanwhile::kEdits);
+SettleResult settle(Body& body, size_t most = kNoLimit, EditPolicy policy = EditPolicy::kAllowEdits);
 
 // Makes the connected parts of two faces one part, because faces were added that join them: loaded components
 // that were apart, or such a component and what was cut off another one. Precondition: both faces have the

@@ -104,7 +104,7 @@ void fit(GraphLayout& places) {
 // The square cells into which nodes are sorted, so that near ones are found.
 class Cells {
  public:
-  static constexpr int kMostCells = 64;  // a side
+  static constexpr int kMaxCells = 64;  // a side
 
   // Cells at least so wide over all places. Precondition: there is a place, and width > 0.
   Cells(const GraphLayout& places, double width) : low_(places[0]) {
@@ -113,8 +113,8 @@ class Cells {
       low_ = glm::min(low_, p);
       high = glm::max(high, p);
     }
-    width_ = std::max(width, std::max(high.x - low_.x, high.y - low_.y) / kMostCells);
-    in_.resize(size_t{kMostCells} * kMostCells);
+    width_ = std::max(width, std::max(high.x - low_.x, high.y - low_.y) / kMaxCells);
+    in_.resize(size_t{kMaxCells} * kMaxCells);
     for (uint32_t i = 0; i < places.size(); ++i)
       in_[at(column(places[i].x, low_.x), column(places[i].y, low_.y))].push_back(i);
   }
@@ -123,8 +123,8 @@ class Cells {
   template <typename Visit>
   void for_each_near(const Vec2& place, const Visit& visit) const {
     const int x = column(place.x, low_.x), y = column(place.y, low_.y);
-    for (int v = std::max(0, y - 1); v <= std::min(kMostCells - 1, y + 1); ++v) {
-      for (int u = std::max(0, x - 1); u <= std::min(kMostCells - 1, x + 1); ++u) {
+    for (int v = std::max(0, y - 1); v <= std::min(kMaxCells - 1, y + 1); ++v) {
+      for (int u = std::max(0, x - 1); u <= std::min(kMaxCells - 1, x + 1); ++u) {
         for (const uint32_t node : in_[at(u, v)]) visit(node);
       }
     }
@@ -132,9 +132,9 @@ class Cells {
 
  private:
   int column(double x, double low) const {
-    return std::clamp(static_cast<int>((x - low) / width_), 0, kMostCells - 1);
+    return std::clamp(static_cast<int>((x - low) / width_), 0, kMaxCells - 1);
   }
-  static size_t at(int x, int y) { return static_cast<size_t>(y) * kMostCells + static_cast<size_t>(x); }
+  static size_t at(int x, int y) { return static_cast<size_t>(y) * kMaxCells + static_cast<size_t>(x); }
 
   Vec2 low_;
   double width_ = 1;
@@ -249,7 +249,7 @@ class Ring {
 }  // namespace
 
 std::optional<GraphLayout> lay_out_unrolled(const DrawnGraph& graph) {
-  constexpr double kLeastHeight = 0.4;  // of the width
+  constexpr double kMinHeight = 0.4;  // of the width
   const std::vector<Vec3> removed = middles_of(graph, true);
   if (removed.size() < 3) return std::nullopt;
   const Ring ring(removed);
@@ -261,7 +261,7 @@ std::optional<GraphLayout> lay_out_unrolled(const DrawnGraph& graph) {
     width = std::max(width, places.back().x);
     height = std::max(height, 2 * std::abs(places.back().y));
   }
-  const double stretch = height > 0 ? std::max(1.0, kLeastHeight * width / height) : 1;
+  const double stretch = height > 0 ? std::max(1.0, kMinHeight * width / height) : 1;
   for (Vec2& p : places) p.y *= stretch;
   fit(places);
   return places;

@@ -23,7 +23,7 @@ double FaceHeat::hottest_of(const Mesh& mesh, FaceId f) const {
   return std::max(kAmbient, static_cast<double>(mesh.columns().get(hottest, f)));
 }
 
-void FaceHeat::note_hottest(Mesh& mesh, FaceId f, double temperature) const {
+void FaceHeat::record_hottest(Mesh& mesh, FaceId f, double temperature) const {
   const auto now = static_cast<float>(temperature);
   if (now > mesh.columns().get(hottest, f)) mesh.columns().set(hottest, f, now);
 }
@@ -36,7 +36,7 @@ double FaceHeat::stored(const Mesh& mesh) const {
 
 namespace {
 
-constexpr int kMostSteps = 64;  // in one call
+constexpr int kMaxSteps = 64;  // in one call
 // How fast faces cool that are almost as cold as the ambient (K/s). A beam that heats more slowly is not
 // felt.
 constexpr double kRestRate = 0.5;
@@ -51,7 +51,7 @@ struct HotBody {
 
   double mass(FaceId f) const { return triangle_area(mesh.triangle(f)) * thickness * substance.density; }
   void note(FaceId f, double temperature) const {
-    if (temperature > kTintedFrom) heat.note_hottest(mesh, f, temperature);
+    if (temperature > kTintedFrom) heat.record_hottest(mesh, f, temperature);
   }
 };
 
@@ -117,7 +117,7 @@ double conduct(Mesh& mesh, const FaceHeat& heat, const Substance& substance, dou
   const double rested = gather(body, warm, seconds, region);
   HeatStep step(region, substance, loss, thickness, memory.step);
   double remaining = seconds;
-  while (remaining > 0 && step.any_hot()) remaining -= step.advance(remaining, seconds / kMostSteps);
+  while (remaining > 0 && step.any_hot()) remaining -= step.advance(remaining, seconds / kMaxSteps);
   if (remaining > 0) {
     for (HeatRegion::Node& node : region.nodes())
       node.joules -= resting_loss(substance, node.joules, node.mass, remaining);

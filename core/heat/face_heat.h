@@ -24,10 +24,10 @@ struct FaceHeat {
   // The temperature of a face (K) of a sheet of the given thickness (m). A face without area is at the
   // ambient.
   double temperature(const Mesh& mesh, FaceId f, const Substance& substance, double thickness) const;
-  // The highest temperature that f ever had as far as it was recorded (see note_hottest), K.
+  // The highest temperature that f ever had as far as it was recorded (see record_hottest), K.
   double hottest_of(const Mesh& mesh, FaceId f) const;
   // Records that f is at this temperature (K).
-  void note_hottest(Mesh& mesh, FaceId f, double temperature) const;
+  void record_hottest(Mesh& mesh, FaceId f, double temperature) const;
 
   // The sum over all faces (J). O(hot faces).
   double stored(const Mesh& mesh) const;

@@ -97,7 +97,7 @@ constexpr double kSpacingsAFace = 0.6;  // the spacing is at most this share of 
 
 int halvings_for(double face) {
   int halvings = 0;
-  for (double s = kBundleSpacing; s > kSpacingsAFace * face && halvings < kMostHalvings; s *= 0.5) ++halvings;
+  for (double s = kBundleSpacing; s > kSpacingsAFace * face && halvings < kMaxHalvings; s *= 0.5) ++halvings;
   return halvings;
 }
 

@@ -75,9 +75,9 @@ struct BundleRay {
 // middle of a triangle of it, with the shares of a Gaussian profile (1/e^2 at the radius); sums over such a
 // lattice are exact but for the tail that is left out (0.03 %), which the shares make up for: they add up
 // to 1. The spacing of the lattice is kBundleSpacing radii, halved until it is finer than `face`, the size of
-// the faces under the beam in radii, at most kMostHalvings times. For kRays4 its four rays.
+// the faces under the beam in radii, at most kMaxHalvings times. For kRays4 its four rays.
 inline constexpr double kBundleSpacing = 0.3, kBundleReach = 2;
-inline constexpr int kMostHalvings = 3;
+inline constexpr int kMaxHalvings = 3;
 std::vector<BundleRay> ray_bundle(Pattern pattern, double face);
 // The spacing of the lattice, in radii.
 double bundle_spacing(double face);

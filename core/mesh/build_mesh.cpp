@@ -84,7 +84,7 @@ class Builder {
     join_patches_of_shells(*patches);
     const std::vector<bool> inward = inward_triangles(soup_.positions, triangles_, *patches);
     turn(inward);
-    note_overlaps(overlapping_patches(soup_.positions, triangles_, *patches).size());
+    record_overlaps(overlapping_patches(soup_.positions, triangles_, *patches).size());
     patch_of_ = std::move(patches->patch_of);
     for (size_t t = 0; t < triangles_.size(); ++t)
       report_.repairs.reoriented_faces += (*disagreeing)[t] != inward[t];
@@ -105,7 +105,7 @@ class Builder {
     join_patches(patches, partner, pairs);
   }
 
-  void note_overlaps(size_t shells) {
+  void record_overlaps(size_t shells) {
     if (shells == 0) return;
     report_.warnings.push_back(
         grouped(shells) +
@@ -183,7 +183,7 @@ class Builder {
     }
     report_.non_manifold_edges = non_manifold.size();
     pair_sides_of_shells(soup_.positions, triangles_, edges_, non_manifold, patch_of_, partner_);
-    note_doubled(count_doubled(rings_));
+    record_doubled(count_doubled(rings_));
     return Done{};
   }
 
@@ -201,7 +201,7 @@ class Builder {
     return static_cast<size_t>(std::unique(doubled.begin(), doubled.end()) - doubled.begin());
   }
 
-  void note_doubled(size_t faces) {
+  void record_doubled(size_t faces) {
     if (faces == 0) return;
     report_.warnings.push_back(grouped(faces) +
                                (faces == 1 ? " face lies on another one and faces the same way: the volume "
@@ -214,7 +214,7 @@ class Builder {
     auto fans = name_vertices(triangles_, soup_.positions.size(), partner_, &progress);
     if (const Status named = unpack(std::move(fans), fans_); !named) return named;
     count_vertices();
-    note_other_colours();
+    record_other_colours();
     return Done{};
   }
 
@@ -232,7 +232,7 @@ class Builder {
     report_.repairs.duplicated_vertices = fans_.count() - report_.vertices;
   }
 
-  void note_other_colours() {
+  void record_other_colours() {
     size_t others = 0;
     for (size_t p = 0; p < soup_.colours.size(); ++p) others += soup_.colours[p] != soup_.colours[welded_[p]];
     if (others == 0) return;

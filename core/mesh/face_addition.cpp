@@ -33,7 +33,7 @@ void FaceAddition::append(uint32_t v, HalfEdgeId h) {
 }
 
 // Lists the half-edges at a vertex before a face is added there; later the mesh may not lead to all of them.
-void FaceAddition::note_half_edges(const Mesh::Kernel& kernel, uint32_t v) {
+void FaceAddition::record_half_edges(const Mesh::Kernel& kernel, uint32_t v) {
   if (is_noted_[v]) return;
   is_noted_[v] = true;
   kernel.half_edges.for_each_outgoing(vertices_[v], [&](HalfEdgeId h) { append(v, h); });
@@ -75,7 +75,7 @@ std::vector<FaceId> FaceAddition::add(Mesh& mesh, std::span<const FaceData> data
   std::vector<uint32_t> touched;
   for (const FaceData& of_face : data) {
     const auto& corners = corners_[added_++];
-    for (const uint32_t v : corners) note_half_edges(k, v);
+    for (const uint32_t v : corners) record_half_edges(k, v);
     const HalfEdgeId ab = side(k, corners[0], corners[1]), bc = side(k, corners[1], corners[2]),
                      ca = side(k, corners[2], corners[0]);
     const FaceId f = m.add_face(ab);

@@ -84,7 +84,7 @@ Vec3 nearest_point(const Vec3& p, const Triangle& t) {
 
 namespace {
 
-constexpr uint32_t kMostInLeaf = 4;  // triangles
+constexpr uint32_t kMaxInLeaf = 4;  // triangles
 
 // Boxes over triangles, each divided in the middle of its triangles along its longest side. The children of
 // node n are n + 1 and Node::second.
@@ -142,7 +142,7 @@ class TriangleBoxes {
       }
     }
     nodes_.push_back(node);
-    if (end - begin <= kMostInLeaf) {
+    if (end - begin <= kMaxInLeaf) {
       nodes_[made].begin = begin;
       nodes_[made].end = end;
       return made;
@@ -177,7 +177,7 @@ std::array<Vec3, 7> samples_of(const Triangle& t) {
 // Raises `most`, a squared distance, to that of the sample of `from` that is farthest from `to`. Returns
 // false if it was stopped.
 bool raise(std::span<const Triangle> from, TriangleBoxes& to, const Progress& progress, double& most) {
-  const size_t sampled = std::min(from.size(), kMostSampled);
+  const size_t sampled = std::min(from.size(), kMaxSampled);
   Pace pace(&progress, sampled);
   for (size_t i = 0; i < sampled; ++i) {
     for (const Vec3& p : samples_of(from[i * from.size() / sampled]))
@@ -281,7 +281,7 @@ double signed_volume(std::span<const Vec3> positions, std::span<const Corners> t
 using LabelledSide = std::pair<uint32_t, int>;
 
 // Notes as open the labels whose sides of one edge do not balance. Sorts the sides.
-void note_open(std::vector<LabelledSide>& sides, std::vector<bool>& closed) {
+void record_open(std::vector<LabelledSide>& sides, std::vector<bool>& closed) {
   std::sort(sides.begin(), sides.end());
   for (size_t i = 0; i < sides.size();) {
     const uint32_t label = sides[i].first;
@@ -321,7 +321,7 @@ std::vector<bool> closed_pieces(const Mesh& mesh, uint32_t labels) {
     sides.clear();
     for (const uint32_t side : edges.sides_of(e))
       sides.emplace_back(welded.labels[side / 3], direction(welded.triangles, side));
-    note_open(sides, closed);
+    record_open(sides, closed);
   }
   return closed;
 }

@@ -325,7 +325,7 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
   }
   if (k.columns.blank()) return;
   for (size_t i = first; i < out.size(); ++i)
-    k.columns.note_split(out[i].kept, out[i].added, area_share(*this, out[i].kept, out[i].added));
+    k.columns.record_split(out[i].kept, out[i].added, area_share(*this, out[i].kept, out[i].added));
 }
 
 void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
@@ -345,7 +345,7 @@ void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
   m.close(fa, a0, a2, b1);
   m.close(fb, b0, b2, a1);
   link_to_copy(*kernel_, a0);
-  if (!kernel_->columns.blank()) kernel_->columns.note_turned(fa, fb, area_share(*this, fa, fb));
+  if (!kernel_->columns.blank()) kernel_->columns.record_turned(fa, fb, area_share(*this, fa, fb));
 }
 
 bool Mesh::can_flip_edge(FaceId f, VertexId from, VertexId to) const {
@@ -370,7 +370,7 @@ void Mesh::remove_face(FaceId f) {
   }
   m.remove(f);
   --kernel_->live_faces;
-  if (!kernel_->columns.blank()) kernel_->columns.note_removed(f);
+  if (!kernel_->columns.blank()) kernel_->columns.record_removed(f);
 }
 
 size_t Mesh::bytes() const { return ChangeOfParts<Kernel>::bytes_of(*kernel_); }

@@ -252,7 +252,7 @@ class FaceAddition {
     for (uint32_t e = chains_[v].first; e != kNone; e = entries_[e].next) visit(entries_[e].half_edge);
   }
   void append(uint32_t v, HalfEdgeId h);
-  void note_half_edges(const Mesh::Kernel& kernel, uint32_t v);
+  void record_half_edges(const Mesh::Kernel& kernel, uint32_t v);
   HalfEdgeId side(Mesh::Kernel& kernel, uint32_t from, uint32_t to);
   void link_boundaries(Mesh::Kernel& kernel, uint32_t v) const;
   bool is_one_fan(const Mesh::Kernel& kernel, uint32_t v) const;

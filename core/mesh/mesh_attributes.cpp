@@ -28,7 +28,7 @@ uint32_t FaceColumns::attach(Rule rule) {
   return static_cast<uint32_t>(columns_.size() - 1);
 }
 
-void FaceColumns::note_split(FaceId kept, FaceId added, double share) {
+void FaceColumns::record_split(FaceId kept, FaceId added, double share) {
   for (Column& column : columns_) {
     if (column.rule == Rule::kCopy) {
       column.set(added, column.get(kept));
@@ -38,13 +38,13 @@ void FaceColumns::note_split(FaceId kept, FaceId added, double share) {
   }
 }
 
-void FaceColumns::note_turned(FaceId a, FaceId b, double share) {
+void FaceColumns::record_turned(FaceId a, FaceId b, double share) {
   for (Column& column : columns_) {
     if (column.rule == Rule::kShareByArea) column.share_sum(a, b, share);
   }
 }
 
-void FaceColumns::note_removed(FaceId f) {
+void FaceColumns::record_removed(FaceId f) {
   for (Column& column : columns_) column.set(f, 0);
 }
 

@@ -143,9 +143,9 @@ class FaceColumns {
   uint32_t attach(Rule rule);
 
   // Called by the mesh. `share` is the fraction of the first face in the area of both, 0 .. 1.
-  void note_split(FaceId kept, FaceId added, double share);
-  void note_turned(FaceId a, FaceId b, double share);
-  void note_removed(FaceId f);
+  void record_split(FaceId kept, FaceId added, double share);
+  void record_turned(FaceId a, FaceId b, double share);
+  void record_removed(FaceId f);
 
   std::vector<Column> columns_;
 };

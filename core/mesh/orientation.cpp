@@ -307,8 +307,8 @@ int sign_of_volume(std::span<const Vec3> positions, const Triangles& triangles,
   });
   Volume whole;
   for (const Volume& part : parts) whole = {whole.sum + part.sum, whole.bound + part.bound};
-  if (whole.sum < -kLeastVolume * whole.bound) return -1;
-  return whole.sum > kLeastVolume * whole.bound ? 1 : 0;
+  if (whole.sum < -kMinVolume * whole.bound) return -1;
+  return whole.sum > kMinVolume * whole.bound ? 1 : 0;
 }
 
 }  // namespace

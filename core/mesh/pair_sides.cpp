@@ -21,7 +21,7 @@ namespace {
 constexpr double kSameDirection = 1e-6;
 // A corner whose distance from the line of the edge is less than this share of that from its end has no
 // direction.
-constexpr double kLeastHeight = 1e-12;
+constexpr double kMinHeight = 1e-12;
 
 // A side as seen along its edge from the lower to the higher end.
 struct AroundEdge {
@@ -57,7 +57,7 @@ class ShellPairing {
     for (const uint32_t s : sides) {
       const Vec3 to_corner = positions_[corner(s, 2)] - origin;
       const Vec3 across = to_corner - glm::dot(to_corner, along) * along;
-      if (!(glm::length(across) > kLeastHeight * glm::length(to_corner))) return {};
+      if (!(glm::length(across) > kMinHeight * glm::length(to_corner))) return {};
       if (!right) {
         right = glm::normalize(across);
         up = glm::cross(along, *right);

@@ -137,10 +137,10 @@ void OneToFour::bisect(Mesh& mesh, uint32_t index, int edge) {
   const VertexId from = e.corners[edge], to = e.corners[next(edge)];
   std::vector<Mesh::FaceSplit> splits;
   mesh.split_edge(face_at(mesh, e, from, to), from, to, splits);
-  for (const Mesh::FaceSplit& s : splits) note_split(mesh, s);
+  for (const Mesh::FaceSplit& s : splits) record_split(mesh, s);
 }
 
-void OneToFour::note_split(Mesh& mesh, const Mesh::FaceSplit& s) {
+void OneToFour::record_split(Mesh& mesh, const Mesh::FaceSplit& s) {
   uint32_t index = mesh.data(s.kept).element;
   if (index == FaceData::kNoElement) {
     index = open_element(mesh, s.kept);

@@ -84,7 +84,7 @@ class OneToFour {
   void refine_coarser_neighbours(Mesh& mesh, uint32_t element, std::vector<Replacement>& out);
   bool refine_coarser_across(Mesh& mesh, uint32_t element, int edge, std::vector<Replacement>& out);
   void bisect(Mesh& mesh, uint32_t element, int edge);
-  void note_split(Mesh& mesh, const Mesh::FaceSplit& s);
+  void record_split(Mesh& mesh, const Mesh::FaceSplit& s);
   void finish_red(Mesh& mesh, uint32_t element, std::vector<Replacement>& out);
   void report_green(std::vector<Replacement>& out);
   static int edge_of(const Split& e, VertexId from,

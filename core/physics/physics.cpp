@@ -59,7 +59,7 @@ Vec3 wanted_acceleration(const Vec3& way, const Vec3& velocity, double metre) {
   KERF_ASSERT(metre > 0);
   const Vec3 wanted = kPullFrequency * kPullFrequency * way - 2 * kPullFrequency * velocity;
   const double size = glm::length(wanted);
-  return size > kMostPull * metre ? kMostPull * metre / size * wanted : wanted;
+  return size > kMaxPull * metre ? kMaxPull * metre / size * wanted : wanted;
 }
 
 void pull(Body& body, const Spring& spring, double metre, double seconds) {
@@ -287,12 +287,12 @@ void Physics::begin_step() { of_step_.clear(); }
 bool Physics::makes_collider(const World& world, BodyId id, bool under_beam) const {
   if (!colliders_.contains(id)) return true;
   if (!changed_.contains(id)) return false;
-  return !under_beam || !of_step_.contains(id) || world.body(id).mesh.live_faces() <= kMostUnderBeam;
+  return !under_beam || !of_step_.contains(id) || world.body(id).mesh.live_faces() <= kMaxUnderBeam;
 }
 
 void Physics::weigh_changed(World& world, std::span<const BodyId> ids, bool under_beam) const {
   for (const BodyId id : ids) {
-    if (makes_collider(world, id, under_beam)) weigh(world.body(id));
+    if (makes_collider(world, id, under_beam)) update_mass_properties(world.body(id));
   }
 }
 
@@ -315,7 +315,7 @@ void Physics::learn_faces(World& world, std::span<const BodyId> ids, bool under_
   for (const BodyId id : ids) {
     if (!makes_collider(world, id, under_beam)) continue;
     Body& body = world.body(id);
-    weighing.emplace_back([&body] { weigh(body); });
+    weighing.emplace_back([&body] { update_mass_properties(body); });
   }
   std::vector<std::function<void()>> work = preparations(world, ids, under_beam);
   work.insert(work.end(), weighing.begin(), weighing.end());

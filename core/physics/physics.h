@@ -25,12 +25,12 @@ std::string machine_kind();
 
 // Lets the spring of the world act on the body that it holds for one tick of so many seconds: its velocity
 // and spin change as by a critically damped spring between the held point and the far end, which accelerates
-// the point by at most kMostPull. The body wakes. Nothing happens without a spring, or if the piece does not
+// the point by at most kMaxPull. The body wakes. Nothing happens without a spring, or if the piece does not
 // exist, is pinned, hidden or has no mass.
 void pull(World& world, double seconds);
 
 inline constexpr double kPullFrequency = 20;  // rad/s, of the undamped spring with the mass that it feels
-inline constexpr double kMostPull = 100;      // m/s^2
+inline constexpr double kMaxPull = 100;       // m/s^2
 
 class SolverMemory;
 
@@ -60,7 +60,7 @@ struct Guided {
 // All state that decides what happens lies in the world: placements, motions and World::contact_memory().
 // This class only keeps colliders and which joints hold, which are functions of the faces; one that was made
 // anew goes on to the bit like the old one. There is one exception, for making the collider of a large body
-// takes longer than a tick may: within a step of the history, a body of more than kMostUnderBeam faces keeps
+// takes longer than a tick may: within a step of the history, a body of more than kMaxUnderBeam faces keeps
 // its collider while the beam cuts it. So one that was made anew goes on like the old one from where a step
 // begins, see begin_step().
 class Physics {
@@ -90,9 +90,10 @@ class Physics {
   // Makes the colliders that the next tick would make, and finds the joints that hold. The tick then weighs
   // none of these bodies.
   void prepare(const World& world, std::span<const BodyId> carried = {});
-  // Whether such a tick makes a collider of this body, if any is awake, and weighs the body (see weigh).
+  // Whether such a tick makes a collider of this body, if any is awake, and weighs the body (see
+  // update_mass_properties).
   bool makes_collider(const World& world, BodyId id, bool under_beam) const;
-  static constexpr size_t kMostUnderBeam = 20'000;
+  static constexpr size_t kMaxUnderBeam = 20'000;
 
   // Whether the joints are known that hold, i.e. whether no change was followed since the last tick.
   bool knows_joints() const { return joints_.has_value(); }

@@ -49,7 +49,7 @@ bool has_pieces_off(const Body& body) { return !body.hidden && !pieces_off(body)
 void release_pieces(World& world, uint32_t generation, Delta& delta) {
   for (const BodyId id : world.ids()) {
     if (!has_pieces_off(world.body(id))) continue;
-    weigh(world.body(id));
+    update_mass_properties(world.body(id));
     for (const uint32_t label : pieces_off(world.body(id))) {
       const BodyId own = detach(world, {id, label}, generation, delta);
       Body &rest = world.body(id), &piece = world.body(own);

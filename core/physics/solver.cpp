@@ -225,12 +225,12 @@ class BulletGroup {
   // The largest impulse of the last tick that a contact starts with (N s): what pressed on a light body
   // together with others must not act on it alone when its contacts change.
   double most_warm_impulse(const TouchingPair& pair) const {
-    constexpr double kMostChange = 1;  // m/s
+    constexpr double kMaxChange = 1;  // m/s
     double mass = std::numeric_limits<double>::infinity();
     for (uint32_t i : {pair.first, pair.second}) {
       if (i != TouchingPair::kGround && bodies_[i].moves()) mass = std::min(mass, bodies_[i].frame.mass);
     }
-    return kMostChange * settings_.metre * mass;
+    return kMaxChange * settings_.metre * mass;
   }
 
   void fill(const Contact& c, double most_warm_impulse) {

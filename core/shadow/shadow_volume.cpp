@@ -98,7 +98,7 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
   std::vector<Relabelled> faces;
   for (const uint32_t f : each) {
     if (stands_still(mesh, f)) {
-      note_label(f, label_of(mesh, f, labels), faces);
+      record_label(f, label_of(mesh, f, labels), faces);
     } else {
       others.push_back(f);
     }
@@ -106,7 +106,7 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
   for (const uint32_t f : unmoved) {
     const bool label_alone =
         there(f) && mesh.is_live(FaceId(f)) && !std::binary_search(each.begin(), each.end(), f);
-    if (label_alone) note_label(f, label_of(mesh, f, labels), faces);
+    if (label_alone) record_label(f, label_of(mesh, f, labels), faces);
   }
   const std::vector<uint32_t> torn = relabel(faces, change);
   others.insert(others.end(), torn.begin(), torn.end());
@@ -136,7 +136,7 @@ bool ShadowCaster::stands_still(const Mesh& mesh, uint32_t face) const {
 }
 
 // Notes a face whose label is to be another one.
-void ShadowCaster::note_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const {
+void ShadowCaster::record_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const {
   const uint32_t from = vertices_[corner_[3 * face]].piece;
   if (from != label) out.push_back({face, from, label});
 }

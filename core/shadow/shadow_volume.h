@@ -122,7 +122,7 @@ class ShadowCaster {
   bool there(uint32_t face) const { return corner_[3 * face] != kNone; }
   std::array<uint32_t, 3> sorted_corners(uint32_t face) const;
   bool stands_still(const Mesh& mesh, uint32_t face) const;
-  void note_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const;
+  void record_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const;
   std::vector<uint32_t> relabel(std::span<const Relabelled> faces, Change& change);
   void rename_vertex(uint32_t vertex, uint32_t piece);
   // add, put and find_copies leave in `copies_` the faces with the same corners as `face`, itself included;

@@ -23,10 +23,10 @@ double need(size_t faces) {
 SortProgress::SortProgress(const Progress* progress, size_t faces)
     : progress_(progress), owner_(std::this_thread::get_id()), all_(need(faces)) {}
 
-void SortProgress::note_split(size_t whole, size_t left, size_t right) {
+void SortProgress::record_split(size_t whole, size_t left, size_t right) {
   note(need(whole) - need(left) - need(right));
 }
-void SortProgress::note_done(size_t faces) { note(need(faces)); }
+void SortProgress::record_done(size_t faces) { note(need(faces)); }
 
 void SortProgress::note(double done) {
   constexpr double kReports = 100;  // at most
@@ -38,17 +38,17 @@ void SortProgress::note(double done) {
 
 namespace {
 
-constexpr int kMostBins = 16;
+constexpr int kMaxBins = 16;
 
 // Maps a centroid to its bin along each axis.
 class Binning {
  public:
   Binning(const PrimitiveRange& range)
-      : count(static_cast<int>(std::min<size_t>(kMostBins, 4 + range.items.size() / 8))),
+      : count(static_cast<int>(std::min<size_t>(kMaxBins, 4 + range.items.size() / 8))),
         low_(range.centres.low) {
     const __m128 size = _mm_sub_ps(range.centres.high, low_);
     const __m128 scale = _mm_div_ps(_mm_set1_ps(kBinScale * static_cast<float>(count)), size);
-    spread_ = _mm_cmpgt_ps(size, _mm_set1_ps(kLeastSpread));
+    spread_ = _mm_cmpgt_ps(size, _mm_set1_ps(kMinSpread));
     scale_ = _mm_and_ps(scale, spread_);
   }
 
@@ -76,7 +76,7 @@ struct Plane {
 
 // The primitives of a range by bin, along each axis.
 struct Bins {
-  Bin bin[3][kMostBins];
+  Bin bin[3][kMaxBins];
 
   void put(std::span<const Primitive> items, const Binning& binning) {
     for (const Primitive& p : items) {
@@ -138,7 +138,7 @@ class BinSweep {
 
   void sweep(int axis, Plane& best) const {
     const Bin* bins = bins_.bin[axis];
-    float right_cost[kMostBins];
+    float right_cost[kMaxBins];
     Bin right, left;
     for (int i = binning_.count - 1; i > 0; --i) {
       right.box.add(bins[i].box);
@@ -335,7 +335,7 @@ class TreeBuilder {
     const size_t whole = child->items.size();
     c.split(child, shape_);
     const size_t left = child->items.size();
-    sorted_.note_split(whole, left, whole - left);
+    sorted_.record_split(whole, left, whole - left);
   }
 
   void divide(Part& part) {
@@ -355,7 +355,7 @@ class TreeBuilder {
       add_block(part, part.range, kNoIndex, 0);
     else
       build_node(part, part.range);
-    if (faces < kSmallRange) sorted_.note_done(faces);
+    if (faces < kSmallRange) sorted_.record_done(faces);
   }
 
   uint32_t build_node(Part& part, const PrimitiveRange& range) {
@@ -374,7 +374,7 @@ class TreeBuilder {
       }
       part.nodes[n].child[i] = child;
       set_slot_box(part.nodes[n], i, c.range[i].bounds);
-      if (large && faces < kSmallRange) sorted_.note_done(faces);
+      if (large && faces < kSmallRange) sorted_.record_done(faces);
     }
     return n;
   }

@@ -20,8 +20,8 @@ class SortProgress {
   // `progress` may be null; it must outlive this object.
   SortProgress(const Progress* progress, size_t faces);
 
-  void note_split(size_t whole, size_t left, size_t right);
-  void note_done(size_t faces);
+  void record_split(size_t whole, size_t left, size_t right);
+  void record_done(size_t faces);
   bool stopped() const { return stopped_; }
 
  private:

@@ -136,7 +136,7 @@ __m128 size_of(__m128 v) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
 // at once.
 void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
   const __m128 sign = _mm_set1_ps(-0.0f), down = _mm_and_ps(d, sign);
-  const __m128 size = _mm_max_ps(size_of(d), _mm_set1_ps(kLeastComponent));
+  const __m128 size = _mm_max_ps(size_of(d), _mm_set1_ps(kMinComponent));
   const __m128 slope = _mm_or_ps(_mm_div_ps(_mm_set1_ps(1), size), down);
   _mm_store_ps(q.near_origin, _mm_blendv_ps(high, low, down));
   _mm_store_ps(q.far_origin, _mm_blendv_ps(low, high, down));
@@ -201,8 +201,8 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   const double reach = tree.reach(), scale = tree.frame.scale;
   const double lost = kBoxSlack * (8 * reach + far), error = reach * kPlaneRoundings + lost;
   // From so far away that rounding decides where they pass, rays meet nothing; beyond, floats overflow.
-  constexpr double kMostError = 1e30;
-  if (!(error < kMostError) || nearest > (reach + error) * (reach + error)) return false;
+  constexpr double kMaxError = 1e30;
+  if (!(error < kMaxError) || nearest > (reach + error) * (reach + error)) return false;
   // t = 0 is a plane across the rays in front of all boxes.
   const auto back = static_cast<float>(2 * reach);
   const __m128 ahead = _mm_mul_ps(_mm_set1_ps(back), direction);
@@ -210,7 +210,7 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   set_slabs(q, direction, _mm_sub_ps(_mm_sub_ps(low, ahead), slack),
             _mm_add_ps(_mm_sub_ps(high, ahead), slack));
   q.t_low =
-      static_cast<float>(std::max(back - latest + range.low * scale - 2 * error, kLeastRayParameter * reach));
+      static_cast<float>(std::max(back - latest + range.low * scale - 2 * error, kMinRayParameter * reach));
   q.t_high = static_cast<float>(std::min(back - earliest + range.high * scale + 2 * error, 4 * reach));
   q.t_sure = static_cast<float>(back - own.at + range.low * scale + 4 * error);
   q.error = static_cast<float>(reach * kShearedRoundings + 2 * lost);

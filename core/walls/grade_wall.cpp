@@ -16,7 +16,7 @@ constexpr double kThin = 1.0 / 4, kThinBent = 1.0 / 16;
 // when it is split.
 constexpr double kFlat = 1e-3;
 // How many vertices grading may add for each that there was.
-constexpr size_t kMostGraded = 4;
+constexpr size_t kMaxGraded = 4;
 
 }  // namespace
 
@@ -100,7 +100,7 @@ Resumable<Done> WallMesh::grade(double least, const Middle& middle) {
     look_at(t);
     co_await worked(1);
   }
-  const size_t most = (1 + kMostGraded) * vertices_.size();
+  const size_t most = (1 + kMaxGraded) * vertices_.size();
   while (!waiting.empty() && vertices_.size() < most) {
     const LongSide next = waiting.top();
     waiting.pop();

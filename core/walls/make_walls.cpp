@@ -76,7 +76,7 @@ constexpr double kWithinRange = 1e-6;
 // No edge of a wall is shorter, relative to the radius.
 constexpr double kShortest = 1e-9;
 // How often a wall may have more vertices than its rim.
-constexpr size_t kMostAdded = 2;
+constexpr size_t kMaxAdded = 2;
 
 // The curve of vertices that are on no side.
 constexpr uint32_t kNoCurve = 0xffffffffu;
@@ -225,7 +225,7 @@ class WallMaker {
   }
 
   // What caps have to close beyond the side.
-  void note_caps(const Side& side) {
+  void record_caps(const Side& side) {
     for (const bool is_high : {false, true}) {
       for (const auto& [from, to] : side.wall.cap(is_high))
         (is_high ? high_end_ : low_end_).emplace_back(side.of_patch[from], side.of_patch[to]);
@@ -284,7 +284,7 @@ class WallMaker {
     const auto winding = co_await untangle_side(side, conflict);
     if (!winding) co_return left_open("the rim crosses itself", place_of(side, conflict));
     if (side.wall.edges().empty()) {
-      note_caps(side);
+      record_caps(side);
       co_return Done{};
     }
     const int below = -winding->least, above = winding->above + below;
@@ -303,7 +303,7 @@ class WallMaker {
     if (below > 0) side.wall.close_all_around(*ends_.high, true);
     if (above > 0) side.wall.close_all_around(*ends_.low, false);
     add_new_vertices(side);
-    note_caps(side);
+    record_caps(side);
     co_return co_await triangulate(side);
   }
 
@@ -356,7 +356,7 @@ class WallMaker {
         kRimNear * stroke_.radius);
     co_await worked(triangles.size());
     co_await wall.improve();
-    const size_t most = kMostAdded * (side.wall.placed().size() + 1024);
+    const size_t most = kMaxAdded * (side.wall.placed().size() + 1024);
     size_t added = 0;
     const WallMesh::Middle at_middle = [&](const ChartVertex& v) {
       return on_boundary(side.wall.side_chart().point(v));
@@ -399,8 +399,8 @@ class WallMaker {
       slope[k] = (stroke_.distance(p + aside) - d) / step;
     }
     const double steepness2 = glm::dot(slope, slope);
-    constexpr int kMostSteps = 6;
-    for (int i = 0; i < kMostSteps && std::abs(d) > exact && steepness2 > 0.25; ++i) {
+    constexpr int kMaxSteps = 6;
+    for (int i = 0; i < kMaxSteps && std::abs(d) > exact && steepness2 > 0.25; ++i) {
       p -= d / steepness2 * slope;
       d = stroke_.distance(p);
     }

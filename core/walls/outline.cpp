@@ -18,7 +18,7 @@ namespace {
 // deep a point lies in another region; at the small angles at which arcs leave lines, the depth grows with
 // the square of the length, so that kDepth corresponds to lengths of 1.4e-5. It exceeds the errors of the
 // angles.
-constexpr double kDepth = 1e-10, kLeastPiece = 1e-4, kLargestGap = 1e-3;
+constexpr double kDepth = 1e-10, kMinPiece = 1e-4, kLargestGap = 1e-3;
 
 double squared_distance(Vec2 p, const DiscMove& m) {
   const Vec2 way = m.to - m.from, from = p - m.from;
@@ -85,13 +85,13 @@ class Crossings {
   void note(double share) {
     if (share > 0 && share < 1) shares.push_back(share);
   }
-  void note_angle(double angle) {
+  void record_angle(double angle) {
     double turned = wrapped(angle - piece_.angle);
     if (turned < 0) turned += 2 * kPi;
     note(turned / piece_.turn);
   }
   // Of the equation x^2 - 2 half x + product = 0.
-  void note_roots(double half, double product) {
+  void record_roots(double half, double product) {
     const double root2 = half * half - product;
     if (!(root2 > 0)) return;
     note((half - std::sqrt(root2)) / piece_.length);
@@ -106,11 +106,11 @@ class Crossings {
       if (!(std::abs(cosine) < 1)) return;
       const double middle = arc_tangent(between.y, between.x);
       const double half = arc_tangent(std::sqrt(1 - cosine * cosine), cosine);
-      note_angle(middle - half);
-      note_angle(middle + half);
+      record_angle(middle - half);
+      record_angle(middle + half);
     } else if (piece_.length > 0) {
       const Vec2 along = (piece_.to - piece_.from) / piece_.length, between = centre - piece_.from;
-      note_roots(glm::dot(along, between), glm::dot(between, between) - radius * radius);
+      record_roots(glm::dot(along, between), glm::dot(between, between) - radius * radius);
     }
   }
   void cross_line(Vec2 point, Vec2 along) {
@@ -119,8 +119,8 @@ class Crossings {
       if (!(std::abs(height) < 1)) return;
       const double direction = arc_tangent(along.y, along.x);
       const double above = arc_tangent(height, std::sqrt(1 - height * height));
-      note_angle(direction + above);
-      note_angle(direction + kPi - above);
+      record_angle(direction + above);
+      record_angle(direction + kPi - above);
     } else if (piece_.length > 0) {
       const Vec2 way = piece_.to - piece_.from;
       const double slope = cross2(along, way);
@@ -272,7 +272,7 @@ class Coverage {
   // near enough to what is left then.
   void append_uncovered(const OutlinePiece& side, std::vector<OutlinePiece>& out) {
     const uint32_t own = side.side / 4;
-    Uncovered left(side, kLeastPiece * radius_);
+    Uncovered left(side, kMinPiece * radius_);
     if (own + 1 < moves_.size()) cover(left, side, own + 1);
     if (own > 0) cover(left, side, own - 1);
     cover_by_others(left, side, own);

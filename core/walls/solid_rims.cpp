@@ -16,8 +16,8 @@ namespace {
 
 // How far a vertex of the rim may lie from the outline, relative to the radius: by the errors that the rim
 // may have. For beams through an apex, what an inclined beam's ellipse is longer than a circle comes on top,
-// and what it grows to the next depth at which there is an outline; but no less than kLeastOfFan in all.
-constexpr double kReach = 0.03, kReachOfFan = 0.1, kLeastOfFan = 0.3;
+// and what it grows to the next depth at which there is an outline; but no less than kMinOfFan in all.
+constexpr double kReach = 0.03, kReachOfFan = 0.1, kMinOfFan = 0.3;
 
 Interval depths_of(const BeamPencil& pencil, const Mesh& mesh, std::span<const VertexId> vertices) {
   Interval depths{pencil.see(mesh.position(vertices[0])).depth, pencil.see(mesh.position(vertices[0])).depth};
@@ -59,7 +59,7 @@ Resumable<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const Vert
   if (!chart) co_return left_open("the sides of the beam at different depths do not correspond", first);
   const double longer = pencil->longest_ellipse(stroke.moves) - 1;
   const double reach =
-      stroke.radius * (pencil->parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kLeastOfFan));
+      stroke.radius * (pencil->parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kMinOfFan));
   co_return SweptSides{*pencil, range_ends(*pencil, stroke.moves, stroke.range, stroke.radius), depths,
                        std::move(*chart), reach};
 }

@@ -21,7 +21,7 @@ constexpr double kParallel = 1e-9;
 // The largest distance of a line from the apex, relative to the radius.
 constexpr double kAtApex = 1e-3;
 // The least cosine of the angle between a direction and the middle one.
-constexpr double kLeastCosine = 0.3;
+constexpr double kMinCosine = 0.3;
 
 template <typename Visit>
 void for_each_pose(std::span<const BeamMove> moves, Visit visit) {
@@ -67,7 +67,7 @@ std::optional<BeamPencil> BeamPencil::of(std::span<const BeamMove> moves, double
   for_each_pose(moves, [&](const Pose& pose) {
     const Vec3 from = apex - pose.origin;
     const double distance = glm::length(from - glm::dot(from, pose.direction) * pose.direction);
-    meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > kLeastCosine;
+    meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > kMinCosine;
   });
   if (!meet) return std::nullopt;
   pencil.origin_ = apex;
@@ -104,7 +104,7 @@ namespace {
 // For beams through an apex: the number of depths, and the length of curves that are left out, relative to
 // the radius. Small gaps between strokes come and go with the depth.
 constexpr size_t kSlices = 17;
-constexpr double kLeastCurve = 1;
+constexpr double kMinCurve = 1;
 
 // The nearest point of a piece, as a share of its length.
 double nearest_share(const OutlinePiece& piece, Vec2 p) {
@@ -265,7 +265,7 @@ Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil, st
     for (size_t i = 0; i < moves.size(); ++i) discs[i] = pencil.at_depth(moves[i], slice.depth);
     std::vector<OutlineCurve> outlines = co_await outline_of(discs, radius);
     for (OutlineCurve& outline : outlines) {
-      if (!pencil.parallel() && outline.length < kLeastCurve * radius) continue;
+      if (!pencil.parallel() && outline.length < kMinCurve * radius) continue;
       Curve curve;
       curve.set_outline(std::move(outline));
       slice.curves.push_back(std::move(curve));

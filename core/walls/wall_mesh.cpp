@@ -42,9 +42,9 @@ const SideIndex::Side* SideIndex::find_repeated() const {
 namespace {
 
 // Flips end by themselves in a plane; on a wall that is bent they are limited to so many for each triangle.
-constexpr size_t kMostFlips = 16;
+constexpr size_t kMaxFlips = 16;
 // A flip must reduce the deviation to less than this share.
-constexpr double kLeastGain = 0.99;
+constexpr double kMinGain = 0.99;
 // An edge is not split where one part would be less than this share of it.
 constexpr double kBesideEnd = 1.0 / 16;
 // A flip makes no triangle that is this flat, in units of the chart: an edge whose middle is a vertex, but
@@ -215,7 +215,7 @@ bool WallMesh::should_flip(const Quad& q) {
     return false;
   const double now = excess(q);
   const auto then = [&] { return std::max(deviation(q.c, q.xc, q.d, q.xd) - most_, 0.0); };
-  if (now > 0) return !may_be_joined(q) && then() < kLeastGain * now;
+  if (now > 0) return !may_be_joined(q) && then() < kMinGain * now;
   const auto corner = [&](uint32_t v) {
     const Vec3 to_a = vertices_[q.a].at - vertices_[v].at, to_b = vertices_[q.b].at - vertices_[v].at;
     return Vec2(glm::dot(to_a, to_b), glm::length(glm::cross(to_a, to_b)));  // cosine and sine, times lengths
@@ -234,7 +234,7 @@ void WallMesh::flip(const Quad& q) {
       {q.known[3], q.known[0], -1});
 }
 
-size_t WallMesh::most_flips() const { return kMostFlips * triangles_.size(); }
+size_t WallMesh::most_flips() const { return kMaxFlips * triangles_.size(); }
 
 // Takes the last edge off the list, and if it should be flipped, replaces it by the sides around it.
 void WallMesh::flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made) {

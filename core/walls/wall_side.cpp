@@ -42,7 +42,7 @@ ChartVertex SideChart::middle(const ChartVertex& from, const ChartVertex& to) {
 
 namespace {
 
-constexpr int kMostCuts = 256;
+constexpr int kMaxCuts = 256;
 
 // The edges before and after a vertex through which a rim goes once.
 struct Passage {
@@ -88,7 +88,7 @@ Resumable<std::optional<ChartRegion::Winding>> untangle(
     RimInChart& rim, double highest, const std::function<bool(uint32_t, uint32_t)>& are_joined,
     std::vector<std::array<uint32_t, 3>>& cut_off, std::vector<uint32_t>& conflict) {
   KERF_ASSERT(rim.placed.size() == rim.at.size() && highest >= 0);
-  for (int i = 0; i < kMostCuts; ++i) {
+  for (int i = 0; i < kMaxCuts; ++i) {
     const auto winding = co_await ChartRegion(rim.placed, rim.edges, rim.width).winding(&conflict);
     if (winding) co_return winding;
     std::optional<Passage> best;

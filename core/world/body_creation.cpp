@@ -94,7 +94,7 @@ void share_heat(Body& made, const Body& body, const PieceCopy& copy, const Remes
     for (size_t t = first; t < last; ++t) {
       add_energy(made, t,
                  all > 0 ? energy * (area_of(made, t) / all) : energy / static_cast<double>(last - first));
-      if (hottest > kAmbient) made.heat.note_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), hottest);
+      if (hottest > kAmbient) made.heat.record_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), hottest);
     }
   }
   for (uint32_t f = 0; f < left.size(); ++f) {
@@ -128,7 +128,7 @@ void collect_heat(Body& made, const Body& body, const PieceCopy& copy, const Rem
     const double area = std::max(all.area, area_of(made, t));
     add_energy(made, t, all.joules);
     if (all.rise > 0)
-      made.heat.note_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), kAmbient + all.rise / area);
+      made.heat.record_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), kAmbient + all.rise / area);
   }
   for (const Covered& all : covered) add_energy(made, 0, all.joules);
 }
@@ -180,7 +180,7 @@ Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& reme
   made->solid = body.solid;
   label_faces(*made, body, copy, remeshed);
   hand_down_heat(*made, body, copy, remeshed);
-  if (made->solid) weigh(*made);
+  if (made->solid) update_mass_properties(*made);
   return made;
 }
 

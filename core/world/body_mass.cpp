@@ -14,11 +14,11 @@ namespace kerf {
 namespace {
 
 // In units of the frame below, cubed. A volume below this one cannot be told from the rounding of its sum.
-constexpr double kLeastVolume = 1e-9;
+constexpr double kMinVolume = 1e-9;
 
 // The cube around a piece, in units of which the piece reaches from -1 to 1 around its middle, or nearly so.
 struct PieceFrame {
-  static constexpr int kMostExponent = 1000;
+  static constexpr int kMaxExponent = 1000;
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
   void add(const Triangle& t) {
@@ -30,7 +30,7 @@ struct PieceFrame {
   void close() {
     const Vec3 reach = 0.5 * max - 0.5 * min;
     (void)std::frexp(std::max({reach.x, reach.y, reach.z}), &exponent);
-    exponent = std::clamp(exponent, -kMostExponent, kMostExponent);  // the scale is finite
+    exponent = std::clamp(exponent, -kMaxExponent, kMaxExponent);  // the scale is finite
     middle = 0.5 * max + 0.5 * min;
   }
   Triangle from_middle(const Triangle& t) const {
@@ -101,7 +101,7 @@ struct LabelledSums {
   EnclosedPiece piece(uint32_t label, const Piece& counted) const {
     if (!closed[label]) return {};
     const VolumeMoments moments = sums[label].moments();
-    if (!(moments.volume > kLeastVolume)) return {};
+    if (!(moments.volume > kMinVolume)) return {};
     const MassProperties solid = in_metres(solid_mass(moments, Vec3(0), 1), frames[label]);
     return has_inertia(solid) ? EnclosedPiece{solid, counted.faces, counted.area} : EnclosedPiece{};
   }
@@ -148,7 +148,7 @@ struct Unit {
     const Vec3 reach = 0.5 * body.loaded.max - 0.5 * body.loaded.min;
     const double most = std::max({reach.x, reach.y, reach.z});
     (void)std::frexp(most, &exponent);
-    exponent = std::clamp(exponent, -kMostExponent, kMostExponent);  // the scale and its inverse are finite
+    exponent = std::clamp(exponent, -kMaxExponent, kMaxExponent);  // the scale and its inverse are finite
     scale = std::ldexp(1.0, -exponent);
   }
   Triangle from_middle(const Triangle& t) const {
@@ -156,7 +156,7 @@ struct Unit {
   }
   double area(const Triangle& t) const { return triangle_area({scale * t[0], scale * t[1], scale * t[2]}); }
 
-  static constexpr int kMostExponent = 1000;
+  static constexpr int kMaxExponent = 1000;
   Vec3 origin;
   int exponent = 0;
   double scale = 1;
@@ -189,7 +189,7 @@ struct FixedSums {
 
 }  // namespace
 
-void weigh(Body& body) {
+void update_mass_properties(Body& body) {
   const Unit unit(body);
   std::vector<FixedSums> sums(body.pieces.size());
   for_each_triangle(body.mesh, 0, body.mesh.face_slots(), [&](FaceId f, const Triangle& corners) {
@@ -217,7 +217,7 @@ void make_solid(Body& body, bool solid) {
     if (body.material_names.size() <= std::numeric_limits<uint16_t>::max())
       body.material_names.emplace_back(kCutMaterial);
   }
-  weigh(body);
+  update_mass_properties(body);
 }
 
 std::optional<uint16_t> cut_material(const Body& body) {

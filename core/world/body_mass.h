@@ -9,7 +9,8 @@ namespace kerf {
 
 // Finds the pieces of a solid body that are closed and enclose a volume, and notes their mass properties in
 // Body::enclosed: a function of the faces of each piece alone, whatever their order and slots. Changes only
-// what differs. Precondition: the areas of the pieces are those of weigh(). O(faces + pieces).
+// what differs. Precondition: the areas of the pieces are those of update_mass_properties(). O(faces +
+// pieces).
 void weigh_solid(Body& body);
 
 // What is known of the volume of a piece; null where it weighs as a sheet: where the body is not solid, the
@@ -22,7 +23,7 @@ const EnclosedPiece* enclosed_piece(const Body& body, uint32_t label);
 // slots. A piece that is detached afterwards has the same sums as if it were weighed itself. Changes only
 // what differs. A search for separated pieces may be open. Of a solid body it also finds the pieces that are
 // closed, and their volumes (see Body::enclosed). O(faces + pieces).
-void weigh(Body& body);
+void update_mass_properties(Body& body);
 
 // The name of the material that walls of a kerf have. A solid body has it in Body::material_names.
 inline constexpr const char* kCutMaterial = "cut";

@@ -281,11 +281,11 @@ World::Change World::end_change() {
 
 void World::exchange(Change& change) {
   change.situation_.exchange(situation_);
-  change.taken_back_ ? bring_again(change) : take_back(change);
+  change.taken_back_ ? redo(change) : undo(change);
   change.taken_back_ = !change.taken_back_;
 }
 
-void World::take_back(Change& change) {
+void World::undo(Change& change) {
   for (BodyChange& c : change.edited_) c.exchange(slots_[c.slot].body);
   for (size_t i = change.exchanged_.size(); i-- > 0;)
     std::swap(slots_[change.exchanged_[i].first].body, slots_[change.exchanged_[i].second].body);
@@ -296,8 +296,8 @@ void World::take_back(Change& change) {
   slots_.erase(first, slots_.end());
 }
 
-// Makes the steps of take_back() in the opposite order.
-void World::bring_again(Change& change) {
+// Makes the steps of undo() in the opposite order.
+void World::redo(Change& change) {
   KERF_ASSERT(slots_.size() == change.slots_);
   slots_.insert(slots_.end(), std::make_move_iterator(change.added_.begin()),
                 std::make_move_iterator(change.added_.end()));

@@ -69,7 +69,8 @@ struct Body {
   WallFaces walls;
   double ejected = 0;     // J that faces had when they were removed
   Records<Piece> pieces;  // by label; 0 is the body itself, the others were separated from it
-  // By label, of pieces that were closed when the solid body was weighed (see weigh); empty where it is none.
+  // By label, of pieces that were closed when the solid body was weighed (see update_mass_properties); empty
+  // where it is none.
   Records<EnclosedPiece> enclosed;
   LoadedComponents components;
   SeparationState separation;
@@ -270,8 +271,8 @@ class World {
     return id.slot;
   }
   void swap_slots(uint32_t a, uint32_t b);
-  void take_back(Change& change);
-  void bring_again(Change& change);
+  void undo(Change& change);
+  void redo(Change& change);
 
   std::vector<Slot> slots_;
   Situation situation_;

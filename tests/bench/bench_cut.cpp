@@ -161,7 +161,7 @@ std::vector<FaceId> hole(const Mesh& mesh) {
 double seconds_of_hole(Body body, std::span<const FaceId> faces, bool told) {
   return seconds_of([&] {
     for (size_t i = 0; i < faces.size(); ++i) {
-      if (told) note_removal(body, faces[i]);
+      if (told) record_removed_part(body, faces[i]);
       body.mesh.remove_face(faces[i]);
       if (told && i % kOneStep == 0) settle(body);
     }

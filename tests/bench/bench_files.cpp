@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFlatBar = 1.5;          // time per face, relative to the smallest mesh
-constexpr double kMostToSimplify = 10;    // seconds, for 1.1 million faces
-constexpr size_t kMostForPeer = 300'000;  // faces of meshes that OpenMesh simplifies, too
+constexpr double kFlatBar = 1.5;         // time per face, relative to the smallest mesh
+constexpr double kMaxToSimplify = 10;    // seconds, for 1.1 million faces
+constexpr size_t kMaxForPeer = 300'000;  // faces of meshes that OpenMesh simplifies, too
 
 class TemporaryFile {
  public:
@@ -168,8 +168,8 @@ void flat_rows(const Subject& s, int times, const Report& report) {
 void simplify_row(const Subject& s, const Report& report) {
   const SimplifyTarget target{.faces = std::min<size_t>(7000, s.mesh.live_faces() / 4)};
   const double ours = seconds_of([&] { std::ignore = simplify(s.mesh, target, {}, nullptr); });
-  if (s.mesh.live_faces() > kMostForPeer)
-    return report({"simplify to 7,000 faces / limit", s.name, "s", ours, kMostToSimplify, 1});
+  if (s.mesh.live_faces() > kMaxForPeer)
+    return report({"simplify to 7,000 faces / limit", s.name, "s", ours, kMaxToSimplify, 1});
   const double theirs = seconds_of([&] { std::ignore = simplify_by_openmesh(s.mesh, target, {}, nullptr); });
   report({"simplify to 7,000 faces / OpenMesh", s.name, "s", ours, theirs, std::nullopt});
 }

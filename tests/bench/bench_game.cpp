@@ -85,9 +85,9 @@ struct Fight {
 };
 
 Fight fight(const std::shared_ptr<const Rules>& rules, size_t ticks, const Loose& least) {
-  constexpr uint64_t kMostSeeds = 40;
+  constexpr uint64_t kMaxSeeds = 40;
   Fight result;
-  for (uint64_t seed = 1; seed <= kMostSeeds && result.seconds.size() < ticks; ++seed) {
+  for (uint64_t seed = 1; seed <= kMaxSeeds && result.seconds.size() < ticks; ++seed) {
     Match match({rules, seed, Difficulty::kNormal});
     BotPlayer bot(match);
     for (size_t t = 0; t < ticks && all_alive(match) && result.seconds.size() < ticks; ++t) {

@@ -18,7 +18,7 @@ struct Collector {
 };
 
 // Notes the triangle and lets the ray go on.
-void note_and_pass(const RTCFilterFunctionNArguments* args) {
+void record_and_pass(const RTCFilterFunctionNArguments* args) {
   auto* collector = reinterpret_cast<Collector*>(args->context);
   collector->faces[collector->count++ % 256] = RTCHitN_primID(args->hit, args->N, 0);
   args->valid[0] = 0;
@@ -59,7 +59,7 @@ class Embree : public Peer {
     Collector collector;
     for (const Pose& ray : rays) {
       rtcInitIntersectContext(&collector.context);
-      collector.context.filter = note_and_pass;
+      collector.context.filter = record_and_pass;
       collector.count = 0;
       RTCRayHit query = query_of(ray, reach);
       rtcIntersect1(scene_, &collector.context, &query);

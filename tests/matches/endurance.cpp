@@ -15,7 +15,7 @@ namespace {
 
 constexpr Ticks kLookAtMeshesEvery = 10 * kTicksPerSecond;
 constexpr double kOutside = 0.5;  // m, that the middle of a body may be beyond the arena
-constexpr size_t kMostBodies = 1000;
+constexpr size_t kMaxBodies = 1000;
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -56,7 +56,7 @@ bool counts_its_faces(const Body& body) {
 }
 
 std::string fault_in(const Match& match, bool of_meshes) {
-  if (match.world().ids().size() > kMostBodies) return "there are too many bodies";
+  if (match.world().ids().size() > kMaxBodies) return "there are too many bodies";
   for (const BodyId id : match.world().ids()) {
     const Body& body = match.world().body(id);
     if (!is_finite(body)) return body.name + " is at no finite place";

@@ -33,7 +33,7 @@ class Standstill {
   double since_ = 0, longest_ = 0;
 };
 
-void note_events(const Match& match, double now, MatchCourse& course) {
+void record_events(const Match& match, double now, MatchCourse& course) {
   std::set<size_t> dying, beams;
   for (const Event& event : match.events()) {
     if (event.kind == Event::Kind::kVitalLost) {
@@ -58,7 +58,7 @@ MatchCourse play_course(const MatchSetup& setup, MatchDriver driver, double seco
     match.tick(driver == MatchDriver::kBot ? bot.next(match) : Controls{});
     const double now = seconds_of_ticks(match.standing().ticks);
     if (match.strokes() > 0 && !course.first_beam) course.first_beam = now;
-    note_events(match, now, course);
+    record_events(match, now, course);
     standstill.follow(match);
   }
   const Standing& standing = match.standing();

@@ -47,12 +47,12 @@ Picture look_at(const Mesh& mesh) {
 }
 
 // Of so many faces at an edge some are asked: each of them says as many neighbours.
-constexpr size_t kMostAsked = 16;
+constexpr size_t kMaxAsked = 16;
 
 bool is_asked(const std::vector<FaceId>& faces, FaceId f) {
-  if (faces.size() <= kMostAsked) return true;
+  if (faces.size() <= kMaxAsked) return true;
   const auto place = static_cast<size_t>(std::lower_bound(faces.begin(), faces.end(), f) - faces.begin());
-  return place % (faces.size() / kMostAsked) == 0;
+  return place % (faces.size() / kMaxAsked) == 0;
 }
 
 std::string wrong_neighbours(const Mesh& mesh, Picture& p, FaceId f, bool chance_allowed) {

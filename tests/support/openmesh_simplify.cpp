@@ -196,7 +196,7 @@ class Watch : public decimater::Observer {
 
 // By how many degrees one collapse may turn a face; where the number of faces is wanted, further steps follow
 // whenever that is not enough. Small turns keep the surface from folding and halve the largest error.
-constexpr std::array kMostTurn = {15.0, 30.0, 60.0, 90.0};
+constexpr std::array kMaxTurn = {15.0, 30.0, 60.0, 90.0};
 
 // Collapses edges until the work is done. The error is bounded unless it is infinite.
 void collapse_edges(Work& work, double error) {
@@ -219,8 +219,8 @@ void collapse_edges(Work& work, double error) {
   Watch watch(work);
   decimater.set_observer(&watch);
   decimater.initialize();
-  for (const double turn : kMostTurn) {
-    if (work.done() || (bounded && turn > kMostTurn.front())) break;
+  for (const double turn : kMaxTurn) {
+    if (work.done() || (bounded && turn > kMaxTurn.front())) break;
     decimater.module(flipping).set_max_normal_deviation(turn);
     decimater.decimate();
   }

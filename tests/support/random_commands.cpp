@@ -85,7 +85,7 @@ void put(std::vector<uint64_t>& bits, const CutSettings& s) {
         static_cast<int>(r.rule), static_cast<int>(r.rim), r.depth}) {
     bits.push_back(static_cast<uint64_t>(n));
   }
-  bits.push_back(s.most_faces);
+  bits.push_back(s.max_faces);
 }
 
 struct Bits {
@@ -202,7 +202,7 @@ CutSettings random_settings(Random& random) {
     s.laser.duty = random.uniform(0.01, 1);
     s.laser.assist = random.below(2) == 0 ? Assist::kOxygen : Assist::kNone;
   }
-  if (random.below(3) == 0) s.most_faces = 1 + random.below(1u << 30);
+  if (random.below(3) == 0) s.max_faces = 1 + random.below(1u << 30);
   return s;
 }
 
@@ -232,7 +232,7 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 9:
       return Redo{};
     case 10:
-      return AdvanceTime{1 + random.below(AdvanceTime::kMostInALine), random.below(2) > 0,
+      return AdvanceTime{1 + random.below(AdvanceTime::kMaxInALine), random.below(2) > 0,
                          random.below(2) > 0};
     case 11:
       return DuplicatePiece{random_piece(random), random_placement(random)};
@@ -258,7 +258,7 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 19:
       return SubdividePiece{random_piece(random), static_cast<Subdivision>(random.below(3))};
     case 20:
-      return SmoothPiece{random_piece(random), 1 + random.below(kMostSmoothing)};
+      return SmoothPiece{random_piece(random), 1 + random.below(kMaxSmoothing)};
     case 21:
       return SetSolid{random_piece(random), random.below(2) > 0};
     case 22:

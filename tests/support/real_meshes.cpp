@@ -12,11 +12,11 @@ namespace {
 
 // A facet of a text STL with all digits, the longest of any format. Longer files need not be read to be left
 // out.
-constexpr size_t kMostBytesAFace = 400;
+constexpr size_t kMaxBytesAFace = 400;
 
 }  // namespace
 
-std::vector<std::filesystem::path> real_meshes(size_t most_faces) {
+std::vector<std::filesystem::path> real_meshes(size_t max_faces) {
   std::vector<std::filesystem::path> files;
   const char* folder = std::getenv("KERF_TEST_MESHES");
   if (!folder || !std::filesystem::is_directory(std::filesystem::path(folder) / "real")) return files;
@@ -24,9 +24,9 @@ std::vector<std::filesystem::path> real_meshes(size_t most_faces) {
        std::filesystem::recursive_directory_iterator(std::filesystem::path(folder) / "real")) {
     if (!entry.is_regular_file()) continue;
     const std::string ending = entry.path().extension().string();
-    if (ending == ".json" || ending == ".md" || entry.file_size() > most_faces * kMostBytesAFace) continue;
+    if (ending == ".json" || ending == ".md" || entry.file_size() > max_faces * kMaxBytesAFace) continue;
     const auto soup = read_mesh(entry.path());
-    if (soup && soup->triangles.size() <= most_faces && build_mesh(*soup).ok()) files.push_back(entry.path());
+    if (soup && soup->triangles.size() <= max_faces && build_mesh(*soup).ok()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   const size_t step = runs(4) == 4 ? 1 : 3;

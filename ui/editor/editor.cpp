@@ -19,32 +19,32 @@
 
 namespace kerf {
 
-Features make_features(Workspace& on, const Catalogue& catalogue) {
+Features make_features(Workspace& workspace, const Catalogue& catalogue) {
   Features features;
-  features.push_back(files_feature(on));
-  features.push_back(recent_feature(on));
-  features.push_back(dialogs(on, catalogue));
-  features.push_back(welcome_feature(on));
-  features.push_back(view_feature(on));
-  features.push_back(light_feature(on));
-  features.push_back(section_feature(on));
-  features.push_back(emitter_feature(on));
-  features.push_back(path_feature(on));
-  features.push_back(moving_feature(on));
-  features.push_back(time_feature(on));
-  features.push_back(inspect_feature(on));
-  features.push_back(ruler_feature(on));
-  features.push_back(pieces_feature(on));
-  features.push_back(history_feature(on));
-  features.push_back(material_feature(on));
-  features.push_back(prepare_feature(on));
-  features.push_back(tree_feature(on));
-  features.push_back(scalar_map_feature(on));
-  features.push_back(graph_feature(on));
-  features.push_back(single_step_feature(on));
-  features.push_back(statistics_feature(on));
-  features.push_back(split_feature(on));
-  features.push_back(laser_feature(on));
+  features.push_back(files_feature(workspace));
+  features.push_back(recent_feature(workspace));
+  features.push_back(dialogs(workspace, catalogue));
+  features.push_back(welcome_feature(workspace));
+  features.push_back(view_feature(workspace));
+  features.push_back(light_feature(workspace));
+  features.push_back(section_feature(workspace));
+  features.push_back(emitter_feature(workspace));
+  features.push_back(path_feature(workspace));
+  features.push_back(moving_feature(workspace));
+  features.push_back(time_feature(workspace));
+  features.push_back(inspect_feature(workspace));
+  features.push_back(ruler_feature(workspace));
+  features.push_back(pieces_feature(workspace));
+  features.push_back(history_feature(workspace));
+  features.push_back(material_feature(workspace));
+  features.push_back(prepare_feature(workspace));
+  features.push_back(tree_feature(workspace));
+  features.push_back(scalar_map_feature(workspace));
+  features.push_back(graph_feature(workspace));
+  features.push_back(single_step_feature(workspace));
+  features.push_back(statistics_feature(workspace));
+  features.push_back(split_feature(workspace));
+  features.push_back(laser_feature(workspace));
   return features;
 }
 

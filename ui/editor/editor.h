@@ -11,7 +11,7 @@ struct Workspace;
 
 // All features of the editor. The order says who is asked first, and whose marks lie below those of others.
 // The workspace and the catalogue, which is filled later, must outlive them.
-Features make_features(Workspace& on, const Catalogue& catalogue);
+Features make_features(Workspace& workspace, const Catalogue& catalogue);
 
 // Runs the editor until its window is closed or its script ends. Fails if there is no display or no
 // OpenGL 3.3, if not even the default scene can be read, at a line of the script that is wrong, or if the

@@ -130,11 +130,11 @@ Status draw_scene(const Figure& figure, const FigureSize& size, const std::files
   options->legends = false;
   const auto drawn = draw_picture(std::move(*work), *options);
   if (!drawn) return drawn.error();
-  const Studio* studio = drawn->studio.get();
+  const OffscreenRenderer* renderer = drawn->renderer.get();
   OffscreenGui gui(look_for(size, kPrintHeight));
   if (!figure.rulers.empty())
-    gui.draw(studio->framebuffer(), [&] { draw_rulers(figure.rulers, studio->view()); });
-  return write_png(with_caption(studio->framebuffer(), figure.caption, strip_height(size), gui), png);
+    gui.draw(renderer->framebuffer(), [&] { draw_rulers(figure.rulers, renderer->view()); });
+  return write_png(with_caption(renderer->framebuffer(), figure.caption, strip_height(size), gui), png);
 }
 
 // What the screen of a match remembers of its last seconds.

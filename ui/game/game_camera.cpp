@@ -82,9 +82,9 @@ constexpr double kTurnRate = 0.16;              // rad/s
 constexpr double kMiddleRate = 3;               // 1/s, at which the middle is followed
 constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
 constexpr int kAngles = 24;
-constexpr double kLarge = 1.6;          // m, the diagonal of what hides something
-constexpr double kEyeClearance = 0.4;   // m, of the eye from what is behind it
-constexpr double kLeastDistance = 1.5;  // m, of the eye from what it watches
+constexpr double kLarge = 1.6;         // m, the diagonal of what hides something
+constexpr double kEyeClearance = 0.4;  // m, of the eye from what is behind it
+constexpr double kMinDistance = 1.5;   // m, of the eye from what it watches
 
 Vec3 middle_of(const Match& match, size_t vehicle) {
   return match.world().body(match.vehicles()[vehicle].chassis).placement.to_world({0, kChassisMiddle, 0});
@@ -152,7 +152,7 @@ bool ReplayCamera::stops(const Match& match, BodyId id) const {
 Vec3 ReplayCamera::free_eye(const Match& match, const Sight& sight) const {
   const Vec3 from = middle_of(match, other_), way = eye_ - from;
   const double length = glm::length(way);
-  if (!(length > kLeastDistance)) return eye_;
+  if (!(length > kMinDistance)) return eye_;
   const auto hit = sight.nearest({from, way / length}, length + kEyeClearance,
                                  [&](BodyId id) { return stops(match, id); });
   if (!hit) return eye_;

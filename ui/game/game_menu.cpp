@@ -83,9 +83,9 @@ void draw_settings(const MenuView& view) {
   GameSettings& s = view.settings;
   ImGui::PushItemWidth(11 * ImGui::GetFontSize());
   combo("Difficulty of the next match", s.difficulty, std::array{"Easy", "Normal", "Hard"});
-  slider("Sensitivity of the aim", s.sensitivity, GameSettings::kLeastSensitivity,
-         GameSettings::kMostSensitivity, "%.2f");
-  slider("Field of view", s.field_of_view, GameSettings::kLeastView, GameSettings::kMostView, "%.0f degrees");
+  slider("Sensitivity of the aim", s.sensitivity, GameSettings::kMinSensitivity,
+         GameSettings::kMaxSensitivity, "%.2f");
+  slider("Field of view", s.field_of_view, GameSettings::kMinView, GameSettings::kMaxView, "%.0f degrees");
   double percent = 100 * s.volume;
   slider("Volume", percent, 0, 100, "%.0f %%");
   s.volume = percent / 100;

@@ -111,7 +111,7 @@ void GameScreen::enter(State state) {
   const bool caught = state == State::kPlaying;
   window_.catch_pointer(caught);
   if (!caught) sounds_.hush();
-  input_.let_go();
+  input_.release_all();
   const GameSettings keep = settings_to_keep(settings_, saved_, asked_difficulty_);
   if (keep == saved_) return;
   saved_ = keep;

@@ -38,9 +38,9 @@ constexpr std::array kPresets{"automatic", "low", "medium", "high"};
 
 static void describe(KeptFields& f, GameSettings& s) {
   f.any("version", 1, [](const nlohmann::json&) {});
-  f.number("sensitivity", s.sensitivity, GameSettings::kLeastSensitivity, GameSettings::kMostSensitivity);
+  f.number("sensitivity", s.sensitivity, GameSettings::kMinSensitivity, GameSettings::kMaxSensitivity);
   f.flag("invert", s.invert);
-  f.number("field_of_view", s.field_of_view, GameSettings::kLeastView, GameSettings::kMostView);
+  f.number("field_of_view", s.field_of_view, GameSettings::kMinView, GameSettings::kMaxView);
   f.number("volume", s.volume, 0, 1);
   f.flag("aim_help", s.aim_help);
   f.flag("guide", s.guide);
@@ -127,12 +127,12 @@ Result<size_t> add_high_score(const HighScore& score, const fs::path& file) {
   std::vector<HighScore> scores = read_high_scores(file);
   const auto better = [&](const HighScore& s) { return same_game(s, score) && s.score >= score.score; };
   const size_t rank = 1 + static_cast<size_t>(std::count_if(scores.begin(), scores.end(), better));
-  if (rank > kMostHighScores) return size_t{0};
+  if (rank > kMaxHighScores) return size_t{0};
   scores.push_back(score);
   std::stable_sort(scores.begin(), scores.end(),
                    [](const HighScore& a, const HighScore& b) { return a.score > b.score; });
   size_t kept = 0;
-  std::erase_if(scores, [&](const HighScore& s) { return same_game(s, score) && ++kept > kMostHighScores; });
+  std::erase_if(scores, [&](const HighScore& s) { return same_game(s, score) && ++kept > kMaxHighScores; });
   Json json{{"version", 1}, {"scores", Json::array()}};
   for (const HighScore& s : scores)
     json["scores"].push_back({{"score", s.score},

@@ -55,8 +55,8 @@ struct GameSettings {
   OwnVehicle vehicle = OwnVehicle::kHatchback;
   PicturePreset preset = PicturePreset::kAutomatic;
 
-  static constexpr double kLeastSensitivity = 0.2, kMostSensitivity = 4;
-  static constexpr double kLeastView = 40, kMostView = 95;
+  static constexpr double kMinSensitivity = 0.2, kMaxSensitivity = 4;
+  static constexpr double kMinView = 40, kMaxView = 95;
   friend bool operator==(const GameSettings&, const GameSettings&) = default;
 };
 
@@ -85,7 +85,7 @@ struct HighScore {
   friend bool operator==(const HighScore&, const HighScore&) = default;
 };
 
-inline constexpr size_t kMostHighScores = 10;  // that are kept of each pair of rules and difficulty
+inline constexpr size_t kMaxHighScores = 10;  // that are kept of each pair of rules and difficulty
 
 // The file of the scores, below state_folder().
 std::filesystem::path high_scores_file();

@@ -14,7 +14,7 @@ namespace kerf {
 namespace {
 
 // What a window has to hold, in the size of the text; in a smaller one the text is smaller.
-constexpr float kLeastWide = 50, kLeastHigh = 32;
+constexpr float kMinWide = 50, kMinHigh = 32;
 
 constexpr ImU32 kEdge = IM_COL32(8, 10, 13, 200);
 
@@ -26,7 +26,7 @@ std::string clock_text(double seconds) {
 }
 
 HudPaint::HudPaint() : list_(*ImGui::GetBackgroundDrawList()), size_(ImGui::GetIO().DisplaySize) {
-  em_ = std::min({ImGui::GetFontSize(), size_.x / kLeastWide, size_.y / kLeastHigh});
+  em_ = std::min({ImGui::GetFontSize(), size_.x / kMinWide, size_.y / kMinHigh});
 }
 
 ImU32 HudPaint::faded(ImU32 colour, double opacity) {

@@ -34,7 +34,7 @@ namespace {
 
 constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;
 constexpr double kAgain = 1.5;  // s, within which what happens again is told in the same line
-constexpr size_t kMostNotices = 6;
+constexpr size_t kMaxNotices = 6;
 constexpr double kHurtFade = 1.6, kBiteFade = 6;  // 1/s
 
 using Kind = Event::Kind;
@@ -60,7 +60,7 @@ void HudState::say(std::string text, double points, bool good, bool large) {
     return;
   }
   notices_.push_front({std::move(text), points, 1, 0, good, large});
-  if (notices_.size() > kMostNotices) notices_.pop_back();
+  if (notices_.size() > kMaxNotices) notices_.pop_back();
 }
 
 void HudState::advance(double seconds) {

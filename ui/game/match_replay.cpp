@@ -21,7 +21,7 @@ int MatchClock::advance(double seconds) {
   owed_ += (seconds - slow * (1 - kSlow)) * kTicksPerSecond;
   const int due = static_cast<int>(std::floor(owed_));
   owed_ -= due;
-  const int ticks = std::min(due, kMostTicks);
+  const int ticks = std::min(due, kMaxTicks);
   dropped_ = due - ticks;
   if (due > 0) {
     const double share = 1 - std::exp(-seconds / kSpeedSeconds);

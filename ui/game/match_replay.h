@@ -12,11 +12,11 @@
 
 namespace kerf {
 
-// Tells how many ticks of a match a frame has to advance. A frame never advances more than kMostTicks: where
+// Tells how many ticks of a match a frame has to advance. A frame never advances more than kMaxTicks: where
 // the machine is too slow for more, the match runs in slow motion.
 class MatchClock {
  public:
-  static constexpr int kMostTicks = 8;
+  static constexpr int kMaxTicks = 8;
 
   // The ticks that are due after a frame of a duration (s, >= 0).
   int advance(double seconds);

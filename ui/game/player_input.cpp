@@ -138,13 +138,13 @@ void PlayerInput::take_gamepad(double seconds, const GameSettings& settings) {
   }
 }
 
-void PlayerInput::let_go() {
+void PlayerInput::release_all() {
   throttle_ = steer_ = 0;
   handbrake_ = fire_ = spawn_ = gives_up_ = has_pointer_ = false;
 }
 
 void PlayerInput::reset() {
-  let_go();
+  release_all();
   yaw_ = pitch_ = 0;
 }
 

@@ -39,7 +39,7 @@ class PlayerInput {
   // Looks which keys, buttons and sticks are held, and lets a held stick turn the aim for a time (s).
   void poll(const Window& window, double seconds, const GameSettings& settings);
   // Nothing is held any more, and the next motion of the mouse begins where it is then.
-  void let_go();
+  void release_all();
   // Aims straight ahead.
   void reset();
   // Turns the aim by these angles (rad), within the limits of the vehicle.

@@ -158,7 +158,7 @@ void LitScene::draw(const Subject& subject, const Shining& shining, const gl::Fr
   }
   linear_->bind();
   draw_without_lights(subject);
-  const size_t lights = std::min(subject.options.lights.size(), kMostLights);
+  const size_t lights = std::min(subject.options.lights.size(), kMaxLights);
   const bool shadowed = casts_shadows(subject.options);
   for (size_t i = 0; i < lights; ++i) {
     if (!shadowed || subject.options.shadow.paper_look) add_direct(subject, i, std::nullopt);

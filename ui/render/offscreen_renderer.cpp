@@ -29,10 +29,10 @@ CameraView chosen_view(const PictureOptions& options, const std::optional<View>&
 
 }  // namespace
 
-Studio::Studio(gl::OffscreenContext context, gl::Framebuffer picture, Renderer renderer)
+OffscreenRenderer::OffscreenRenderer(gl::OffscreenContext context, gl::Framebuffer picture, Renderer renderer)
     : context_(std::move(context)), picture_(std::move(picture)), renderer_(std::move(renderer)) {}
 
-Result<Studio> Studio::open(const Scene& scene, const PictureOptions& options) {
+Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const PictureOptions& options) {
   if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > kLargestSide) {
     return bad_input("the size of a picture must be from 1x1 to " + std::to_string(kLargestSide) + "x" +
                      std::to_string(kLargestSide));
@@ -45,44 +45,46 @@ Result<Studio> Studio::open(const Scene& scene, const PictureOptions& options) {
   auto renderer = Renderer::create();
   if (!renderer) return renderer.error();
 
-  Studio studio(std::move(*context), std::move(picture), std::move(*renderer));
-  studio.renderer_.show(scene.world, scene.paints);
-  studio.view_ = chosen_view(options, scene.view, scene.world.bounds());
-  studio.look_.show = options.show;
-  studio.look_.section =
-      options.section.value_or(section_through(scene.world.bounds(), -studio.view_.forward));
-  studio.look_.antialias = options.antialias;
-  studio.look_.mark_scale = options.mark_scale;
-  studio.look_.legends = options.legends;
-  if (!scene.lights.empty()) studio.look_.lights = scene.lights;
-  return studio;
+  OffscreenRenderer renderer(std::move(*context), std::move(picture), std::move(*renderer));
+  renderer.renderer_.show(scene.world, scene.paints);
+  renderer.view_ = chosen_view(options, scene.view, scene.world.bounds());
+  renderer.look_.show = options.show;
+  renderer.look_.section =
+      options.section.value_or(section_through(scene.world.bounds(), -renderer.view_.forward));
+  renderer.look_.antialias = options.antialias;
+  renderer.look_.mark_scale = options.mark_scale;
+  renderer.look_.legends = options.legends;
+  if (!scene.lights.empty()) renderer.look_.lights = scene.lights;
+  return renderer;
 }
 
-void Studio::follow(const World& world, const StepResult* step) {
+void OffscreenRenderer::follow(const World& world, const StepResult* step) {
   if (step == nullptr) return renderer_.resend(world);
   renderer_.follow(world, step->delta);
   if (look_.show.face_numbers) renderer_.send_faces(world);
 }
 
-void Studio::show_graph(const Document& document) {
+void OffscreenRenderer::show_graph(const Document& document) {
   if (!look_.show.graph) return;
   std::optional<DrawnGraph> graph = graph_around_last_cut(document);
   look_.graph = graph ? std::make_shared<DrawnGraph>(std::move(*graph)) : nullptr;
 }
 
-void Studio::show_bodies(const Document& document) {
+void OffscreenRenderer::show_bodies(const Document& document) {
   look_.bodies = gather_body_marks(document.world(), document.execution().physics(), look_.show);
 }
 
-void Studio::show_bodies_ahead(const World& world) { look_.bodies = body_marks_ahead(world, look_.show); }
+void OffscreenRenderer::show_bodies_ahead(const World& world) {
+  look_.bodies = body_marks_ahead(world, look_.show);
+}
 
-void Studio::draw(const World& world, const std::optional<BeamPicture>& beam) {
+void OffscreenRenderer::draw(const World& world, const std::optional<BeamPicture>& beam) {
   const Target target{picture_.name(), 0, 0, picture_.shape().width, picture_.shape().height};
   renderer_.draw(world, view_, look_, beam, target);
   if (look_.show.shadow_reference) renderer_.draw_traced(world, view_, look_, target);
 }
 
-Status Studio::write(const std::filesystem::path& png) const {
+Status OffscreenRenderer::write(const std::filesystem::path& png) const {
   return write_png(read_pixels(picture_.name(), picture_.shape().width, picture_.shape().height), png);
 }
 
@@ -104,26 +106,26 @@ Vec3 at_distance(const Pose& pose, double distance) { return pose.origin + pose.
 
 }  // namespace
 
-Film::Film(Studio studio, FilmOptions options, const World::Bounds& bounds)
-    : studio_(std::move(studio)),
+Film::Film(OffscreenRenderer renderer, FilmOptions options, const World::Bounds& bounds)
+    : renderer_(std::move(renderer)),
       options_(std::move(options)),
       middle_(bounds.min + (bounds.max - bounds.min) * 0.5),
       speed_(bounds.diagonal() / kSecondsAcross) {}
 
 Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
   KERF_ASSERT(options.frames_per_second > 0);
-  auto studio = Studio::open(scene, options.picture);
-  if (!studio) return studio.error();
-  Film film(std::move(*studio), std::move(options), scene.world.bounds());
+  auto renderer = OffscreenRenderer::open(scene, options.picture);
+  if (!renderer) return renderer.error();
+  Film film(std::move(*renderer), std::move(options), scene.world.bounds());
   if (const Status rested = film.pass(kRest, scene.world, std::nullopt); !rested) return rested.error();
   return film;
 }
 
 Status Film::follow(const Document& document, const StepResult* step) {
   const World& world = document.world();
-  studio_.follow(world, step);
-  studio_.show_graph(document);
-  studio_.show_bodies(document);
+  renderer_.follow(world, step);
+  renderer_.show_graph(document);
+  renderer_.show_bodies(document);
   if (world.clock() > ticks_) return pass_ticks(document);
   ticks_ = world.clock();  // an undo turns it back
   if (step && step->last) {
@@ -140,9 +142,9 @@ Status Film::follow(const Document& document, const StepResult* step) {
 }
 
 void Film::leave_out(const Document& document, const StepResult* step) {
-  studio_.follow(document.world(), step);
-  studio_.show_graph(document);
-  studio_.show_bodies(document);
+  renderer_.follow(document.world(), step);
+  renderer_.show_graph(document);
+  renderer_.show_bodies(document);
   ticks_ = document.world().clock();
   ahead_ = 0;
 }
@@ -175,9 +177,10 @@ Status Film::pass(double seconds, const World& world, const std::optional<BeamPi
   clock_ += seconds;
   bool drawn = false;
   for (; static_cast<double>(frames_) < clock_ * options_.frames_per_second; ++frames_) {
-    if (!drawn) studio_.draw(world, beam);
+    if (!drawn) renderer_.draw(world, beam);
     drawn = true;
-    if (const Status written = studio_.write(frame_file(options_.folder, frames_)); !written) return written;
+    if (const Status written = renderer_.write(frame_file(options_.folder, frames_)); !written)
+      return written;
   }
   return Done{};
 }

@@ -11,10 +11,10 @@ namespace kerf {
 
 // Renders a sequence of pictures of a changing world without a screen. Its OpenGL context is current while it
 // exists.
-class Studio {
+class OffscreenRenderer {
  public:
   // Precondition: the scene is not cut yet. Fails if OpenGL is not available or does not support the size.
-  static Result<Studio> open(const Scene& scene, const PictureOptions& options);
+  static Result<OffscreenRenderer> open(const Scene& scene, const PictureOptions& options);
 
   // Follows a change of the world; `step` is null if what changed is unknown.
   void follow(const World& world, const StepResult* step);
@@ -37,7 +37,7 @@ class Studio {
   Status write(const std::filesystem::path& png) const;
 
  private:
-  Studio(gl::OffscreenContext context, gl::Framebuffer picture, Renderer renderer);
+  OffscreenRenderer(gl::OffscreenContext context, gl::Framebuffer picture, Renderer renderer);
 
   gl::OffscreenContext context_;
   gl::Framebuffer picture_;
@@ -59,8 +59,8 @@ struct FilmOptions {
 // stroke or other command except Advance, unless bodies are in motion, and for a second at the end.
 class Film {
  public:
-  // Writes the first frames, of a scene that is not cut yet. Fails like Studio::open, or if a frame cannot be
-  // written.
+  // Writes the first frames, of a scene that is not cut yet. Fails like OffscreenRenderer::open, or if a
+  // frame cannot be written.
   static Result<Film> begin(const Scene& scene, FilmOptions options);
 
   // To be called after each step of the document, which made one move of the beam at most. `step` is what the
@@ -72,13 +72,13 @@ class Film {
   Status end(const Document& document);
 
  private:
-  Film(Studio studio, FilmOptions options, const World::Bounds& bounds);
+  Film(OffscreenRenderer renderer, FilmOptions options, const World::Bounds& bounds);
   double seconds_of(const BeamMove& move) const;
   Status pass_ticks(const Document& document);
   std::optional<BeamPicture> beam_picture(const Document& document, const Pose& beam) const;
   Status pass(double seconds, const World& world, const std::optional<BeamPicture>& beam);
 
-  Studio studio_;
+  OffscreenRenderer renderer_;
   FilmOptions options_;
   Vec3 middle_;
   double speed_;      // m/s

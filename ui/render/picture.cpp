@@ -55,35 +55,36 @@ Result<PictureOptions> options_for(const std::filesystem::path& file, const Scen
 }
 
 Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options) {
-  auto opened = Studio::open(work.scene, options);
+  auto opened = OffscreenRenderer::open(work.scene, options);
   if (!opened) return opened.error();
-  const auto studio = std::make_shared<Studio>(std::move(*opened));
+  const auto renderer = std::make_shared<OffscreenRenderer>(std::move(*opened));
   const auto kept = std::make_shared<Document>(std::move(work.scene.world));
   Document& document = *kept;
   std::optional<Pose> beam;
   const auto follow = [&](const StepResult* step) {
-    studio->follow(document.world(), step);
+    renderer->follow(document.world(), step);
     if (step && step->last) beam = step->last->to;
   };
   const Status cut =
       cut_strokes(document, work.scene.strokes, [&](const StepResult& step) { follow(&step); });
   if (!cut) return cut.error();
   replay_all(work.journal, document, follow);
-  studio->show_graph(document);
-  studio->show_bodies_ahead(document.world());
-  studio->spread(document.world(), options.spread);
+  renderer->show_graph(document);
+  renderer->show_bodies_ahead(document.world());
+  renderer->spread(document.world(), options.spread);
   std::optional<BeamPicture> drawn;
   if (options.beam && beam) {
-    const double far = glm::length(studio->view().eye - beam->origin) + document.world().bounds().diagonal();
+    const double far =
+        glm::length(renderer->view().eye - beam->origin) + document.world().bounds().diagonal();
     drawn = picture_of_beam(document.world(), document.history().last_settings(), *beam, far);
   }
-  studio->draw(document.world(), drawn);
-  return DrawnPicture{kept, studio};
+  renderer->draw(document.world(), drawn);
+  return DrawnPicture{kept, renderer};
 }
 
 Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png) {
   const auto picture = draw_picture(std::move(work), options);
-  return picture ? picture->studio->write(png) : Status(picture.error());
+  return picture ? picture->renderer->write(png) : Status(picture.error());
 }
 
 }  // namespace kerf

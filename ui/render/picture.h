@@ -41,12 +41,12 @@ Result<PictureOptions> options_for(const std::filesystem::path& file, const Scen
                                    int height);
 
 class Document;
-class Studio;
+class OffscreenRenderer;
 
 // A picture that a studio has drawn, and what it shows; neither is null.
 struct DrawnPicture {
   std::shared_ptr<const Document> document;
-  std::shared_ptr<Studio> studio;
+  std::shared_ptr<OffscreenRenderer> renderer;
 };
 
 // Renders the content of a file without a screen: the strokes of a scene are cut, or the commands of a

@@ -264,7 +264,7 @@ void Renderer::draw_beams(const CameraView& view, const ViewOptions& options,
 // A line where the two methods meet, and beside it, as a legend, the number of pixels on which they differ.
 void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& picture) {
   const ShadowOptions& shadow = subject.options.shadow;
-  const size_t lights = std::min(subject.options.lights.size(), kMostLights);
+  const size_t lights = std::min(subject.options.lights.size(), kMaxLights);
   if (lights == 0) return;
   const int w = picture.shape().width, h = picture.shape().height;
   const auto counted = [&](ShadowMethod method) {

@@ -234,7 +234,7 @@ void ShadowOverlay::draw(const Subject& subject, ShadowPass& shadows, FaceNumber
   const ViewOptions& options = subject.options;
   const ShowOptions& show = options.show;
   if (options.lights.empty()) return;
-  const size_t light = std::min({options.shadow.inspected, options.lights.size() - 1, kMostLights - 1});
+  const size_t light = std::min({options.shadow.inspected, options.lights.size() - 1, kMaxLights - 1});
   const glm::vec4 in_frame = light_in_frame(options.lights[light], subject.space);
   const Inspected seen{subject, shadows, light, options.shadow.method, in_frame, picture.shape().height};
   if (show.shadow_facing) draw_facing(seen);

@@ -187,10 +187,10 @@ gl::State counting_behind(bool outward) {
 
 // The least height of the unit vector towards a light for which volumes end at a floor: they get long below
 // it.
-constexpr float kLeastRise = 0.1f;
+constexpr float kMinRise = 0.1f;
 
 std::optional<float> floor_for(const glm::vec4& light, std::optional<float> floor) {
-  return light.w == 0 && light.y >= kLeastRise ? floor : std::nullopt;
+  return light.w == 0 && light.y >= kMinRise ? floor : std::nullopt;
 }
 
 void set_floor(const gl::Program& program, std::optional<float> floor) {
@@ -231,7 +231,7 @@ void ShadowPass::follow(const Delta& delta) {
   }
 }
 
-void ShadowPass::note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after) {
+void ShadowPass::record_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after) {
   work_.faces += after.faces - before.faces;
   work_.edges += after.edges - before.edges;
 }
@@ -254,7 +254,7 @@ void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFra
   for (auto& [key, kept] : shadows.volumes) {
     const ShadowVolume::Effort before = kept.buffer.volume().effort();
     kept.buffer.volume().follow(*shadows.caster, change);
-    note_effort(before, kept.buffer.volume().effort());
+    record_effort(before, kept.buffer.volume().effort());
   }
 }
 
@@ -272,7 +272,7 @@ ShadowPass::Kept& ShadowPass::bring_up_to_date(const Subject& subject, BodyId id
   if (fresh || !(volume.light() == light)) {
     const ShadowVolume::Effort before = volume.effort();
     volume.rebuild(*shadows.caster, std::move(light));
-    note_effort(before, volume.effort());
+    record_effort(before, volume.effort());
     ++work_.rebuilt;
   }
   kept.buffer.update(*shadows.caster);

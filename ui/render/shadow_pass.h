@@ -162,7 +162,7 @@ class ShadowPass {
   void catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame, const BodyLooks& looks);
   Kept& bring_up_to_date(const Subject& subject, BodyId id, const Body& body, const BodyPicture& picture,
                          VolumeKey key);
-  void note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after);
+  void record_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after);
   void count_near_caps(const Subject& subject, VolumeKey key);
   void count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light,
                       std::optional<float> floor);

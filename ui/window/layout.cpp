@@ -11,9 +11,9 @@
 namespace kerf {
 
 namespace {
-constexpr double kLeastViewport = 320, kLeastViewportHeight = 160;
-constexpr double kLeastSideEms = 12, kLeastStripEms = 6;
-constexpr double kLeastHalf = 120;
+constexpr double kMinViewport = 320, kMinViewportHeight = 160;
+constexpr double kMinSideEms = 12, kMinStripEms = 6;
+constexpr double kMinHalf = 120;
 
 // What an area of panels gets of the room that the picture can spare; none if that would not be usable.
 double share(double wanted_ems, double least_ems, double em, double room) {
@@ -24,9 +24,9 @@ double share(double wanted_ems, double least_ems, double em, double room) {
 
 Layout lay_out(Vec2 window, double em, double menu, double status, const PanelSizes& panels) {
   const double height = std::max(1.0, window.y - menu - status);
-  const double side = share(panels.side, kLeastSideEms, em, window.x - kLeastViewport);
-  const double second = share(panels.second_side, kLeastSideEms, em, window.x - side - kLeastViewport);
-  const double strip = share(panels.strip, kLeastStripEms, em, height - kLeastViewportHeight);
+  const double side = share(panels.side, kMinSideEms, em, window.x - kMinViewport);
+  const double second = share(panels.second_side, kMinSideEms, em, window.x - side - kMinViewport);
+  const double strip = share(panels.strip, kMinStripEms, em, height - kMinViewportHeight);
   const double width = std::max(1.0, window.x - side - second);
   Layout layout;
   layout.viewport = {{second, menu}, {width, height - strip}};
@@ -42,7 +42,7 @@ Layout lay_out(Vec2 window, double em, double menu, double status, const PanelSi
 Layout split_in_two(Layout whole, double share) {
   KERF_ASSERT(!whole.split() && share >= 0 && share <= 1);
   const Area& all = whole.viewport;
-  const double least = std::min(kLeastHalf, std::floor(0.5 * all.size.x));
+  const double least = std::min(kMinHalf, std::floor(0.5 * all.size.x));
   const double left = std::clamp(std::round(share * all.size.x), least, all.size.x - least);
   whole.first = {all.at, {left, all.size.y}};
   whole.second = {{all.at.x + left, all.at.y}, {all.size.x - left, all.size.y}};

@@ -19,7 +19,7 @@ namespace kerf {
 namespace {
 
 constexpr const char* kEllipsis = "...";
-constexpr int kMostDigits = 6;
+constexpr int kMaxDigits = 6;
 
 // Whether a character of UTF-8 begins at this byte.
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }
@@ -77,7 +77,7 @@ std::string fitted_number(double value, const RealFormat& format, std::string_vi
   const double shown = std::strtod(full.c_str(), &suffix);
   if (suffix == full.c_str()) return fitted_text(full, width, width_of);
   for (const std::string& end : {std::string(suffix), std::string()}) {
-    for (int digits = kMostDigits; digits > 0; --digits) {
+    for (int digits = kMaxDigits; digits > 0; --digits) {
       text = with_digits(shown, digits) + end;
       if (width_of(text) <= width) return text;
     }

@@ -187,7 +187,7 @@ InputEvent& VirtualInput::put(InputEvent::Kind kind, int button) {
   event.at = pointer_;
   event.button = button;
   event.mods = mods();
-  return heard_.events.emplace_back(event);
+  return input_state_.events.emplace_back(event);
 }
 
 Status VirtualInput::move(const JsonValue& value) {
@@ -254,7 +254,7 @@ Status VirtualInput::drop(const JsonValue& value) {
     if (!file) return file.error();
     files.emplace_back(*file);
   }
-  heard_.drops = std::move(files);
+  input_state_.drops = std::move(files);
   return Done{};
 }
 
@@ -270,7 +270,7 @@ Status VirtualInput::resize(const JsonValue& value) {
 
 Status VirtualInput::focus(const JsonValue& value) { return assign(value.flag(), focus_); }
 
-Status VirtualInput::close(const JsonValue& value) { return assign(value.flag(), heard_.close); }
+Status VirtualInput::close(const JsonValue& value) { return assign(value.flag(), input_state_.close); }
 
 namespace {
 
@@ -324,16 +324,16 @@ ScriptedWindow::ScriptedWindow(EventScript script, gl::OffscreenContext context)
     : script_(std::move(script)), context_(std::move(context)), clock_(script_), surface_(size()) {}
 
 std::vector<InputEvent> ScriptedWindow::take_events() {
-  std::vector<InputEvent> events = std::exchange(script_.input().heard().events, {});
+  std::vector<InputEvent> events = std::exchange(script_.input().input_state().events, {});
   spread_times(events, script_.seconds() - script_.frame_seconds(), script_.seconds());
   return events;
 }
 
 std::vector<std::filesystem::path> ScriptedWindow::take_drops() {
-  return std::exchange(script_.input().heard().drops, {});
+  return std::exchange(script_.input().input_state().drops, {});
 }
 
-bool ScriptedWindow::take_close() { return std::exchange(script_.input().heard().close, false); }
+bool ScriptedWindow::take_close() { return std::exchange(script_.input().input_state().close, false); }
 
 void ScriptedWindow::attach_gui() { name_keys(ImGui::GetIO()); }
 

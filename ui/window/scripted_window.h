@@ -21,7 +21,7 @@ namespace kerf {
 class VirtualInput {
  public:
   // What came since it was taken last.
-  struct Heard {
+  struct InputState {
     std::vector<InputEvent> events;
     std::vector<std::filesystem::path> drops;
     bool close = false;
@@ -33,7 +33,7 @@ class VirtualInput {
   // there is no such step or its value is wrong.
   Status hear(const std::string& name, const JsonValue& value);
 
-  Heard& heard() { return heard_; }
+  InputState& input_state() { return input_state_; }
   Vec2 size() const { return size_; }
   Vec2 pointer() const { return pointer_; }
   const std::set<int>& keys() const { return keys_; }        // that are held down, GLFW_KEY_*
@@ -53,7 +53,7 @@ class VirtualInput {
   Status close(const JsonValue& value);
   InputEvent& put(InputEvent::Kind kind, int button = 0);
 
-  Heard heard_;
+  InputState input_state_;
   Vec2 size_, pointer_{0};
   std::set<int> keys_, buttons_;
   bool focus_ = true;

@@ -21,7 +21,7 @@ struct Message {
   bool is_error = false;  // the user asked for something that could not be done
   std::deque<Said> log;   // the last sentences, oldest first
 
-  static constexpr size_t kMostLogged = 200;
+  static constexpr size_t kMaxLogged = 200;
 
   void say(std::string sentence, bool error = false) {
     if (sentence.empty() && std::exchange(outlives_next_, false)) return;
@@ -39,7 +39,7 @@ struct Message {
   // Writes a sentence to the log without showing it.
   void note(std::string sentence, bool error) {
     log.push_back({std::time(nullptr), std::move(sentence), error});
-    if (log.size() > kMostLogged) log.pop_front();
+    if (log.size() > kMaxLogged) log.pop_front();
   }
 
  private:

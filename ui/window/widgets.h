@@ -20,9 +20,9 @@ inline ImTextureID to_im_texture(unsigned name) {
   return reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(name));
 }
 
-// A button that takes one of `shares` equal parts of the width of a panel. With a reason `why_not` it is
-// disabled, and its tooltip says why; otherwise the tooltip is `meaning`. Returns whether it was pressed.
-bool row_button(const char* label, int shares, const char* why_not, const char* meaning);
+// A button that takes one of `shares` equal parts of the width of a panel. With a reason `disabled_reason` it
+// is disabled, and its tooltip says why; otherwise the tooltip is `meaning`. Returns whether it was pressed.
+bool row_button(const char* label, int shares, const char* disabled_reason, const char* meaning);
 
 // Widgets that choose the unit and the upward axis of a file, as landmarks "unit" and "up axis". They return
 // whether the user has changed it.

@@ -114,7 +114,7 @@ constexpr double kGaining = 4, kBraking = 7;  // m/s^2
 constexpr double kHalfWidth = 1.0;            // m, of the discs of a vehicle
 constexpr double kDeeper = 0.04;              // m
 constexpr double kHeight = 2;                 // m, between floors
-constexpr double kMostSide = 8;               // m/s^2, across
+constexpr double kMaxSide = 8;                // m/s^2, across
 
 // How far the discs of a vehicle reach into what is around it.
 class Surrounds {
@@ -178,7 +178,7 @@ ArcEnd follow_arc(const FreeSpace& space, std::span<const Disc> traffic, const C
     speed = towards(speed, arc.speed, rate * kArcStep);
     const SinCos lock = sin_cos(arc.steer * full_lock(std::abs(speed)));
     double turning = speed * lock.sin / (lock.cos * course.wheelbase);
-    if (std::abs(turning * speed) > kMostSide) turning *= kMostSide / std::abs(turning * speed);
+    if (std::abs(turning * speed) > kMaxSide) turning *= kMaxSide / std::abs(turning * speed);
     heading = wrapped(heading + turning * kArcStep);
     const Vec3 ahead = direction_of(heading, 0);
     Vec3 next = at + speed * kArcStep * ahead;
@@ -322,7 +322,7 @@ void Steering::choose_arc(const DriverView& view, const Course& course, double s
 }
 
 // Notices when it does not get away, and then tries the other direction for a while.
-void Steering::note_progress(const Course& course, const Controls& controls) {
+void Steering::record_progress(const Course& course, const Controls& controls) {
   if (escape_ > 0) --escape_;
   const bool wants = std::abs(controls.throttle) > Controls::kFull / 5;
   if (flat_distance(course.at, anchor_) > kAway) {
@@ -342,7 +342,7 @@ void Steering::note_progress(const Course& course, const Controls& controls) {
 void Steering::drive(const DriverView& view, const Vec3& at, double distance, double share,
                      Controls& controls) {
   const Course course = course_of(view);
-  note_progress(course, controls);
+  record_progress(course, controls);
   controls.handbrake = false;
   if (--turn_in_ <= 0) {
     turn_in_ = 3 * kSecond + static_cast<int>(random_.below(6 * kSecond));

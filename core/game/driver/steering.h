@@ -70,7 +70,7 @@ class Steering {
   Vec3 point_ahead(const DriverView& view, const Course& course) const;
   void choose_arc(const DriverView& view, const Course& course, double share);
   double value_of(const ArcEnd& end, const Course& course, const Arc& arc, const Vec3& target) const;
-  void note_progress(const Course& course, const Controls& controls);
+  void record_progress(const Course& course, const Controls& controls);
 
   Random random_;
   double side_;              // +1 or -1: which way around

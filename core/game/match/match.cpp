@@ -16,7 +16,7 @@ namespace kerf {
 namespace {
 
 constexpr Ticks kLookAround = 6;                   // after which drivers look where others are
-constexpr size_t kMostSpawned = 8;                 // vehicles in a sandbox
+constexpr size_t kMaxSpawned = 8;                  // vehicles in a sandbox
 constexpr double kImpact = 1.5;                    // m/s, from which on a change of velocity is told
 constexpr double kThrown = 0.2, kThrownUp = 0.12;  // of the change of velocity in a crash
 constexpr double kCrumb = 0.0015;                  // m^2; smaller pieces burn up
@@ -93,7 +93,7 @@ void Match::add_enemies(const WaveStart& start, Delta& came) {
 // A vehicle comes where the player asks for one, as long as there are not too many.
 void Match::spawn() {
   const bool asks = vehicles_[kPlayer].controls.spawn, asked = std::exchange(asked_, asks);
-  if (!asks || asked || rules().spawns.empty() || vehicles_.size() > kMostSpawned) return;
+  if (!asks || asked || rules().spawns.empty() || vehicles_.size() > kMaxSpawned) return;
   traffic_ = find_traffic(world(), vehicles_);
   const std::optional<Placement> place =
       place_before(world().body(vehicles_[kPlayer].chassis).placement, space_, traffic_);
@@ -247,14 +247,14 @@ void Match::move_bodies(PlacementsBefore& before) {
   world_.move(guided(), carried());
   for (const Vehicle& vehicle : vehicles_) glide_along(world_.world(), vehicle, obstacles_);
   world_.keep_inside(rules().arena.description);
-  note_impacts(velocities_before);
+  record_impacts(velocities_before);
   for (const Vehicle& vehicle : vehicles_) {
     place_carried(world_.world(), vehicle);
-    world_.note_placed(carried_bodies(vehicle));
+    world_.record_placed(carried_bodies(vehicle));
   }
 }
 
-void Match::note_impacts(const std::vector<Vec3>& velocities_before) {
+void Match::record_impacts(const std::vector<Vec3>& velocities_before) {
   const Vec3 falling = world().environment().gravity / static_cast<double>(kTicksPerSecond);
   for (size_t v = 0; v < vehicles_.size(); ++v) {
     const Body& chassis = world().body(vehicles_[v].chassis);
@@ -270,7 +270,7 @@ void Match::note_impacts(const std::vector<Vec3>& velocities_before) {
 // What a crash lets go is thrown away from what was run into.
 void Match::crash(size_t vehicle, const Vec3& at, const Vec3& change) {
   if (!let_go_near(world_.world(), vehicles_[vehicle], at, glm::length(change))) return;
-  world_.note_let_go();
+  world_.record_released_joints();
   thrown_[vehicle] = kThrown * change + Vec3(0, kThrownUp * glm::length(change), 0);
 }
 
@@ -287,7 +287,7 @@ void Match::fire_beams(const PlacementsBefore& before) {
     if (!was_on && v == kPlayer) tally_.count_stroke();
     for (const auto& [id, cut] : fire(world_.world(), vehicle, sight, cuttable, laser, before)) {
       world_.follow(cut.delta);
-      if (cut.delta.removed_faces > 0) tally_.note_cut(v, vehicle_of(id), id, world().body(id), cut);
+      if (cut.delta.removed_faces > 0) tally_.record_cut(v, vehicle_of(id), id, world().body(id), cut);
     }
   }
 }
@@ -305,7 +305,7 @@ void Match::separate() {
     if (vehicle) body.sheet = vehicle->what().body.sheet;
     if (vehicle) body.motion.velocity += thrown_[victim];
     if (!standing().over())
-      tally_.note_piece(
+      tally_.record_piece(
           piece, body, victim, vehicle,
           vehicle && piece.from == vehicle->chassis && is_clean(body, vehicle->model->chassis.body));
   }
@@ -316,7 +316,7 @@ void Match::assess() {
   if (!is_settled(world())) return;
   for (size_t v = 0; v < vehicles_.size(); ++v) {
     if (tally_.takes_assessment(v))
-      tally_.note_damage(world(), v, vehicles_[v], assess_damage(world_.world(), vehicles_[v]));
+      tally_.record_damage(world(), v, vehicles_[v], assess_damage(world_.world(), vehicles_[v]));
   }
 }
 

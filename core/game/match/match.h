@@ -90,7 +90,7 @@ class Match {
   std::vector<BodyId> carried() const;
   std::vector<Vec3> velocities() const;
   void move_bodies(PlacementsBefore& before);
-  void note_impacts(const std::vector<Vec3>& velocities);
+  void record_impacts(const std::vector<Vec3>& velocities);
   void crash(size_t vehicle, const Vec3& at, const Vec3& change);
   void fire_beams(const PlacementsBefore& before);
   void separate();

@@ -98,7 +98,7 @@ namespace {
 
 constexpr Ticks kLookForJointsEvery = 10;  // where faces that carry some are gone
 constexpr size_t kSearch = 20'000;         // faces that the search for separated pieces visits in a tick
-constexpr size_t kMostLoose = 200;         // bodies, those of the arena among them
+constexpr size_t kMaxLoose = 200;          // bodies, those of the arena among them
 constexpr Ticks kClearEvery = kTicksPerSecond / 10;
 
 }  // namespace
@@ -161,7 +161,7 @@ void MatchWorld::keep_inside(const ArenaDescription& arena) {
   }
 }
 
-void MatchWorld::note_placed(std::vector<BodyId> bodies) {
+void MatchWorld::record_placed(std::vector<BodyId> bodies) {
   Delta placed;
   placed.moved = std::move(bodies);
   delta_.append(std::move(placed));
@@ -250,8 +250,8 @@ void MatchWorld::clear_debris(const std::function<bool(BodyId)>& stays) {
     const Bounds box = body.bounds();
     if (body.motion.asleep) resting.push_back({glm::length(box.max - box.min), id});
   }
-  if (loose <= kMostLoose) return;
-  const size_t going = std::min(loose - kMostLoose, resting.size());
+  if (loose <= kMaxLoose) return;
+  const size_t going = std::min(loose - kMaxLoose, resting.size());
   std::stable_sort(resting.begin(), resting.end(),
                    [](const Resting& a, const Resting& b) { return a.size < b.size; });
   std::vector<BodyId> ids;

@@ -84,9 +84,9 @@ class MatchWorld {
   // Nothing leaves the arena: its edge is a wall that takes away the motion against it.
   void keep_inside(const ArenaDescription& arena);
   // Notes bodies that were placed by something else than the physics in the course of move().
-  void note_placed(std::vector<BodyId> bodies);
+  void record_placed(std::vector<BodyId> bodies);
   // Notes that joints were let go by something else than beams.
-  void note_let_go() { joints_are_asked_ = true; }
+  void record_released_joints() { joints_are_asked_ = true; }
   // Follows any other change of the world.
   void follow(Delta change);
   void remove(const std::vector<BodyId>& bodies);

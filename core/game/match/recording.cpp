@@ -17,7 +17,7 @@ namespace kerf {
 namespace {
 
 constexpr const char* kNames[] = {"easy", "normal", "hard"};
-constexpr size_t kMostTicks = kMostSeconds * kTicksPerSecond;
+constexpr size_t kMaxTicks = kMaxSeconds * kTicksPerSecond;
 
 // The controls of `ticks` equal ticks.
 nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
@@ -62,7 +62,7 @@ Status parse_run(const JsonValue& value, std::vector<Controls>& controls) {
   c.handbrake = buttons % 2 == 1;
   c.spawn = buttons / 2 % 2 == 1;
   c.give_up = buttons >= 4;
-  if (controls.size() + ticks > kMostTicks) return value.wrong("is beyond ten hours");
+  if (controls.size() + ticks > kMaxTicks) return value.wrong("is beyond ten hours");
   controls.insert(controls.end(), ticks, c);
   return Done{};
 }
@@ -84,7 +84,7 @@ void describe_head(Fields& f, Recording& recording) {
   f.path("rules", recording.rules);
   if (f.present("player", !recording.player.empty())) f.path("player", recording.player);
   f.coded("files", recording.files, parse_hash, hash_text, kHashRule);
-  f.whole("seed", recording.seed, 0, kMostSeed);
+  f.whole("seed", recording.seed, 0, kMaxSeed);
   f.choice("difficulty", recording.difficulty, kNames);
 }
 

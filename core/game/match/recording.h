@@ -18,8 +18,8 @@ namespace kerf {
 inline constexpr uint64_t kRecordingFormat = 1;
 
 // Limits of the seed and of the duration [s] of a match that can be recorded.
-inline constexpr uint64_t kMostSeed = 1'000'000'000'000'000;
-inline constexpr size_t kMostSeconds = 36'000;
+inline constexpr uint64_t kMaxSeed = 1'000'000'000'000'000;
+inline constexpr size_t kMaxSeconds = 36'000;
 
 // A match as its file holds it, one JSON object a line:
 //

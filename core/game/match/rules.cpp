@@ -10,19 +10,19 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMostEnemies = 12, kMostWaves = 50, kMostCars = 9;
+constexpr size_t kMaxEnemies = 12, kMaxWaves = 50, kMaxCars = 9;
 constexpr NumberRange kPoints{0, 1e6};
 
 std::array<EnemySkill, 3> default_skills() {
   return {EnemySkill{0.9, 0.105, 0.7, 0.35}, EnemySkill{}, EnemySkill{0.3, 0.03, 1, 1}};
 }
 
-// Reads 1 to kMostEnemies names.
+// Reads 1 to kMaxEnemies names.
 Status read_vehicles(const JsonValue& value, const std::filesystem::path& folder,
                      std::vector<std::filesystem::path>& vehicles) {
   if (const Status array = value.array("vehicle files"); !array) return array;
-  if (value.json().empty() || value.json().size() > kMostEnemies)
-    return value.wrong("must name 1 to " + std::to_string(kMostEnemies) + " vehicle files");
+  if (value.json().empty() || value.json().size() > kMaxEnemies)
+    return value.wrong("must name 1 to " + std::to_string(kMaxEnemies) + " vehicle files");
   for (size_t i = 0; i < value.json().size(); ++i) {
     const auto name = value[i].text();
     if (!name) return name.error();
@@ -36,8 +36,8 @@ Status read_waves(const JsonValue& value, const std::filesystem::path& folder, R
   for (size_t i = 0; i < value.json().size(); ++i) {
     if (const Status wave = read_vehicles(value[i], folder, rules.waves.emplace_back()); !wave) return wave;
   }
-  if (rules.waves.size() <= kMostWaves) return Done{};
-  return value.wrong("must hold no more than " + std::to_string(kMostWaves) + " waves");
+  if (rules.waves.size() <= kMaxWaves) return Done{};
+  return value.wrong("must hold no more than " + std::to_string(kMaxWaves) + " waves");
 }
 
 Status check_starts(const std::filesystem::path& file, const RulesDescription& rules,
@@ -102,7 +102,7 @@ static void describe(Fields& f, EnemySkill& skill) {
   f.number("enemy_speed", skill.speed, kShare, kOptional);
   f.number("enemy_fire", skill.fire, kShare, kOptional);
   f.number("enemy_distance", skill.distance, {4, 60, "m"}, kOptional);
-  f.whole("enemies_at_once", skill.at_once, 1, kMostEnemies, kOptional);
+  f.whole("enemies_at_once", skill.at_once, 1, kMaxEnemies, kOptional);
 }
 
 static void describe(Fields& f, Scores& scores) {
@@ -131,7 +131,7 @@ static void describe(Fields& f, RulesDescription& rules) {
     skills.object("hard", rules.skills[2], kOptional);
   });
   f.object("score", rules.scores, kOptional);
-  f.whole("cars", rules.cars, 1, kMostCars, kOptional);
+  f.whole("cars", rules.cars, 1, kMaxCars, kOptional);
   f.flag("targets", rules.targets, kOptional);
   f.value(
       "spawns", [&](const JsonValue& value) { return read_vehicles(value, f.folder(), rules.spawns); },

@@ -26,7 +26,7 @@ void Tally::tell(Event event, double points) {
   events_.push_back(event);
 }
 
-void Tally::note_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut) {
+void Tally::record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut) {
   standing_.faces_removed += cut.delta.removed_faces;
   Vec3 at = middle_of(body);
   for (const BodyDelta& b : cut.delta.bodies) {
@@ -40,8 +40,8 @@ void Tally::note_cut(size_t shooter, size_t victim, BodyId id, const Body& body,
   if (shooter == kPlayer && record.first_stroke == 0) record.first_stroke = strokes_;
 }
 
-void Tally::note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
-                       bool clean) {
+void Tally::record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
+                         bool clean) {
   ++standing_.pieces;
   const double area = area_of(body);
   Event event{Event::Kind::kPieceOff, victim, Event::kNobody, 0, piece.to, middle_of(body), area};
@@ -59,7 +59,7 @@ void Tally::note_piece(const Detached& piece, const Body& body, size_t victim, c
 
 bool Tally::takes_assessment(size_t vehicle) { return std::exchange(records_[vehicle].changed, false); }
 
-void Tally::note_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage) {
+void Tally::record_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage) {
   const Record& record = records_[index];
   Event event{Event::Kind::kWheelLost, index, record.last_cut_by};
   const auto lost = [&](Event::Kind kind, BodyId body, size_t part, double points) {

@@ -100,13 +100,14 @@ class Tally {
   // Tells of something that happened to a vehicle, with points if the player did it to an enemy.
   void tell(Event event, double points = 0);
   // The beam of a vehicle cut a body, which `victim` is or carries (Event::kNobody: no vehicle).
-  void note_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
+  void record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
   // A piece came off a body that was, or was carried by, that vehicle (null: none). `clean`: see is_clean.
-  void note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle, bool clean);
+  void record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
+                    bool clean);
   // Whether the damage of a vehicle is to be read from its meshes, because it was cut or a piece came off it.
   // The next call says no.
   bool takes_assessment(size_t vehicle);
-  void note_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage);
+  void record_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage);
 
  private:
   // What is known of a vehicle besides its state.

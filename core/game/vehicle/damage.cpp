@@ -15,7 +15,7 @@ class Rest {
  public:
   Rest(const World& world, BodyId id, const FaceWatch& watch)
       : watch_(watch), left_(watch.areas_in(world.body(id))) {}
-  bool works(size_t group) const { return left_[group] >= kLeastPart * watch_.area(group); }
+  bool works(size_t group) const { return left_[group] >= kMinPart * watch_.area(group); }
 
  private:
   const FaceWatch& watch_;
@@ -76,7 +76,7 @@ Damage assess_damage(const World& world, Vehicle& vehicle) {
   assess_gun(world, vehicle, chassis, damage);
   assess_vitals(vehicle, chassis, damage);
   vehicle.whole = area_of(world.body(vehicle.chassis)) / vehicle.model->chassis_area;
-  const bool dead = !damage.vitals.empty() || vehicle.whole < kLeastChassis;
+  const bool dead = !damage.vitals.empty() || vehicle.whole < kMinChassis;
   damage.died = vehicle.alive && dead;
   if (dead) vehicle.alive = vehicle.gun.firing = false;
   return damage;
@@ -94,7 +94,7 @@ bool is_clean(const Body& piece, const Body& loaded) {
     areas[components.of_base[piece.loaded_face(piece.loaded_base(f)).index]] += area;
     all += area;
   }
-  if (all < kLeastCleanArea) return false;
+  if (all < kMinCleanArea) return false;
   for (uint32_t c = 0; c < areas.size(); ++c) {
     if (areas[c] > 0 && areas[c] < kCleanShare * components.left[c].area) return false;
   }
@@ -104,7 +104,7 @@ bool is_clean(const Body& piece, const Body& loaded) {
 namespace {
 
 constexpr double kReach = 0.8, kMoreReach = 0.07;  // m at kCrash, and m for each m/s more
-constexpr double kMostReach = 1.6;                 // m
+constexpr double kMaxReach = 1.6;                  // m
 
 }  // namespace
 
@@ -125,7 +125,7 @@ bool let_go_near(World& world, const Vehicle& vehicle, const Vec3& at, double ch
   KERF_ASSERT(vehicle.model);
   Body& chassis = world.body(vehicle.chassis);
   const Vec3 place = chassis.placement.to_body(at);
-  const double reach = std::min(kMostReach, kReach + kMoreReach * (change - kCrash));
+  const double reach = std::min(kMaxReach, kReach + kMoreReach * (change - kCrash));
   const std::vector<bool>& breaks = vehicle.model->breaks;
   Joints joints = world.joints();
   size_t own = 0;

@@ -22,23 +22,23 @@ struct Damage {
 //                   barrel hangs on the turret in the same way.
 //   vital part      half of its area is left in the chassis; otherwise the vehicle is dead.
 //
-// A chassis of which less than kLeastChassis is left is dead, too. What was cut off the bodies must be bodies
+// A chassis of which less than kMinChassis is left is dead, too. What was cut off the bodies must be bodies
 // of their own already (see release_pieces). O(faces of the vehicle).
 Damage assess_damage(const World& world, Vehicle& vehicle);
 
 // The area of the faces of a body, m^2.
 double area_of(const Body& body);
 
-inline constexpr double kLeastPart = 0.5;      // of the area of a part
-inline constexpr double kLeastChassis = 0.25;  // of the area of the chassis
+inline constexpr double kMinPart = 0.5;      // of the area of a part
+inline constexpr double kMinChassis = 0.25;  // of the area of the chassis
 
 // Whether a body that came off another one, which was loaded as `loaded`, is made of whole parts: of every
 // connected component of which it has faces, at least kCleanShare of the area is there, and it is no trifle
-// (kLeastCleanArea). False where the other one was loaded as a single component. O(faces).
+// (kMinCleanArea). False where the other one was loaded as a single component. O(faces).
 bool is_clean(const Body& piece, const Body& loaded);
 
-inline constexpr double kCleanShare = 0.97;      // of the area of a component
-inline constexpr double kLeastCleanArea = 0.05;  // m^2
+inline constexpr double kCleanShare = 0.97;    // of the area of a component
+inline constexpr double kMinCleanArea = 0.05;  // m^2
 
 // The change of velocity (m/s) within a tick from which on a vehicle comes to harm.
 inline constexpr double kCrash = 8;

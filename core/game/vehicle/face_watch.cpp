@@ -95,7 +95,7 @@ double FaceWatch::area_in(size_t group, const Triangle& t) const {
 }
 
 size_t FaceWatch::add(const Body& loaded, const std::vector<bool>& faces, const std::optional<Ball>& near) {
-  KERF_ASSERT(areas_.size() < kMostGroups && groups_of_.size() == loaded.mesh.face_slots());
+  KERF_ASSERT(areas_.size() < kMaxGroups && groups_of_.size() == loaded.mesh.face_slots());
   const size_t group = areas_.size();
   near_.push_back(near);
   double area = 0;

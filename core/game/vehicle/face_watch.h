@@ -35,13 +35,13 @@ double area_within(const Triangle& t, const Ball& ball);
 // Tells how much is left in a body of some groups of the faces that were loaded with it.
 class FaceWatch {
  public:
-  static constexpr size_t kMostGroups = 32;
+  static constexpr size_t kMaxGroups = 32;
 
   FaceWatch() = default;
   explicit FaceWatch(const Body& loaded) : groups_of_(loaded.mesh.face_slots(), 0) {}
 
   // Adds the faces of a part (see is_of_part) as a group and returns its index. Groups may overlap.
-  // Precondition: `loaded` is the body of the constructor, and there are fewer than kMostGroups.
+  // Precondition: `loaded` is the body of the constructor, and there are fewer than kMaxGroups.
   size_t add_part(const Body& loaded, const std::string& part);
   // Adds what lies of the faces of a part near a point as a group: at most 0.1 m, or a quarter, farther away
   // than the nearest face.

@@ -14,7 +14,7 @@ namespace kerf {
 namespace {
 
 constexpr double kYawSpeed = 4.5, kPitchSpeed = 3;  // rad/s
-constexpr double kLeastEnergy = 0.05;               // to switch the beam on
+constexpr double kMinEnergy = 0.05;                 // to switch the beam on
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void aim(const World& world, Vehicle& vehicle) {
 bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules) {
   Gun& gun = vehicle.gun;
   const double width = static_cast<double>(vehicle.controls.width) / Controls::kFull;
-  const double least = gun.firing ? 0 : kLeastEnergy;
+  const double least = gun.firing ? 0 : kMinEnergy;
   gun.firing = vehicle.alive && vehicle.controls.fire && gun.works() && !gun.overheated && gun.energy > least;
   if (!gun.firing) gun.last.reset();
   gun.radius = rules.radius.low + width * (rules.radius.high - rules.radius.low);
@@ -57,7 +57,7 @@ bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules) {
 namespace {
 
 // How far a removed face may reach out of the beam: in radii, and at least so many metres.
-constexpr double kTolerance = 1.2, kLeastTolerance = 0.02;
+constexpr double kTolerance = 1.2, kMinTolerance = 0.02;
 constexpr double kHeatWidth = 0.025;  // m, beside a cut; a few faces
 constexpr double kStep = 6;           // radii by which a point of the beam moves at most in one of its moves
 
@@ -67,8 +67,8 @@ CutSettings cut_settings(double radius, double length) {
   settings.laser.range = {0, length};
   settings.resolution.scheme = Scheme::kLongestEdge;
   settings.resolution.rule = Resolution::Rule::kTolerance;
-  settings.resolution.tolerance = std::max(kTolerance * radius, kLeastTolerance);
-  settings.most_faces = kMostFacesOfTarget;
+  settings.resolution.tolerance = std::max(kTolerance * radius, kMinTolerance);
+  settings.max_faces = kMaxFacesOfTarget;
   settings.heat_width = kHeatWidth;
   return settings;
 }
@@ -126,7 +126,7 @@ std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& s
   const CutSettings settings = cut_settings(gun.radius, gun.length);
   std::map<BodyId, StepResult> cut;
   for (const Sight::Near& near : sight.bodies()) {
-    if (vehicle.has(near.id) || !cuttable(near.id) || near.body->mesh.live_faces() > kMostFacesOfTarget)
+    if (vehicle.has(near.id) || !cuttable(near.id) || near.body->mesh.live_faces() > kMaxFacesOfTarget)
       continue;
     const auto then = before.find(near.id);
     const Placement& was = gun.last && then != before.end() ? then->second : near.body->placement;

@@ -30,7 +30,7 @@ void aim(const World& world, Vehicle& vehicle);
 // and heat change; `speed` of the vehicle is in m/s. Returns whether it overheated in this tick.
 bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules);
 
-inline constexpr size_t kMostFacesOfTarget = 40'000;
+inline constexpr size_t kMaxFacesOfTarget = 40'000;
 
 // Where bodies were at the beginning of a tick.
 using PlacementsBefore = std::map<BodyId, Placement>;
@@ -38,7 +38,7 @@ using PlacementsBefore = std::map<BodyId, Placement>;
 // Lets the beam of a vehicle, which must be on, cut during a tick: everything between where it was at the end
 // of the last tick and where it is, in the frame of each body that it meets, which may have moved meanwhile.
 // It ends at the ground and at the first body that is not cuttable, goes through all others, and leaves the
-// bodies of its own vehicle alone. No body gets more than kMostFacesOfTarget faces: a cut that would make
+// bodies of its own vehicle alone. No body gets more than kMaxFacesOfTarget faces: a cut that would make
 // more ends where it is, with a delta that says that the world is another one. Sets Gun::length and
 // Gun::last. `sight` shows the world after the bodies have moved, and `cuttable` tells what the beam cuts.
 // Returns what was cut, by body.

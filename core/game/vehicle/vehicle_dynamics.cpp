@@ -46,7 +46,7 @@ namespace {
 constexpr double kStiffness = 25;                      // 1/s^2
 constexpr double kCompression = 3, kRelaxation = 4.5;  // 1/s, of the damper
 constexpr double kBumpStop = 8;                        // times the stiffness, beyond the travel
-constexpr double kMostLoad = 40;                       // m/s^2, times the mass
+constexpr double kMaxLoad = 40;                        // m/s^2, times the mass
 constexpr double kGrip = 1.15;                         // coefficient of friction of a tyre
 constexpr double kLockedGrip = 0.55;                   // across a wheel that the handbrake locks
 constexpr double kStump = 0.5, kStumpGrip = 0.3;  // where a wheel is gone: of its radius, and of its load
@@ -158,7 +158,7 @@ class Drive {
     double spring = kStiffness * (rise + at_rest);
     if (rise > 0.5 * w.travel) spring += kBumpStop * kStiffness * (rise - 0.5 * w.travel);
     const double damper = sinking * (sinking > 0 ? kCompression : kRelaxation);
-    wheel.load = mass * std::clamp(spring + damper, 0.0, kMostLoad);
+    wheel.load = mass * std::clamp(spring + damper, 0.0, kMaxLoad);
     s.load = wheel.load * kTick;
     motion_.push(s.at, s.load * s.normal);
     const Vec3 axis = turn_about(up_, wheel.steer) * (chassis_.placement.orientation * Vec3(1, 0, 0));
@@ -365,7 +365,7 @@ namespace {
 constexpr double kPatience = 0.9;            // s
 constexpr double kFirst = 0.9, kMore = 0.3;  // s, of driving out, and more of it each time
 constexpr double kHere = 1, kElsewhere = 6;  // m
-constexpr int kMostTimes = 2;                // near the same place
+constexpr int kMaxTimes = 2;                 // near the same place
 constexpr int kWants = Controls::kFull / 5;  // of the throttle
 
 int direction_of(const Controls& controls) {
@@ -397,7 +397,7 @@ Controls backed_off(const World& world, Vehicle& vehicle, const Controls& wanted
   if (direction == 0 || wanted.handbrake) return wanted;
   b.held_s += kTick;
   if (b.held_s < kPatience) return wanted;
-  b.wedged = b.times == kMostTimes;
+  b.wedged = b.times == kMaxTimes;
   if (b.wedged) return wanted;
   if (b.times == 0) b.place = here;
   b.side = b.times == 0 && wanted.steer != 0 ? (wanted.steer > 0 ? -1 : 1) : -b.side;

@@ -19,7 +19,7 @@ namespace {
 
 using Matrix = glm::dmat4;
 
-constexpr size_t kMostTriangles = 100'000'000, kMostPositions = 3 * kMostTriangles;
+constexpr size_t kMaxTriangles = 100'000'000, kMaxPositions = 3 * kMaxTriangles;
 constexpr uint64_t kTriangles = 4, kStrip = 5, kFan = 6, kModes = 7;
 
 std::string node_place(uint32_t node) { return "/nodes/" + std::to_string(node); }
@@ -149,7 +149,7 @@ class GltfReader {
     if (!mesh) return mesh.error();
     if (!*mesh) return std::nullopt;
     if (node.contains("skin"))
-      note_once(skinned_, "Meshes with a skin are read in the pose in which they were modelled.");
+      record_once(skinned_, "Meshes with a skin are read in the pose in which they were modelled.");
     polygons_.begin_parts(PolygonList::Level::kObject, {name_of(node, file_.element("meshes", **mesh))});
     return read_mesh(**mesh, to_scene);
   }
@@ -163,7 +163,7 @@ class GltfReader {
     return own.empty() ? text_of(mesh, "name") : own;
   }
 
-  void note_once(bool& noted, const char* warning) {
+  void record_once(bool& noted, const char* warning) {
     if (!noted) warnings_.emplace_back(warning);
     noted = true;
   }
@@ -187,11 +187,11 @@ class GltfReader {
     if (!mode) return mode.error();
     if (*mode >= kModes) return file_.wrong(where + "/mode", "must be from 0 to 6");
     if (*mode < kTriangles) {
-      note_once(lines_, "Points and lines were passed over.");
+      record_once(lines_, "Points and lines were passed over.");
       return std::nullopt;
     }
     if (primitive.contains("targets"))
-      note_once(morphed_, "Meshes with morph targets are read without them.");
+      record_once(morphed_, "Meshes with morph targets are read without them.");
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end() || !attributes->is_object())
       return file_.wrong(where + "/attributes", "is missing");
@@ -217,7 +217,7 @@ class GltfReader {
     if (const auto known = placed_.find(accessors); known != placed_.end()) return known->second;
     const auto rows = GltfAccessor::positions(file_, accessors.first);
     if (!rows) return rows.error();
-    if (rows->size() > kMostPositions - positions_.size())
+    if (rows->size() > kMaxPositions - positions_.size())
       return file_.wrong("/accessors/" + std::to_string(accessors.first),
                          "brings more positions than Kerf reads from a glTF file");
     const Placed placed{positions_.size(), rows->size()};
@@ -235,7 +235,7 @@ class GltfReader {
   Problem place_colours(uint32_t accessor, const Placed& positions) {
     const auto rows = GltfAccessor::colours(file_, accessor);
     if (!rows || rows->size() != positions.count) {
-      note_once(uncoloured_, "Vertex colours that could not be read were passed over.");
+      record_once(uncoloured_, "Vertex colours that could not be read were passed over.");
       return std::nullopt;
     }
     colours_.resize(positions.first);
@@ -282,7 +282,7 @@ class GltfReader {
     }
     const size_t corners = indices ? indices->size() : target.positions.count;
     const size_t triangles = mode == kTriangles ? corners / 3 : corners < 3 ? 0 : corners - 2;
-    if (triangles > kMostTriangles - polygons_.size())
+    if (triangles > kMaxTriangles - polygons_.size())
       return file_.wrong(where, "brings more faces than Kerf reads from a glTF file");
     const auto corner = [&](size_t i) -> int64_t {
       const size_t v = indices ? indices->index(i) : i;

@@ -70,7 +70,7 @@ class HeaderReader {
     scanner_.at_line_end();
     scanner_.skip_line();
     if (auto problem = check_counts()) return *problem;
-    note_stray_lines();
+    record_stray_lines();
     return std::move(header_);
   }
 
@@ -183,7 +183,7 @@ class HeaderReader {
     return std::nullopt;
   }
 
-  void note_stray_lines() {
+  void record_stray_lines() {
     if (stray_lines_ == 0) return;
     const std::string line = std::to_string(first_stray_line_);
     header_.warnings.push_back(

@@ -53,7 +53,7 @@ namespace {
 // Limits of the number of boxes and points tested for a polygon, beyond which any corner counts as an ear.
 // The worst simple polygons tried, of a hundred thousand corners, need 500 tests per corner.
 constexpr uint64_t kWorkPerCorner = 2000;
-constexpr uint64_t kMostWork = 400'000'000;
+constexpr uint64_t kMaxWork = 400'000'000;
 
 double turn2(Vec2 a, Vec2 b, Vec2 c) { return cross2(b - a, c - a); }
 
@@ -88,7 +88,7 @@ void EarClipper::start(std::span<const Vec2> points) {
   rule_ = Rule::kStrict;
   loosened_ = false;
   work_ = 0;
-  most_work_ = std::min(kMostWork, kWorkPerCorner * (left_ + uint64_t{1000}));
+  most_work_ = std::min(kMaxWork, kWorkPerCorner * (left_ + uint64_t{1000}));
 }
 
 void EarClipper::enqueue(uint32_t i) {

@@ -211,7 +211,7 @@ std::vector<Vec3> points_of(const Mesh& mesh, const FlatSheets& sheets) {
 
 // Where the mean square of the distance from the planes is so many times the bound, the samples are not
 // asked: few would be near, and looking for that takes half of the time.
-constexpr double kMostOverBound2 = 4;
+constexpr double kMaxOverBound2 = 4;
 
 // Reports in a whole simplification, beside one a round.
 constexpr size_t kReports = 64;
@@ -337,7 +337,7 @@ Collapser::Choice Collapser::best_choice(uint32_t v) {
 bool Collapser::stays_near(uint32_t v, const Choice& choice) {
   if (!most2_) return true;
   const double weight = quadrics_[v].weight + quadrics_[choice.to].weight;
-  if (choice.error > kMostOverBound2 * *most2_ * weight) return false;
+  if (choice.error > kMaxOverBound2 * *most2_ * weight) return false;
   find_changed(choice.to);
   return samples_->are_near(around_, surface_.point(v), changed_);
 }

@@ -136,9 +136,9 @@ class CollapseRules {
 
   // A vertex with more faces is a hub and does not collapse before its neighbours have: to look at its ring
   // after each of their collapses would take quadratic time. Collapses onto it look at no other hub either.
-  static constexpr uint32_t kMostFaces = 256;
+  static constexpr uint32_t kMaxFaces = 256;
 
-  bool is_hub(uint32_t v) const { return surface_.faces_at(v) > kMostFaces; }
+  bool is_hub(uint32_t v) const { return surface_.faces_at(v) > kMaxFaces; }
 
   // Finds what is around a vertex, and remembers it for allows(). Precondition: it is in use.
   void look_at(uint32_t v, Ring& ring);

@@ -132,7 +132,7 @@ std::vector<FaceId> origins_of(const Sheets& sheets, size_t added_a_face) {
 
 Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const FaceId> kept,
                            const Progress* progress) {
-  KERF_ASSERT(mesh.live_faces() <= kMostToSubdivide);
+  KERF_ASSERT(mesh.live_faces() <= kMaxToSubdivide);
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.4), dividing = shares.next(0.3), back = shares.next(0.3);
   auto sheets = to_sheets(mesh, kept, &copying);

@@ -27,8 +27,8 @@ constexpr size_t parts_of_face(Subdivision scheme) { return scheme == Subdivisio
 // with a cosine that differs from machine to machine.
 //
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the scheme
-// alone. Preconditions: the mesh has live faces, at most kMostToSubdivide, and `kept` are live. O(n log n).
-inline constexpr size_t kMostToSubdivide = size_t{1} << 28;
+// alone. Preconditions: the mesh has live faces, at most kMaxToSubdivide, and `kept` are live. O(n log n).
+inline constexpr size_t kMaxToSubdivide = size_t{1} << 28;
 Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const FaceId> kept,
                            const Progress* progress);
 
@@ -39,8 +39,8 @@ Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const
 //
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the number
 // alone. Preconditions: the mesh has live faces, `kept` are live, and it is
-// at most kMostSmoothing times. O(n times + n log n).
-inline constexpr size_t kMostSmoothing = 1000;
+// at most kMaxSmoothing times. O(n times + n log n).
+inline constexpr size_t kMaxSmoothing = 1000;
 Result<Remeshed> smooth(const Mesh& mesh, size_t times, std::span<const FaceId> kept,
                         const Progress* progress);
 

@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 // The squared cosines of 15, 30, 60 and 90 degrees, by which one collapse may turn a face.
-constexpr std::array kLeastCosine2 = {0.93301270189221932, 0.75, 0.25, 0.0};
+constexpr std::array kMinCosine2 = {0.93301270189221932, 0.75, 0.25, 0.0};
 // Down to so many times the wanted faces the quadrics alone decide.
 constexpr size_t kFacesForSamples = 5;
 // The bounds of the distance of samples, over the edge of an equilateral face of those that are wanted, begin
@@ -27,7 +27,7 @@ double edge_of(double area) { return std::sqrt(4 / std::sqrt(3.0) * area); }
 // Returns false if it was stopped.
 bool collapse_to_error(Collapser& collapser, double error) {
   collapser.bound_distance(kShareForSamples * error);
-  return collapser.run_round({.faces = 0, .least_cosine2 = kLeastCosine2.front()});
+  return collapser.run_round({.faces = 0, .least_cosine2 = kMinCosine2.front()});
 }
 
 // Returns false if it was stopped.
@@ -35,10 +35,10 @@ bool collapse_to_faces(Collapser& collapser, size_t faces) {
   const auto round = [&](size_t until, double cosine2) {
     return collapser.left() <= until || collapser.run_round({.faces = until, .least_cosine2 = cosine2});
   };
-  if (!round(kFacesForSamples * faces, kLeastCosine2.front())) return false;
+  if (!round(kFacesForSamples * faces, kMinCosine2.front())) return false;
   const double edge = edge_of(collapser.area() / static_cast<double>(faces));
   for (const auto turns :
-       {std::span(kLeastCosine2).first(kFirstTurns), std::span(kLeastCosine2).subspan(kFirstTurns)}) {
+       {std::span(kMinCosine2).first(kFirstTurns), std::span(kMinCosine2).subspan(kFirstTurns)}) {
     for (double bound = kFirstBound; bound <= kLastBound && collapser.left() > faces; bound *= 2) {
       collapser.bound_distance(bound * edge);
       for (const double cosine2 : turns) {
@@ -47,7 +47,7 @@ bool collapse_to_faces(Collapser& collapser, size_t faces) {
     }
   }
   collapser.bound_distance(std::nullopt);
-  return std::all_of(kLeastCosine2.begin(), kLeastCosine2.end(),
+  return std::all_of(kMinCosine2.begin(), kMinCosine2.end(),
                      [&](double cosine2) { return round(faces, cosine2); });
 }
 

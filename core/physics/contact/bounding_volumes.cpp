@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kMostInLeaf = 8;
+constexpr uint32_t kMaxInLeaf = 8;
 constexpr uint32_t kSmaller = 4;  // times than the cluster around it, at least, unless it holds the items
 
 }  // namespace
@@ -21,7 +21,7 @@ class ClusterDivision {
 
   // `around`: how many items the cluster around these has.
   void divide(uint32_t begin, uint32_t end, uint32_t around) {
-    const bool holds_items = end - begin <= kMostInLeaf;
+    const bool holds_items = end - begin <= kMaxInLeaf;
     const bool is_node = holds_items || kSmaller * (end - begin) <= around;
     const size_t node = out_.clusters.nodes_.size();
     if (is_node) out_.clusters.nodes_.push_back({ball_around(begin, end), 0});
@@ -80,9 +80,9 @@ Occupancy::Occupancy(const Box& bounds) : bounds_(bounds) {
   KERF_ASSERT(bounds.min.x <= bounds.max.x && bounds.min.y <= bounds.max.y && bounds.min.z <= bounds.max.z);
   const Vec3 extent = bounds.max - bounds.min;
   const double longest = std::max({extent.x, extent.y, extent.z});
-  per_metre_ = longest > 0 ? kMostCells / longest : 0;
+  per_metre_ = longest > 0 ? kMaxCells / longest : 0;
   for (int k = 0; k < 3; ++k) {
-    count_[k] = std::min(static_cast<int>(extent[k] * per_metre_) + 1, kMostCells);
+    count_[k] = std::min(static_cast<int>(extent[k] * per_metre_) + 1, kMaxCells);
     last_[k] = count_[k] - 1;
   }
   rows_.resize(static_cast<size_t>(count_[1]) * static_cast<size_t>(count_[2]), 0);

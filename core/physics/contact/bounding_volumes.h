@@ -103,7 +103,7 @@ Clustering make_clusters(std::span<const std::array<Vec3, 2>> segments);
 class Occupancy {
  public:
   Occupancy() = default;
-  // Cells are cubes, at most kMostCells along the longest side. The bounds may be flat but not empty.
+  // Cells are cubes, at most kMaxCells along the longest side. The bounds may be flat but not empty.
   explicit Occupancy(const Box& bounds);
 
   // Marks all cells that a box meets; what lies outside the bounds is left out. O(cells of the box).
@@ -113,7 +113,7 @@ class Occupancy {
   bool meets(const Box& box) const;
 
  private:
-  static constexpr int kMostCells = 48;
+  static constexpr int kMaxCells = 48;
   struct Range {
     std::array<int, 3> first, last;
   };

@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMostCandidates = 1024;
+constexpr size_t kMaxCandidates = 1024;
 
 struct VertexNormals {
   std::vector<Vec3> of_face;     // unit, by slot
@@ -90,9 +90,9 @@ Vertices on_lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, bool 
 
 std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
                                       const std::vector<VertexId>& all, size_t most) {
-  std::vector<VertexId> candidates = thinned(rims.list, kMostCandidates);
+  std::vector<VertexId> candidates = thinned(rims.list, kMaxCandidates);
   const size_t on_rim = candidates.size();
-  for (VertexId v : thinned(all, kMostCandidates)) {
+  for (VertexId v : thinned(all, kMaxCandidates)) {
     if (!rims.has[v.index]) candidates.push_back(v);
   }
   std::vector<Vec3> places;

@@ -67,11 +67,11 @@ void keep(std::vector<Contact>& contacts, std::vector<uint32_t> chosen) {
 }  // namespace
 
 void reduce_contacts(std::vector<Contact>& contacts) {
-  if (contacts.size() <= kMostContacts) return;
+  if (contacts.size() <= kMaxContacts) return;
   std::vector<Vec3> places;
   for (const Contact& c : contacts) places.push_back(c.at);
   std::vector<uint32_t> chosen{deepest_of(contacts)};
-  choose_spread(places, kMostContacts, chosen);
+  choose_spread(places, kMaxContacts, chosen);
   keep(contacts, std::move(chosen));
 }
 
@@ -112,11 +112,11 @@ void take_deepest_near(const std::vector<Contact>& contacts, const std::vector<V
 
 void reduce_on_plane(std::vector<Contact>& contacts, const Vec3& up, double bonus) {
   KERF_ASSERT(std::abs(glm::dot(up, up) - 1) < 1e-9);
-  if (contacts.size() <= kMostContacts) return;
+  if (contacts.size() <= kMaxContacts) return;
   const Rank rank{bonus};
   std::vector<uint32_t> chosen{deepest_of(contacts, rank)};
   const std::vector<Vec3> places = places_on_plane(contacts, chosen[0], up);
-  choose_spread(places, kMostContacts, chosen);
+  choose_spread(places, kMaxContacts, chosen);
   take_deepest_near(contacts, places, rank, chosen);
   keep(contacts, std::move(chosen));
 }

@@ -38,9 +38,9 @@ void take_impulses(const PairMemory& memory, std::vector<Contact>& contacts);
 // Keeps the impulses of contacts for the next tick. Forgets the points at rims that were not pressed.
 void remember_impulses(const std::vector<Contact>& contacts, PairMemory& memory);
 
-inline constexpr size_t kMostContacts = 8;  // of a pair of bodies, or of a body with the ground
+inline constexpr size_t kMaxContacts = 8;  // of a pair of bodies, or of a body with the ground
 
-// Leaves at most kMostContacts: the deepest and those that lie farthest apart, in their order.
+// Leaves at most kMaxContacts: the deepest and those that lie farthest apart, in their order.
 void reduce_contacts(std::vector<Contact>& contacts);
 
 // The same for contacts with one plane, of which `up` is the unit normal: the deepest around places on it

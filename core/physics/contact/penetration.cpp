@@ -58,8 +58,8 @@ bool get_through(const MovingBody& a, const MovingBody& b) {
 
 namespace {
 
-constexpr double kLongerWay = 2;    // times, than the shortest one, that is kept from the last tick
-constexpr size_t kMostPlaces = 16;  // that are looked at for each of the two bodies
+constexpr double kLongerWay = 2;   // times, than the shortest one, that is kept from the last tick
+constexpr size_t kMaxPlaces = 16;  // that are looked at for each of the two bodies
 
 // The places where chords of one body go through faces of another, in the frame of the faces.
 std::vector<FacePlane> places(const MovingBody& chords, const MovingBody& faces) {
@@ -69,7 +69,7 @@ std::vector<FacePlane> places(const MovingBody& chords, const MovingBody& faces)
   chords.collider->fine_chord_clusters.any_of(near, [&](uint32_t i) {
     const Collider::Chord& c = chords.collider->fine_chords[i];
     if (const auto plane = face_between(faces, map(c.from), map(c.to))) found.push_back(*plane);
-    return found.size() == kMostPlaces;
+    return found.size() == kMaxPlaces;
   });
   return found;
 }

@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kLeastInertia = 1e-4;  // of the largest one
+constexpr double kMinInertia = 1e-4;  // of the largest one
 
 // The sums over the pieces that weigh as sheets, and what the others weigh.
 struct Sums {
@@ -53,7 +53,7 @@ void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
   btQuaternion q;
   turn.getRotation(q);
   frame.axes = glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()));
-  frame.inertia = glm::max(frame.inertia, Vec3(kLeastInertia * most));
+  frame.inertia = glm::max(frame.inertia, Vec3(kMinInertia * most));
 }
 
 }  // namespace

@@ -244,7 +244,7 @@ TEST(CloseByWalls, comes_back_from_a_journal_and_goes_on_as_before) {
     ASSERT_TRUE(write_mesh(view, folder / "part.obj", MeshFormat::kObj).ok());
     SceneDescription scene;
     scene.bodies.push_back(body_of_file(folder / "part.obj"));
-    ASSERT_TRUE(note_hashes(scene).ok());
+    ASSERT_TRUE(record_hashes(scene).ok());
     const auto draw = [](Document& document, const SolidStroke& stroke) {
       document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
       for (size_t i = 1; i < stroke.poses.size(); ++i) document.apply(MoveBeam{stroke.poses[i]});

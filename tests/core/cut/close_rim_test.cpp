@@ -396,7 +396,7 @@ TEST(SmoothRim, of_real_meshes_is_conforming_and_true) {
     RandomStroke stroke = random_stroke(world, random, 0.012, false);
     stroke.settings.resolution.rim = Rim::kSmooth;
     stroke.settings.resolution.target_edge = stroke.settings.laser.radius;
-    stroke.settings.most_faces = 200'000;
+    stroke.settings.max_faces = 200'000;
     Document document(std::move(world));
     document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
     document.apply(MoveBeam{stroke.moves[stroke.moves.size() / 4].to});

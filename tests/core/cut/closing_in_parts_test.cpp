@@ -56,8 +56,8 @@ struct SolidBeforeClosing {
   bool begin_to_add() {
     do {
       EXPECT_TRUE(step());
-    } while (rim.begun() && !rim.must_go_on());
-    return rim.must_go_on();
+    } while (rim.begun() && !rim.is_uninterruptible());
+    return rim.is_uninterruptible();
   }
 };
 
@@ -111,7 +111,7 @@ TEST(ClosingInParts, adds_walls_a_few_hundred_at_a_time_to_a_body_that_can_be_as
   SolidBeforeClosing cut(moved(sphere(48, 96, 0.5), {}, 1), stroke);
   ASSERT_TRUE(cut.begin_to_add());
   size_t parts = 0;
-  while (cut.rim.must_go_on()) {
+  while (cut.rim.is_uninterruptible()) {
     expect_can_be_asked(cut.body());
     const Result<StepResult> step = cut.step();
     ASSERT_TRUE(step);
@@ -136,7 +136,7 @@ TEST(ClosingInParts, can_be_cancelled_before_walls_are_added_and_not_while_they_
 
   SolidBeforeClosing cut(sphere(16, 24, 0.5), stroke);
   ASSERT_TRUE(cut.begin_to_add());
-  while (cut.rim.must_go_on()) ASSERT_TRUE(cut.step(&stop));
+  while (cut.rim.is_uninterruptible()) ASSERT_TRUE(cut.step(&stop));
   EXPECT_TRUE(cut.is_closed());
   EXPECT_EQ(find_fault(cut.body().mesh), "");
 }

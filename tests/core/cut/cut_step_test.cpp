@@ -299,7 +299,7 @@ TEST(CutStep, stops_with_a_sentence_when_too_many_faces_would_be_made) {
   CutSettings settings;
   settings.laser.radius = 0.02;
   settings.resolution.target_edge = 1e-6;
-  settings.most_faces = 20000;
+  settings.max_faces = 20000;
   World world = world_of(plate(1));
   const BeamMove still{{{0, 1, 0}, {0, -1, 0}}, {{0, 1, 0}, {0, -1, 0}}};
   const auto result = cut_whole(world, settings, {&still, 1});

@@ -33,7 +33,7 @@ CutSettings settings_of(const RandomStroke& stroke, Rim rim, Scheme scheme) {
   CutSettings settings = stroke.settings;
   settings.resolution.rim = rim;
   settings.resolution.scheme = scheme;
-  settings.most_faces = 200'000;
+  settings.max_faces = 200'000;
   return settings;
 }
 

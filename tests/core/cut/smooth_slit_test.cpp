@@ -17,7 +17,7 @@ constexpr double kSize = 1;  // of each body, m
 
 // How deep within the beam the middle of a face may lie that is left, in radii. A volume that tilts is known
 // less exactly (see SweptCylinder).
-constexpr double kMost = 0.01, kMostTilting = 0.05;
+constexpr double kMost = 0.01, kMaxTilting = 0.05;
 
 struct Slit {
   CutSettings settings;
@@ -123,7 +123,7 @@ void expect_clean_slits(uint64_t seed, Scheme scheme) {
     EXPECT_EQ(find_fault(body.mesh, true), "");
     for (const auto& moves : strokes) {
       const bool tilts = moves.front().from.direction != moves.back().to.direction;
-      EXPECT_LE(deepest_face(body, settings.laser, moves), tilts ? kMostTilting : kMost);
+      EXPECT_LE(deepest_face(body, settings.laser, moves), tilts ? kMaxTilting : kMost);
     }
   }
   const BodyId hidden = before.ids()[2];

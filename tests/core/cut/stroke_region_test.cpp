@@ -17,7 +17,7 @@ class RegionAlongX : public testing::Test {
     }
   }
   void note(FaceId f, std::initializer_list<uint32_t> parts) {
-    for (const uint32_t part : parts) region_.note_near(f, part);
+    for (const uint32_t part : parts) region_.record_near(f, part);
   }
 
   StrokeRegion region_;
@@ -60,7 +60,7 @@ TEST(StrokeRegion, of_a_beam_that_turns_reaches_into_small_triangles_where_their
                to = glm::normalize(Vec3(any(0.3), -1, any(0.3)));
     StrokeRegion region;
     region.add(SweptCylinder({Vec3(0, 5, 0), from}, {Vec3(0.5, 5, 0), to}, 0.5, {0, 10}));
-    region.note_near(FaceId(0), 0);
+    region.record_near(FaceId(0), 0);
     const Vec3 at(any(2), any(1), any(2));
     const Triangle t{at, at + Vec3(any(0.1), any(0.1), any(0.1)), at + Vec3(any(0.1), any(0.1), any(0.1))};
     const double distance = region.part(0).signed_distance((t[0] + t[1] + t[2]) / 3.0);

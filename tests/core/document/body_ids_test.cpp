@@ -20,7 +20,7 @@ class BodyIds : public testing::Test {
   void SetUp() override {
     write_text(mesh(), kPlateObj);
     scene_.bodies.push_back(body_of_file(mesh()));
-    ASSERT_TRUE(note_hashes(scene_).ok());
+    ASSERT_TRUE(record_hashes(scene_).ok());
     begin();
   }
   std::filesystem::path mesh() const { return folder_ / "plate.obj"; }

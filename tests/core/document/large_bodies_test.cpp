@@ -28,13 +28,13 @@ TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_
   };
   Document document(made());
   const BodyId large = document.world().ids()[0];
-  ASSERT_GT(document.world().body(large).mesh.live_faces(), Physics::kMostUnderBeam);
+  ASSERT_GT(document.world().body(large).mesh.live_faces(), Physics::kMaxUnderBeam);
   size_t large_colliders = 0;
   const auto pass = [&](Ticks ticks) {
     for (Ticks t = 0; t < ticks; ++t) {
       document.apply(AdvanceTime{1, true});
       while (document.waiting() > 0) {
-        large_colliders += document.execution().next_makes_ready() > Physics::kMostUnderBeam;
+        large_colliders += document.execution().next_makes_ready() > Physics::kMaxUnderBeam;
         ASSERT_TRUE(document.step(64).ok());
       }
     }

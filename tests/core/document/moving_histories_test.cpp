@@ -32,12 +32,12 @@ std::pair<uint64_t, uint64_t> seeds_of_histories() {
   return seeds;
 }
 
-constexpr size_t kMostFaces = 12'000;
+constexpr size_t kMaxFaces = 12'000;
 constexpr double kLargest = 1e6;  // m
 
 // Real ones of a size at which forces are finite, and our own.
 std::vector<std::filesystem::path> mesh_files() {
-  std::vector<std::filesystem::path> files = real_meshes(kMostFaces);
+  std::vector<std::filesystem::path> files = real_meshes(kMaxFaces);
   std::erase_if(files, [](const auto& file) { return world_of_file(file).bounds().diagonal() > kLargest; });
   for (const char* own : {"knot.obj", "car.obj", "plate.obj", "sphere.obj", "bracket.obj"})
     files.push_back(checkout() / "assets/meshes" / own);

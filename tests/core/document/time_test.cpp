@@ -285,7 +285,7 @@ TEST_F(Time, in_a_stroke_keeps_its_place_between_the_moves_when_the_stroke_is_cu
 TEST_F(Time, passes_once_in_a_stroke_that_cannot_be_cut_to_its_end) {
   for (const bool step_between : {true, false}) {
     CutSettings too_fine = settings_with_radius(0.02);
-    too_fine.most_faces = 40;
+    too_fine.max_faces = 40;
     document_ = Document(world_of(plate(1)));
     bool failed = false;
     for (const Command& c : std::vector<Command>{BeginStroke{too_fine, kFrom}, AdvanceTime{3}, MoveBeam{kTo},

@@ -171,7 +171,7 @@ struct Settled {
   size_t looked_at = 0;
   std::vector<FaceId> relabelled;
 };
-Settled settle_band(const Body& whole, double low, double high, size_t most, Meanwhile meanwhile) {
+Settled settle_band(const Body& whole, double low, double high, size_t most, EditPolicy policy) {
   Settled settled{.body = whole, .looked_at = 0, .relabelled = {}};
   for (uint32_t f = 0; f < whole.mesh.face_slots(); ++f) {
     const Triangle t = whole.mesh.triangle(FaceId(f));
@@ -179,7 +179,7 @@ Settled settle_band(const Body& whole, double low, double high, size_t most, Mea
     if (y > low && y < high) take_away(settled.body, FaceId(f));
   }
   do {
-    const SettleResult result = settle(settled.body, most, meanwhile);
+    const SettleResult result = settle(settled.body, most, policy);
     settled.looked_at += result.looked_at;
     settled.relabelled.insert(settled.relabelled.end(), result.relabelled.begin(), result.relabelled.end());
   } while (!is_settled(settled.body));
@@ -207,8 +207,8 @@ TEST(Separation, without_edits_meanwhile_finds_the_same_parts_from_fewer_faces) 
     const size_t most = random.below(2) == 0 ? 1'000 : kNoLimit;
     for (const Body& shape : shapes) {
       SCOPED_TRACE(shape.name + ", seed " + std::to_string(seed));
-      const Settled edits = settle_band(shape, low, high, most, Meanwhile::kEdits);
-      const Settled calm = settle_band(shape, low, high, most, Meanwhile::kNoEdits);
+      const Settled edits = settle_band(shape, low, high, most, EditPolicy::kAllowEdits);
+      const Settled calm = settle_band(shape, low, high, most, EditPolicy::kNoEdits);
       ASSERT_GE(calm.body.pieces.size(), 2u);
       expect_same_pieces(edits.body, calm.body);
       EXPECT_EQ(edits.relabelled, calm.relabelled);

@@ -39,10 +39,10 @@ TEST_F(HotPlate, sums_up_its_energy) {
 }
 
 TEST_F(HotPlate, remembers_the_highest_temperature) {
-  heat_.note_hottest(mesh_, FaceId(3), 900);
-  heat_.note_hottest(mesh_, FaceId(3), 500);
+  heat_.record_hottest(mesh_, FaceId(3), 900);
+  heat_.record_hottest(mesh_, FaceId(3), 500);
   EXPECT_EQ(heat_.hottest_of(mesh_, FaceId(3)), 900);
-  heat_.note_hottest(mesh_, FaceId(3), 901);
+  heat_.record_hottest(mesh_, FaceId(3), 901);
   EXPECT_EQ(heat_.hottest_of(mesh_, FaceId(3)), 901);
 }
 

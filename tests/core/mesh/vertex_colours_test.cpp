@@ -87,7 +87,7 @@ TEST(VertexColours, are_interpolated_in_every_cut_and_come_back_with_undo) {
         CutSettings settings = stroke.settings;
         settings.resolution.rim = rim;
         settings.resolution.scheme = scheme;
-        settings.most_faces = 200'000;
+        settings.max_faces = 200'000;
         draw(document, stroke, settings);
         EXPECT_LT(largest_error(document.world(), linear), rim == Rim::kFaces ? 1e-3 : 0.1);
         document.apply(Undo{});

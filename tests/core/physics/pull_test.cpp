@@ -38,7 +38,7 @@ TEST_F(PulledPlate, is_accelerated_towards_the_end_of_the_spring_at_the_point_th
 TEST_F(PulledPlate, is_accelerated_no_more_than_that) {
   hold(Vec3(0), {3, 50, 0});
   pull(world_, kTick);
-  EXPECT_NEAR(body().motion.velocity.y, kMostPull * kTick, 1e-9);
+  EXPECT_NEAR(body().motion.velocity.y, kMaxPull * kTick, 1e-9);
 }
 
 TEST_F(PulledPlate, comes_to_rest_at_the_end_of_the_spring_without_swinging_over) {

@@ -50,7 +50,7 @@ TEST(ShearedRay, passes_by_a_triangle_that_it_sees_as_a_point) {
 TEST(Crossings, of_real_closed_meshes_are_even_through_every_vertex_and_edge) {
   const auto files = real_meshes(120000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
-  constexpr uint32_t kMostFaces = 12000;  // a mesh, spread over it
+  constexpr uint32_t kMaxFaces = 12000;  // a mesh, spread over it
   Random random(12);
   size_t closed = 0;
   for (const auto& file : files) {
@@ -60,7 +60,7 @@ TEST(Crossings, of_real_closed_meshes_are_even_through_every_vertex_and_edge) {
     ++closed;
     const double size = glm::length(body.loaded.max - body.loaded.min);
     size_t odd = 0;
-    for (uint32_t f = 0; f < body.mesh.face_slots(); f += 1 + body.mesh.face_slots() / kMostFaces) {
+    for (uint32_t f = 0; f < body.mesh.face_slots(); f += 1 + body.mesh.face_slots() / kMaxFaces) {
       const Triangle t = body.mesh.triangle(FaceId(f));
       // Along an axis as well: there the images of many edges lie on the ray.
       Vec3 along(0);

@@ -9,8 +9,8 @@ namespace {
 
 // Halves a range until nothing is left of it, as a sort does.
 void sort(SortProgress& progress, size_t faces) {
-  if (faces <= 3) return progress.note_done(faces);
-  progress.note_split(faces, faces / 2, faces - faces / 2);
+  if (faces <= 3) return progress.record_done(faces);
+  progress.record_split(faces, faces / 2, faces - faces / 2);
   sort(progress, faces / 2);
   sort(progress, faces - faces / 2);
 }

@@ -45,7 +45,7 @@ TEST(Weigh, finds_what_edits_have_kept_up) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = cut_at_random(torus(24, 16, 0.5, 0.2), seed);
-    weigh(only_body(world));
+    update_mass_properties(only_body(world));
     expect_piece_sums(only_body(world));
   }
 }
@@ -64,8 +64,8 @@ TEST(Weigh, depends_neither_on_slots_nor_on_the_order_of_corners_nor_on_the_edit
       if (cut.mesh.is_live(FaceId(f))) cut.mesh.edit_data(FaceId(f)).piece = 0;
     }
     kept_up_differ |= cut.pieces[0].moments != made.pieces[0].moments;
-    weigh(cut);
-    weigh(made);
+    update_mass_properties(cut);
+    update_mass_properties(made);
     expect_same_sums(cut.pieces[0], made.pieces[0]);
   }
   EXPECT_TRUE(kept_up_differ) << "or there is nothing to show here";
@@ -75,7 +75,7 @@ TEST(Weigh, changes_nothing_of_pieces_that_were_detached_from_a_weighed_body) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = cut_at_random(torus(24, 16, 0.5, 0.2), seed);
-    weigh(only_body(world));
+    update_mass_properties(only_body(world));
     const BodyId whole = world.ids().front();
     const auto pieces = world.body(whole).pieces.size();
     Delta delta;
@@ -84,7 +84,7 @@ TEST(Weigh, changes_nothing_of_pieces_that_were_detached_from_a_weighed_body) {
     }
     for (const BodyId id : world.ids()) {
       Body again = world.body(id);
-      weigh(again);
+      update_mass_properties(again);
       for (uint32_t p = 0; p < pieces; ++p) expect_same_sums(again.pieces[p], world.body(id).pieces[p]);
     }
   }
@@ -101,7 +101,7 @@ TEST(Weigh, leaves_a_search_that_is_open_alone) {
     ASSERT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
     Body& body = only_body(world);
     while (!is_settled(body)) {
-      weigh(body);
+      update_mass_properties(body);
       go_on_separating(world, 1 + random.below(40));
     }
     expect_piece_sums(body);
@@ -112,7 +112,7 @@ TEST(Weigh, leaves_a_search_that_is_open_alone) {
 TEST(Weigh, of_any_size_and_place_is_as_exact) {
   const auto weighed = [](const Soup& soup) {
     Body body = make_body("sphere", build(soup));
-    weigh(body);
+    update_mass_properties(body);
     return body.pieces[0];
   };
   const Soup soup = sphere(12, 16, 0.5);
@@ -138,7 +138,7 @@ const EnclosedPiece* enclosed_of(const Body& body) { return enclosed_piece(body,
 Body solid_body(const Soup& soup) {
   Body body = make_body("solid", build(soup));
   body.solid = true;
-  weigh(body);
+  update_mass_properties(body);
   return body;
 }
 
@@ -166,7 +166,7 @@ TEST(WeighSolid, knows_nothing_of_faces_that_have_changed_since) {
   World world = world_of(sphere(12, 16, 0.5));
   Body& body = only_body(world);
   body.solid = true;
-  weigh(body);
+  update_mass_properties(body);
   ASSERT_NE(enclosed_of(body), nullptr);
   const double area = body.pieces[0].area;
   body.pieces.edit(0).area = 0.999 * area;
@@ -175,7 +175,7 @@ TEST(WeighSolid, knows_nothing_of_faces_that_have_changed_since) {
   ASSERT_NE(enclosed_of(body), nullptr);
   { BodyEdit(body).remove(std::vector{FaceId(3)}); }
   EXPECT_EQ(enclosed_of(body), nullptr);
-  weigh(body);
+  update_mass_properties(body);
   EXPECT_EQ(enclosed_of(body), nullptr);
 }
 
@@ -200,7 +200,7 @@ TEST(WeighSolid, of_what_is_left_of_a_large_part_is_as_exact) {
   std::vector<FaceId> large;
   for (uint32_t f = 0; f < 12; ++f) large.emplace_back(f);
   { BodyEdit(body).remove(large); }
-  weigh(body);
+  update_mass_properties(body);
   ASSERT_NE(enclosed_of(body), nullptr);
   EXPECT_NEAR(enclosed_of(body)->solid.mass / 1e-9, 1, 1e-8);
   EXPECT_NEAR(enclosed_of(body)->solid.inertia[0][0] / (1e-15 / 6), 1, 1e-8);
@@ -213,7 +213,7 @@ TEST(WeighSolid, is_carried_along_by_what_is_detached) {
   body.pieces.push_back({});
   for (uint32_t f = 12; f < 24; ++f) body.mesh.edit_data(FaceId(f)).piece = 1;
   body.pieces.edit(0).faces = body.pieces.edit(1).faces = 12;
-  weigh(body);
+  update_mass_properties(body);
   Delta delta;
   const BodyId whole = world.ids().front(), own = detach(world, {whole, 1}, 1, delta);
   ASSERT_NE(whole, own);

@@ -63,7 +63,7 @@ void check(const uint8_t* data, size_t size) {
   auto body = make_body("mesh", BuiltMesh(*built));
   const EnclosedVolume enclosed = enclosed_volume(built->mesh, body.middle());
   body.solid = mesh.solid;
-  if (body.solid) weigh(body);
+  if (body.solid) update_mass_properties(body);
   World start;
   start.add(std::move(body));
   if (!(start.bounds().diagonal() > 0)) return;

@@ -11,9 +11,9 @@ namespace kerf::fuzz {
 
 namespace {
 
-constexpr size_t kMostFaces = 800;  // of a world, so that a run stays short
-constexpr size_t kMostFacesOfSolids = 2500;
-constexpr size_t kMostBodies = 24;
+constexpr size_t kMaxFaces = 800;  // of a world, so that a run stays short
+constexpr size_t kMaxFacesOfSolids = 2500;
+constexpr size_t kMaxBodies = 24;
 
 Soup shape_from(ByteSource& bytes) {
   const auto from = [&](int low, int high) {
@@ -112,12 +112,12 @@ CutSettings Scenario::settings() {
   }
   if (kind < 16) s.laser.pattern = Pattern::kRays4;
   if (kind == 16) s.heat_width = default_heat_width(s.laser.radius);
-  s.most_faces = kMostFaces;
+  s.max_faces = kMaxFaces;
   if (solid_) {
     s.resolution.rim = Rim::kSmooth;
     s.model = Model::kGeometric;
     s.laser.pattern = Pattern::kVolume;
-    s.most_faces = kMostFacesOfSolids;
+    s.max_faces = kMaxFacesOfSolids;
     // Or hardly any stroke stays below that.
     s.laser.radius = std::max(s.laser.radius, 0.06 * size_);
     s.resolution.rule = Resolution::Rule::kTargetEdge;
@@ -180,7 +180,7 @@ void Scenario::edit() {
       return apply(PinPiece{of, bytes_.below(2) == 0});
     case 3:
       remade_ = true;
-      if (world.ids().size() < kMostBodies) apply(DuplicatePiece{of, {}});
+      if (world.ids().size() < kMaxBodies) apply(DuplicatePiece{of, {}});
       return;
     case 4:
     case 5: {
@@ -201,7 +201,7 @@ void Scenario::prepare(const PieceId& of) {
     case 0:
       return apply(SimplifyPiece{of, {.faces = faces / 2}});
     case 1:
-      if (faces < kMostFaces / 4) apply(SubdividePiece{of, static_cast<Subdivision>(bytes_.below(3))});
+      if (faces < kMaxFaces / 4) apply(SubdividePiece{of, static_cast<Subdivision>(bytes_.below(3))});
       return;
     default:
       return apply(SmoothPiece{of, 1 + bytes_.below(3)});

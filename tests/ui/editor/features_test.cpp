@@ -15,7 +15,7 @@ namespace {
 class Actions : public testing::Test {
  protected:
   test::EditorFeatures editor;
-  Workspace& on = editor.on;
+  Workspace& workspace = editor.on;
   const std::vector<UserAction>& actions = editor.catalogue.actions;
 
   // "| Ctrl+O | Open... |" for every row of the sheet that F1 shows, in its order.
@@ -68,14 +68,14 @@ TEST_F(Actions, every_action_of_a_menu_says_what_it_does) {
 TEST_F(Actions, a_key_flips_a_switch_of_the_view_and_one_that_cannot_be_done_says_why) {
   for (const ViewSwitch& s : view_switches()) {
     if (s.key == 0) continue;
-    const size_t before = s.get(on.view.look);
-    EXPECT_TRUE(run_shortcut(actions, s.key, 0, on.message)) << s.label;
-    EXPECT_NE(s.get(on.view.look), before) << s.label;
+    const size_t before = s.get(workspace.view.look);
+    EXPECT_TRUE(run_shortcut(actions, s.key, 0, workspace.message)) << s.label;
+    EXPECT_NE(s.get(workspace.view.look), before) << s.label;
   }
-  EXPECT_FALSE(on.message.is_error);
-  EXPECT_TRUE(run_shortcut(actions, 'H', 0, on.message));
-  EXPECT_TRUE(on.message.is_error);
-  EXPECT_FALSE(run_shortcut(actions, 'Q', 0, on.message));
+  EXPECT_FALSE(workspace.message.is_error);
+  EXPECT_TRUE(run_shortcut(actions, 'H', 0, workspace.message));
+  EXPECT_TRUE(workspace.message.is_error);
+  EXPECT_FALSE(run_shortcut(actions, 'Q', 0, workspace.message));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(GameSettings, that_make_no_sense_give_defaults_and_limits) {
   const auto file = folder.path() / "game.json";
   std::ofstream(file) << R"({"sensitivity": 99, "volume": "loud", "preset": "best", "invert": 1})";
   const GameSettings s = read_game_settings(file);
-  EXPECT_EQ(s.sensitivity, GameSettings::kMostSensitivity);
+  EXPECT_EQ(s.sensitivity, GameSettings::kMaxSensitivity);
   EXPECT_EQ(s.volume, GameSettings().volume);
   EXPECT_EQ(s.preset, PicturePreset::kAutomatic);
   EXPECT_FALSE(s.invert);

@@ -21,7 +21,7 @@ TEST(HighScores, keep_the_best_of_each_game_in_order) {
   EXPECT_EQ(*add_high_score(score(1), file), 0u);
   EXPECT_EQ(*add_high_score(score(1, "hard"), file), 1u);
   const auto all = read_high_scores(file);
-  ASSERT_EQ(all.size(), kMostHighScores + 1);
+  ASSERT_EQ(all.size(), kMaxHighScores + 1);
   EXPECT_EQ(all.front(), score(1200));
   for (size_t i = 1; i < all.size(); ++i) EXPECT_GE(all[i - 1].score, all[i].score);
 }

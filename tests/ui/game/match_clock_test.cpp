@@ -23,8 +23,8 @@ TEST(MatchClock, passes_as_many_ticks_as_frames_of_any_length_last) {
 
 TEST(MatchClock, drops_ticks_where_frames_are_too_long_and_does_not_make_up_for_them) {
   MatchClock clock;
-  EXPECT_EQ(clock.advance(0.5), MatchClock::kMostTicks);
-  EXPECT_EQ(clock.dropped(), 60 - MatchClock::kMostTicks);
+  EXPECT_EQ(clock.advance(0.5), MatchClock::kMaxTicks);
+  EXPECT_EQ(clock.dropped(), 60 - MatchClock::kMaxTicks);
   EXPECT_LE(clock.advance(1.0 / 60), 2);
 }
 
@@ -33,7 +33,7 @@ TEST(MatchClock, tells_which_share_of_real_time_the_machine_manages) {
   for (int i = 0; i < 200; ++i) clock.advance(1.0 / 60);
   EXPECT_NEAR(clock.speed(), 1, 1e-9);
   for (int i = 0; i < 50; ++i) clock.advance(0.2);  // 24 ticks are due, 8 are played
-  EXPECT_NEAR(clock.speed(), MatchClock::kMostTicks / 24.0, 0.02);
+  EXPECT_NEAR(clock.speed(), MatchClock::kMaxTicks / 24.0, 0.02);
   for (int i = 0; i < 500; ++i) clock.advance(1.0 / 60);
   EXPECT_NEAR(clock.speed(), 1, 0.01);
 }

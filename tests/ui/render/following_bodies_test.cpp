@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kFollowingWidth = 120, kFollowingHeight = 90;
 // Corners of a face with its place in the list of live ones, twice, for slots that are sent along.
-constexpr size_t kMostBytesOfFace = 2 * (60 + 12);
+constexpr size_t kMaxBytesOfFace = 2 * (60 + 12);
 
 ViewOptions under_lamp() {
   ViewOptions options;
@@ -122,8 +122,8 @@ TEST(FollowingBodies, that_are_detached_put_back_and_deleted_sends_the_smaller_s
     const Records<Piece>& pieces = stage.world().body(sheet).pieces;
     ASSERT_EQ(stage.world().live_pieces(), 3u);
     const uint32_t label = (pieces[0].faces > pieces[1].faces) == larger ? 0 : 1;
-    const size_t most = std::min(pieces[0].faces, pieces[1].faces) * kMostBytesOfFace;
-    ASSERT_LT(8 * most, pieces[1 - label].faces * kMostBytesOfFace + pieces[label].faces * kMostBytesOfFace);
+    const size_t most = std::min(pieces[0].faces, pieces[1].faces) * kMaxBytesOfFace;
+    ASSERT_LT(8 * most, pieces[1 - label].faces * kMaxBytesOfFace + pieces[label].faces * kMaxBytesOfFace);
     expect_seen_as_anew(stage);
     const std::vector<Command> edits{MovePiece{{sheet, label}, {{0, -0.3, 0}, {1, 0, 0, 0}}}, Undo{}, Redo{}};
     for (const Command& edit : edits) {

@@ -11,7 +11,7 @@ namespace {
 using test::lamp_at, test::sun_from;
 
 constexpr int kCarWidth = 200, kCarHeight = 150;
-constexpr double kMostLeftOut = 0.25;  // the car is full of thin parts
+constexpr double kMaxLeftOut = 0.25;  // the car is full of thin parts
 
 // A beam that moves from one pose to another.
 struct Sweep {
@@ -75,7 +75,7 @@ TEST(ShadowOfCar, is_right_however_it_is_cut_and_wherever_eye_and_light_are) {
         SCOPED_TRACE(std::string("cut ") + cut.name + ", eye " + eye.where + ": " + v.summary());
         EXPECT_GT(v.hit, 15'000u);
         EXPECT_GE(static_cast<double>(v.same_face), 0.995 * static_cast<double>(v.hit));
-        EXPECT_LE(static_cast<double>(v.left_out), kMostLeftOut * static_cast<double>(v.hit));
+        EXPECT_LE(static_cast<double>(v.left_out), kMaxLeftOut * static_cast<double>(v.hit));
         EXPECT_EQ(v.wrong, 0u);
         EXPECT_EQ(v.miscounted, 0u);
         pixels += v.hit;

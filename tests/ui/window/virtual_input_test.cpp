@@ -21,7 +21,7 @@ TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
   EXPECT_EQ(input.buttons(), std::set<int>{GLFW_MOUSE_BUTTON_RIGHT});
   EXPECT_EQ(input.mods(), GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
   EXPECT_EQ(input.pointer(), Vec2(5, 6));
-  const InputEvent& press = input.heard().events[3];
+  const InputEvent& press = input.input_state().events[3];
   EXPECT_EQ(press.kind, InputEvent::Kind::kPress);
   EXPECT_EQ(press.button, GLFW_MOUSE_BUTTON_RIGHT);
   EXPECT_EQ(press.at, Vec2(5, 6));
@@ -31,7 +31,7 @@ TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
   ASSERT_TRUE(hear(input, R"({"release": "right"})"));
   EXPECT_EQ(input.mods(), GLFW_MOD_SHIFT);
   EXPECT_TRUE(input.buttons().empty());
-  const std::vector<InputEvent>& events = input.heard().events;
+  const std::vector<InputEvent>& events = input.input_state().events;
   EXPECT_EQ(events.back().kind, InputEvent::Kind::kRelease);
   EXPECT_EQ(events[events.size() - 2].kind, InputEvent::Kind::kKeyUp);
   EXPECT_EQ(events[events.size() - 2].button, GLFW_KEY_LEFT_CONTROL);
@@ -44,7 +44,7 @@ TEST(VirtualInput, reports_each_change_of_a_button_or_a_key_once) {
   ASSERT_TRUE(hear(input, R"({"release": "left"})"));
   ASSERT_TRUE(hear(input, R"({"release": "left"})"));
   ASSERT_TRUE(hear(input, R"({"key_up": "Z"})"));  // is up already
-  EXPECT_EQ(input.heard().events.size(), 2u);
+  EXPECT_EQ(input.input_state().events.size(), 2u);
   EXPECT_TRUE(input.buttons().empty());
 }
 
@@ -65,14 +65,14 @@ TEST(VirtualInput, reports_the_wheel_and_the_characters_of_a_text_in_their_order
   for (const char* step : {R"({"wheel": 2})", R"({"wheel": -0.5})", R"({"type": "a\u00e9"})",
                            R"({"type": "c"})", R"({"drop": ["one.obj", "two.stl"]})", R"({"close": true})"})
     ASSERT_TRUE(hear(input, step)) << step;
-  const std::vector<InputEvent>& events = input.heard().events;
+  const std::vector<InputEvent>& events = input.input_state().events;
   ASSERT_EQ(events.size(), 5u);
   EXPECT_EQ(events[0].wheel + events[1].wheel, 1.5);
   EXPECT_EQ(events[2].character, 'a');
   EXPECT_EQ(events[3].character, 0xe9u);
   EXPECT_EQ(events[4].character, 'c');
-  EXPECT_EQ(input.heard().drops.size(), 2u);
-  EXPECT_TRUE(input.heard().close);
+  EXPECT_EQ(input.input_state().drops.size(), 2u);
+  EXPECT_TRUE(input.input_state().close);
 }
 
 TEST(VirtualInput, changes_nothing_where_a_value_is_wrong) {
@@ -80,7 +80,7 @@ TEST(VirtualInput, changes_nothing_where_a_value_is_wrong) {
   for (const char* step : {R"({"move": [1]})", R"({"press": "thumb"})", R"({"key_down": "Ctrl+S"})",
                            R"({"size": [0, 5]})", R"({"drop": ["a", 1]})", R"({"focus": "no"})"}) {
     EXPECT_FALSE(hear(input, step)) << step;
-    EXPECT_TRUE(input.heard().events.empty() && input.heard().drops.empty()) << step;
+    EXPECT_TRUE(input.input_state().events.empty() && input.input_state().drops.empty()) << step;
     EXPECT_EQ(input.size(), Vec2(640, 480)) << step;
     EXPECT_TRUE(input.has_focus()) << step;
   }

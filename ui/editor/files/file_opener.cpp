@@ -54,7 +54,7 @@ void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
 }
 
 // How much of the open work is saved, and where.
-void note_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::vector<Light>& lights) {
+void record_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::vector<Light>& lights) {
   const LoadOrder& order = loaded.order;
   KERF_ASSERT(order.left || !order.files.empty());
   work.files = order.files;
@@ -76,49 +76,50 @@ void note_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::ve
 
 }  // namespace
 
-void show_so_far(Workspace& on, CutSoFar so_far) {
-  Renderer& renderer = on.picture->first();
-  const bool is_new = !on.so_far;
-  on.so_far = std::move(so_far.world);
+void show_so_far(Workspace& workspace, CutSoFar so_far) {
+  Renderer& renderer = workspace.picture->first();
+  const bool is_new = !workspace.so_far;
+  workspace.so_far = std::move(so_far.world);
   if (is_new) {
-    const World::Bounds bounds = on.so_far->loaded_bounds();
-    renderer.show(*on.so_far, so_far.scene.paints, std::move(so_far.prepared));
-    dress_as(on.view, so_far.scene, choose_frame(so_far.scene, false, bounds, on.settings).frame);
-    go_home(on.view, bounds);
-    on.view.camera.finish();
+    const World::Bounds bounds = workspace.so_far->loaded_bounds();
+    renderer.show(*workspace.so_far, so_far.scene.paints, std::move(so_far.prepared));
+    dress_as(workspace.view, so_far.scene,
+             choose_frame(so_far.scene, false, bounds, workspace.settings).frame);
+    go_home(workspace.view, bounds);
+    workspace.view.camera.finish();
   } else {
-    renderer.resend(*on.so_far, std::move(so_far.prepared));
+    renderer.resend(*workspace.so_far, std::move(so_far.prepared));
   }
-  on.view.picture_old = true;
+  workspace.view.picture_old = true;
 }
 
-void show_loaded(Workspace& on, LoadedFiles loaded) {
-  OpenWork& work = on.work;
-  const bool was_shown = on.so_far.has_value();
-  on.so_far.reset();
+void show_loaded(Workspace& workspace, LoadedFiles loaded) {
+  OpenWork& work = workspace.work;
+  const bool was_shown = workspace.so_far.has_value();
+  workspace.so_far.reset();
   work.document = std::move(loaded.document);
   work.as_loaded = std::move(loaded.as_loaded);
   work.paints = loaded.scene.paints;
   work.scene = loaded.scene;
-  on.changes.forget();
-  on.replaced();
-  if (work.document.history().last_cut()) on.laser.show(work.document.history().last_settings());
-  on.picture->first().show(work.document.world(), work.paints, std::move(loaded.prepared));
-  on.view.numbers.follow(work.document.world(), true, false, on.view.look.pieces);
+  workspace.changes.forget();
+  workspace.replaced();
+  if (work.document.history().last_cut()) workspace.laser.show(work.document.history().last_settings());
+  workspace.picture->first().show(work.document.world(), work.paints, std::move(loaded.prepared));
+  workspace.view.numbers.follow(work.document.world(), true, false, workspace.view.look.pieces);
   const World::Bounds bounds = work.document.world().loaded_bounds();
   const bool is_mesh_file = !loaded.order.left && !loaded.order.files.empty() &&
                             mesh_format(loaded.order.files.front().extension().string()).has_value();
-  const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, on.settings);
-  on.view.frame_asked_for = choice.ask ? mesh_kind(loaded.scene) : "";
-  dress_as(on.view, loaded.scene, choice.frame);
+  const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, workspace.settings);
+  workspace.view.frame_asked_for = choice.ask ? mesh_kind(loaded.scene) : "";
+  dress_as(workspace.view, loaded.scene, choice.frame);
   if (!was_shown) {  // otherwise the user may have looked round
-    go_home(on.view, bounds);
-    on.view.camera.finish();
+    go_home(workspace.view, bounds);
+    workspace.view.camera.finish();
   }
-  say_what_was_opened(on.message, loaded);
-  note_what_is_saved(work, loaded, on.view.look.lights);
+  say_what_was_opened(workspace.message, loaded);
+  record_what_is_saved(work, loaded, workspace.view.look.lights);
   work.marks = std::move(loaded.marks);
-  on.view.picture_old = on.statistics.world_changed = true;
+  workspace.view.picture_old = workspace.statistics.world_changed = true;
 }
 
 namespace {
@@ -131,22 +132,22 @@ Status FileOpener::open_first(std::filesystem::path default_scene,
   default_scene_ = std::move(default_scene);
   if (files.empty()) return open_default_scene();
   show_empty_stage();
-  on_.opening.loader.start(order_of(files), stage_is_empty_);
-  if (on_.opening.loader.is_over(kShowWindowAfter)) take_loaded();
+  workspace_.opening.loader.start(order_of(files), stage_is_empty_);
+  if (workspace_.opening.loader.is_over(kShowWindowAfter)) take_loaded();
   return Done{};
 }
 
 // Nothing but the ground, seen from three-quarter in front.
 void FileOpener::show_empty_stage() {
   stage_is_empty_ = true;
-  on_.picture->first().show(on_.work.document.world(), {}, {});
-  on_.work.saved_lights = on_.view.look.lights;
-  go_home(on_.view, {Vec3(-1), Vec3(1)});
-  on_.view.camera.finish();
+  workspace_.picture->first().show(workspace_.work.document.world(), {}, {});
+  workspace_.work.saved_lights = workspace_.view.look.lights;
+  go_home(workspace_.view, {Vec3(-1), Vec3(1)});
+  workspace_.view.camera.finish();
 }
 
 LoadOrder FileOpener::order_of(std::vector<std::filesystem::path> files) const {
-  return {std::move(files), {}, on_.settings.history_bytes()};
+  return {std::move(files), {}, workspace_.settings.history_bytes()};
 }
 
 Status FileOpener::open_default_scene() {
@@ -160,16 +161,16 @@ Status FileOpener::open_default_scene() {
 void FileOpener::show(LoadedFiles loaded) {
   stage_is_empty_ = false;
   shadows_due_ = loaded.shadows_later;
-  on_.picture->draft(shadows_due_);
-  show_loaded(on_, std::move(loaded));
+  workspace_.picture->draft(shadows_due_);
+  show_loaded(workspace_, std::move(loaded));
   recovery_.drop();
-  recovery_.begin(on_.work, on_.view);
+  recovery_.begin(workspace_.work, workspace_.view);
 }
 
 void FileOpener::make_shadows() {
-  Renderer& renderer = on_.picture->first();
-  if (!shadows_due_ || renderer.is_sending() || !on_.picture->shows_draft()) return;
-  if (on_.changes.is_pending() || on_.cutting()) return;
+  Renderer& renderer = workspace_.picture->first();
+  if (!shadows_due_ || renderer.is_sending() || !workspace_.picture->shows_draft()) return;
+  if (workspace_.changes.is_pending() || workspace_.cutting()) return;
   shadows_due_ = false;
   const auto casters = std::make_shared<PreparedBodies>();
   LongChange change;
@@ -183,65 +184,67 @@ void FileOpener::make_shadows() {
     return outcome;
   };
   change.then = [this, casters](const Outcome&) {
-    on_.picture->first().take_casters(std::move(*casters));
-    on_.picture->draft(false);
-    on_.view.picture_old = true;
+    workspace_.picture->first().take_casters(std::move(*casters));
+    workspace_.picture->draft(false);
+    workspace_.view.picture_old = true;
   };
-  on_.changes.begin(std::move(change));
+  workspace_.changes.begin(std::move(change));
 }
 
 void FileOpener::open(std::vector<std::filesystem::path> files) {
   KERF_ASSERT(!files.empty());
-  if (on_.so_far) {
-    on_.so_far.reset();
+  if (workspace_.so_far) {
+    workspace_.so_far.reset();
     show_empty_stage();
   }
-  on_.opening.loader.start(order_of(std::move(files)), stage_is_empty_);
+  workspace_.opening.loader.start(order_of(std::move(files)), stage_is_empty_);
 }
 
 void FileOpener::open_fresh() {
-  if (const Status opened = open_default_scene(); !opened) on_.message.say(opened.error().message, true);
+  if (const Status opened = open_default_scene(); !opened)
+    workspace_.message.say(opened.error().message, true);
 }
 
 void FileOpener::open_left_work() {
-  KERF_ASSERT(!on_.opening.left_work.empty());
+  KERF_ASSERT(!workspace_.opening.left_work.empty());
   LoadOrder order = order_of({});
-  order.left = on_.opening.left_work.front().journal;
-  on_.opening.loader.start(std::move(order));
+  order.left = workspace_.opening.left_work.front().journal;
+  workspace_.opening.loader.start(std::move(order));
 }
 
 void FileOpener::take_loaded() {
-  FileLoader& loader = on_.opening.loader;
+  FileLoader& loader = workspace_.opening.loader;
   if (loader.busy()) {
     if (stage_is_empty_) {
-      if (auto so_far = loader.take_so_far()) show_so_far(on_, std::move(*so_far));
+      if (auto so_far = loader.take_so_far()) show_so_far(workspace_, std::move(*so_far));
     }
     const bool left = loader.order().left.has_value();
-    KERF_ASSERT(!left || !on_.opening.left_work.empty());
+    KERF_ASSERT(!left || !workspace_.opening.left_work.empty());
     if (auto loaded = loader.take()) take(std::move(*loaded), left);
   }
   if (!stage_is_empty_ || loader.busy()) return;
   stage_is_empty_ = false;
-  on_.so_far.reset();
-  const std::string fault = on_.message.text;  // why there is nothing else
+  workspace_.so_far.reset();
+  const std::string fault = workspace_.message.text;  // why there is nothing else
   open_fresh();
-  if (!fault.empty()) on_.message.say(fault, true);
+  if (!fault.empty()) workspace_.message.say(fault, true);
 }
 
 void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
   const bool opened = loaded.ok();
   if (opened) {
-    cancel_stroke(on_);
+    cancel_stroke(workspace_);
     show(std::move(*loaded));
   } else {
-    on_.message.say((left ? "It stays where it is: " : "") + loaded.error().message, true);
+    workspace_.message.say((left ? "It stays where it is: " : "") + loaded.error().message, true);
   }
   if (left) {
-    if (opened && recovery_.follow(on_.work, on_.view, false, on_.message))
-      on_.opening.left_work.front().file.remove();
-    on_.opening.left_work.clear();  // what else was left is offered the next time
+    if (opened && recovery_.follow(workspace_.work, workspace_.view, false, workspace_.message))
+      workspace_.opening.left_work.front().file.remove();
+    workspace_.opening.left_work.clear();  // what else was left is offered the next time
   } else if (opened) {
-    for (const std::filesystem::path& file : on_.work.files) remember_recent(on_.settings, file);
+    for (const std::filesystem::path& file : workspace_.work.files)
+      remember_recent(workspace_.settings, file);
   }
 }
 

@@ -8,16 +8,16 @@
 namespace kerf {
 
 // Shows on the empty stage how far a file is cut again. The first time the camera frames it.
-void show_so_far(Workspace& on, CutSoFar so_far);
+void show_so_far(Workspace& workspace, CutSoFar so_far);
 // Replaces the open work by files that were read, and frames it with the camera, unless it was shown before.
-void show_loaded(Workspace& on, LoadedFiles loaded);
+void show_loaded(Workspace& workspace, LoadedFiles loaded);
 
 // Opens files in place of the open work. All files but the default scene, which is small, are read in the
 // background.
 class FileOpener {
  public:
   // Both must outlive it.
-  FileOpener(Workspace& on, Recovery& recovery) : on_(on), recovery_(recovery) {}
+  FileOpener(Workspace& workspace, Recovery& recovery) : workspace_(workspace), recovery_(recovery) {}
 
   // Opens scenes and meshes, or none, at startup. While they are read, an empty stage is shown, and on it
   // what is cut again; the default scene if they cannot be read. Fails if there are none and the default
@@ -36,7 +36,7 @@ class FileOpener {
   // picture is seen.
   void make_shadows();
   // Whether the next frame has to come without input, because the picture still lacks its shadows.
-  bool moving() const { return shadows_due_ && on_.window->draws(); }
+  bool moving() const { return shadows_due_ && workspace_.window->draws(); }
 
  private:
   LoadOrder order_of(std::vector<std::filesystem::path> files) const;
@@ -45,7 +45,7 @@ class FileOpener {
   void take(Result<LoadedFiles> loaded, bool left);
   void show(LoadedFiles loaded);
 
-  Workspace& on_;
+  Workspace& workspace_;
   Recovery& recovery_;
   std::filesystem::path default_scene_;
   bool stage_is_empty_ = false;

@@ -80,14 +80,16 @@ namespace fs = std::filesystem;
 
 class FilesFeature : public Feature {
  public:
-  explicit FilesFeature(Workspace& on) : on_(on) {
-    on.open = [this](std::vector<fs::path> files) { open(std::move(files)); };
-    on.quit = [this] { quit(); };
+  explicit FilesFeature(Workspace& workspace) : workspace_(workspace) {
+    workspace.open = [this](std::vector<fs::path> files) { open(std::move(files)); };
+    workspace.quit = [this] { quit(); };
   }
 
   std::vector<Panel> panels() override {
-    return {{"File", Tab::kPrepare, 1500, true,
-             [this] { draw_file_panel(on_.world(), on_.work.scene, on_.view, on_.settings); }}};
+    return {{"File", Tab::kPrepare, 1500, true, [this] {
+               draw_file_panel(workspace_.world(), workspace_.work.scene, workspace_.view,
+                               workspace_.settings);
+             }}};
   }
   std::vector<ActionGroup> actions() override {
     return {
@@ -101,39 +103,39 @@ class FilesFeature : public Feature {
          {UserAction{.name = "Shown in", .items = [this] { return frame_actions(); }, .in_menu = false}}}};
   }
 
-  Status start(const EditorOptions& options) override;
-  void rest() override { recovery_.flush(); }
-  void close(bool left_by_user) override {
-    recovery_.follow(on_.work, on_.view, on_.held != nullptr, on_.message);
+  Status on_start(const EditorOptions& options) override;
+  void on_idle() override { recovery_.flush(); }
+  void on_exit(bool left_by_user) override {
+    recovery_.follow(workspace_.work, workspace_.view, workspace_.held != nullptr, workspace_.message);
     if (left_by_user) recovery_.drop();
   }
 
-  bool takes(const InputEvent& event, bool) override {
+  bool handle_event(const InputEvent& event, bool) override {
     if (event.kind != InputEvent::Kind::kKey || !decisions_.question.open()) return false;
     if (!event.again) question_key(decisions_.question, event.button);
     return true;
   }
-  bool stop() override {
-    const bool opens = on_.opening.loader.busy();
-    if (opens) cancel_opening(on_.opening, on_.message);
+  bool cancel() override {
+    const bool opens = workspace_.opening.loader.busy();
+    if (opens) cancel_opening(workspace_.opening, workspace_.message);
     return opens;
   }
 
-  void advance(double) override;
-  bool moving() const override { return on_.opening.loader.busy() || opener_.moving(); }
+  void update(double) override;
+  bool needs_redraw() const override { return workspace_.opening.loader.busy() || opener_.moving(); }
 
   void draw_windows() override;
-  void drawn(Drawn what) override {
+  void on_captured(Captured what) override {
     if (screenshot_ != what) return;
     screenshot_.reset();
     take_picture(what);
   }
-  void mark(Landmarks& landmarks) const override {
-    if (decisions_.question.open()) landmarks.mark("question", {on_.pointer, Vec2(1)});
+  void add_landmarks(Landmarks& landmarks) const override {
+    if (decisions_.question.open()) landmarks.mark("question", {workspace_.pointer, Vec2(1)});
   }
-  void report(nlohmann::ordered_json& report) const override {
+  void write_session_log(nlohmann::ordered_json& report) const override {
     nlohmann::ordered_json& names = report["files"] = nlohmann::ordered_json::array();
-    for (const fs::path& file : on_.work.files) names.push_back(file.filename().string());
+    for (const fs::path& file : workspace_.work.files) names.push_back(file.filename().string());
   }
 
  private:
@@ -154,13 +156,13 @@ class FilesFeature : public Feature {
   void save_to(const fs::path& file);
   void choose_file_to_open();
   void choose_file_to_save();
-  void take_picture(Drawn what);
+  void take_picture(Captured what);
 
-  Workspace& on_;
+  Workspace& workspace_;
   Decisions decisions_;
   Recovery recovery_;
-  FileOpener opener_{on_, recovery_};
-  std::optional<Drawn> screenshot_;  // that waits until this is drawn
+  FileOpener opener_{workspace_, recovery_};
+  std::optional<Captured> screenshot_;  // that waits until this is drawn
 };
 
 // Actions
@@ -185,7 +187,7 @@ std::vector<UserAction> FilesFeature::example_actions() {
     std::vector<UserAction> actions;
     for (const fs::path& scene : example_scenes()) {
       actions.push_back({.name = title_of_scene(scene), .tip = scene.string()});
-      actions.back().run = [this, scene] { on_.open({scene}); };
+      actions.back().run = [this, scene] { workspace_.open({scene}); };
     }
     return actions;
   };
@@ -212,11 +214,11 @@ std::vector<UserAction> FilesFeature::picture_actions() {
       UserAction{.name = "Save the picture",
                  .shortcut = "F12",
                  .tip = "A PNG of the picture without panels, named by date, in the current folder.",
-                 .run = [this] { screenshot_ = Drawn::kPicture; }},
+                 .run = [this] { screenshot_ = Captured::kPicture; }},
       UserAction{.name = "Save the window",
                  .shortcut = "Shift+F12",
                  .tip = "A PNG of the window with its panels.",
-                 .run = [this] { screenshot_ = Drawn::kWindow; },
+                 .run = [this] { screenshot_ = Captured::kWindow; },
                  .ends_group = true},
   };
 }
@@ -226,7 +228,7 @@ std::vector<UserAction> FilesFeature::leave_actions() {
       UserAction{.name = "Play the game",
                  .shortcut = "F5",
                  .tip = "A car with a laser on its roof against others. What is open here stays as it is.",
-                 .run = [this] { on_.leaves = Workspace::Leaves::kForTheGame; },
+                 .run = [this] { workspace_.leaves = Workspace::Leaves::kForTheGame; },
                  .ends_group = true},
       UserAction{.name = "Quit",
                  .shortcut = "Ctrl+Q",
@@ -236,16 +238,17 @@ std::vector<UserAction> FilesFeature::leave_actions() {
 }
 
 UserAction FilesFeature::frame_action(const std::string& name, const FileFrame& frame, const char* tip) {
-  return {.name = name,
-          .tip = tip,
-          .run = [this, frame] { set_frame(frame, on_.work.scene, on_.view, on_.settings); },
-          .in_menu = false};
+  return {
+      .name = name,
+      .tip = tip,
+      .run = [this, frame] { set_frame(frame, workspace_.work.scene, workspace_.view, workspace_.settings); },
+      .in_menu = false};
 }
 
 // The frame is that of the moment at which they are listed.
 std::vector<UserAction> FilesFeature::frame_actions() {
   std::vector<UserAction> actions;
-  const FileFrame& frame = on_.view.frame;
+  const FileFrame& frame = workspace_.view.frame;
   for (const FileUnit unit :
        {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
     actions.push_back(frame_action("unit " + std::string(unit_symbol(unit)), {unit, frame.up},
@@ -261,32 +264,32 @@ std::vector<UserAction> FilesFeature::frame_actions() {
 // Opening
 // --------------------------------------------------------------------------------------------------------
 
-Status FilesFeature::start(const EditorOptions& options) {
+Status FilesFeature::on_start(const EditorOptions& options) {
   std::vector<std::string> faults;
-  on_.opening.left_work = find_left_work(state_folder(), faults);
-  ask_about_left_work(decisions_, on_.opening.left_work);
-  const Status opened = opener_.open_first(options.default_scene, on_.not_taken(options.files));
-  if (opened && !faults.empty() && !on_.message.is_error)
-    on_.message.say("Work was left that cannot be read: " + faults.front(), true);
+  workspace_.opening.left_work = find_left_work(state_folder(), faults);
+  ask_about_left_work(decisions_, workspace_.opening.left_work);
+  const Status opened = opener_.open_first(options.default_scene, workspace_.not_taken(options.files));
+  if (opened && !faults.empty() && !workspace_.message.is_error)
+    workspace_.message.say("Work was left that cannot be read: " + faults.front(), true);
   return opened;
 }
 
 void FilesFeature::open(std::vector<fs::path> files) {
-  files = on_.not_taken(std::move(files));
+  files = workspace_.not_taken(std::move(files));
   if (!files.empty()) leave_for([this, files] { opener_.open(files); });
 }
 
 void FilesFeature::choose_file_to_open() {
-  browse(on_.browser,
+  browse(workspace_.browser,
          {.title = "Open a scene, a journal or a mesh",
           .verb = "Open",
           .hint = "Type a part of a name, or a whole path",
           .take =
               [this](const fs::path& file) {
-                on_.open({file});
+                workspace_.open({file});
                 return "";
               }},
-         on_.settings.folder, "");
+         workspace_.settings.folder, "");
 }
 
 // Leaving
@@ -294,34 +297,35 @@ void FilesFeature::choose_file_to_open() {
 
 void FilesFeature::quit() {
   leave_for([this] {
-    on_.leaves = Workspace::Leaves::kForGood;
-    on_.work.saved_commands = on_.work.document.journal().size();
-    on_.work.saved_lights = on_.view.look.lights;
-    on_.work.saved_head = on_.work.scene.others;
+    workspace_.leaves = Workspace::Leaves::kForGood;
+    workspace_.work.saved_commands = workspace_.work.document.journal().size();
+    workspace_.work.saved_lights = workspace_.view.look.lights;
+    workspace_.work.saved_head = workspace_.work.scene.others;
   });
 }
 
 // Does what closes the open work once it is saved or may be discarded.
 void FilesFeature::leave_for(std::function<void()> then) {
-  on_.changes.ask({.name = "Leave",
-                   .run =
-                       [this, then = std::move(then)] {
-                         if (decisions_.question.open()) return true;
-                         cancel_stroke(on_);
-                         if (may_leave(decisions_, on_.work, on_.view.look.lights, then)) go(then);
-                         return true;
-                       },
-                   .always = true});
+  workspace_.changes.ask({.name = "Leave",
+                          .run =
+                              [this, then = std::move(then)] {
+                                if (decisions_.question.open()) return true;
+                                cancel_stroke(workspace_);
+                                if (may_leave(decisions_, workspace_.work, workspace_.view.look.lights, then))
+                                  go(then);
+                                return true;
+                              },
+                          .always = true});
 }
 
 void FilesFeature::go(const std::function<void()>& then) {
-  on_.opening.loader.cancel();
-  on_.changes.forget();
+  workspace_.opening.loader.cancel();
+  workspace_.changes.forget();
   then();
 }
 
 void FilesFeature::decide() {
-  switch (take_decision(decisions_, on_.opening.left_work)) {
+  switch (take_decision(decisions_, workspace_.opening.left_work)) {
     case Decision::kNone:
       break;
     case Decision::kLeave:
@@ -329,10 +333,10 @@ void FilesFeature::decide() {
       go(std::exchange(decisions_.leaving, nullptr));
       break;
     case Decision::kSaveFirst:
-      if (on_.work.file.empty()) {
+      if (workspace_.work.file.empty()) {
         choose_file_to_save();
       } else {
-        save_to(on_.work.file);
+        save_to(workspace_.work.file);
       }
       break;
     case Decision::kGoOn:
@@ -341,43 +345,45 @@ void FilesFeature::decide() {
   }
 }
 
-void FilesFeature::advance(double) {
+void FilesFeature::update(double) {
   decide();
-  const bool asks = decisions_.question.open() || on_.browser.open || on_.changes.is_asked();
+  const bool asks = decisions_.question.open() || workspace_.browser.open || workspace_.changes.is_asked();
   if (!asks) decisions_.leaving = nullptr;  // the user did not choose where to save
   opener_.take_loaded();
   opener_.make_shadows();
-  recovery_.follow(on_.work, on_.view, on_.held != nullptr, on_.message);
-  on_.title = window_title(on_.work, on_.view.look.lights);
+  recovery_.follow(workspace_.work, workspace_.view, workspace_.held != nullptr, workspace_.message);
+  workspace_.title = window_title(workspace_.work, workspace_.view.look.lights);
 }
 
 // Saving
 // --------------------------------------------------------------------------------------------------------
 
 void FilesFeature::save() {
-  if (on_.work.file.empty()) return choose_file_to_save();
-  on_.changes.ask({.name = "Save", .run = [this] { return save_to(on_.work.file), true; }, .always = true});
+  if (workspace_.work.file.empty()) return choose_file_to_save();
+  workspace_.changes.ask(
+      {.name = "Save", .run = [this] { return save_to(workspace_.work.file), true; }, .always = true});
 }
 
 void FilesFeature::choose_file_to_save() {
-  browse(on_.browser,
+  browse(workspace_.browser,
          {.title = "Save the work",
           .verb = "Save",
           .hint = "Name; .kerf keeps everything, .json the scene without what was cut",
           .endings = {".kerf", ".json"},
           .take =
               [this](const fs::path& file) {
-                on_.changes.ask(
+                workspace_.changes.ask(
                     {.name = "Save", .run = [this, file] { return save_to(file), true; }, .always = true});
                 return "";
               }},
-         on_.settings.folder, suggested_name(on_.work));
+         workspace_.settings.folder, suggested_name(workspace_.work));
 }
 
 void FilesFeature::save_to(const fs::path& file) {
-  cancel_stroke(on_);
-  const bool saved = save_work(on_.work, on_.view, file, on_.settings, on_.message);
-  recovery_.begin(on_.work, on_.view);
+  cancel_stroke(workspace_);
+  const bool saved =
+      save_work(workspace_.work, workspace_.view, file, workspace_.settings, workspace_.message);
+  recovery_.begin(workspace_.work, workspace_.view);
   if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
 }
 
@@ -385,28 +391,30 @@ void FilesFeature::save_to(const fs::path& file) {
 // --------------------------------------------------------------------------------------------------------
 
 void FilesFeature::draw_windows() {
-  const World::Bounds bounds = on_.world().loaded_bounds();
-  draw_frame_question(bounds.max - bounds.min, on_.view, on_.settings, on_.cut_once);
-  const FileLoader& loader = on_.opening.loader;
-  Area picture = on_.view.layout.viewport;
-  if (on_.shown_world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
+  const World::Bounds bounds = workspace_.world().loaded_bounds();
+  draw_frame_question(bounds.max - bounds.min, workspace_.view, workspace_.settings, workspace_.cut_once);
+  const FileLoader& loader = workspace_.opening.loader;
+  Area picture = workspace_.view.layout.viewport;
+  if (workspace_.shown_world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
   if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name() + ": " + loader.doing(),
                                      loader.fraction(), true))
-    cancel_opening(on_.opening, on_.message);
+    cancel_opening(workspace_.opening, workspace_.message);
   draw_question(decisions_.question);
 }
 
-void FilesFeature::take_picture(Drawn what) {
-  const Window& window = *on_.window;
+void FilesFeature::take_picture(Captured what) {
+  const Window& window = *workspace_.window;
   const Vec2 pixels = window.pixel_size();
   const Area part =
-      what == Drawn::kWindow ? Area{Vec2(0), pixels} : pixels_of(on_.view.layout.viewport, window);
+      what == Captured::kWindow ? Area{Vec2(0), pixels} : pixels_of(workspace_.view.layout.viewport, window);
   const auto file = take_screenshot(pixels, part);
-  on_.message.say(file ? "Saved: " + file->string() : file.error().message, !file.ok());
+  workspace_.message.say(file ? "Saved: " + file->string() : file.error().message, !file.ok());
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> files_feature(Workspace& on) { return std::make_unique<FilesFeature>(on); }
+std::unique_ptr<Feature> files_feature(Workspace& workspace) {
+  return std::make_unique<FilesFeature>(workspace);
+}
 
 }  // namespace kerf

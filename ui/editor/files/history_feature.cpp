@@ -18,7 +18,7 @@ namespace {
 // The steps of the history, to be travelled by a click, and the memory that they may take.
 class HistoryPanel {
  public:
-  void draw(Workspace& on);
+  void draw(Workspace& workspace);
 
  private:
   void draw_list(WorldChanges& changes, const Document& document, FileUnit unit);
@@ -28,7 +28,7 @@ class HistoryPanel {
   size_t shown_ = 0;          // the position that the list was scrolled to
 };
 
-constexpr size_t kMostRows = 10;
+constexpr size_t kMaxRows = 10;
 
 // The memory of the before-images, by which a step is undone at once.
 std::string weight_text(const HistoryStep& step) {
@@ -102,8 +102,8 @@ void draw_window(Document& document, Settings& settings) {
   int megabytes = settings.history_megabytes;
   constexpr const char* kMeaning =
       "How much memory going back at once may take. Older steps come back by replay, which takes longer.";
-  if (whole_slider({"Memory", "##window", kMeaning, true}, megabytes, Settings::kLeastHistory,
-                   Settings::kMostHistory, grouped(static_cast<size_t>(megabytes)) + " MB",
+  if (whole_slider({"Memory", "##window", kMeaning, true}, megabytes, Settings::kMinHistory,
+                   Settings::kMaxHistory, grouped(static_cast<size_t>(megabytes)) + " MB",
                    {Quantity::kPlain, 1, " MB"})) {
     settings.history_megabytes = megabytes;
     document.set_window(settings.history_bytes());
@@ -128,7 +128,7 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, Fi
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const History& history = document.history();
   list_rows(changes.groups(), history);
-  const float height = height_of_rows(std::min(rows_.size(), kMostRows));
+  const float height = height_of_rows(std::min(rows_.size(), kMaxRows));
   if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
   ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
   const auto removed = [unit](const HistoryStep& step) { return removed_text(step, unit); };
@@ -147,32 +147,32 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, Fi
   ImGui::EndTable();
 }
 
-void HistoryPanel::draw(Workspace& on) {
-  draw_list(on.changes, on.work.document, on.view.frame.unit);
-  draw_window(on.work.document, on.settings);
+void HistoryPanel::draw(Workspace& workspace) {
+  draw_list(workspace.changes, workspace.work.document, workspace.view.frame.unit);
+  draw_window(workspace.work.document, workspace.settings);
 }
 
 class HistoryFeature : public Feature {
  public:
-  explicit HistoryFeature(Workspace& on) : on_(on) {}
+  explicit HistoryFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"History", Tab::kCut, 800, true, [this] { panel_.draw(on_); }}};
+    return {{"History", Tab::kCut, 800, true, [this] { panel_.draw(workspace_); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{200,
              "Edit",
-             {UserAction{
-                  .name = "Undo",
-                  .shortcut = "Ctrl+Z",
-                  .tip = "Takes the last stroke or command back.",
-                  .run = [this] { ask_to_step(true); },
-                  .why_not = [this] { return history().position() > 0 ? nullptr : "Nothing was done yet."; }},
+             {UserAction{.name = "Undo",
+                         .shortcut = "Ctrl+Z",
+                         .tip = "Takes the last stroke or command back.",
+                         .run = [this] { ask_to_step(true); },
+                         .disabled_reason =
+                             [this] { return history().position() > 0 ? nullptr : "Nothing was done yet."; }},
               UserAction{.name = "Redo",
                          .shortcut = "Ctrl+Shift+Z",
                          .tip = "Does again what was taken back.",
                          .run = [this] { ask_to_step(false); },
-                         .why_not =
+                         .disabled_reason =
                              [this] {
                                return history().position() < history().size() ? nullptr
                                                                               : "Nothing was taken back.";
@@ -180,20 +180,25 @@ class HistoryFeature : public Feature {
                          .ends_group = true}}}};
   }
 
-  void report(nlohmann::ordered_json& report) const override { report["undo_depth"] = history().position(); }
-
- private:
-  const History& history() const { return on_.work.document.history(); }
-  void ask_to_step(bool back) {
-    on_.changes.ask(back ? "Undo" : "Redo", [this, back] { on_.changes.step_through_history(back); });
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    report["undo_depth"] = history().position();
   }
 
-  Workspace& on_;
+ private:
+  const History& history() const { return workspace_.work.document.history(); }
+  void ask_to_step(bool back) {
+    workspace_.changes.ask(back ? "Undo" : "Redo",
+                           [this, back] { workspace_.changes.step_through_history(back); });
+  }
+
+  Workspace& workspace_;
   HistoryPanel panel_;
 };
 
 }  // namespace
 
-std::unique_ptr<Feature> history_feature(Workspace& on) { return std::make_unique<HistoryFeature>(on); }
+std::unique_ptr<Feature> history_feature(Workspace& workspace) {
+  return std::make_unique<HistoryFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -23,18 +23,19 @@ std::string by_key(const ViewState& view, const std::string& action, const std::
 
 }  // namespace
 
-TourMoment tour_moment(const Workspace& on) {
-  const Document& document = on.work.document;
-  const ShowOptions& show = on.view.look.show;
-  return {.position = document.history().position(),
-          .cuts = on.cutting(),
-          .eye = on.view.seen_first().eye,
-          .clock = document.world().clock(),
-          .plays = on.plays,
-          .shows_edges = show.wire,
-          .shows_boxes = show.aabb || show.aabb_hit,
-          .edge = on.laser.resolution.edge_fraction * on.laser.radius,
-          .saved = !on.work.file.empty() && on.work.saved_commands == document.journal().size()};
+TourMoment tour_moment(const Workspace& workspace) {
+  const Document& document = workspace.work.document;
+  const ShowOptions& show = workspace.view.look.show;
+  return {
+      .position = document.history().position(),
+      .cuts = workspace.cutting(),
+      .eye = workspace.view.seen_first().eye,
+      .clock = document.world().clock(),
+      .plays = workspace.plays,
+      .shows_edges = show.wire,
+      .shows_boxes = show.aabb || show.aabb_hit,
+      .edge = workspace.laser.resolution.edge_fraction * workspace.laser.radius,
+      .saved = !workspace.work.file.empty() && workspace.work.saved_commands == document.journal().size()};
 }
 
 std::vector<TourStep> first_five_minutes(const ViewState& view) {

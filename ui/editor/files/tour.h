@@ -18,7 +18,7 @@ struct TourMoment {
   double edge = 0;  // m, of the resolution
   bool saved = false;
 };
-TourMoment tour_moment(const Workspace& on);
+TourMoment tour_moment(const Workspace& workspace);
 
 // A step of the tour: what it asks for, which part of the window it points at, and when it is done.
 struct TourStep {

@@ -20,7 +20,7 @@ std::vector<Light> lights_shown(const SceneDescription& scene) {
 
 Status write_all(OpenWork& work, const ViewState& view, const fs::path& file) {
   mark_state(work.document, work.marks, true);
-  if (Status hashed = note_hashes(work.scene); !hashed) return hashed;
+  if (Status hashed = record_hashes(work.scene); !hashed) return hashed;
   return save_journal(file, scene_now(work, view), work.document.journal(), work.marks);
 }
 
@@ -86,7 +86,7 @@ std::string suggested_name(const OpenWork& work) {
 SceneDescription scene_now(const OpenWork& work, const ViewState& view) {
   SceneDescription scene = work.scene;
   scene.view = View{view.seen().near().eye, view.camera.pivot()};
-  note_frame(scene, view.frame);
+  record_frame(scene, view.frame);
   if (view.look.lights != lights_shown(scene)) scene.lights = view.look.lights;
   return scene;
 }

@@ -36,20 +36,20 @@ struct KeptState {
 
 class RecentFeature : public Feature {
  public:
-  explicit RecentFeature(Workspace& on) : on_(on) {}
+  explicit RecentFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<ActionGroup> actions() override {
     return {{101, "File", {UserAction{.name = "Open recent", .items = [this] { return files(); }}}}};
   }
 
-  void advance(double) override {
-    if (recent_ == on_.settings.recent) return;
-    recent_ = on_.settings.recent;
-    on_.thumbnails.keep_only(recent_);
+  void update(double) override {
+    if (recent_ == workspace_.settings.recent) return;
+    recent_ = workspace_.settings.recent;
+    workspace_.thumbnails.keep_only(recent_);
   }
 
-  void drawn(Drawn what) override {
-    if (what == Drawn::kPicture && is_due()) take();
+  void on_captured(Captured what) override {
+    if (what == Captured::kPicture && is_due()) take();
   }
 
  private:
@@ -57,7 +57,7 @@ class RecentFeature : public Feature {
   bool is_due();
   void take();
 
-  Workspace& on_;
+  Workspace& workspace_;
   std::vector<fs::path> recent_;
   KeptState wanted_, taken_;
   double wanted_at_ = 0;  // s of the clock
@@ -65,34 +65,36 @@ class RecentFeature : public Feature {
 
 std::vector<UserAction> RecentFeature::files() {
   std::vector<UserAction> actions;
-  for (const fs::path& file : on_.settings.recent) {
+  for (const fs::path& file : workspace_.settings.recent) {
     actions.push_back({.name = file.filename().string(), .tip = file.string()});
-    actions.back().run = [this, file] { on_.open({file}); };
-    actions.back().why_not = [file]() -> const char* {
+    actions.back().run = [this, file] { workspace_.open({file}); };
+    actions.back().disabled_reason = [file]() -> const char* {
       std::error_code error;
       return fs::exists(file, error) ? nullptr : "This file is not there any more.";
     };
-    actions.back().tip_picture = [this, file] { return on_.thumbnails.find(file); };
+    actions.back().tip_picture = [this, file] { return workspace_.thumbnails.find(file); };
   }
   if (!actions.empty()) actions.back().ends_group = true;
   actions.push_back({.name = "Forget them", .tip = "Empties this list; the files stay."});
-  actions.back().run = [this] { on_.settings.recent.clear(); };
-  actions.back().why_not = [this] {
-    return on_.settings.recent.empty() ? "Nothing was opened yet." : nullptr;
+  actions.back().run = [this] { workspace_.settings.recent.clear(); };
+  actions.back().disabled_reason = [this] {
+    return workspace_.settings.recent.empty() ? "Nothing was opened yet." : nullptr;
   };
   return actions;
 }
 
 // Whether the picture shows a file as it was opened or saved, and is complete.
 bool RecentFeature::is_due() {
-  const KeptState now{file_shown(on_.work), on_.work.saved_commands};
+  const KeptState now{file_shown(workspace_.work), workspace_.work.saved_commands};
   if (now == taken_ || now.file.empty()) return false;
   if (now != wanted_) {
     wanted_ = now;
-    wanted_at_ = on_.clock->seconds();
+    wanted_at_ = workspace_.clock->seconds();
   }
-  if (!on_.window->draws() || on_.opening.loader.busy() || on_.picture->first().is_sending()) return false;
-  return !on_.picture->busy() || on_.clock->seconds() - wanted_at_ > kLongestWait;
+  if (!workspace_.window->draws() || workspace_.opening.loader.busy() ||
+      workspace_.picture->first().is_sending())
+    return false;
+  return !workspace_.picture->busy() || workspace_.clock->seconds() - wanted_at_ > kLongestWait;
 }
 
 // A file that is not among the recent ones, as the default scene, has none. One that cannot be written is not
@@ -101,17 +103,19 @@ void RecentFeature::take() {
   taken_ = wanted_;
   const fs::path file = whole_path(taken_.file);
   if (std::ranges::find(recent_, file) == recent_.end()) return;
-  const Area part = pixels_of(on_.view.layout.first, *on_.window);
-  (void)on_.thumbnails.keep(file, window_pixels(on_.window->pixel_size(), part));
+  const Area part = pixels_of(workspace_.view.layout.first, *workspace_.window);
+  (void)workspace_.thumbnails.keep(file, window_pixels(workspace_.window->pixel_size(), part));
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> recent_feature(Workspace& on) { return std::make_unique<RecentFeature>(on); }
+std::unique_ptr<Feature> recent_feature(Workspace& workspace) {
+  return std::make_unique<RecentFeature>(workspace);
+}
 
 namespace {
 
-constexpr size_t kMostRecent = 4;
+constexpr size_t kMaxRecent = 4;
 
 // Draws over the last item, the row of a file in a list: its thumbnail, or an empty frame of that size, its
 // name and its folder.
@@ -133,7 +137,7 @@ void draw_file_row(const std::filesystem::path& file, const std::optional<TipPic
 
 class WelcomeFeature : public Feature {
  public:
-  explicit WelcomeFeature(Workspace& on) : on_(on) {}
+  explicit WelcomeFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<ActionGroup> actions() override {
     return {{1900,
@@ -147,28 +151,28 @@ class WelcomeFeature : public Feature {
                          .checked = [this] { return tour_.is_on(); }}}}};
   }
 
-  Status start(const EditorOptions& options) override {
-    shown_ = options.files.empty() && !options.events && !on_.settings.welcomed;
-    on_.settings.welcomed = on_.settings.welcomed || shown_;
+  Status on_start(const EditorOptions& options) override {
+    shown_ = options.files.empty() && !options.events && !workspace_.settings.welcomed;
+    workspace_.settings.welcomed = workspace_.settings.welcomed || shown_;
     return Done{};
   }
 
   // What closes the welcome is heard by the rest of the editor as well.
-  bool takes(const InputEvent& event, bool in_picture) override {
+  bool handle_event(const InputEvent& event, bool in_picture) override {
     const bool pressed = event.kind == InputEvent::Kind::kPress && in_picture;
     if (pressed || event.kind == InputEvent::Kind::kKey) shown_ = false;
     return false;
   }
-  bool let_go() override {
+  bool clear_selection() override {
     const bool was_on = tour_.is_on();
     tour_.end();
     return was_on;
   }
 
-  void advance(double) override { tour_.follow(tour_moment(on_)); }
-  void forget() override { shown_ = false; }
+  void update(double) override { tour_.follow(tour_moment(workspace_)); }
+  void on_document_opened() override { shown_ = false; }
   void draw_windows() override;
-  void report(nlohmann::ordered_json& report) const override {
+  void write_session_log(nlohmann::ordered_json& report) const override {
     report["welcome"] = shown_;
     report["tour"] = tour_.is_on() ? nlohmann::ordered_json(tour_.at()) : nlohmann::ordered_json(nullptr);
   }
@@ -176,7 +180,7 @@ class WelcomeFeature : public Feature {
  private:
   void begin_tour() {
     shown_ = false;
-    tour_.begin(first_five_minutes(on_.view), tour_moment(on_));
+    tour_.begin(first_five_minutes(workspace_.view), tour_moment(workspace_));
   }
   void draw_welcome();
   void draw_recent();
@@ -184,7 +188,7 @@ class WelcomeFeature : public Feature {
   void open_by(const std::filesystem::path& file, const char* label, ImVec2 size);
   void draw_tour();
 
-  Workspace& on_;
+  Workspace& workspace_;
   bool shown_ = false;
   Tour tour_;
 };
@@ -198,22 +202,22 @@ void WelcomeFeature::draw_windows() {
 void WelcomeFeature::open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
   if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
     shown_ = false;
-    on_.open({file});
+    workspace_.open({file});
   }
 }
 
 void WelcomeFeature::draw_recent() {
-  if (on_.settings.recent.empty()) return;
+  if (workspace_.settings.recent.empty()) return;
   ImGui::Spacing();
   ImGui::TextDisabled("Recent");
   const float em = ImGui::GetFontSize();
   const Vec2 picture(4.8 * em, 3 * em);
   for (const std::filesystem::path& file :
-       std::span(on_.settings.recent).first(std::min(kMostRecent, on_.settings.recent.size()))) {
+       std::span(workspace_.settings.recent).first(std::min(kMaxRecent, workspace_.settings.recent.size()))) {
     ImGui::PushID(file.c_str());
     open_by(file, "##recent", {0, 3.5f * em});
     mark_last_item(("welcome " + file.filename().string()).c_str());
-    draw_file_row(file, on_.thumbnails.find(file), picture);
+    draw_file_row(file, workspace_.thumbnails.find(file), picture);
     tooltip(file.c_str());
     ImGui::PopID();
   }
@@ -232,7 +236,7 @@ void WelcomeFeature::draw_scenes() {
 // At the left, where it hides least of what stands in the middle.
 void WelcomeFeature::draw_welcome() {
   const float em = ImGui::GetFontSize();
-  const Area& picture = on_.view.layout.viewport;
+  const Area& picture = workspace_.view.layout.viewport;
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
@@ -259,11 +263,11 @@ void WelcomeFeature::draw_welcome() {
 
 void WelcomeFeature::draw_tour() {
   const char* name = tour_.step().part;
-  std::optional<Area> part = *name != '\0' ? on_.landmarks->find(name) : std::nullopt;
-  const Area& status = on_.view.layout.status;
+  std::optional<Area> part = *name != '\0' ? workspace_.landmarks->find(name) : std::nullopt;
+  const Area& status = workspace_.view.layout.status;
   if (part && part->at.y + part->size.y > status.at.y) part.reset();  // scrolled out of the column
-  const TourMoment now = tour_moment(on_);
-  switch (draw_tour_card(tour_, on_.view.layout.viewport, part)) {
+  const TourMoment now = tour_moment(workspace_);
+  switch (draw_tour_card(tour_, workspace_.view.layout.viewport, part)) {
     case TourMove::kNone:
       return;
     case TourMove::kBack:
@@ -277,6 +281,8 @@ void WelcomeFeature::draw_tour() {
 
 }  // namespace
 
-std::unique_ptr<Feature> welcome_feature(Workspace& on) { return std::make_unique<WelcomeFeature>(on); }
+std::unique_ptr<Feature> welcome_feature(Workspace& workspace) {
+  return std::make_unique<WelcomeFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -100,7 +100,7 @@ std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, File
 namespace {
 
 constexpr double kBefore = 1e-3, kWithin = 1e-4;  // diagonals of the world
-constexpr double kLeastSpan = 100;                // K
+constexpr double kMinSpan = 100;                  // K
 
 std::optional<double> temperature_at(const World& world, const ViewState& view, const Pose& ray) {
   const auto seen = pick(world, view.look, ray);
@@ -125,7 +125,7 @@ Plot plot_of(const std::vector<HeatProbe::Sample>& samples, ImVec2 at, ImVec2 si
   KERF_ASSERT(samples.front().seconds < samples.back().seconds);
   Plot plot{at, size, samples.front().seconds, samples.back().seconds};
   for (const HeatProbe::Sample& s : samples) plot.most = std::max(plot.most, s.temperature);
-  plot.most = std::max(plot.most, kAmbient + kLeastSpan);
+  plot.most = std::max(plot.most, kAmbient + kMinSpan);
   return plot;
 }
 
@@ -149,7 +149,7 @@ void HeatProbe::follow(const World& world, const ViewState& view, const std::opt
 
 // Where there are too many, every second one goes.
 void HeatProbe::add(const Sample& sample) {
-  if (samples_.size() >= kMostSamples) {
+  if (samples_.size() >= kMaxSamples) {
     size_t kept = 0;
     for (size_t i = 0; i < samples_.size(); i += 2) samples_[kept++] = samples_[i];
     samples_.resize(kept);
@@ -221,25 +221,25 @@ void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string
 
 // Draws over the picture what there is to know about the face under the pointer, in a box beside it, and the
 // face's edges.
-void draw_face_readout(const Workspace& on, ImDrawList& list) {
-  const ViewState& view = on.view;
-  if (!on.points() || view.in_second) return;
-  const Vec2 p = view.in_picture(on.pointer);
-  const auto seen = pick(on.world(), view.look, view.seen().ray(p.x, p.y));
+void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
+  const ViewState& view = workspace.view;
+  if (!workspace.points() || view.in_second) return;
+  const Vec2 p = view.in_picture(workspace.pointer);
+  const auto seen = pick(workspace.world(), view.look, view.seen().ray(p.x, p.y));
   if (!seen) return;
-  const Body& body = on.world().body(seen->body);
+  const Body& body = workspace.world().body(seen->body);
   draw_edges(view, body, *seen, list);
-  draw_box(view, on.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
+  draw_box(view, workspace.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
 }
 
 constexpr const char* kInspectTool = "Inspect and measure";
 
 class InspectFeature : public Feature {
  public:
-  explicit InspectFeature(Workspace& on) : on_(on) {}
+  explicit InspectFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<ActionGroup> actions() override {
-    UserAction action = tool_action(on_, kInspectTool, "M",
+    UserAction action = tool_action(workspace_, kInspectTool, "M",
                                     "Tells what there is to know about the face under the pointer; two "
                                     "clicks measure the distance between two "
                                     "points.");
@@ -250,65 +250,69 @@ class InspectFeature : public Feature {
     return {{302, "Tool", {action}}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press& press) override {
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
     if (!inspects() || press.control) return nullptr;
     return std::make_unique<ClickOnce>([this] { measure(); });
   }
-  bool let_go() override {
+  bool clear_selection() override {
     if (measured_.empty()) return false;
     measured_.clear();
     return true;
   }
-  const char* hint() const override {
+  const char* status_hint() const override {
     return inspects() ? "Inspect: click two points to measure their distance" : nullptr;
   }
 
-  void advance(double) override {
+  void update(double) override {
     if (!inspects()) measured_.clear();
   }
-  void follow_queue(double) override {
-    if (on_.changes.is_pending()) return;
+  void after_queue(double) override {
+    if (workspace_.changes.is_pending()) return;
     const auto clicked = measured_.empty() ? std::nullopt : std::optional(measured_.back());
-    probe_.follow(on_.world(), on_.view, clicked, inspects());
+    probe_.follow(workspace_.world(), workspace_.view, clicked, inspects());
   }
-  void forget() override { measured_.clear(); }
+  void on_document_opened() override { measured_.clear(); }
 
-  void draw_marks(ImDrawList& list) override {
-    if (inspects() && measured_.size() == 1) draw_measured_point(on_.view, measured_.front(), list);
+  void draw_overlay(ImDrawList& list) override {
+    if (inspects() && measured_.size() == 1) draw_measured_point(workspace_.view, measured_.front(), list);
     if (inspects() && measured_.size() == 2) {
       const double length = glm::length(measured_[1] - measured_[0]);
-      draw_distance(on_.view, measured_[0], measured_[1], length_label(length, on_.view.frame.unit), list);
+      draw_distance(workspace_.view, measured_[0], measured_[1],
+                    length_label(length, workspace_.view.frame.unit), list);
     }
-    if (inspects()) draw_face_readout(on_, list);
-    draw_heat_probe(probe_, on_.view.layout.first);
+    if (inspects()) draw_face_readout(workspace_, list);
+    draw_heat_probe(probe_, workspace_.view.layout.first);
   }
 
  private:
-  bool inspects() const { return on_.tool == kInspectTool; }
+  bool inspects() const { return workspace_.tool == kInspectTool; }
   void measure();
 
-  Workspace& on_;
+  Workspace& workspace_;
   std::vector<Vec3> measured_;  // m, the points that were clicked: at most two
   HeatProbe probe_;
 };
 
 // The third click begins another distance.
 void InspectFeature::measure() {
-  if (on_.view.in_second) return on_.message.say("Distances are measured in the left half.", true);
-  const auto point = point_under_pointer(on_);
-  if (!point) return on_.message.say("There is no surface under the pointer.", true);
+  if (workspace_.view.in_second)
+    return workspace_.message.say("Distances are measured in the left half.", true);
+  const auto point = point_under_pointer(workspace_);
+  if (!point) return workspace_.message.say("There is no surface under the pointer.", true);
   if (measured_.size() == 2) measured_.clear();
   measured_.push_back(*point);
   if (measured_.size() < 2)
-    return on_.message.say("Click a second point to measure its distance from this one.");
+    return workspace_.message.say("Click a second point to measure its distance from this one.");
   const Vec3 way = measured_[1] - measured_[0];
-  const auto text = [&](double length) { return length_label(length, on_.view.frame.unit); };
-  on_.message.say("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) + ", along Y " +
-                  text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
+  const auto text = [&](double length) { return length_label(length, workspace_.view.frame.unit); };
+  workspace_.message.say("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +
+                         ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> inspect_feature(Workspace& on) { return std::make_unique<InspectFeature>(on); }
+std::unique_ptr<Feature> inspect_feature(Workspace& workspace) {
+  return std::make_unique<InspectFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -50,7 +50,7 @@ class HeatProbe {
   const std::vector<Sample>& samples() const { return samples_; }
   const std::optional<Vec3>& at() const { return at_; }
 
-  static constexpr size_t kMostSamples = 2000;
+  static constexpr size_t kMaxSamples = 2000;
 
  private:
   void add(const Sample& sample);

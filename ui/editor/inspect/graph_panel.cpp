@@ -27,7 +27,7 @@ namespace {
 constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the chosen piece",
                             "Pieces"};
 constexpr std::array kPlacings{"Unrolled along the cut", "By position", "By force"};
-constexpr float kLeastGap = 3;          // pixels, between two marks of loops
+constexpr float kMinGap = 3;            // pixels, between two marks of loops
 constexpr float kHeightOfWidth = 0.8f;  // of the canvas below the rows
 // Sizes of the text: the width of a panel from which on its rows are beside the canvas, and their width.
 constexpr float kWide = 44, kRows = 24;
@@ -76,11 +76,11 @@ void mark_closings(const GraphState& graph) {
   const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
   const float em = ImGui::GetFontSize(), grab = ImGui::GetStyle().GrabMinSize;
   const float width = most.x - least.x - grab - 4;
-  float last = -kLeastGap;
+  float last = -kMinGap;
   for (const size_t closing : graph.closings()) {
     const float share = static_cast<float>(closing) / static_cast<float>(graph.removed());
     const float x = std::round(least.x + 2 + 0.5f * grab + share * width);
-    if (x < last + kLeastGap) continue;
+    if (x < last + kMinGap) continue;
     last = x;
     ImGui::GetWindowDrawList()->AddLine({x, most.y + 1}, {x, most.y + 0.4f * em}, colours::secondary(), 1);
   }
@@ -312,28 +312,28 @@ constexpr const char* kGraphPanel = "Graph";
 
 class GraphFeature : public Feature {
  public:
-  explicit GraphFeature(Workspace& on) : on_(on) {}
+  explicit GraphFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{kGraphPanel, Tab::kLook, 1100, false,
              [this] {
-               const bool seen = on_.points() && !on_.view.in_second;
-               panel_.draw(graph_, on_.work.document, on_.view,
-                           seen ? std::optional(on_.pointer) : std::nullopt);
+               const bool seen = workspace_.points() && !workspace_.view.in_second;
+               panel_.draw(graph_, workspace_.work.document, workspace_.view,
+                           seen ? std::optional(workspace_.pointer) : std::nullopt);
              },
              Dock::kStrip}};
   }
   std::vector<Gesture> gestures() const override {
     return {{140, "F over the graph", "Show all of it, while the pointer is over it"}};
   }
-  bool takes(const InputEvent& event, bool) override {
+  bool handle_event(const InputEvent& event, bool) override {
     const bool fits = event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_F && event.mods == 0;
     return fits && panel_.fit_under_pointer();
   }
 
-  void follow_queue(double seconds) override;
-  bool moving() const override { return graph_.playing(); }
-  void report(nlohmann::ordered_json& report) const override {
+  void after_queue(double seconds) override;
+  bool needs_redraw() const override { return graph_.playing(); }
+  void write_session_log(nlohmann::ordered_json& report) const override {
     report["graph"] = {{"nodes", graph_.drawn() ? graph_.drawn()->nodes.size() : 0},
                        {"marked", graph_.marked()},
                        {"reached", graph_.reached()},
@@ -344,29 +344,29 @@ class GraphFeature : public Feature {
                        {"loops", graph_.drawn() ? graph_.drawn()->loops.size() : 0},
                        {"of_piece", graph_.shows_piece()},
                        {"any_open", graph_.any_open()},
-                       {"face_lit", on_.view.look.lit_face.has_value()}};
+                       {"face_lit", workspace_.view.look.lit_face.has_value()}};
   }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
   GraphState graph_;
   GraphPanel panel_;
 };
 
-void GraphFeature::follow_queue(double seconds) {
-  ViewState& view = on_.view;
-  const Document& document = on_.work.document;
-  const bool panel = on_.panels.shows(kGraphPanel);
+void GraphFeature::after_queue(double seconds) {
+  ViewState& view = workspace_.view;
+  const Document& document = workspace_.work.document;
+  const bool panel = workspace_.panels.shows(kGraphPanel);
   if (!panel && view.look.lit_face) {
     view.look.lit_face.reset();
     view.picture_old = true;
   }
   if (!panel && !view.look.show.graph) return graph_.play(false);
-  graph_.follow(document, on_.holds_back());
+  graph_.follow(document, workspace_.holds_back());
   graph_.advance(std::min(seconds, Workspace::kLongestStep));
-  if (graph_.is_asked_for() && !on_.changes.is_pending() && !document.execution().in_stroke() &&
+  if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.execution().in_stroke() &&
       document.waiting() == 0)
-    on_.changes.begin(graph_reading(graph_));
+    workspace_.changes.begin(graph_reading(graph_));
   if (view.look.graph == graph_.drawn()) return;
   view.look.graph = graph_.drawn();
   if (view.look.show.graph) view.picture_old = true;
@@ -374,6 +374,8 @@ void GraphFeature::follow_queue(double seconds) {
 
 }  // namespace
 
-std::unique_ptr<Feature> graph_feature(Workspace& on) { return std::make_unique<GraphFeature>(on); }
+std::unique_ptr<Feature> graph_feature(Workspace& workspace) {
+  return std::make_unique<GraphFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -65,7 +65,7 @@ void GraphState::pass_over_time(const Document& document) {
   const std::vector<Command>& journal = document.journal();
   if (key_.commands >= journal.size()) return;
   const auto in_time = [](const Command& c) {
-    return std::visit([]<typename C>(const C&) { return HappensInTime<C>; }, c);
+    return std::visit([]<typename C>(const C&) { return TimedCommand<C>; }, c);
   };
   const auto fresh = journal.begin() + static_cast<ptrdiff_t>(key_.commands);
   if (std::all_of(fresh, journal.end(), in_time)) key_.commands = journal.size();
@@ -78,10 +78,10 @@ bool GraphState::follow(const Document& document, bool in_single_steps) {
                     document.execution().next_searches();
   const bool cutting = key_.known && cuts;
   if (cutting && !in_single_steps) return false;
-  if (cutting && document.world().live_faces() > kMostAtStages) return false;
+  if (cutting && document.world().live_faces() > kMaxAtStages) return false;
   key_ = key_of(document);
   const size_t faces = faces_to_read(document);
-  left_out_ = faces > kMostAtOnce ? faces : 0;
+  left_out_ = faces > kMaxAtOnce ? faces : 0;
   asked_ = false;
   if (is_left_out()) {
     clear();

@@ -20,7 +20,7 @@ class GraphState {
   enum class Placing { kUnrolled, kPosition, kForce };
 
   // Follows the document, unless a stroke is being cut: what is shown then is that before the stroke. In
-  // single steps it is followed there, too, if the world has at most kMostAtStages faces. Returns whether
+  // single steps it is followed there, too, if the world has at most kMaxAtStages faces. Returns whether
   // anything changed. Linear in the faces of the bodies that the last stroke cut if it did.
   bool follow(const Document& document, bool in_single_steps = false);
   // Whether the document has changed since follow() took it over.
@@ -33,7 +33,7 @@ class GraphState {
 
   // Bodies of more faces take too long between two frames: their graph is left out until it is asked for, and
   // then read beside the frames (see graph_reading).
-  static constexpr size_t kMostAtOnce = 300'000, kMostAtStages = 20'000;
+  static constexpr size_t kMaxAtOnce = 300'000, kMaxAtStages = 20'000;
   bool is_left_out() const { return left_out_ > 0; }
   size_t left_out() const { return left_out_; }  // faces
   void ask_for_it() { asked_ = is_left_out(); }

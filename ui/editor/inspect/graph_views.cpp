@@ -23,14 +23,14 @@ namespace kerf {
 
 namespace {
 
-constexpr double kZoomOfNotch = 1.2, kLeastZoom = 0.5, kMostZoom = 400;
-constexpr double kLeastRadius = 1.5, kMostRadius = 9;  // of a node that is a single face, pixels
-constexpr double kRadiusOfLink = 0.38;                 // of a node, relative to the usual link
-constexpr double kTellApart = 16;                      // pixels from node to node
-constexpr double kOutlined = 3;                        // pixels; smaller nodes have no outline
-constexpr double kFilled = 0.46;                       // of the field, by half of the graph
-constexpr double kOffMiddle = 0.35;                    // of half of the field
-constexpr double kScaleBar = 110;                      // pixels, at most
+constexpr double kZoomOfNotch = 1.2, kMinZoom = 0.5, kMaxZoom = 400;
+constexpr double kMinRadius = 1.5, kMaxRadius = 9;  // of a node that is a single face, pixels
+constexpr double kRadiusOfLink = 0.38;              // of a node, relative to the usual link
+constexpr double kTellApart = 16;                   // pixels from node to node
+constexpr double kOutlined = 3;                     // pixels; smaller nodes have no outline
+constexpr double kFilled = 0.46;                    // of the field, by half of the graph
+constexpr double kOffMiddle = 0.35;                 // of half of the field
+constexpr double kScaleBar = 110;                   // pixels, at most
 constexpr double kLongLink =
     1;  // of a layout; longer ones, as over the seam of an unrolled cut, are drawn faintly
 constexpr double kOpaqueLink = 110, kFaintest = 12;
@@ -84,7 +84,7 @@ double GraphCanvas::radius_of(const DrawnGraph::Node& node) const {
 }
 
 // Frames what is wished for.
-void GraphCanvas::fulfil(const Drawn& drawn, double link) {
+void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
   if (wish_ == Wish::kNone || drawn.places.empty()) return;
   Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const Vec2& p : drawn.places) {
@@ -93,11 +93,11 @@ void GraphCanvas::fulfil(const Drawn& drawn, double link) {
   }
   const Vec2 extent = glm::max(high - low, Vec2(1e-9));
   const Vec2 fitting = 2 * kFilled * size_ / (extent * half_);
-  const double all = std::clamp(std::min(fitting.x, fitting.y), kLeastZoom, kMostZoom);
+  const double all = std::clamp(std::min(fitting.x, fitting.y), kMinZoom, kMaxZoom);
   middle_ = 0.5 * (low + high);
   zoom_ = all;
   if (wish_ == Wish::kStart && drawn.start && link > 0) {
-    zoom_ = std::clamp(kTellApart / (link * half_), all, kMostZoom);
+    zoom_ = std::clamp(kTellApart / (link * half_), all, kMaxZoom);
     // A start at the border of the graph is a little off the middle, so that less of the field is empty.
     const Vec2 reach = kOffMiddle * glm::min(0.5 * size_ / (half_ * zoom_), 0.5 * extent);
     middle_ = glm::clamp(drawn.places[*drawn.start], low + reach, high - reach);
@@ -112,7 +112,7 @@ void GraphCanvas::listen() {
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
     const Vec2 from = (vec(io.MousePos) - centre_) / half_;
     const double before = zoom_;
-    zoom_ = std::clamp(zoom_ * std::pow(kZoomOfNotch, io.MouseWheel), kLeastZoom, kMostZoom);
+    zoom_ = std::clamp(zoom_ * std::pow(kZoomOfNotch, io.MouseWheel), kMinZoom, kMaxZoom);
     middle_ += from * (1 / before - 1 / zoom_);
   }
   if (ImGui::IsItemActivated()) dragged_ = false;
@@ -209,9 +209,9 @@ GraphCanvas::Pointer GraphCanvas::draw(const Drawn& drawn, float height) {
     ImGui::SetScrollY(1);
     hovered_ = ImGui::IsItemHovered();
     const double link = usual_link(graph, places);
-    fulfil(drawn, link);
+    execute_requests(drawn, link);
     listen();
-    radius_ = std::clamp(kRadiusOfLink * link * half_ * zoom_, kLeastRadius, kMostRadius);
+    radius_ = std::clamp(kRadiusOfLink * link * half_ * zoom_, kMinRadius, kMaxRadius);
     draw_links(graph, places, link);
     pointer.over = draw_nodes(graph, places);
     if (!hovered_) pointer.over.reset();
@@ -232,7 +232,7 @@ GraphCanvas::Pointer GraphCanvas::draw(const Drawn& drawn, float height) {
 
 namespace {
 
-constexpr size_t kMostRows = 500, kRowsInSight = 14;
+constexpr size_t kMaxRows = 500, kRowsInSight = 14;
 
 // Depth-first, and the pieces of one parent by step.
 class TreeOrder {
@@ -375,14 +375,14 @@ void draw_piece_tree(const std::vector<PieceTreeRow>& rows, const Document& docu
   ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableHeadersRow();
-  for (size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
+  for (size_t i = 0; i < std::min(rows.size(), kMaxRows); ++i) {
     ImGui::PushID(static_cast<int>(i));
     draw_row(rows[i], document, view);
     ImGui::PopID();
   }
   ImGui::EndTable();
-  if (rows.size() > kMostRows)
-    ImGui::TextDisabled("%s more are not listed.", grouped(rows.size() - kMostRows).c_str());
+  if (rows.size() > kMaxRows)
+    ImGui::TextDisabled("%s more are not listed.", grouped(rows.size() - kMaxRows).c_str());
   draw_words(rows, document, view);
 }
 

@@ -39,7 +39,7 @@ class GraphCanvas {
 
  private:
   enum class Wish { kNone, kAll, kStart };
-  void fulfil(const Drawn& drawn, double link);
+  void execute_requests(const Drawn& drawn, double link);
   void listen();
   void draw_links(const DrawnGraph& graph, const GraphLayout& places, double link) const;
   std::optional<uint32_t> draw_nodes(const DrawnGraph& graph, const GraphLayout& places) const;

@@ -147,32 +147,34 @@ struct EndOfMark {
 
 class RulerFeature : public Feature {
  public:
-  explicit RulerFeature(Workspace& on) : on_(on) {}
+  explicit RulerFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{kRuler, Tab::kLook, 1350, false, [this] { draw_panel(); }}};
   }
   std::vector<ActionGroup> actions() override;
 
-  std::unique_ptr<Interaction> claim(const Press& press) override;
-  bool let_go() override { return std::exchange(first_, std::nullopt).has_value(); }
-  const char* hint() const override {
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  bool clear_selection() override { return std::exchange(first_, std::nullopt).has_value(); }
+  const char* status_hint() const override {
     return in_hand() ? "Ruler: two clicks keep a distance; its ends are dragged" : nullptr;
   }
 
-  void forget() override {
+  void on_document_opened() override {
     first_.reset();
     renamed_.reset();
-    list_.read(head_entry(on_.work.scene, kRulerKey));
+    list_.read(head_entry(workspace_.work.scene, kRulerKey));
   }
 
   bool awaits_focus() const override { return renamed_ && take_focus_; }
-  void draw_marks(ImDrawList& list) override;
+  void draw_overlay(ImDrawList& list) override;
   void draw_windows() override {
     if (!std::exchange(field_drawn_, false)) renamed_.reset();
   }
-  void mark(Landmarks& landmarks) const override;
-  void report(nlohmann::ordered_json& report) const override { report[kRulerKey] = list_.to_json(); }
+  void add_landmarks(Landmarks& landmarks) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    report[kRulerKey] = list_.to_json();
+  }
 
  private:
   // Moves an end over the surfaces.
@@ -194,9 +196,9 @@ class RulerFeature : public Feature {
     bool edits_ = false;
   };
 
-  bool in_hand() const { return on_.tool == kRuler; }
-  bool shown() const { return in_hand() || on_.panels.shows(kRuler); }
-  void keep() { set_head_entry(on_.work.scene, kRulerKey, list_.to_json()); }
+  bool in_hand() const { return workspace_.tool == kRuler; }
+  bool shown() const { return in_hand() || workspace_.panels.shows(kRuler); }
+  void keep() { set_head_entry(workspace_.work.scene, kRulerKey, list_.to_json()); }
   std::optional<EndOfMark> end_under_pointer() const;
   void measure();
   void step(bool back);
@@ -207,7 +209,7 @@ class RulerFeature : public Feature {
   void choose_file_to_export();
   std::string export_to(const std::filesystem::path& file);
 
-  Workspace& on_;
+  Workspace& workspace_;
   RulerList list_;
   std::optional<Vec3> first_;      // m, the end that was clicked, of a distance that waits for the other
   std::optional<size_t> renamed_;  // the mark whose name is being edited
@@ -221,14 +223,17 @@ class RulerFeature : public Feature {
 
 std::vector<ActionGroup> RulerFeature::actions() {
   const UserAction take =
-      tool_action(on_, kRuler, "",
+      tool_action(workspace_, kRuler, "",
                   "Two clicks on surfaces keep the distance between them, which is named, moved, "
                   "saved and exported.",
                   true);
   const auto action = [](const char* name, const char* tip, std::function<void()> run,
-                         std::function<const char*()> why_not) {
-    return UserAction{
-        .name = name, .tip = tip, .run = std::move(run), .why_not = std::move(why_not), .in_menu = false};
+                         std::function<const char*()> disabled_reason) {
+    return UserAction{.name = name,
+                      .tip = tip,
+                      .run = std::move(run),
+                      .disabled_reason = std::move(disabled_reason),
+                      .in_menu = false};
   };
   return {
       {302, "Tool", {take}},
@@ -247,35 +252,35 @@ std::vector<ActionGroup> RulerFeature::actions() {
 }
 
 std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
-  const FirstPicture picture(on_.view);
+  const FirstPicture picture(workspace_.view);
   for (size_t i = 0; i < list_.marks().size(); ++i) {
     for (const bool to : {false, true}) {
       const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);
-      if (place && glm::length(*place - on_.pointer) < kReachOfEnd) return EndOfMark{i, to};
+      if (place && glm::length(*place - workspace_.pointer) < kReachOfEnd) return EndOfMark{i, to};
     }
   }
   return std::nullopt;
 }
 
-std::unique_ptr<Interaction> RulerFeature::claim(const Press& press) {
-  if (!in_hand() || press.control || on_.view.in_second) return nullptr;
+std::unique_ptr<Interaction> RulerFeature::begin_interaction(const Press& press) {
+  if (!in_hand() || press.control || workspace_.view.in_second) return nullptr;
   if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
   return std::make_unique<ClickOnce>([this] { measure(); });
 }
 
 // Measures from the last click or to the next one.
 void RulerFeature::measure() {
-  const auto surface = point_under_pointer(on_);
-  if (!surface) return on_.message.say("There is no surface under the pointer.", true);
+  const auto surface = point_under_pointer(workspace_);
+  if (!surface) return workspace_.message.say("There is no surface under the pointer.", true);
   if (!first_) {
     first_ = *surface;
-    return on_.message.say("Click a second point to keep its distance from this one.");
+    return workspace_.message.say("Click a second point to keep its distance from this one.");
   }
   list_.begin_edit();
   list_.add(*std::exchange(first_, std::nullopt), *surface);
   keep();
   const RulerMark& mark = list_.marks().back();
-  on_.message.say(mark.name + ": " + length_label(mark.length(), on_.view.frame.unit));
+  workspace_.message.say(mark.name + ": " + length_label(mark.length(), workspace_.view.frame.unit));
 }
 
 void RulerFeature::step(bool back) {
@@ -328,7 +333,7 @@ void RulerFeature::draw_row(size_t mark) {
   }
   mark_last_item("ruler name", static_cast<int>(mark));
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), on_.view.frame.unit).c_str());
+  ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), workspace_.view.frame.unit).c_str());
   ImGui::TableNextColumn();
   const bool removed = ImGui::SmallButton("remove");
   mark_last_item("ruler remove", static_cast<int>(mark));
@@ -362,37 +367,37 @@ void RulerFeature::edit_name(size_t mark) {
 }
 
 void RulerFeature::choose_file_to_export() {
-  browse(on_.browser,
+  browse(workspace_.browser,
          {.title = "Export the distances",
           .verb = "Export",
           .hint = "Name; the ending is .csv",
           .endings = {".csv"},
           .take = [this](const std::filesystem::path& file) { return export_to(file); },
-          .inputs = [this] { return inputs_of(on_.work); }},
-         on_.settings.folder, "distances.csv");
+          .inputs = [this] { return inputs_of(workspace_.work); }},
+         workspace_.settings.folder, "distances.csv");
 }
 
 std::string RulerFeature::export_to(const std::filesystem::path& file) {
   const Status written = write_file_atomically(file, list_.to_csv());
   if (!written) return written.error().message;
-  on_.message.say("Written: " + file.string());
+  workspace_.message.say("Written: " + file.string());
   return "";
 }
 
 // The picture
 // --------------------------------------------------------------------------------------------------------
 
-void RulerFeature::draw_marks(ImDrawList& list) {
+void RulerFeature::draw_overlay(ImDrawList& list) {
   if (!shown()) return;
   for (const RulerMark& m : list_.marks()) {
-    draw_distance(on_.view, m.from, m.to, m.name + ": " + length_label(m.length(), on_.view.frame.unit),
-                  list);
+    draw_distance(workspace_.view, m.from, m.to,
+                  m.name + ": " + length_label(m.length(), workspace_.view.frame.unit), list);
   }
-  if (first_ && in_hand()) draw_measured_point(on_.view, *first_, list);
+  if (first_ && in_hand()) draw_measured_point(workspace_.view, *first_, list);
 }
 
-void RulerFeature::mark(Landmarks& landmarks) const {
-  const FirstPicture picture(on_.view);
+void RulerFeature::add_landmarks(Landmarks& landmarks) const {
+  const FirstPicture picture(workspace_.view);
   for (size_t i = 0; i < list_.marks().size() && shown(); ++i) {
     const RulerMark& m = list_.marks()[i];
     if (const auto at = picture.place_of(m.from))
@@ -404,6 +409,8 @@ void RulerFeature::mark(Landmarks& landmarks) const {
 
 }  // namespace
 
-std::unique_ptr<Feature> ruler_feature(Workspace& on) { return std::make_unique<RulerFeature>(on); }
+std::unique_ptr<Feature> ruler_feature(Workspace& workspace) {
+  return std::make_unique<RulerFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -30,7 +30,7 @@ float local_value(const Body& body, FaceId f, const Triangle& t, FaceQuantity qu
       return static_cast<float>(body.mesh.data(f).halvings);
     case FaceQuantity::kLongestEdge:
       return static_cast<float>(std::sqrt(longest_edge2(t)));
-    case FaceQuantity::kLeastAngle:
+    case FaceQuantity::kMinAngle:
       return static_cast<float>(least_angle(t));
     case FaceQuantity::kTemperature:
       return static_cast<float>(
@@ -87,7 +87,7 @@ std::string quantity_text(FaceQuantity quantity, double value, FileUnit unit) {
     case FaceQuantity::kLongestEdge:
     case FaceQuantity::kRimDistance:
       return value == 0 ? "0" : length_label(value, unit);
-    case FaceQuantity::kLeastAngle:
+    case FaceQuantity::kMinAngle:
       return text_of("%.1f\u00b0", value);
     case FaceQuantity::kTemperature:
       break;
@@ -130,8 +130,8 @@ void find_extent(ScalarLists lists, Histogram& h) {
 }  // namespace
 
 ScalarRange range_between(double low, double high) {
-  constexpr double kLeastShare = 1e-4;
-  const double apart = std::max(kLeastShare * std::max(std::abs(low), std::abs(high)), 1e-30);
+  constexpr double kMinShare = 1e-4;
+  const double apart = std::max(kMinShare * std::max(std::abs(low), std::abs(high)), 1e-30);
   return {low, std::max(high, low + apart)};
 }
 

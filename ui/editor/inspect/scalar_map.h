@@ -21,7 +21,7 @@ namespace kerf {
 enum class FaceQuantity {
   kLevel,        // how often the area of its loaded face was halved
   kLongestEdge,  // m
-  kLeastAngle,   // degrees; 0 for a face without area
+  kMinAngle,     // degrees; 0 for a face without area
   kTemperature,  // K
   kRimDistance,  // m, of its nearest corner from the nearest rim that a cut made; none far from all rims
 };

@@ -19,7 +19,7 @@ namespace kerf {
 namespace {
 
 constexpr float kPlotEms = 5, kStripEms = 0.45f, kGripEms = 0.38f;
-constexpr double kLeastApart = 0.01;  // of the histogram, between the handles
+constexpr double kMinApart = 0.01;  // of the histogram, between the handles
 
 ImU32 colour_at(const ScalarRange& range, double value) {
   const glm::vec3 c = scalar_colour((value - range.low) / (range.high - range.low));
@@ -82,7 +82,7 @@ bool drag(const Frame& frame, ScalarRange& range) {
     storage.SetBool(held, std::abs(x - frame.x_of(range.high)) < std::abs(x - frame.x_of(range.low)));
   const ScalarRange before = range;
   const Histogram& h = frame.histogram;
-  const double apart = kLeastApart * (h.to - h.from), value = frame.value_at(x);
+  const double apart = kMinApart * (h.to - h.from), value = frame.value_at(x);
   if (storage.GetBool(held)) {
     range.high = std::max(value, range.low + apart);
   } else {
@@ -129,20 +129,20 @@ constexpr const char* kTip = "Colours every face by a quantity, with a legend in
 
 class ScalarMapFeature : public Feature {
  public:
-  explicit ScalarMapFeature(Workspace& on) : on_(on) {}
+  explicit ScalarMapFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{kScalarPanel, Tab::kLook, 1060, false, [this] { draw(); }}};
   }
   std::vector<ActionGroup> actions() override;
-  void follow(const Delta& delta) override { map_.follow(on_.world(), delta); }
-  void forget() override {
+  void on_world_changed(const Delta& delta) override { map_.follow(workspace_.world(), delta); }
+  void on_document_opened() override {
     map_.forget();
-    on_.view.look.scalar.reset();
+    workspace_.view.look.scalar.reset();
   }
-  void follow_queue(double) override;
-  bool moving() const override { return map_.is_old(); }
-  void report(nlohmann::ordered_json& report) const override;
+  void after_queue(double) override;
+  bool needs_redraw() const override { return map_.is_old(); }
+  void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
   void show(std::optional<FaceQuantity> quantity);
@@ -154,7 +154,7 @@ class ScalarMapFeature : public Feature {
   bool draw_end(const char* name, double& end, const char* meaning);
   UserAction action(std::optional<FaceQuantity> quantity);
 
-  Workspace& on_;
+  Workspace& workspace_;
   ScalarMap map_;
   NumberFields fields_;
   FileUnit unit_ = FileUnit::kMetre;  // of the labels that the picture has
@@ -163,9 +163,9 @@ class ScalarMapFeature : public Feature {
 
 UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
   const std::string name = std::string("Colour faces by: ") + (quantity ? name_of(*quantity) : "paint");
-  UserAction action = picture_action(on_.view, name.c_str(), kTip, [this, quantity] {
+  UserAction action = picture_action(workspace_.view, name.c_str(), kTip, [this, quantity] {
     show(quantity);
-    if (quantity) on_.panels.show(kScalarPanel);
+    if (quantity) workspace_.panels.show(kScalarPanel);
   });
   action.checked = [this, quantity] { return map_.shown() == quantity; };
   return action;
@@ -179,7 +179,7 @@ std::vector<ActionGroup> ScalarMapFeature::actions() {
 
 // The other ways to colour faces end.
 void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
-  ShowOptions& others = on_.view.look.show;
+  ShowOptions& others = workspace_.view.look.show;
   if (quantity) others.pieces = others.sizes = others.heat = false;
   map_.show(quantity);
   next_ = 0;
@@ -187,36 +187,38 @@ void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
 }
 
 // Ends where another way to colour faces is switched on.
-void ScalarMapFeature::follow_queue(double) {
+void ScalarMapFeature::after_queue(double) {
   if (!map_.shown()) return;
-  const ShowOptions& others = on_.view.look.show;
+  const ShowOptions& others = workspace_.view.look.show;
   if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
-  map_.follow_steps(on_.world(), on_.work.document.waiting() > 0);
-  map_.follow_heat(on_.world());
+  map_.follow_steps(workspace_.world(), workspace_.work.document.waiting() > 0);
+  map_.follow_heat(workspace_.world());
   if (map_.is_old()) update();
-  if (unit_ != on_.view.frame.unit) hand_over();
+  if (unit_ != workspace_.view.frame.unit) hand_over();
 }
 
 void ScalarMapFeature::update() {
-  const auto now = [this] { return on_.clock != nullptr ? on_.clock->seconds() : 0.0; };
+  const auto now = [this] { return workspace_.clock != nullptr ? workspace_.clock->seconds() : 0.0; };
   const double began = now();
   if (began < next_) return;
-  const bool shown_before = on_.view.look.scalar != nullptr, changed_before = on_.view.picture_old;
-  map_.update(on_.world(),
-              on_.picture != nullptr ? on_.picture->first().loaded_shadings() : LoadedShadings());
+  const bool shown_before = workspace_.view.look.scalar != nullptr,
+             changed_before = workspace_.view.picture_old;
+  map_.update(workspace_.world(), workspace_.picture != nullptr
+                                      ? workspace_.picture->first().loaded_shadings()
+                                      : LoadedShadings());
   next_ = now() + kRestShare * (now() - began);
   hand_over();
   // Heat alone moves no shape.
   if (shown_before && map_.shown() == FaceQuantity::kTemperature) {
-    on_.view.picture_old = changed_before;
-    on_.view.heat_old = true;
+    workspace_.view.picture_old = changed_before;
+    workspace_.view.heat_old = true;
   }
 }
 
 void ScalarMapFeature::hand_over() {
-  unit_ = on_.view.frame.unit;
-  on_.view.look.scalar = map_.field(unit_);
-  on_.view.picture_old = true;
+  unit_ = workspace_.view.frame.unit;
+  workspace_.view.look.scalar = map_.field(unit_);
+  workspace_.view.picture_old = true;
 }
 
 void ScalarMapFeature::draw() {
@@ -268,8 +270,9 @@ bool ScalarMapFeature::draw_end(const char* name, double& end, const char* meani
   switch (*map_.shown()) {
     case FaceQuantity::kLongestEdge:
     case FaceQuantity::kRimDistance:
-      return length_field(fields_, name, end, label_unit(map_.range().high, on_.view.frame.unit), meaning);
-    case FaceQuantity::kLeastAngle:
+      return length_field(fields_, name, end, label_unit(map_.range().high, workspace_.view.frame.unit),
+                          meaning);
+    case FaceQuantity::kMinAngle:
       return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
     case FaceQuantity::kTemperature:
       return fields_.number(name, end, "%.0f K", meaning);
@@ -279,7 +282,7 @@ bool ScalarMapFeature::draw_end(const char* name, double& end, const char* meani
   return fields_.number(name, end, "%.3g", meaning);
 }
 
-void ScalarMapFeature::report(nlohmann::ordered_json& report) const {
+void ScalarMapFeature::write_session_log(nlohmann::ordered_json& report) const {
   nlohmann::ordered_json& all = report["scalar_map"];
   all["quantity"] = nullptr;
   if (!map_.shown()) return;
@@ -292,6 +295,8 @@ void ScalarMapFeature::report(nlohmann::ordered_json& report) const {
 
 }  // namespace
 
-std::unique_ptr<Feature> scalar_map_feature(Workspace& on) { return std::make_unique<ScalarMapFeature>(on); }
+std::unique_ptr<Feature> scalar_map_feature(Workspace& workspace) {
+  return std::make_unique<ScalarMapFeature>(workspace);
+}
 
 }  // namespace kerf

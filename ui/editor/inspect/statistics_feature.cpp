@@ -107,18 +107,20 @@ void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown)
 
 class StatisticsFeature : public Feature {
  public:
-  explicit StatisticsFeature(Workspace& on) : on_(on) {}
+  explicit StatisticsFeature(Workspace& workspace) : workspace_(workspace) {}
   std::vector<Panel> panels() override {
     return {{"Statistics", Tab::kLook, 1400, false,
-             [this] { draw_statistics_panel(on_.statistics.chart, on_.statistics.shown); }}};
+             [this] { draw_statistics_panel(workspace_.statistics.chart, workspace_.statistics.shown); }}};
   }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
 };
 
 }  // namespace
 
-std::unique_ptr<Feature> statistics_feature(Workspace& on) { return std::make_unique<StatisticsFeature>(on); }
+std::unique_ptr<Feature> statistics_feature(Workspace& workspace) {
+  return std::make_unique<StatisticsFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -112,21 +112,23 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
   end_properties();
 }
 
-UserAction level_action(Workspace& on, const char* name, int by) {
-  UserAction action =
-      picture_action(on.view, name, "Levels of the tree under its root that are drawn.", [&on, by] {
-        const int all = std::max(1, on.statistics.shown.tree_depth.value_or(1));
-        int& deepest = on.view.look.tree.deepest;
+UserAction level_action(Workspace& workspace, const char* name, int by) {
+  UserAction action = picture_action(
+      workspace.view, name, "Levels of the tree under its root that are drawn.", [&workspace, by] {
+        const int all = std::max(1, workspace.statistics.shown.tree_depth.value_or(1));
+        int& deepest = workspace.view.look.tree.deepest;
         deepest = std::max(0, std::min(deepest, all) + by);
       });
-  action.why_not = [&on] { return on.view.look.show.aabb ? nullptr : "The boxes are not shown."; };
+  action.disabled_reason = [&workspace] {
+    return workspace.view.look.show.aabb ? nullptr : "The boxes are not shown.";
+  };
   return action;
 }
 
-UserAction palette_action(Workspace& on) {
-  BoxPalette& palette = on.settings.palette;
+UserAction palette_action(Workspace& workspace) {
+  BoxPalette& palette = workspace.settings.palette;
   UserAction action = picture_action(
-      on.view, "Boxes: orange and blue",
+      workspace.view, "Boxes: orange and blue",
       "Colours that can be told apart by the colour-blind, in place of red and green.", [&palette] {
         palette = palette == BoxPalette::kRedAndGreen ? BoxPalette::kOrangeAndBlue : BoxPalette::kRedAndGreen;
       });
@@ -136,36 +138,40 @@ UserAction palette_action(Workspace& on) {
 
 class TreeFeature : public Feature {
  public:
-  explicit TreeFeature(Workspace& on) : on_(on) {}
+  explicit TreeFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Tree", Tab::kLook, 1050, false,
-             [this] { draw_tree_panel(on_.view, on_.world(), on_.settings, on_.statistics.shown); }}};
+    return {{"Tree", Tab::kLook, 1050, false, [this] {
+               draw_tree_panel(workspace_.view, workspace_.world(), workspace_.settings,
+                               workspace_.statistics.shown);
+             }}};
   }
   std::vector<ActionGroup> actions() override {
-    TreeOverlay& tree = on_.view.look.tree;
-    return {
-        {1402,
-         "Tree",
-         {flag_action(on_.view, "Boxes: leaves only", tree.leaves_only, "Only the boxes that hold one face."),
-          flag_action(on_.view, "Boxes: only where the beam was", tree.hit_only,
-                      "Only the boxes in which the beam is or was."),
-          level_action(on_, "Boxes: one level more", 1), level_action(on_, "Boxes: one level less", -1),
-          palette_action(on_)}}};
+    TreeOverlay& tree = workspace_.view.look.tree;
+    return {{1402,
+             "Tree",
+             {flag_action(workspace_.view, "Boxes: leaves only", tree.leaves_only,
+                          "Only the boxes that hold one face."),
+              flag_action(workspace_.view, "Boxes: only where the beam was", tree.hit_only,
+                          "Only the boxes in which the beam is or was."),
+              level_action(workspace_, "Boxes: one level more", 1),
+              level_action(workspace_, "Boxes: one level less", -1), palette_action(workspace_)}}};
   }
-  void advance(double) override { on_.statistics.depth_wanted = on_.panels.shows("Tree"); }
-  void follow(const Delta&) override {
-    std::optional<BodyId>& body = on_.view.look.tree.body;
-    if (body && !on_.world().contains(*body)) body.reset();
+  void update(double) override { workspace_.statistics.depth_wanted = workspace_.panels.shows("Tree"); }
+  void on_world_changed(const Delta&) override {
+    std::optional<BodyId>& body = workspace_.view.look.tree.body;
+    if (body && !workspace_.world().contains(*body)) body.reset();
   }
-  void forget() override { on_.view.look.tree.body.reset(); }
+  void on_document_opened() override { workspace_.view.look.tree.body.reset(); }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
 };
 
 }  // namespace
 
-std::unique_ptr<Feature> tree_feature(Workspace& on) { return std::make_unique<TreeFeature>(on); }
+std::unique_ptr<Feature> tree_feature(Workspace& workspace) {
+  return std::make_unique<TreeFeature>(workspace);
+}
 
 }  // namespace kerf

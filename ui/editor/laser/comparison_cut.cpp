@@ -20,7 +20,7 @@ namespace {
 // The world that the first's last stroke began with, or as it is where nothing was cut; none: too large.
 std::optional<World> world_to_cut(Document& first) {
   if (first.history().last_cut()) return first.before_last_stroke();
-  if (first.world().live_faces() > Document::kMostFacesToCopy) return std::nullopt;
+  if (first.world().live_faces() > Document::kMaxFacesToCopy) return std::nullopt;
   return first.world();
 }
 
@@ -55,7 +55,7 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
       start->settings.resolution = resolution_;
     }
     // Time stands still in the twin.
-    const bool in_time = std::visit([]<typename C>(const C&) { return HappensInTime<C>; }, command);
+    const bool in_time = std::visit([]<typename C>(const C&) { return TimedCommand<C>; }, command);
     if (in_time) continue;
     const Outcome applied = document_.apply(command);
     KERF_ASSERT(applied.ok());
@@ -89,8 +89,9 @@ void draw_half_label(const Area& half, const std::string& what, const std::strin
 
 class SplitFeature : public Feature {
  public:
-  explicit SplitFeature(Workspace& on) : on_(on) {
-    on.time_holds.push_back([this] { return shown_ ? "Bodies stand still in the split view." : nullptr; });
+  explicit SplitFeature(Workspace& workspace) : workspace_(workspace) {
+    workspace.time_holds.push_back(
+        [this] { return shown_ ? "Bodies stand still in the split view." : nullptr; });
   }
 
   std::vector<Panel> panels() override {
@@ -106,66 +107,67 @@ class SplitFeature : public Feature {
                          .checked = [this] { return shown_; }}}}};
   }
 
-  void follow_queue(double) override;
-  bool moving() const override { return twin_.waiting() > 0; }
-  void forget() override { begin_anew(); }
-  void draw_marks(ImDrawList& list) override;
-  void report(nlohmann::ordered_json& report) const override {
+  void after_queue(double) override;
+  bool needs_redraw() const override { return twin_.waiting() > 0; }
+  void on_document_opened() override { begin_anew(); }
+  void draw_overlay(ImDrawList& list) override;
+  void write_session_log(nlohmann::ordered_json& report) const override {
     report["split"] = {{"shown", shown_}, {"faces", twin_.world().live_faces()}};
   }
 
  private:
   // A stroke by hand ends.
   void show(bool shown) {
-    cancel_stroke(on_);
+    cancel_stroke(workspace_);
     shown_ = shown;
     begin_anew();
-    on_.view.in_second = false;
-    on_.view.picture_old = true;
+    workspace_.view.in_second = false;
+    workspace_.view.picture_old = true;
   }
   void begin_anew() {
     twin_.forget();
-    on_.second = shown_ ? &twin_.world() : nullptr;
+    workspace_.second = shown_ ? &twin_.world() : nullptr;
   }
   void draw_rows();
   bool cut(Renderer& renderer);
 
-  Workspace& on_;
+  Workspace& workspace_;
   bool shown_ = false;
   ResolutionControls resolution_{.edge_fraction = 1};
   TwinCut twin_;
 };
 
-void SplitFeature::follow_queue(double) {
-  on_.statistics.shown.twin_faces = twin_.world().live_faces();
+void SplitFeature::after_queue(double) {
+  workspace_.statistics.shown.twin_faces = twin_.world().live_faces();
   if (!shown_) return;
-  const Result<Renderer*> half = on_.picture->second();
+  const Result<Renderer*> half = workspace_.picture->second();
   if (!half) {
     show(false);
-    return on_.message.say(half.error().message, true);
+    return workspace_.message.say(half.error().message, true);
   }
-  const double began = on_.clock->seconds();
+  const double began = workspace_.clock->seconds();
   const bool anything = cut(**half);
-  on_.second = &twin_.world();
+  workspace_.second = &twin_.world();
   if (!anything) return;
-  on_.cut_seconds += on_.clock->seconds() - began;
-  on_.view.picture_old = on_.statistics.world_changed = true;
+  workspace_.cut_seconds += workspace_.clock->seconds() - began;
+  workspace_.view.picture_old = workspace_.statistics.world_changed = true;
 }
 
 // Returns whether anything was queued, or the world is another one.
 bool SplitFeature::cut(Renderer& renderer) {
-  const bool anew = twin_.follow(on_.work.document, resolution_);
-  if (anew) on_.changes.show_world(twin_.world(), renderer);
+  const bool anew = twin_.follow(workspace_.work.document, resolution_);
+  if (anew) workspace_.changes.show_world(twin_.world(), renderer);
   const bool waited = twin_.waiting() > 0;
-  while (twin_.waiting() > 0 && on_.clock->seconds() < on_.cut_until) {
+  while (twin_.waiting() > 0 && workspace_.clock->seconds() < workspace_.cut_until) {
     const Result<StepResult> step = twin_.step(kMovesOfTwin);
     if (!step) {
       renderer.resend(twin_.world());
-      on_.message.say("In the right half: " + step.error().message, true);
+      workspace_.message.say("In the right half: " + step.error().message, true);
       break;
     }
     renderer.follow(twin_.world(), step->delta);
-    if (on_.view.look.ghost || on_.view.look.show.face_numbers) renderer.send_faces(twin_.world());
+    if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
+      renderer.send_faces(twin_.world());
   }
   return anew || waited;
 }
@@ -174,33 +176,35 @@ void SplitFeature::draw_rows() {
   if (!begin_properties("split view")) return;
   property("Split view");
   bool shown = shown_;
-  if (ImGui::Checkbox((with_shortcut(on_.view, "two resolutions", "Split view") + "###split").c_str(),
+  if (ImGui::Checkbox((with_shortcut(workspace_.view, "two resolutions", "Split view") + "###split").c_str(),
                       &shown))
     show(shown);
   tooltip("The last stroke once more beside the picture, at a resolution of its own.");
   if (shown_) {
     property("Right half");
     ImGui::Dummy({1, ImGui::GetFrameHeight()});
-    if (resolution_rows(resolution_, {on_.laser.radius, on_.view.frame.unit})) on_.view.picture_old = true;
-    figure_row("Faces", grouped(on_.statistics.shown.twin_faces), "Faces of all bodies in the right half.");
+    if (resolution_rows(resolution_, {workspace_.laser.radius, workspace_.view.frame.unit}))
+      workspace_.view.picture_old = true;
+    figure_row("Faces", grouped(workspace_.statistics.shown.twin_faces),
+               "Faces of all bodies in the right half.");
   }
   end_properties();
 }
 
-void SplitFeature::draw_marks(ImDrawList& list) {
-  const Layout& l = on_.view.layout;
+void SplitFeature::draw_overlay(ImDrawList& list) {
+  const Layout& l = workspace_.view.layout;
   if (!l.split()) return;
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   const bool cut = document.history().strokes() > 0;
-  const double radius = on_.laser.radius;
-  const FileUnit unit = on_.view.frame.unit;
+  const double radius = workspace_.laser.radius;
+  const FileUnit unit = workspace_.view.frame.unit;
   draw_half_label(
       l.first,
-      resolution_text(cut ? document.history().last_settings().resolution : on_.laser.resolution.of(radius),
-                      unit),
-      count_text(on_.statistics.shown.faces, "face"), list);
+      resolution_text(
+          cut ? document.history().last_settings().resolution : workspace_.laser.resolution.of(radius), unit),
+      count_text(workspace_.statistics.shown.faces, "face"), list);
   draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
-                  twin_.there() ? count_text(on_.statistics.shown.twin_faces, "face")
+                  twin_.there() ? count_text(workspace_.statistics.shown.twin_faces, "face")
                                 : "Too large to be cut twice (more than 400 000 faces)",
                   list);
   const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
@@ -210,6 +214,8 @@ void SplitFeature::draw_marks(ImDrawList& list) {
 
 }  // namespace
 
-std::unique_ptr<Feature> split_feature(Workspace& on) { return std::make_unique<SplitFeature>(on); }
+std::unique_ptr<Feature> split_feature(Workspace& workspace) {
+  return std::make_unique<SplitFeature>(workspace);
+}
 
 }  // namespace kerf

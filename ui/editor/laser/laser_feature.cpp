@@ -61,28 +61,30 @@ bool draw_laser_panel(LaserControls& laser, FileUnit unit) {
 
 constexpr const char* kLaserTool = "Laser";
 constexpr double kRadiusStep = 1.25;
-constexpr double kLeastRing = 3, kMostRing = 400;  // pixels
+constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 
 // The stroke that is drawn by hand.
 class DrawnStroke : public Interaction {
  public:
-  DrawnStroke(Workspace& on, double heard) : on_(on) {
-    on.beam.press(on.work.document, on.view.seen(), on.view.in_picture(on.pointer), on.laser, heard);
+  DrawnStroke(Workspace& workspace, double heard) : workspace_(workspace) {
+    workspace.beam.press(workspace.work.document, workspace.view.seen(),
+                         workspace.view.in_picture(workspace.pointer), workspace.laser, heard);
   }
 
   void move(const InputEvent& event) override {
-    on_.beam.move(on_.work.document, on_.view.seen(), on_.view.in_picture(on_.pointer),
-                  2 / on_.view.pane().size.y, event.seconds);
+    workspace_.beam.move(workspace_.work.document, workspace_.view.seen(),
+                         workspace_.view.in_picture(workspace_.pointer), 2 / workspace_.view.pane().size.y,
+                         event.seconds);
   }
   void release(const InputEvent& event) override {
-    if (event.button == GLFW_MOUSE_BUTTON_LEFT) cancel_stroke(on_);
+    if (event.button == GLFW_MOUSE_BUTTON_LEFT) cancel_stroke(workspace_);
   }
-  bool over() const override { return !on_.beam.cutting(); }
+  bool over() const override { return !workspace_.beam.cutting(); }
   bool cuts() const override { return true; }
   const char* words() const override { return "Cutting: release to end, Esc ends"; }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
 };
 
 const char* why_no_recut(const Document& document) {
@@ -108,56 +110,59 @@ void stroke_rows(const std::optional<ShownStatistics::Stroke>& stroke, FileUnit 
 
 class LaserFeature : public Feature {
  public:
-  explicit LaserFeature(Workspace& on) : on_(on) {}
+  explicit LaserFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{"Laser", Tab::kCut, 100, true,
              [this] {
-               if (draw_laser_panel(on_.laser, on_.view.frame.unit)) cut_again_live(true);
+               if (draw_laser_panel(workspace_.laser, workspace_.view.frame.unit)) cut_again_live(true);
              }},
             {"Resolution", Tab::kCut, 400, true, [this] { draw_resolution(); }}};
   }
   std::vector<ActionGroup> actions() override {
-    return {{300, "Tool", {tool_action(on_, kLaserTool, "L", "Left drag cuts.")}},
+    return {{300, "Tool", {tool_action(workspace_, kLaserTool, "L", "Left drag cuts.")}},
             {304, "Tool", {recut_action()}},
             {1000, "Laser", laser_actions()}};
   }
   std::vector<Gesture> gestures() const override { return {{10, "Left drag", "Cut where the pointer goes"}}; }
 
-  std::unique_ptr<Interaction> claim(const Press& press) override;
-  bool stop() override {
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  bool cancel() override {
     const bool at_work = can_stop();
-    if (at_work) on_.changes.ask("Stop cutting", [this] { stop_cutting(); });
-    return cancel_stroke(on_) || at_work;
+    if (at_work) workspace_.changes.ask("Stop cutting", [this] { stop_cutting(); });
+    return cancel_stroke(workspace_) || at_work;
   }
-  const char* hint() const override {
-    return on_.cut_once ? "Laser: left drag cuts, Ctrl+click picks"
-                        : "Laser: left drag cuts, F1 shows all shortcuts";
-  }
-
-  void advance(double) override {
-    if (on_.beam.cutting()) on_.view.picture_old = true;
-    if (on_.changes.is_pending()) return;
-    on_.beam.follow_time(on_.work.document, on_.plays);
-    on_.beam.go_on(on_.work.document, on_.clock->seconds());
-  }
-  void follow_queue(double seconds) override;
-  void report(nlohmann::ordered_json& report) const override {
-    report["laser"] = {{"radius", on_.laser.radius}, {"power", on_.laser.power}};
-  }
-  bool moving() const override { return sparks_.moving() || on_.changes.can_cut() || on_.beam.emits(); }
-  void forget() override {
-    on_.beam = LaserTool();
-    on_.cut_once = false;
-    on_.laser.fit(on_.world().loaded_bounds().diagonal());
+  const char* status_hint() const override {
+    return workspace_.cut_once ? "Laser: left drag cuts, Ctrl+click picks"
+                               : "Laser: left drag cuts, F1 shows all shortcuts";
   }
 
-  void draw_marks(ImDrawList& list) override {
+  void update(double) override {
+    if (workspace_.beam.cutting()) workspace_.view.picture_old = true;
+    if (workspace_.changes.is_pending()) return;
+    workspace_.beam.follow_time(workspace_.work.document, workspace_.plays);
+    workspace_.beam.go_on(workspace_.work.document, workspace_.clock->seconds());
+  }
+  void after_queue(double seconds) override;
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    report["laser"] = {{"radius", workspace_.laser.radius}, {"power", workspace_.laser.power}};
+  }
+  bool needs_redraw() const override {
+    return sparks_.moving() || workspace_.changes.can_cut() || workspace_.beam.emits();
+  }
+  void on_document_opened() override {
+    workspace_.beam = LaserTool();
+    workspace_.cut_once = false;
+    workspace_.laser.fit(workspace_.world().loaded_bounds().diagonal());
+  }
+
+  void draw_overlay(ImDrawList& list) override {
     draw_ring(list);
-    waiting_.draw(on_.view, list);
-    const bool knows_how = on_.cut_once || on_.work.document.history().last_cut();
-    if (!on_.view.look.stage && !knows_how && on_.tool == kLaserTool && !on_.opening.loader.busy())
-      draw_hint_box(on_.world(), on_.view, on_.view.legends);
+    waiting_.draw(workspace_.view, list);
+    const bool knows_how = workspace_.cut_once || workspace_.work.document.history().last_cut();
+    if (!workspace_.view.look.stage && !knows_how && workspace_.tool == kLaserTool &&
+        !workspace_.opening.loader.busy())
+      draw_hint_box(workspace_.world(), workspace_.view, workspace_.view.legends);
   }
 
  private:
@@ -170,13 +175,14 @@ class LaserFeature : public Feature {
   UserAction finer_action(const char* name, int steps);
 
   void cut_again_live(bool radius) {
-    if (on_.settings.live_recut && why_no_recut(on_.work.document) == nullptr) ask_for_recut(radius);
+    if (workspace_.settings.live_recut && why_no_recut(workspace_.work.document) == nullptr)
+      ask_for_recut(radius);
   }
   void ask_for_recut(bool radius);
   void recut(bool radius);
   void stop_cutting();
 
-  Workspace& on_;
+  Workspace& workspace_;
   CutProgress progress_;
   BeamSparks sparks_;
   WaitingStrokes waiting_;
@@ -186,25 +192,25 @@ class LaserFeature : public Feature {
 // Input
 // --------------------------------------------------------------------------------------------------------
 
-std::unique_ptr<Interaction> LaserFeature::claim(const Press& press) {
-  if (on_.opening.loader.busy()) {
-    on_.message.say("The laser waits until " + on_.opening.loader.order().name() + " is open.");
+std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press) {
+  if (workspace_.opening.loader.busy()) {
+    workspace_.message.say("The laser waits until " + workspace_.opening.loader.order().name() + " is open.");
     return nullptr;
   }
-  stand_together(on_);
-  cancel_stroke(on_);
-  on_.view.camera.finish();
-  auto stroke = std::make_unique<DrawnStroke>(on_, press.event.seconds);
-  on_.cut_once = true;
-  on_.message.say("");
+  stand_together(workspace_);
+  cancel_stroke(workspace_);
+  workspace_.view.camera.finish();
+  auto stroke = std::make_unique<DrawnStroke>(workspace_, press.event.seconds);
+  workspace_.cut_once = true;
+  workspace_.message.say("");
   return stroke;
 }
 
 // A stroke that was drawn to its end stops at once, one that is being drawn when its cut lags behind.
 bool LaserFeature::can_stop() const {
-  const Execution& execution = on_.work.document.execution();
-  if (on_.beam.cutting()) return progress_.can_stop();
-  return !on_.holds_back() && execution.beam_waits() && execution.moves_wait();
+  const Execution& execution = workspace_.work.document.execution();
+  if (workspace_.beam.cutting()) return progress_.can_stop();
+  return !workspace_.holds_back() && execution.beam_waits() && execution.moves_wait();
 }
 
 UserAction LaserFeature::recut_action() {
@@ -212,7 +218,7 @@ UserAction LaserFeature::recut_action() {
           .shortcut = "R",
           .tip = "At the resolution that is set now.",
           .run = [this] { ask_for_recut(false); },
-          .why_not = [this] { return why_no_recut(on_.work.document); },
+          .disabled_reason = [this] { return why_no_recut(workspace_.work.document); },
           .ends_group = true};
 }
 
@@ -221,7 +227,7 @@ UserAction LaserFeature::radius_action(const char* name, double factor) {
           .tip = "By a quarter. The last stroke follows while that is on in the Resolution panel.",
           .run =
               [this, factor] {
-                LaserControls& laser = on_.laser;
+                LaserControls& laser = workspace_.laser;
                 laser.radius =
                     std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
                                laser.default_radius * LaserControls::kRadiusSpan);
@@ -236,7 +242,7 @@ UserAction LaserFeature::finer_action(const char* name, int steps) {
           .tip = "Halves or doubles the size of the faces along the cut, or splits once more or less.",
           .run =
               [this, steps] {
-                make_finer(on_.laser.resolution, steps);
+                make_finer(workspace_.laser.resolution, steps);
                 cut_again_live(false);
               },
           .in_menu = false};
@@ -244,9 +250,9 @@ UserAction LaserFeature::finer_action(const char* name, int steps) {
 
 std::vector<UserAction> LaserFeature::laser_actions() {
   using Rule = Resolution::Rule;
-  Pattern& pattern = on_.laser.pattern;
-  ResolutionControls& resolution = on_.laser.resolution;
-  bool& live = on_.settings.live_recut;
+  Pattern& pattern = workspace_.laser.pattern;
+  ResolutionControls& resolution = workspace_.laser.resolution;
+  bool& live = workspace_.settings.live_recut;
   const auto choice = [this](const char* name, auto& value, auto set, const char* tip) {
     return setting_action("Resolution", name, tip, value, set, [this] { cut_again_live(false); });
   };
@@ -283,23 +289,25 @@ std::vector<UserAction> LaserFeature::laser_actions() {
 
 void LaserFeature::draw_resolution() {
   if (!begin_properties("resolution")) return;
-  const bool changed = resolution_rows(on_.laser.resolution, {on_.laser.radius, on_.view.frame.unit});
+  const bool changed =
+      resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
   property("Last stroke");
-  const char* why_not = why_no_recut(on_.work.document);
-  ImGui::BeginDisabled(why_not != nullptr);
+  const char* disabled_reason = why_no_recut(workspace_.work.document);
+  ImGui::BeginDisabled(disabled_reason != nullptr);
   if (ImGui::Button("Cut again", {-1, 0})) ask_for_recut(false);
   ImGui::EndDisabled();
-  const std::string meaning = with_shortcut(
-      on_.view, "Takes the last stroke back and cuts it at this resolution.", "Cut the last stroke again");
-  tooltip(why_not != nullptr ? why_not : meaning.c_str());
+  const std::string meaning =
+      with_shortcut(workspace_.view, "Takes the last stroke back and cuts it at this resolution.",
+                    "Cut the last stroke again");
+  tooltip(disabled_reason != nullptr ? disabled_reason : meaning.c_str());
   property("");
-  ImGui::Checkbox("as the slider moves", &on_.settings.live_recut);
+  ImGui::Checkbox("as the slider moves", &workspace_.settings.live_recut);
   tooltip(
       "Moving a slider above, or that of the radius, cuts the last stroke again: the same cut, just with "
       "different parameters.");
   if (changed) cut_again_live(false);
-  figure_row("Faces", grouped(on_.statistics.shown.faces), "Faces of all bodies as they stand.");
-  stroke_rows(on_.statistics.shown.stroke, on_.view.frame.unit);
+  figure_row("Faces", grouped(workspace_.statistics.shown.faces), "Faces of all bodies as they stand.");
+  stroke_rows(workspace_.statistics.shown.stroke, workspace_.view.frame.unit);
   end_properties();
 }
 
@@ -308,17 +316,17 @@ void LaserFeature::draw_resolution() {
 
 void LaserFeature::ask_for_recut(bool radius) {
   recut_radius_ = recut_radius_ || radius;
-  on_.changes.ask("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
+  workspace_.changes.ask("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
 }
 
 // Undoes the last stroke and queues it again at the resolution that is set now, and with `radius` with the
 // radius, too; its other settings stay. Consecutive recuts are one step of the history.
 void LaserFeature::recut(bool radius) {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   if (why_no_recut(document) != nullptr) return;
   CutSettings settings = document.history().last_settings();
-  if (radius) settings.laser.radius = on_.laser.radius;
-  settings.resolution = on_.laser.resolution.of(settings.laser.radius);
+  if (radius) settings.laser.radius = workspace_.laser.radius;
+  settings.resolution = workspace_.laser.resolution.of(settings.laser.radius);
   std::vector<Command> commands;
   const HistoryStep& last = document.history().last();
   const bool again = last.kind() == HistoryStep::Kind::kRecut;
@@ -326,47 +334,52 @@ void LaserFeature::recut(bool radius) {
   commands.emplace_back(Recut{settings});
   // The time that passed after the recut that is undone passes again.
   if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
-  on_.changes.change("Cut again", true, apply_all(std::move(commands)));
-  ++on_.statistics.recuts;
+  workspace_.changes.change("Cut again", true, apply_all(std::move(commands)));
+  ++workspace_.statistics.recuts;
 }
 
 // Ends the stroke that is being cut where it is, and takes back those that wait behind it.
 void LaserFeature::stop_cutting() {
-  cancel_stroke(on_);
-  on_.changes.change(
+  cancel_stroke(workspace_);
+  workspace_.changes.change(
       "Stop cutting", true, [](Document& document, const Progress*) { return stop_strokes(document); },
       "Stopped: the stroke ends here. Undo takes it back.");
 }
 
-void LaserFeature::follow_queue(double seconds) {
-  if (!on_.changes.is_pending()) {
-    progress_.follow(on_.work.document, on_.holds_back(), seconds);
-    on_.statistics.shown.work = progress_.text();
+void LaserFeature::after_queue(double seconds) {
+  if (!workspace_.changes.is_pending()) {
+    progress_.follow(workspace_.work.document, workspace_.holds_back(), seconds);
+    workspace_.statistics.shown.work = progress_.text();
   }
-  const bool changed = !on_.changes.is_pending() &&
-                       waiting_.follow(on_.work.document, on_.view.frame.unit, on_.stroke_waits(), seconds);
-  sparks_.advance(std::min(seconds, Workspace::kLongestStep), on_.beam, on_.work.document, waiting_, changed,
-                  on_.view);
+  const bool changed = !workspace_.changes.is_pending() &&
+                       waiting_.follow(workspace_.work.document, workspace_.view.frame.unit,
+                                       workspace_.stroke_waits(), seconds);
+  sparks_.advance(std::min(seconds, Workspace::kLongestStep), workspace_.beam, workspace_.work.document,
+                  waiting_, changed, workspace_.view);
 }
 
 // As large as the cut would be where the pointer is.
 void LaserFeature::draw_ring(ImDrawList& list) const {
-  const bool cuts = dynamic_cast<const DrawnStroke*>(on_.held.get()) != nullptr;
-  if (!cuts && (!on_.points() || on_.tool != kLaserTool || is_on_axes(on_.view, on_.pointer))) return;
-  const CameraView view = on_.view.seen();
-  const Vec2 p = on_.view.in_picture(on_.pointer);
-  const auto seen_face = pick(on_.world(), on_.view.look, view.ray(p.x, p.y));
+  const bool cuts = dynamic_cast<const DrawnStroke*>(workspace_.held.get()) != nullptr;
+  if (!cuts && (!workspace_.points() || workspace_.tool != kLaserTool ||
+                is_on_axes(workspace_.view, workspace_.pointer)))
+    return;
+  const CameraView view = workspace_.view.seen();
+  const Vec2 p = workspace_.view.in_picture(workspace_.pointer);
+  const auto seen_face = pick(workspace_.world(), workspace_.view.look, view.ray(p.x, p.y));
   const double distance = seen_face ? seen_face->length : view.focus;
   const double seen = view.parallel ? view.half_height() : distance * view.tan_half_fov;
-  const double pixels = on_.laser.radius / seen * 0.5 * on_.view.pane().size.y;
-  const auto ring = static_cast<float>(std::clamp(pixels, kLeastRing, kMostRing));
-  const ImVec2 at = to_im(on_.pointer);
+  const double pixels = workspace_.laser.radius / seen * 0.5 * workspace_.view.pane().size.y;
+  const auto ring = static_cast<float>(std::clamp(pixels, kMinRing, kMaxRing));
+  const ImVec2 at = to_im(workspace_.pointer);
   list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
   list.AddCircle(at, ring + 1.5f, cuts ? colours::accent() : colours::kPictureText, 0, 1.3f);
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> laser_feature(Workspace& on) { return std::make_unique<LaserFeature>(on); }
+std::unique_ptr<Feature> laser_feature(Workspace& workspace) {
+  return std::make_unique<LaserFeature>(workspace);
+}
 
 }  // namespace kerf

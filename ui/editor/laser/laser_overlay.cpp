@@ -64,7 +64,7 @@ std::string CutProgress::text() const {
 
 namespace {
 
-constexpr size_t kMostWaiting = 8;
+constexpr size_t kMaxWaiting = 8;
 constexpr double kWaitingStrength = 0.35;  // of a beam that is on
 constexpr double kShownAfter = 0.3;        // s, of waiting for another stroke
 constexpr double kWaitingLength = 3;       // diagonals of the world, of a beam that meets nothing
@@ -76,7 +76,7 @@ std::vector<size_t> waiting_steps(const Document& document, bool held_back) {
   if (!execution.beam_waits()) return steps;
   const History& history = document.history();
   const size_t first = held_back ? execution.next_step() : execution.next_step() + 1;
-  for (size_t i = first; i < history.position() && steps.size() < kMostWaiting; ++i) {
+  for (size_t i = first; i < history.position() && steps.size() < kMaxWaiting; ++i) {
     if (history.cuts(i) && history.step(i).waiting() && execution.waits_for(i)) steps.push_back(i);
   }
   return steps;

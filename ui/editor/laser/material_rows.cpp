@@ -28,8 +28,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double kMostRadii = 100;  // that heat can be wide
-constexpr double kSlanted = 1.05;   // from which on a slant is told
+constexpr double kMaxRadii = 100;  // that heat can be wide
+constexpr double kSlanted = 1.05;  // from which on a slant is told
 
 std::string energy_label(double joules) {
   return joules >= 1000 ? text_of("%.3g kJ", joules / 1000) : text_of("%.3g J", joules);
@@ -124,14 +124,14 @@ void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
   if (length_field(fields_, "Heat beside", width, in,
                    "How far from the rim the cut leaves heat: at the melting point on the rim, less with the "
                    "distance. 0 leaves none. A negative number is for what suits the radius.",
-                   "", {std::numeric_limits<double>::lowest(), kMostRadii * laser.radius}))
+                   "", {std::numeric_limits<double>::lowest(), kMaxRadii * laser.radius}))
     laser.heat_width = width >= 0 ? std::optional(width) : std::nullopt;
 }
 
 void LaserHeatRows::draw_thermal(LaserControls& laser) {
   property("Power");
   real_slider({"Power", "##power", "Of the beam while it is on. Ctrl+click to type a number.", true},
-              laser.power, LaserControls::kLeastPower, LaserControls::kMostPower, "%.4g W", kWatts);
+              laser.power, LaserControls::kMinPower, LaserControls::kMaxPower, "%.4g W", kWatts);
   mark_last_item("laser power");
   property("Oxygen");
   ImGui::Checkbox("##oxygen", &laser.oxygen);
@@ -139,45 +139,46 @@ void LaserHeatRows::draw_thermal(LaserControls& laser) {
   tooltip("Is blown into the cut: part of mild steel burns in it, and its heat helps to cut. Empirical.");
 }
 
-void LaserHeatRows::draw_forecast(const Workspace& on, const Sheet& sheet,
+void LaserHeatRows::draw_forecast(const Workspace& workspace, const Sheet& sheet,
                                   const std::optional<PointerAim>& aim) {
-  const FileUnit unit = on.view.frame.unit;
+  const FileUnit unit = workspace.view.frame.unit;
   const std::string whose = aim ? "Under the pointer: " : "";
   const MetSheet met = aim ? aim->met : MetSheet{sheet};
-  const std::string forecast = forecast_text(on.laser, met, on.laser.planned_speed, unit);
+  const std::string forecast = forecast_text(workspace.laser, met, workspace.laser.planned_speed, unit);
   ImGui::TextWrapped("%s", (whose + forecast).c_str());
   mark_last_item("laser forecast");
   tooltip("From the heat balance of the cut, with what is conducted into the sheet beside it.");
-  const std::string pointer = aim ? pointer_text(on.laser, *aim, unit) : "";
+  const std::string pointer = aim ? pointer_text(workspace.laser, *aim, unit) : "";
   if (!pointer.empty()) ImGui::TextWrapped("%s", pointer.c_str());
 }
 
-void LaserHeatRows::draw_strokes(const Workspace& on, const StrokeWatch& watch) {
-  const FileUnit unit = on.view.frame.unit;
+void LaserHeatRows::draw_strokes(const Workspace& workspace, const StrokeWatch& watch) {
+  const FileUnit unit = workspace.view.frame.unit;
   if (watch.now()) return ImGui::TextWrapped("%s", beam_text(*watch.now(), unit).c_str());
-  const auto& stroke = on.statistics.shown.stroke;
+  const auto& stroke = workspace.statistics.shown.stroke;
   const std::string depth = stroke ? depth_text(stroke->statistics) : "";
   if (depth.empty()) return;
-  const StrokeWatch::Crossing* crossing = watch.last(on.work.document);
+  const StrokeWatch::Crossing* crossing = watch.last(workspace.work.document);
   const std::string remedy = crossing ? remedy_text(*crossing, unit) : "";
   ImGui::TextWrapped("%s", (remedy.empty() ? depth : depth + ". " + remedy).c_str());
 }
 
-void LaserHeatRows::draw(Workspace& on, const Sheet& sheet, const std::optional<PointerAim>& aim,
+void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::optional<PointerAim>& aim,
                          const StrokeWatch& watch) {
-  const bool thermal = on.laser.model == Model::kThermal;
+  const bool thermal = workspace.laser.model == Model::kThermal;
   if (begin_properties("laser heat")) {
-    model_row(on.laser);
-    if (thermal) draw_thermal(on.laser);
-    if (!thermal) draw_geometric(on.laser, on.view.frame.unit);
-    hold_row(on.settings.heat_held);
+    model_row(workspace.laser);
+    if (thermal) draw_thermal(workspace.laser);
+    if (!thermal) draw_geometric(workspace.laser, workspace.view.frame.unit);
+    hold_row(workspace.settings.heat_held);
     end_properties();
   }
   if (!thermal) return;
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  draw_forecast(on, sheet, aim);
-  draw_strokes(on, watch);
-  if (on.world().energy().emitted > 0) ImGui::TextWrapped("%s", energy_text(on.world()).c_str());
+  draw_forecast(workspace, sheet, aim);
+  draw_strokes(workspace, watch);
+  if (workspace.world().energy().emitted > 0)
+    ImGui::TextWrapped("%s", energy_text(workspace.world()).c_str());
   ImGui::PopStyleColor();
 }
 
@@ -201,22 +202,22 @@ bool KnownClosed::of(const World& world, const PieceId& piece) {
   return closed_;
 }
 
-std::optional<bool> SolidRow::draw(const Workspace& on, const PieceId& piece) {
-  bool solid = on.world().body(piece.body).solid;
-  const char* why_not = nullptr;
-  if (on.cutting()) {
-    why_not = "Wait until the stroke is cut.";
+std::optional<bool> SolidRow::draw(const Workspace& workspace, const PieceId& piece) {
+  bool solid = workspace.world().body(piece.body).solid;
+  const char* disabled_reason = nullptr;
+  if (workspace.cutting()) {
+    disabled_reason = "Wait until the stroke is cut.";
   } else if (!solid) {
-    why_not = why_not_solid(closed_.of(on.world(), piece), on.laser);
+    disabled_reason = why_not_solid(closed_.of(workspace.world(), piece), workspace.laser);
   }
   property("Solid");
-  ImGui::BeginDisabled(why_not != nullptr);
+  ImGui::BeginDisabled(disabled_reason != nullptr);
   const bool changed = ImGui::Checkbox("##solid", &solid);
   ImGui::EndDisabled();
   mark_last_item("solid");
   tooltip(
-      why_not != nullptr
-          ? why_not
+      disabled_reason != nullptr
+          ? disabled_reason
           : "The faces enclose a volume: strokes leave walls along the kerf, so that the pieces are closed "
             "again, and weigh what they hold. Otherwise they are a sheet.");
   return changed ? std::optional(solid) : std::nullopt;
@@ -235,7 +236,7 @@ struct MaterialChange {
 // whether they are solid. Every change is one step of the history.
 class MaterialPanel {
  public:
-  MaterialChange draw(const Workspace& on);
+  MaterialChange draw(const Workspace& workspace);
 
  private:
   bool draw_presets(Sheet& sheet);
@@ -327,15 +328,15 @@ bool MaterialPanel::draw_numbers(Sheet& sheet) {
   return changed;
 }
 
-MaterialChange MaterialPanel::draw(const Workspace& on) {
+MaterialChange MaterialPanel::draw(const Workspace& workspace) {
   MaterialChange change;
-  const auto piece = piece_of_sheet(on.world(), on.view);
+  const auto piece = piece_of_sheet(workspace.world(), workspace.view);
   if (!piece) {
     ImGui::TextDisabled("Nothing is open.");
     return change;
   }
-  const Body& body = on.world().body(piece->body);
-  const size_t chosen = chosen_pieces(on.view.look.pieces);
+  const Body& body = workspace.world().body(piece->body);
+  const size_t chosen = chosen_pieces(workspace.view.look.pieces);
   const std::string of = chosen == 0   ? std::string("All pieces")
                          : chosen == 1 ? body.name_of(piece->label)
                                        : std::to_string(chosen) + " chosen pieces";
@@ -347,7 +348,7 @@ MaterialChange MaterialPanel::draw(const Workspace& on) {
   if (begin_properties("sheet")) {
     changed = draw_presets(sheet);
     changed |= draw_numbers(sheet);
-    change.solid = solid_.draw(on, *piece);
+    change.solid = solid_.draw(workspace, *piece);
     end_properties();
   }
   if (changed) change.sheet = sheet;
@@ -356,31 +357,32 @@ MaterialChange MaterialPanel::draw(const Workspace& on) {
 
 class MaterialFeature : public Feature {
  public:
-  explicit MaterialFeature(Workspace& on) : on_(on) {}
+  explicit MaterialFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{"Laser", Tab::kCut, 110, true, [this] { draw_heat(); }},
             {"Material", Tab::kHeat, 200, true, [this] { draw_material(); }}};
   }
-  void advance(double seconds) override {
-    pointer_.follow(on_.pointer, seconds);
-    aim_ = thermal() && on_.points() ? aim_of(on_, pointer_) : std::nullopt;
+  void update(double seconds) override {
+    pointer_.follow(workspace_.pointer, seconds);
+    aim_ = thermal() && workspace_.points() ? aim_of(workspace_, pointer_) : std::nullopt;
   }
-  void follow_queue(double) override {
-    if (!on_.changes.is_pending()) watch_.follow(on_.work.document, on_.beam.picture(on_.work.document));
+  void after_queue(double) override {
+    if (!workspace_.changes.is_pending())
+      watch_.follow(workspace_.work.document, workspace_.beam.picture(workspace_.work.document));
   }
-  bool moving() const override { return aim_ && aim_->speed > 0; }
-  void forget() override { watch_ = StrokeWatch(); }
-  void draw_marks(ImDrawList& list) override;
+  bool needs_redraw() const override { return aim_ && aim_->speed > 0; }
+  void on_document_opened() override { watch_ = StrokeWatch(); }
+  void draw_overlay(ImDrawList& list) override;
 
  private:
   void draw_heat() {
-    const auto piece = piece_of_sheet(on_.world(), on_.view);
-    heat_.draw(on_, piece ? on_.world().body(piece->body).sheet : Sheet(), aim_, watch_);
+    const auto piece = piece_of_sheet(workspace_.world(), workspace_.view);
+    heat_.draw(workspace_, piece ? workspace_.world().body(piece->body).sheet : Sheet(), aim_, watch_);
   }
-  bool thermal() const { return on_.laser.model == Model::kThermal; }
+  bool thermal() const { return workspace_.laser.model == Model::kThermal; }
   void draw_material() {
-    const MaterialChange change = panel_.draw(on_);
+    const MaterialChange change = panel_.draw(workspace_);
     if (change.sheet) {
       ask_for_all("Set the material", [sheet = *change.sheet](const PieceId& p) {
         return SetSheetProperties{p, sheet};
@@ -395,13 +397,13 @@ class MaterialFeature : public Feature {
   using CommandFor = std::function<Command(const PieceId&)>;
   // One change of all pieces in question.
   void ask_for_all(const char* name, const CommandFor& command) {
-    on_.changes.ask({.name = name,
-                     .run = [this, name, command] { return change_all(name, command), true; },
-                     .is_one = true});
+    workspace_.changes.ask({.name = name,
+                            .run = [this, name, command] { return change_all(name, command), true; },
+                            .is_one = true});
   }
   void change_all(const char* name, const CommandFor& command);
 
-  Workspace& on_;
+  Workspace& workspace_;
   MaterialPanel panel_;
   LaserHeatRows heat_;
   PointerSpeed pointer_;
@@ -410,11 +412,11 @@ class MaterialFeature : public Feature {
 };
 
 // Beside the pointer, because that is where one looks while a stroke is drawn.
-void MaterialFeature::draw_marks(ImDrawList& list) {
-  if (!watch_.now() || !on_.beam.cutting()) return;
+void MaterialFeature::draw_overlay(ImDrawList& list) {
+  if (!watch_.now() || !workspace_.beam.cutting()) return;
   const bool through = watch_.now()->through;
   const float size = ImGui::GetFontSize();
-  const ImVec2 at = to_im(on_.pointer + Vec2(1.2 * size, 0.8 * size));
+  const ImVec2 at = to_im(workspace_.pointer + Vec2(1.2 * size, 0.8 * size));
   const char* text = through ? "through" : "not through";
   const ImVec2 extent = ImGui::CalcTextSize(text);
   const float margin = 0.25f * size;
@@ -426,19 +428,21 @@ void MaterialFeature::draw_marks(ImDrawList& list) {
 // Changes the chosen pieces, or all pieces if none is chosen.
 void MaterialFeature::change_all(const char* name, const CommandFor& command) {
   std::vector<PieceId> pieces;
-  const PieceMap& looks = on_.view.look.pieces;
+  const PieceMap& looks = workspace_.view.look.pieces;
   const bool all = chosen_pieces(looks) == 0;
-  for (const PieceRow& row : list_pieces(on_.world(), looks)) {
+  for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
     const auto look = looks.find(row.id);
     const bool chosen = look != looks.end() && look->second.selected;
     if (!row.part && (all || chosen)) pieces.push_back(row.id);
   }
-  cancel_stroke(on_);
-  on_.changes.change(name, is_small(on_.work.document), edit_all(std::move(pieces), command));
+  cancel_stroke(workspace_);
+  workspace_.changes.change(name, is_small(workspace_.work.document), edit_all(std::move(pieces), command));
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> material_feature(Workspace& on) { return std::make_unique<MaterialFeature>(on); }
+std::unique_ptr<Feature> material_feature(Workspace& workspace) {
+  return std::make_unique<MaterialFeature>(workspace);
+}
 
 }  // namespace kerf

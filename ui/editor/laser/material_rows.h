@@ -15,14 +15,14 @@ namespace kerf {
 class LaserHeatRows {
  public:
   // The forecast is for what the pointer is over, else for `sheet`.
-  void draw(Workspace& on, const Sheet& sheet, const std::optional<PointerAim>& aim,
+  void draw(Workspace& workspace, const Sheet& sheet, const std::optional<PointerAim>& aim,
             const StrokeWatch& watch);
 
  private:
   void draw_geometric(LaserControls& laser, FileUnit unit);
   void draw_thermal(LaserControls& laser);
-  void draw_forecast(const Workspace& on, const Sheet& sheet, const std::optional<PointerAim>& aim);
-  void draw_strokes(const Workspace& on, const StrokeWatch& watch);
+  void draw_forecast(const Workspace& workspace, const Sheet& sheet, const std::optional<PointerAim>& aim);
+  void draw_strokes(const Workspace& workspace, const StrokeWatch& watch);
 
   NumberFields fields_;
 };
@@ -72,7 +72,7 @@ class KnownClosed {
 class SolidRow {
  public:
   // Returns what the user has chosen, if anything.
-  std::optional<bool> draw(const Workspace& on, const PieceId& piece);
+  std::optional<bool> draw(const Workspace& workspace, const PieceId& piece);
 
  private:
   KnownClosed closed_;

@@ -10,7 +10,7 @@
 namespace kerf {
 
 namespace {
-constexpr double kLeastCosine = 0.2;
+constexpr double kMinCosine = 0.2;
 }
 
 std::optional<MetSheet> met_sheet(const World& world, const ViewOptions& options, const Pose& ray) {
@@ -20,7 +20,7 @@ std::optional<MetSheet> met_sheet(const World& world, const ViewOptions& options
   const Triangle t = body.mesh.triangle(met->face);
   const Vec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double along = std::abs(glm::dot(across, body.placement.to_body(ray).direction));
-  const double cosine = std::max(along / glm::length(across), kLeastCosine);
+  const double cosine = std::max(along / glm::length(across), kMinCosine);
   return MetSheet{body.sheet, 1 / cosine, met->length};
 }
 
@@ -38,13 +38,13 @@ void PointerSpeed::follow(const Vec2& pointer, double seconds) {
   speed_ += (now - speed_) * std::min(1.0, seconds / kEven);
 }
 
-std::optional<PointerAim> aim_of(const Workspace& on, const PointerSpeed& pointer) {
-  const CameraView view = on.view.seen();
-  const Vec2 p = on.view.in_picture(on.pointer);
-  const std::optional<MetSheet> met = met_sheet(on.world(), on.view.look, view.ray(p.x, p.y));
+std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed& pointer) {
+  const CameraView view = workspace.view.seen();
+  const Vec2 p = workspace.view.in_picture(workspace.pointer);
+  const std::optional<MetSheet> met = met_sheet(workspace.world(), workspace.view.look, view.ray(p.x, p.y));
   if (!met) return std::nullopt;
   const double half_height = view.parallel ? view.half_height() : met->length * view.tan_half_fov;
-  const double pixel = 2 * half_height / on.view.pane().size.y;
+  const double pixel = 2 * half_height / workspace.view.pane().size.y;
   const double speed = pointer.pixels_per_second();
   return PointerAim{*met, speed > kResting ? speed * pixel : 0};
 }
@@ -87,7 +87,7 @@ void StrokeWatch::begin(const Document& document) {
 }
 
 // Returns the length along the beam in which a sheet lies that the whole width of the beam meets.
-double StrokeWatch::note_sheet(const World& world, const Pose& axis) {
+double StrokeWatch::record_sheet(const World& world, const Pose& axis) {
   const double width = 2 * crossing_.settings.laser.radius;
   const std::optional<MetSheet> met = met_sheet(world, {}, axis);
   if (!met) return width * kSteepest;
@@ -107,7 +107,7 @@ void StrokeWatch::pass(const Document& document, const BeamPicture& beam) {
     if (time <= 0) return;
     place.speed = way / time;
   }
-  place.thickness = note_sheet(world, place.axis);
+  place.thickness = record_sheet(world, place.axis);
   way_.push_back(place);
   while (way_.size() > 1 && way_across(place.axis, way_[1].strike, place.strike) >= kBehind * radius) {
     way_.pop_front();

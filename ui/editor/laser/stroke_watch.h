@@ -54,7 +54,7 @@ struct PointerAim {
 };
 
 // Nothing where the pointer is over no body. O(log faces).
-std::optional<PointerAim> aim_of(const Workspace& on, const PointerSpeed& pointer);
+std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed& pointer);
 
 // Watches the beam of a stroke of the thermal model: how fast it goes over what it meets, and whether it has
 // got through, which shows behind it.
@@ -95,7 +95,7 @@ class StrokeWatch {
   };
   void begin(const Document& document);
   void pass(const Document& document, const BeamPicture& beam);
-  double note_sheet(const World& world, const Pose& axis);
+  double record_sheet(const World& world, const Pose& axis);
   static bool is_open(const World& world, const Place& place);
   void judge(const World& world, const Place& place);
   void rest(const World& world, const Place& place);

@@ -179,7 +179,7 @@ constexpr double kEmitterAway = 0.35;  // diagonals of the world
 
 class EmitterFeature : public Feature {
  public:
-  explicit EmitterFeature(Workspace& on) : on_(on) {}
+  explicit EmitterFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{"Laser", Tab::kCut, 120, true, [this] { draw_rows(); }}};
@@ -189,23 +189,23 @@ class EmitterFeature : public Feature {
     return {{80, "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press& press) override;
-  bool stop() override { return std::exchange(emitter_.firing, false); }
-  void advance(double) override {
-    if (on_.held == nullptr) keep();
-    if (!on_.changes.is_pending()) follow_switch(on_.clock->seconds());
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  bool cancel() override { return std::exchange(emitter_.firing, false); }
+  void update(double) override {
+    if (workspace_.held == nullptr) keep();
+    if (!workspace_.changes.is_pending()) follow_switch(workspace_.clock->seconds());
   }
-  void forget() override {
-    emitter_ = emitter_of_entry(head_entry(on_.work.scene, kEmitterKey));
+  void on_document_opened() override {
+    emitter_ = emitter_of_entry(head_entry(workspace_.work.scene, kEmitterKey));
     kept_ = emitter_entry(emitter_);
   }
-  bool moving() const override { return emitter_.firing && emitter_.in_shots; }
+  bool needs_redraw() const override { return emitter_.firing && emitter_.in_shots; }
 
-  void draw_marks(ImDrawList& list) override;
-  void mark(Landmarks& landmarks) const override {
-    mark_handles(emitter_handles(emitter_, FirstPicture(on_.view)), landmarks);
+  void draw_overlay(ImDrawList& list) override;
+  void add_landmarks(Landmarks& landmarks) const override {
+    mark_handles(emitter_handles(emitter_, FirstPicture(workspace_.view)), landmarks);
   }
-  void report(nlohmann::ordered_json& report) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
   std::vector<UserAction> emitter_actions();
@@ -218,16 +218,17 @@ class EmitterFeature : public Feature {
   void begin_fire(double now);
   void fire_shots(double now);
 
-  Workspace& on_;
+  Workspace& workspace_;
   Emitter emitter_;
   nlohmann::json kept_;  // its entry in the head of the document
   NumberFields fields_;
 };
 
-std::unique_ptr<Interaction> EmitterFeature::claim(const Press&) {
-  const auto handle = handle_under(emitter_handles(emitter_, FirstPicture(on_.view)), on_.pointer);
-  if (!handle || on_.view.in_second) return nullptr;
-  emitter_.take(handle->part, on_.pointer);
+std::unique_ptr<Interaction> EmitterFeature::begin_interaction(const Press&) {
+  const auto handle =
+      handle_under(emitter_handles(emitter_, FirstPicture(workspace_.view)), workspace_.pointer);
+  if (!handle || workspace_.view.in_second) return nullptr;
+  emitter_.take(handle->part, workspace_.pointer);
   return std::make_unique<PlainDrag>("Moving the emitter",
                                      [this](const InputEvent& event) { drag(event.seconds); });
 }
@@ -235,15 +236,15 @@ std::unique_ptr<Interaction> EmitterFeature::claim(const Press&) {
 void EmitterFeature::keep() {
   nlohmann::json entry = emitter_entry(emitter_);
   if (entry == kept_) return;
-  set_head_entry(on_.work.scene, kEmitterKey, entry);
+  set_head_entry(workspace_.work.scene, kEmitterKey, entry);
   kept_ = std::move(entry);
 }
 
 // Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the
 // pointer itself does.
 void EmitterFeature::drag(double now) {
-  emitter_.drag(FirstPicture(on_.view), on_.pointer, point_under_pointer(on_));
-  if (emitter_.drawing) on_.beam.carry_to(on_.work.document, emitter_.pose(), now);
+  emitter_.drag(FirstPicture(workspace_.view), workspace_.pointer, point_under_pointer(workspace_));
+  if (emitter_.drawing) workspace_.beam.carry_to(workspace_.work.document, emitter_.pose(), now);
 }
 
 std::vector<UserAction> EmitterFeature::emitter_actions() {
@@ -261,23 +262,25 @@ std::vector<UserAction> EmitterFeature::emitter_actions() {
           .tip = "Switches it on or off. The Laser panel says whether it fires without a break or in shots.",
           .run = [this] { emitter_.firing = !emitter_.firing; },
           .checked = [this] { return emitter_.firing; },
-          .why_not = why_none},
+          .disabled_reason = why_none},
       UserAction{.name = "Take the emitter away",
                  .tip = "Takes it out of the scene.",
                  .run = [this] { emitter_.remove(); },
-                 .why_not = why_none},
+                 .disabled_reason = why_none},
   };
 }
 
 // Buttons that place the emitter, switch it and take it away, its pace, and its place and aim as numbers.
 void EmitterFeature::draw_rows() {
   if (!emitter_.placed()) {
-    const std::string meaning = with_shortcut(
-        on_.view, "A laser that stands in the scene. It is moved and aimed by handles.", "Place the emitter");
+    const std::string meaning =
+        with_shortcut(workspace_.view, "A laser that stands in the scene. It is moved and aimed by handles.",
+                      "Place the emitter");
     if (row_button("Place an emitter", 1, nullptr, meaning.c_str())) place();
     return;
   }
-  const std::string meaning = with_shortcut(on_.view, "Switches the emitter on or off.", "Fire the emitter");
+  const std::string meaning =
+      with_shortcut(workspace_.view, "Switches the emitter on or off.", "Fire the emitter");
   if (row_button(emitter_.firing ? "Switch off###fire" : "Fire###fire", 2, nullptr, meaning.c_str()))
     emitter_.firing = !emitter_.firing;
   mark_last_item("fire");
@@ -286,8 +289,8 @@ void EmitterFeature::draw_rows() {
   if (!begin_properties("emitter")) return;
   draw_pace();
   Vec3 at = emitter_.at(), target = emitter_.target();
-  const NumberUnit unit = file_unit(on_.view.frame.unit);
-  const double size = on_.world().loaded_bounds().diagonal();
+  const NumberUnit unit = file_unit(workspace_.view.frame.unit);
+  const double size = workspace_.world().loaded_bounds().diagonal();
   if (fields_.vector("Stands at", at, "%.5g", "X, Y and Z of the emitter, in the unit of the file.", unit,
                      size))
     emitter_.stand_at(at);
@@ -317,63 +320,65 @@ void EmitterFeature::draw_pace() {
 
 // Where the view looks.
 void EmitterFeature::place() {
-  const double diagonal = on_.world().bounds().diagonal();
-  const CameraView view = on_.view.seen_first();
-  const auto surface = surface_point(on_.world(), on_.view.look, view.ray(0, 0));
-  place_in_view(emitter_, view, surface ? surface->at : on_.view.camera.pivot(),
+  const double diagonal = workspace_.world().bounds().diagonal();
+  const CameraView view = workspace_.view.seen_first();
+  const auto surface = surface_point(workspace_.world(), workspace_.view.look, view.ray(0, 0));
+  place_in_view(emitter_, view, surface ? surface->at : workspace_.view.camera.pivot(),
                 diagonal > 0 ? kEmitterAway * diagonal : 1);
 }
 
 // Begins, continues or ends the stroke of the emitter, as it is switched, or fires the shot that is due.
 void EmitterFeature::follow_switch(double now) {
-  LaserTool& beam = on_.beam;
-  const bool ended_elsewhere = (emitter_.drawing && !beam.cutting()) || (on_.held && on_.held->cuts());
+  LaserTool& beam = workspace_.beam;
+  const bool ended_elsewhere =
+      (emitter_.drawing && !beam.cutting()) || (workspace_.held && workspace_.held->cuts());
   if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;
-  if (on_.opening.loader.busy()) emitter_.firing = false;
+  if (workspace_.opening.loader.busy()) emitter_.firing = false;
   if (emitter_.in_shots && !emitter_.drawing) return fire_shots(now);
   const bool on = emitter_.firing && !emitter_.in_shots;
   if (on && !emitter_.drawing) {
     begin_fire(now);
   } else if (on) {
-    beam.carry_to(on_.work.document, emitter_.pose(), now);
+    beam.carry_to(workspace_.work.document, emitter_.pose(), now);
   } else if (emitter_.drawing) {
-    cancel_stroke(on_);
+    cancel_stroke(workspace_);
   }
   emitter_.drawing = on;
 }
 
 void EmitterFeature::begin_fire(double now) {
-  cancel_stroke(on_);
-  stand_together(on_);
+  cancel_stroke(workspace_);
+  stand_together(workspace_);
   KERF_ASSERT(emitter_.placed());
-  on_.beam.fire(on_.work.document, emitter_.pose(), emitter_.distance(),
-                on_.laser.settings(on_.world().bounds().diagonal()), now);
-  on_.cut_once = true;
+  workspace_.beam.fire(workspace_.work.document, emitter_.pose(), emitter_.distance(),
+                       workspace_.laser.settings(workspace_.world().bounds().diagonal()), now);
+  workspace_.cut_once = true;
 }
 
 // A shot waits until the last one is cut. One that meets nothing would be an empty step of the history.
 void EmitterFeature::fire_shots(double now) {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   if (!emitter_.firing) return emitter_.pace.begin();
-  if (on_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
+  if (workspace_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
   emitter_.pace.take(now);
-  const Laser laser = on_.laser.settings(on_.world().bounds().diagonal()).laser;
-  if (!meets_anything(on_.world(), laser, emitter_.pose())) return;
+  const Laser laser = workspace_.laser.settings(workspace_.world().bounds().diagonal()).laser;
+  if (!meets_anything(workspace_.world(), laser, emitter_.pose())) return;
   begin_fire(now);
-  on_.beam.release(on_.work.document);
+  workspace_.beam.release(workspace_.work.document);
 }
 
-void EmitterFeature::draw_marks(ImDrawList& list) {
-  const Area& first = on_.view.layout.first;
+void EmitterFeature::draw_overlay(ImDrawList& list) {
+  const Area& first = workspace_.view.layout.first;
   list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
-  draw_emitter(emitter_, FirstPicture(on_.view), on_.pointer_over_picture(), list);
+  draw_emitter(emitter_, FirstPicture(workspace_.view), workspace_.pointer_over_picture(), list);
   list.PopClipRect();
   if (!emitter_.firing) return;
-  on_.badges.draw(on_.view, Badges::Sign::kMode,
-                  with_shortcut(on_.view, "The emitter fires.", "Fire the emitter"), "emitter badge");
+  workspace_.badges.draw(workspace_.view, Badges::Sign::kMode,
+                         with_shortcut(workspace_.view, "The emitter fires.", "Fire the emitter"),
+                         "emitter badge");
 }
 
-void EmitterFeature::report(nlohmann::ordered_json& report) const {
+void EmitterFeature::write_session_log(nlohmann::ordered_json& report) const {
   report["emitter"] = {{"placed", emitter_.placed()},
                        {"at", vector_json(emitter_.at())},
                        {"target", vector_json(emitter_.target())},
@@ -384,6 +389,8 @@ void EmitterFeature::report(nlohmann::ordered_json& report) const {
 
 }  // namespace
 
-std::unique_ptr<Feature> emitter_feature(Workspace& on) { return std::make_unique<EmitterFeature>(on); }
+std::unique_ptr<Feature> emitter_feature(Workspace& workspace) {
+  return std::make_unique<EmitterFeature>(workspace);
+}
 
 }  // namespace kerf

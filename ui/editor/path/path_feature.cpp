@@ -28,26 +28,28 @@ constexpr const char* kNoPoints = "The path has no points.";
 // Adds a point or takes one, and moves it.
 class DragOfPoint : public Interaction {
  public:
-  DragOfPoint(Workspace& on, PathWork& path) : on_(on), path_(path) {}
+  DragOfPoint(Workspace& workspace, PathWork& path) : workspace_(workspace), path_(path) {}
 
   // Returns why nothing happened, or an empty text.
   std::string press(bool new_stroke) {
-    return tool_.press(path_, on_.world(), on_.view, on_.pointer, new_stroke,
-                       PathTool::beam_for(on_.world(), on_.laser.radius));
+    return tool_.press(path_, workspace_.world(), workspace_.view, workspace_.pointer, new_stroke,
+                       PathTool::beam_for(workspace_.world(), workspace_.laser.radius));
   }
-  void move(const InputEvent&) override { tool_.move(path_, on_.world(), on_.view, on_.pointer); }
+  void move(const InputEvent&) override {
+    tool_.move(path_, workspace_.world(), workspace_.view, workspace_.pointer);
+  }
   const char* words() const override { return "Path: the point follows the pointer over the surface"; }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
   PathWork& path_;
   PathTool tool_;
 };
 
 class PathFeature : public Feature {
  public:
-  explicit PathFeature(Workspace& on) : on_(on) {
-    on.file_takers.push_back([this](const std::filesystem::path& file) { return take_file(file); });
+  explicit PathFeature(Workspace& workspace) : workspace_(workspace) {
+    workspace.file_takers.push_back([this](const std::filesystem::path& file) { return take_file(file); });
   }
 
   std::vector<Panel> panels() override {
@@ -63,26 +65,26 @@ class PathFeature : public Feature {
         {70, "Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press& press) override;
-  const char* hint() const override {
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  const char* status_hint() const override {
     return in_hand() ? "Path: click adds a point, Shift begins another stroke, Ctrl+Enter runs it" : nullptr;
   }
 
-  void advance(double) override {
+  void update(double) override {
     load_waiting();
-    if (on_.held == nullptr) keep();
-    on_.laser.planned_speed = path_.speed();
+    if (workspace_.held == nullptr) keep();
+    workspace_.laser.planned_speed = path_.speed();
   }
 
-  void forget() override;
+  void on_document_opened() override;
 
-  void draw_marks(ImDrawList& list) override;
-  void mark(Landmarks& landmarks) const override;
-  void report(nlohmann::ordered_json& report) const override;
+  void draw_overlay(ImDrawList& list) override;
+  void add_landmarks(Landmarks& landmarks) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  bool in_hand() const { return on_.tool == kPath; }
-  bool shows_path() const { return in_hand() || on_.panels.shows(kPath); }
+  bool in_hand() const { return workspace_.tool == kPath; }
+  bool shows_path() const { return in_hand() || workspace_.panels.shows(kPath); }
   const char* why_no_run() const;
   UserAction take_tool_action();
   std::vector<UserAction> path_actions();
@@ -99,7 +101,7 @@ class PathFeature : public Feature {
   void ask_for_run();
   void run();
 
-  Workspace& on_;
+  Workspace& workspace_;
   PathWork path_;
   bool at_panel_resolution_ = false;  // the path is run so, and not as kerf cut --path does
   PathPanel panel_;
@@ -110,27 +112,27 @@ class PathFeature : public Feature {
 // Input
 // --------------------------------------------------------------------------------------------------------
 
-std::unique_ptr<Interaction> PathFeature::claim(const Press& press) {
+std::unique_ptr<Interaction> PathFeature::begin_interaction(const Press& press) {
   if (!in_hand() || press.control) return nullptr;
-  auto drag = std::make_unique<DragOfPoint>(on_, path_);
-  if (on_.view.in_second) {
-    on_.message.say("The path is drawn in the left half.", true);
+  auto drag = std::make_unique<DragOfPoint>(workspace_, path_);
+  if (workspace_.view.in_second) {
+    workspace_.message.say("The path is drawn in the left half.", true);
     return drag;
   }
-  stand_together(on_);
-  on_.message.say("");
+  stand_together(workspace_);
+  workspace_.message.say("");
   const std::string why = drag->press(press.shift);
-  if (!why.empty()) on_.message.say(why, true);
+  if (!why.empty()) workspace_.message.say(why, true);
   return drag;
 }
 
 const char* PathFeature::why_no_run() const {
   if (path_.empty()) return "The path has no points: click on a surface with the tool Path.";
-  return on_.opening.loader.busy() ? "A file is being opened." : nullptr;
+  return workspace_.opening.loader.busy() ? "A file is being opened." : nullptr;
 }
 
 UserAction PathFeature::take_tool_action() {
-  UserAction action = tool_action(on_, kPath, "O",
+  UserAction action = tool_action(workspace_, kPath, "O",
                                   "A click on a surface adds a point to the path of the laser, with Shift "
                                   "the first of another stroke; points "
                                   "and their beams are dragged.",
@@ -142,7 +144,7 @@ UserAction PathFeature::take_tool_action() {
 std::vector<UserAction> PathFeature::path_actions() {
   // The keys of undo and redo belong to the path while it is in hand, until it is run.
   const auto takes_undo = [this] {
-    return in_hand() && path_.is_newer_than(on_.work.document.history().position());
+    return in_hand() && path_.is_newer_than(workspace_.work.document.history().position());
   };
   const auto why_empty = [this] { return path_.empty() ? kNoPoints : nullptr; };
   return {
@@ -151,7 +153,7 @@ std::vector<UserAction> PathFeature::path_actions() {
                  .pad_key = GLFW_KEY_KP_ENTER,
                  .tip = "Cuts along the path, as kerf cut --path does with its file.",
                  .run = [this] { ask_for_run(); },
-                 .why_not = [this] { return why_no_run(); },
+                 .disabled_reason = [this] { return why_no_run(); },
                  .ends_group = true},
       UserAction{.name = "Load a path...",
                  .tip = "A path file (.json). It can also be dropped on the window.",
@@ -159,30 +161,33 @@ std::vector<UserAction> PathFeature::path_actions() {
       UserAction{.name = "Save the path...",
                  .tip = "As a file (.json) for kerf cut --path.",
                  .run = [this] { choose_file_to_save(); },
-                 .why_not = why_empty},
+                 .disabled_reason = why_empty},
       UserAction{.name = "Clear the path",
                  .tip = "Removes all points.",
                  .run = [this] { path_.begin_edit(), path_.clear(); },
-                 .why_not = why_empty},
-      UserAction{.name = "Remove the point",
-                 .shortcut = "Del",
-                 .pad_key = GLFW_KEY_BACKSPACE,
-                 .tip = "The chosen point of the path; Backspace does the same.",
-                 .run = [this] { path_.begin_edit(), path_.remove(*path_.chosen()); },
-                 .why_not = [this] { return path_.chosen() ? nullptr : "No point of the path is chosen."; },
-                 .has_key_when = [this] { return in_hand() && path_.chosen(); },
-                 .ends_group = true},
-      UserAction{.name = "Undo the edit of the path",
-                 .shortcut = "Ctrl+Z",
-                 .tip = "The key does it with the path in hand, until the path is run.",
-                 .run = [this] { path_.undo(); },
-                 .why_not = [this] { return path_.can_undo() ? nullptr : "The path was not edited yet."; },
-                 .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_undo(); }},
+                 .disabled_reason = why_empty},
+      UserAction{
+          .name = "Remove the point",
+          .shortcut = "Del",
+          .pad_key = GLFW_KEY_BACKSPACE,
+          .tip = "The chosen point of the path; Backspace does the same.",
+          .run = [this] { path_.begin_edit(), path_.remove(*path_.chosen()); },
+          .disabled_reason = [this] { return path_.chosen() ? nullptr : "No point of the path is chosen."; },
+          .has_key_when = [this] { return in_hand() && path_.chosen(); },
+          .ends_group = true},
+      UserAction{
+          .name = "Undo the edit of the path",
+          .shortcut = "Ctrl+Z",
+          .tip = "The key does it with the path in hand, until the path is run.",
+          .run = [this] { path_.undo(); },
+          .disabled_reason = [this] { return path_.can_undo() ? nullptr : "The path was not edited yet."; },
+          .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_undo(); }},
       UserAction{.name = "Redo the edit of the path",
                  .shortcut = "Ctrl+Shift+Z",
                  .tip = "Edits the path again as before the undo.",
                  .run = [this] { path_.redo(); },
-                 .why_not = [this] { return path_.can_redo() ? nullptr : "No edit of the path was undone."; },
+                 .disabled_reason =
+                     [this] { return path_.can_redo() ? nullptr : "No edit of the path was undone."; },
                  .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_redo(); },
                  .ends_group = true},
   };
@@ -190,8 +195,8 @@ std::vector<UserAction> PathFeature::path_actions() {
 
 void PathFeature::draw_panel() {
   panel_.draw(
-      path_, at_panel_resolution_, on_.view, on_.world(), PathTool::beam_for(on_.world(), on_.laser.radius),
-      why_no_run(),
+      path_, at_panel_resolution_, workspace_.view, workspace_.world(),
+      PathTool::beam_for(workspace_.world(), workspace_.laser.radius), why_no_run(),
       {[this] { ask_for_run(); }, [this] { choose_file_to_load(); }, [this] { choose_file_to_save(); }});
   keep();
 }
@@ -208,9 +213,9 @@ bool PathFeature::take_file(const std::filesystem::path& file) {
 
 // The path of a file belongs to the document that is opened with it.
 void PathFeature::load_waiting() {
-  if (on_.opening.loader.busy()) return;
+  if (workspace_.opening.loader.busy()) return;
   for (const std::filesystem::path& file : std::exchange(waiting_, {})) {
-    if (const std::string why = load(file); !why.empty()) on_.message.say(why, true);
+    if (const std::string why = load(file); !why.empty()) workspace_.message.say(why, true);
   }
 }
 
@@ -220,28 +225,28 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   auto strokes = read_path_file(file);
   if (!strokes) return strokes.error().message;
   path_.begin_edit();
-  path_.load(std::move(*strokes), on_.world());
-  path_.note_file(file);
-  on_.tool = kPath;
-  on_.panels.show(kPath);
-  on_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") + ", " +
-                  count_text(path_.points(), "point"));
+  path_.load(std::move(*strokes), workspace_.world());
+  path_.record_file(file);
+  workspace_.tool = kPath;
+  workspace_.panels.show(kPath);
+  workspace_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") +
+                         ", " + count_text(path_.points(), "point"));
   return "";
 }
 
 void PathFeature::choose_file_to_load() {
-  browse(on_.browser,
+  browse(workspace_.browser,
          {.title = "Load a path of the laser",
           .verb = "Load",
           .hint = "Type a part of a name, or a whole path",
           .listed = ".json",
           .take = [this](const std::filesystem::path& file) { return load(file); }},
-         on_.settings.folder, "");
+         workspace_.settings.folder, "");
 }
 
 void PathFeature::choose_file_to_save() {
   const std::string name = path_.file().filename().string();
-  browse(on_.browser,
+  browse(workspace_.browser,
          {.title = "Save the path of the laser",
           .verb = "Save",
           .hint = "Name; the ending is .json",
@@ -252,14 +257,14 @@ void PathFeature::choose_file_to_save() {
                 save(file);
                 return "";
               },
-          .inputs = [this] { return inputs_of(on_.work); }},
-         on_.settings.folder, name.empty() ? "path.json" : name);
+          .inputs = [this] { return inputs_of(workspace_.work); }},
+         workspace_.settings.folder, name.empty() ? "path.json" : name);
 }
 
 void PathFeature::save(const std::filesystem::path& file) {
   const Status saved = save_path(file, path_.strokes());
-  if (saved) path_.note_file(file);
-  on_.message.say(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
+  if (saved) path_.record_file(file);
+  workspace_.message.say(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
 }
 
 // The document
@@ -268,11 +273,11 @@ void PathFeature::save(const std::filesystem::path& file) {
 void PathFeature::keep() {
   if (kept_ == path_.changes()) return;
   kept_ = path_.changes();
-  set_head_entry(on_.work.scene, kPathKey, path_entry(path_));
+  set_head_entry(workspace_.work.scene, kPathKey, path_entry(path_));
 }
 
-void PathFeature::forget() {
-  path_ = path_of_entry(head_entry(on_.work.scene, kPathKey), on_.world());
+void PathFeature::on_document_opened() {
+  path_ = path_of_entry(head_entry(workspace_.work.scene, kPathKey), workspace_.world());
   kept_ = path_.changes();
 }
 
@@ -280,50 +285,50 @@ void PathFeature::forget() {
 // --------------------------------------------------------------------------------------------------------
 
 void PathFeature::ask_for_run() {
-  on_.changes.ask({.name = "Run of the path", .run = [this] { return run(), true; }, .is_one = true});
+  workspace_.changes.ask({.name = "Run of the path", .run = [this] { return run(), true; }, .is_one = true});
 }
 
 // All strokes are cut on a thread of their own, or none if the user stops it.
 void PathFeature::run() {
-  if (const auto why = why_no_cut(path_.strokes())) return on_.message.say(*why, true);
-  cancel_stroke(on_);
-  path_.note_run(on_.work.document.history().position());
+  if (const auto why = why_no_cut(path_.strokes())) return workspace_.message.say(*why, true);
+  cancel_stroke(workspace_);
+  path_.record_run(workspace_.work.document.history().position());
   std::function<Resolution(double)> resolution;
   if (at_panel_resolution_)
-    resolution = [controls = on_.laser.resolution](double radius) { return controls.of(radius); };
-  const auto cut = [commands = path_commands(path_.strokes(), on_.world().bounds().diagonal(), resolution)](
-                       Document& document, const Progress* progress) {
+    resolution = [controls = workspace_.laser.resolution](double radius) { return controls.of(radius); };
+  const auto cut = [commands = path_commands(path_.strokes(), workspace_.world().bounds().diagonal(),
+                                             resolution)](Document& document, const Progress* progress) {
     Outcome outcome = document.run_whole(commands, progress);
     if (!outcome.ok() && outcome.error().message == cancelled().message)
       outcome.fail(failed("The path was stopped: nothing was cut."));
     return outcome;
   };
-  on_.changes.change("Cutting the path", false, cut, "The path is cut.");
-  on_.cut_once = true;
+  workspace_.changes.change("Cutting the path", false, cut, "The path is cut.");
+  workspace_.cut_once = true;
 }
 
 // Telling
 // --------------------------------------------------------------------------------------------------------
 
 // The path while it is in hand or its panel is unfolded.
-void PathFeature::draw_marks(ImDrawList& list) {
-  if (!shows_path() || on_.cutting()) return;
-  const FirstPicture picture(on_.view);
-  const Area& first = on_.view.layout.first;
+void PathFeature::draw_overlay(ImDrawList& list) {
+  if (!shows_path() || workspace_.cutting()) return;
+  const FirstPicture picture(workspace_.view);
+  const Area& first = workspace_.view.layout.first;
   list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
-  draw_path(path_, on_.world(), picture, list);
+  draw_path(path_, workspace_.world(), picture, list);
   list.PopClipRect();
 }
 
-void PathFeature::mark(Landmarks& landmarks) const {
+void PathFeature::add_landmarks(Landmarks& landmarks) const {
   if (!shows_path()) return;
-  const FirstPicture picture(on_.view);
-  for (const PathMark& mark : path_marks(path_, on_.world(), picture))
+  const FirstPicture picture(workspace_.view);
+  for (const PathMark& mark : path_marks(path_, workspace_.world(), picture))
     landmarks.mark("path point " + std::to_string(mark.number), {mark.target, Vec2(0)});
   if (const auto knob = path_knob(path_, picture)) landmarks.mark("path knob", {knob->place, Vec2(0)});
 }
 
-void PathFeature::report(nlohmann::ordered_json& report) const {
+void PathFeature::write_session_log(nlohmann::ordered_json& report) const {
   nlohmann::ordered_json targets = nlohmann::ordered_json::array();
   for (size_t i = 0; i < path_.strokes().size(); ++i) {
     for (size_t k = 0; k < path_.strokes()[i].keys.size(); ++k)
@@ -334,6 +339,8 @@ void PathFeature::report(nlohmann::ordered_json& report) const {
 
 }  // namespace
 
-std::unique_ptr<Feature> path_feature(Workspace& on) { return std::make_unique<PathFeature>(on); }
+std::unique_ptr<Feature> path_feature(Workspace& workspace) {
+  return std::make_unique<PathFeature>(workspace);
+}
 
 }  // namespace kerf

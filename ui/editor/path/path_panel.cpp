@@ -20,8 +20,8 @@ namespace kerf {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-constexpr int kLeastKeys = 12, kMostKeys = 360;  // of a hole
-constexpr double kSagitta = 1.0 / 16;  // of the beam's radius: so far a chord may be inside its circle
+constexpr int kMinKeys = 12, kMaxKeys = 360;  // of a hole
+constexpr double kSagitta = 1.0 / 16;         // of the beam's radius: so far a chord may be inside its circle
 
 // Directions across the beam: that of the rows, and that of the columns.
 struct Plane {
@@ -43,7 +43,7 @@ Plane plane_across(const Vec3& beam) {
 int keys_of_circle(double circle, double radius) {
   const double sagitta = std::min(kSagitta * radius / circle, 1.0);
   const double keys = std::ceil(0.5 * kTurn / std::acos(1 - sagitta));
-  return static_cast<int>(std::clamp<double>(keys, kLeastKeys, kMostKeys));
+  return static_cast<int>(std::clamp<double>(keys, kMinKeys, kMaxKeys));
 }
 
 // The middles of the holes, from the middle of the pattern.
@@ -99,7 +99,7 @@ namespace {
 
 void number_row(NumberFields& fields, const char* name, int& number, const char* meaning) {
   auto count = static_cast<size_t>(number);
-  if (fields.count(name, count, meaning, 1, HolePattern::kMostInALine)) number = static_cast<int>(count);
+  if (fields.count(name, count, meaning, 1, HolePattern::kMaxInALine)) number = static_cast<int>(count);
 }
 
 void length_row(NumberFields& fields, const char* name, double& length, FileUnit unit, const char* meaning) {
@@ -159,7 +159,7 @@ void HoleForm::draw(PathWork& path, const World& world, double radius, double sp
 
 namespace {
 
-constexpr size_t kMostRows = 7;
+constexpr size_t kMaxRows = 7;
 constexpr const char* kEmpty = "The path has no points.";
 
 std::string summary(const PathWork& path, const ViewState& view) {
@@ -279,7 +279,7 @@ void PathPanel::draw_list(PathWork& path, const World& world, FileUnit unit) {
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const size_t points = path.points();
   if (points == 0) return;
-  const float height = height_of_rows(std::min(points, kMostRows) + 1);
+  const float height = height_of_rows(std::min(points, kMaxRows) + 1);
   if (!ImGui::BeginTable("points", 4, kList, {0, height})) return;
   const double diagonal = world.loaded_bounds().diagonal();
   const LengthUnit shown = label_unit(diagonal, unit);

@@ -15,13 +15,13 @@ namespace kerf {
 struct HolePattern {
   enum class Kind { kGrid, kCircle };
   Kind kind = Kind::kGrid;
-  int rows = 3, columns = 4;   // of a grid, 1 .. kMostInALine
+  int rows = 3, columns = 4;   // of a grid, 1 .. kMaxInALine
   double spacing = 0.1;        // m, between the middles of neighbours in a grid
-  int count = 8;               // on a circle, 1 .. kMostInALine
+  int count = 8;               // on a circle, 1 .. kMaxInALine
   double circle_radius = 0.2;  // m, of the circle on which the middles lie
   double hole_radius = 0.03;   // m
 
-  static constexpr int kMostInALine = 100;
+  static constexpr int kMaxInALine = 100;
 };
 
 // The strokes that drill the holes, one for each: the beam, of this radius (m), goes once round along the

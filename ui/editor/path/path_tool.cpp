@@ -15,13 +15,13 @@ namespace {
 
 constexpr float kDot = 4.5f, kKnob = 6;  // screen coordinates
 constexpr double kMarkReach = 9;         // the same
-constexpr double kLeastApart = 14;       // of dots, screen coordinates
+constexpr double kMinApart = 14;         // of dots, screen coordinates
 constexpr double kMarkArrowEms = 3, kKnobEms = 5.5;
-constexpr double kNearEnough = 0.998;   // of the depth of a point: a surface there does not hide it
-constexpr size_t kMostLookedFor = 600;  // points beyond which no surface is asked whether it hides them
-constexpr size_t kMostNumbered = 40;
-constexpr size_t kMostFollowed = 64;  // segments beyond which lines do not follow the surface
-constexpr int kParts = 12;            // of a segment that follows the surface
+constexpr double kNearEnough = 0.998;  // of the depth of a point: a surface there does not hide it
+constexpr size_t kMaxLookedFor = 600;  // points beyond which no surface is asked whether it hides them
+constexpr size_t kMaxNumbered = 40;
+constexpr size_t kMaxFollowed = 64;  // segments beyond which lines do not follow the surface
+constexpr int kParts = 12;           // of a segment that follows the surface
 
 constexpr ImU32 kMarkShade = IM_COL32(10, 12, 16, 150);
 
@@ -56,7 +56,7 @@ void line_twice(ImDrawList& list, Vec2 from, Vec2 to, ImU32 colour, float width)
 
 void draw_segment(const PathWork& path, const World& world, PathPoint a, PathPoint b,
                   const FirstPicture& picture, ImU32 colour, ImDrawList& list) {
-  const int parts = path.points() <= kMostFollowed ? kParts : 1;
+  const int parts = path.points() <= kMaxFollowed ? kParts : 1;
   std::vector<ImVec2> line;
   for (int i = 0; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
@@ -130,7 +130,7 @@ void draw_knob(const PathKnob& knob, ImDrawList& list) {
 
 std::vector<PathMark> path_marks(const PathWork& path, const World& world, const FirstPicture& picture) {
   std::vector<PathMark> marks;
-  const bool look_for_surfaces = path.points() <= kMostLookedFor;
+  const bool look_for_surfaces = path.points() <= kMaxLookedFor;
   size_t number = 0;
   for (size_t i = 0; i < path.strokes().size(); ++i) {
     std::optional<Vec2> before;
@@ -138,7 +138,7 @@ std::vector<PathMark> path_marks(const PathWork& path, const World& world, const
       const PathPoint point{i, k};
       const auto place = picture.place_of(path.target(point));
       const bool chosen = path.chosen() == point;
-      if (!place || (before && !chosen && glm::length(*place - *before) < kLeastApart)) continue;
+      if (!place || (before && !chosen && glm::length(*place - *before) < kMinApart)) continue;
       before = place;
       const bool hidden = look_for_surfaces && is_hidden(world, picture, path.target(point), *place);
       marks.push_back({point, number, *place, hidden});
@@ -177,13 +177,13 @@ void draw_path(const PathWork& path, const World& world, const FirstPicture& pic
   const std::vector<PathMark> marks = path_marks(path, world, picture);
   draw_arrows(path, marks, picture, list);
   for (const PathMark& mark : marks)
-    draw_dot(mark, path.chosen() == mark.point, marks.size() <= kMostNumbered, list);
+    draw_dot(mark, path.chosen() == mark.point, marks.size() <= kMaxNumbered, list);
   if (const auto knob = path_knob(path, picture)) draw_knob(*knob, list);
 }
 
 namespace {
 
-constexpr double kLeastDrag = 3;  // screen coordinates; less is a click that chooses
+constexpr double kMinDrag = 3;  // screen coordinates; less is a click that chooses
 
 // The normal of the surface at which a point aims, as seen from its origin; against its beam where there is
 // none.
@@ -228,7 +228,7 @@ void PathTool::take(Grip grip, bool edits, Vec2 pointer) {
 
 void PathTool::move(PathWork& path, const World& world, const ViewState& view, Vec2 pointer) {
   if (grip_ == Grip::kNone || !path.chosen()) return;
-  if (glm::length(pointer - pressed_at_) < kLeastDrag && !edits_) return;
+  if (glm::length(pointer - pressed_at_) < kMinDrag && !edits_) return;
   if (!edits_) path.begin_edit();
   edits_ = true;
   if (grip_ == Grip::kTarget) {

@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMostSteps = 200;  // of the undo
+constexpr size_t kMaxSteps = 200;  // of the undo
 
 // To the first surface that the beam meets, else to the plane through the middle of the world across it.
 double distance_to_surface(const World& world, const Pose& pose) {
@@ -42,7 +42,7 @@ double PathWork::speed() const {
 
 void PathWork::begin_edit() {
   undone_to_.push_back(now_);
-  if (undone_to_.size() > kMostSteps) undone_to_.erase(undone_to_.begin());
+  if (undone_to_.size() > kMaxSteps) undone_to_.erase(undone_to_.begin());
   redone_to_.clear();
   ++changes_;
   run_at_.reset();

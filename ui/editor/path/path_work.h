@@ -83,13 +83,13 @@ class PathWork {
 
   // The file that the path was loaded from or saved to; empty: none.
   const std::filesystem::path& file() const { return file_; }
-  void note_file(std::filesystem::path file) { file_ = std::move(file); }
+  void record_file(std::filesystem::path file) { file_ = std::move(file); }
   // A number that grows with everything that changes the path.
   size_t changes() const { return changes_; }
 
   // Notes that the path is run at this position of the history of the document. Until the path is edited
   // again, only positions up to this one are older than the last edit of the path.
-  void note_run(size_t position) { run_at_ = position; }
+  void record_run(size_t position) { run_at_ = position; }
   bool is_newer_than(size_t position) const { return !run_at_ || position <= *run_at_; }
 
  private:

@@ -46,7 +46,7 @@ Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
 class PieceExport {
  public:
   // The workspace must outlive it.
-  explicit PieceExport(Workspace& on) : on_(on) {}
+  explicit PieceExport(Workspace& workspace) : workspace_(workspace) {}
 
   // Precondition: a piece is chosen.
   void choose_file();
@@ -55,7 +55,7 @@ class PieceExport {
   std::string suggested_name() const;
   std::string export_to(const std::filesystem::path& file);
 
-  Workspace& on_;
+  Workspace& workspace_;
 };
 
 }  // namespace kerf

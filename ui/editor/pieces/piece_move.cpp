@@ -53,7 +53,7 @@ std::optional<Vec3> vertex_near(const World& world, const ViewState& view, Vec2 
 namespace {
 
 constexpr double kTurn = 2 * kPi, kDegree = kTurn / 360;
-constexpr size_t kMostTyped = 18;
+constexpr size_t kMaxTyped = 18;
 
 // Where a ray meets the plane through `at` that is parallel to the picture.
 Vec3 on_picture_plane(const CameraView& view, const Pose& ray, const Vec3& at) {
@@ -87,7 +87,7 @@ bool edit_amount(std::string& typed, int key) {
   } else if (point) {
     if (typed.find('.') == std::string::npos) typed += '.';
   } else if (digit) {
-    if (typed.size() < kMostTyped) typed += *digit;
+    if (typed.size() < kMaxTyped) typed += *digit;
   } else {
     return false;
   }

@@ -139,12 +139,12 @@ glm::dquat orientation_of(const Vec3& angles) {
 
 std::optional<Command> PlacementRows::draw(const World& world, const ViewState& view) {
   if (!begin_properties("placement")) return std::nullopt;
-  const char* why_not = why_no_move(view.look.pieces);
+  const char* disabled_reason = why_no_move(view.look.pieces);
   std::optional<Command> command;
-  if (why_not == nullptr) {
+  if (disabled_reason == nullptr) {
     command = draw_fields(world, view, *first_chosen(view.look.pieces));
   } else {
-    draw_empty(why_not);
+    draw_empty(disabled_reason);
   }
   end_properties();
   return command;
@@ -185,7 +185,7 @@ namespace {
 
 class MovingFeature : public Feature {
  public:
-  explicit MovingFeature(Workspace& on) : on_(on) {}
+  explicit MovingFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{"Pieces", Tab::kCut, 601, true, [this] { draw_placement(); }}};
@@ -201,27 +201,27 @@ class MovingFeature : public Feature {
              "Move or turn the chosen piece, with the tool that picks; Ctrl snaps to steps and vertices"}};
   }
 
-  bool takes(const InputEvent& event, bool in_picture) override;
-  std::unique_ptr<Interaction> claim(const Press& press) override;
-  const char* hint() const override {
+  bool handle_event(const InputEvent& event, bool in_picture) override;
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  const char* status_hint() const override {
     if (!moving_.moves()) return nullptr;
     return moving_.move().kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Turning a piece";
   }
 
-  void advance(double) override {
-    moving_.drop_if_lost(on_.world());
-    if (!on_.changes.is_pending()) grab_copy();
+  void update(double) override {
+    moving_.drop_if_lost(workspace_.world());
+    if (!workspace_.changes.is_pending()) grab_copy();
   }
-  void forget() override { moving_.forget(); }
+  void on_document_opened() override { moving_.forget(); }
 
-  void draw_marks(ImDrawList& list) override {
-    if (on_.cutting()) return;
-    draw_piece_handles(on_.view, pivot(), moving_.now(), on_.pointer_over_picture(), list);
+  void draw_overlay(ImDrawList& list) override {
+    if (workspace_.cutting()) return;
+    draw_piece_handles(workspace_.view, pivot(), moving_.now(), workspace_.pointer_over_picture(), list);
     const std::optional<MoveSnap> snap = moving_.moves() ? moving_.move().snap() : std::nullopt;
-    if (snap && snap->vertex) draw_measured_point(on_.view, *snap->vertex, list);
+    if (snap && snap->vertex) draw_measured_point(workspace_.view, *snap->vertex, list);
   }
-  void mark(Landmarks& landmarks) const override {
-    mark_handles(piece_handles(on_.view, pivot()), landmarks);
+  void add_landmarks(Landmarks& landmarks) const override {
+    mark_handles(piece_handles(workspace_.view, pivot()), landmarks);
   }
 
  private:
@@ -242,42 +242,43 @@ class MovingFeature : public Feature {
   };
 
   std::optional<Vec3> pivot() const {
-    return pivot_shown(on_.view, moving_.now(), on_.tool == kPickTool, on_.world());
+    return pivot_shown(workspace_.view, moving_.now(), workspace_.tool == kPickTool, workspace_.world());
   }
   UserAction move_action(const char* name, const char* key, PieceMove::Kind kind);
   UserAction duplicate_action();
   void draw_placement();
 
   void follow_pointer(const InputEvent& event) {
-    moving_.follow(on_.world(), event.at, (event.mods & GLFW_MOD_CONTROL) != 0);
+    moving_.follow(workspace_.world(), event.at, (event.mods & GLFW_MOD_CONTROL) != 0);
   }
   void take_key(int key);
   void confirm() {
-    if (const auto command = moving_.confirm()) on_.changes.ask(*command);
+    if (const auto command = moving_.confirm()) workspace_.changes.ask(*command);
   }
   // A copy that was moved is taken back by undo.
   void cancel() {
-    if (moves_copy_) on_.changes.ask("Undo", [this] { on_.changes.step_through_history(true); });
+    if (moves_copy_)
+      workspace_.changes.ask("Undo", [this] { workspace_.changes.step_through_history(true); });
     moving_.end();
   }
   void duplicate();
   void grab_copy();
 
-  Workspace& on_;
-  Moving moving_{on_.view};
+  Workspace& workspace_;
+  Moving moving_{workspace_.view};
   bool moves_copy_ = false;                   // the piece is a copy that was made for the move
   std::optional<BodyId> newest_before_copy_;  // the body that was the newest when a copy was asked for
   PlacementRows placement_;
 };
 
 // While a piece is moved by keys it follows the pointer without a button; a click ends that.
-bool MovingFeature::takes(const InputEvent& event, bool in_picture) {
+bool MovingFeature::handle_event(const InputEvent& event, bool in_picture) {
   if (!moving_.moves()) return false;
   if (event.kind == InputEvent::Kind::kKey) {
     take_key(event.button);
     return true;
   }
-  if (on_.held) return false;
+  if (workspace_.held) return false;
   if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
   const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
   if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
@@ -299,21 +300,21 @@ void MovingFeature::take_key(int key) {
       return cancel();
     case GLFW_KEY_G:
     case GLFW_KEY_R:
-      moving_.begin(on_.world(), key == GLFW_KEY_G ? PieceMove::Kind::kMove : PieceMove::Kind::kTurn,
-                    on_.pointer);
+      moving_.begin(workspace_.world(), key == GLFW_KEY_G ? PieceMove::Kind::kMove : PieceMove::Kind::kTurn,
+                    workspace_.pointer);
       break;
     default:
       if (!moving_.key(key)) return;
       break;
   }
-  moving_.follow(on_.world(), on_.pointer, false);
+  moving_.follow(workspace_.world(), workspace_.pointer, false);
 }
 
-std::unique_ptr<Interaction> MovingFeature::claim(const Press& press) {
-  if (!picks(on_, press)) return nullptr;
-  const auto handle = handle_under(piece_handles(on_.view, pivot()), on_.pointer);
+std::unique_ptr<Interaction> MovingFeature::begin_interaction(const Press& press) {
+  if (!picks(workspace_, press)) return nullptr;
+  const auto handle = handle_under(piece_handles(workspace_.view, pivot()), workspace_.pointer);
   if (!handle) return nullptr;
-  moving_.begin(on_.world(), handle->kind, on_.pointer);
+  moving_.begin(workspace_.world(), handle->kind, workspace_.pointer);
   moving_.constrain(handle->axis);
   moves_copy_ = false;
   return std::make_unique<DragOfPiece>(*this);
@@ -330,51 +331,55 @@ UserAction MovingFeature::move_action(const char* name, const char* key, PieceMo
           "picks in hand.",
       .run =
           [this, kind] {
-            cancel_stroke(on_);
-            moving_.begin(on_.world(), kind, on_.pointer);
+            cancel_stroke(workspace_);
+            moving_.begin(workspace_.world(), kind, workspace_.pointer);
             moves_copy_ = false;
           },
-      .why_not = [this] { return why_no_move(on_.view.look.pieces); },
-      .has_key_when = [this] { return on_.tool == kPickTool && chosen_pieces(on_.view.look.pieces) > 0; }};
+      .disabled_reason = [this] { return why_no_move(workspace_.view.look.pieces); },
+      .has_key_when =
+          [this] { return workspace_.tool == kPickTool && chosen_pieces(workspace_.view.look.pieces) > 0; }};
 }
 
 UserAction MovingFeature::duplicate_action() {
   return {.name = "Duplicate the chosen",
           .shortcut = "Shift+D",
           .tip = "Adds a copy of the chosen piece, which the pointer then moves.",
-          .run = [this] { on_.changes.ask("Duplicate the chosen", [this] { duplicate(); }); },
-          .why_not = [this] { return why_no_move(on_.view.look.pieces); }};
+          .run = [this] { workspace_.changes.ask("Duplicate the chosen", [this] { duplicate(); }); },
+          .disabled_reason = [this] { return why_no_move(workspace_.view.look.pieces); }};
 }
 
 // A piece that was hidden meanwhile is not chosen any more.
 void MovingFeature::duplicate() {
-  const auto piece = first_chosen(on_.view.look.pieces);
+  const auto piece = first_chosen(workspace_.view.look.pieces);
   if (!piece) return;
-  newest_before_copy_ = on_.world().ids().back();
-  on_.changes.apply(DuplicatePiece{*piece, on_.world().body(piece->body).placement});
+  newest_before_copy_ = workspace_.world().ids().back();
+  workspace_.changes.apply(DuplicatePiece{*piece, workspace_.world().body(piece->body).placement});
 }
 
 // Chooses the copy that was made since it was asked for, if it is there, and begins to move it.
 void MovingFeature::grab_copy() {
   const std::optional<BodyId> newest_before = std::exchange(newest_before_copy_, std::nullopt);
-  const std::vector<BodyId> ids = on_.world().ids();
+  const std::vector<BodyId> ids = workspace_.world().ids();
   if (!newest_before || ids.empty() || ids.back() == *newest_before) return;
-  const Records<Piece>& pieces = on_.world().body(ids.back()).pieces;
-  choose_none(on_.view.look.pieces);
+  const Records<Piece>& pieces = workspace_.world().body(ids.back()).pieces;
+  choose_none(workspace_.view.look.pieces);
   for (uint32_t label = 0; label < pieces.size(); ++label) {
-    if (pieces[label].faces > 0) on_.view.look.pieces[{ids.back(), label}].selected = true;
+    if (pieces[label].faces > 0) workspace_.view.look.pieces[{ids.back(), label}].selected = true;
   }
-  moving_.begin(on_.world(), PieceMove::Kind::kMove, on_.pointer);
+  moving_.begin(workspace_.world(), PieceMove::Kind::kMove, workspace_.pointer);
   moves_copy_ = true;
-  on_.view.picture_old = true;
+  workspace_.view.picture_old = true;
 }
 
 void MovingFeature::draw_placement() {
-  if (const auto command = placement_.draw(on_.world(), on_.view)) on_.changes.ask(*command);
+  if (const auto command = placement_.draw(workspace_.world(), workspace_.view))
+    workspace_.changes.ask(*command);
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> moving_feature(Workspace& on) { return std::make_unique<MovingFeature>(on); }
+std::unique_ptr<Feature> moving_feature(Workspace& workspace) {
+  return std::make_unique<MovingFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -135,17 +135,17 @@ namespace {
 
 class PressOnPieces : public Interaction {
  public:
-  explicit PressOnPieces(Workspace& on) : on_(on), pressed_at_(on.pointer) {}
+  explicit PressOnPieces(Workspace& workspace) : workspace_(workspace), pressed_at_(workspace.pointer) {}
 
   void move(const InputEvent&) override {
-    boxes_ = boxes_ || glm::length(on_.pointer - pressed_at_) > kClickReach;
+    boxes_ = boxes_ || glm::length(workspace_.pointer - pressed_at_) > kClickReach;
   }
   void release(const InputEvent& event) override {
     const bool add = (event.mods & GLFW_MOD_SHIFT) != 0;
     if (boxes_) {
       choose_in_box(add);
     } else {
-      choose_under_pointer(on_, add);
+      choose_under_pointer(workspace_, add);
     }
   }
   bool cancel() override { return boxes_; }
@@ -153,28 +153,32 @@ class PressOnPieces : public Interaction {
     return boxes_ ? "Choosing what lies wholly in the box; from right to left: what it touches" : nullptr;
   }
   void draw(ImDrawList& list) const override {
-    if (boxes_) draw_rubber_band({pressed_at_, on_.pointer}, list);
+    if (boxes_) draw_rubber_band({pressed_at_, workspace_.pointer}, list);
   }
 
  private:
   void choose_in_box(bool add) {
-    if (on_.view.in_second) return on_.message.say("Pieces are chosen in the left half.", true);
-    PieceMap& looks = on_.view.look.pieces;
+    if (workspace_.view.in_second) return workspace_.message.say("Pieces are chosen in the left half.", true);
+    PieceMap& looks = workspace_.view.look.pieces;
     if (!add) choose_none(looks);
-    const RubberBand band{on_.view.in_picture(pressed_at_), on_.view.in_picture(on_.pointer)};
-    for (const PieceId& id : pieces_in(band, on_.world(), on_.view.look, on_.view.seen()))
+    const RubberBand band{workspace_.view.in_picture(pressed_at_),
+                          workspace_.view.in_picture(workspace_.pointer)};
+    for (const PieceId& id :
+         pieces_in(band, workspace_.world(), workspace_.view.look, workspace_.view.seen()))
       looks[id].selected = true;
-    on_.view.picture_old = true;
+    workspace_.view.picture_old = true;
   }
 
-  Workspace& on_;
+  Workspace& workspace_;
   Vec2 pressed_at_;
   bool boxes_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Interaction> press_on_pieces(Workspace& on) { return std::make_unique<PressOnPieces>(on); }
+std::unique_ptr<Interaction> press_on_pieces(Workspace& workspace) {
+  return std::make_unique<PressOnPieces>(workspace);
+}
 
 namespace {
 
@@ -190,36 +194,38 @@ std::vector<BodyId> hidden_bodies(const World& world) {
 
 std::vector<PieceId> Isolation::to_show_again() const {
   std::vector<PieceId> pieces;
-  for (const PieceId& piece : hidden_pieces(on_.view.look.pieces)) {
+  for (const PieceId& piece : hidden_pieces(workspace_.view.look.pieces)) {
     const auto found = std::find(isolated_from_.begin(), isolated_from_.end(), piece.body);
-    if (on_.world().contains(piece.body) && found != isolated_from_.end()) pieces.push_back(piece);
+    if (workspace_.world().contains(piece.body) && found != isolated_from_.end()) pieces.push_back(piece);
   }
   return pieces;
 }
 
-const char* Isolation::why_not() const {
+const char* Isolation::disabled_reason() const {
   if (!to_show_again().empty()) return nullptr;
-  if (const char* why = why_none_chosen(on_.view.look.pieces)) return why;
-  return other_pieces(on_.world(), on_.view.look.pieces).empty() ? "All pieces are chosen." : nullptr;
+  if (const char* why = why_none_chosen(workspace_.view.look.pieces)) return why;
+  return other_pieces(workspace_.world(), workspace_.view.look.pieces).empty() ? "All pieces are chosen."
+                                                                               : nullptr;
 }
 
 void Isolation::change() {
   std::vector<PieceId> pieces = to_show_again();
   const bool hide = pieces.empty();
   if (hide) {
-    pieces = other_pieces(on_.world(), on_.view.look.pieces);
-    hidden_before_ = hidden_bodies(on_.world());
+    pieces = other_pieces(workspace_.world(), workspace_.view.look.pieces);
+    hidden_before_ = hidden_bodies(workspace_.world());
   }
-  cancel_stroke(on_);
-  on_.changes.change(hide ? "Isolate pieces" : "Show the other pieces", is_small(on_.work.document),
-                     edit_all(std::move(pieces), [hide](const PieceId& piece) {
-                       return HidePiece{piece, hide};
-                     }));
+  cancel_stroke(workspace_);
+  workspace_.changes.change(hide ? "Isolate pieces" : "Show the other pieces",
+                            is_small(workspace_.work.document),
+                            edit_all(std::move(pieces), [hide](const PieceId& piece) {
+                              return HidePiece{piece, hide};
+                            }));
 }
 
 void Isolation::follow() {
   if (!hidden_before_) return;
-  isolated_from_ = hidden_bodies(on_.world());
+  isolated_from_ = hidden_bodies(workspace_.world());
   std::erase_if(isolated_from_, [&](const BodyId& id) {
     return std::find(hidden_before_->begin(), hidden_before_->end(), id) != hidden_before_->end();
   });

@@ -32,18 +32,18 @@ void draw_rubber_band(const RubberBand& band, ImDrawList& list);
 
 // What a press in the picture begins that chooses pieces: a click chooses the piece under the pointer, a drag
 // those in a box; with Shift they are added to those that are chosen.
-std::unique_ptr<Interaction> press_on_pieces(Workspace& on);
+std::unique_ptr<Interaction> press_on_pieces(Workspace& workspace);
 
 // Hides all pieces but the chosen ones, and shows again those that were hidden by it, and no others.
 class Isolation {
  public:
   // The workspace must outlive it.
-  explicit Isolation(Workspace& on) : on_(on) {}
+  explicit Isolation(Workspace& workspace) : workspace_(workspace) {}
 
-  // Asks for the change. Precondition: why_not() is null.
+  // Asks for the change. Precondition: disabled_reason() is null.
   void change();
   // The sentence why nothing can be isolated nor shown again, or null.
-  const char* why_not() const;
+  const char* disabled_reason() const;
 
   // To be called after each change of the world, and when another document is open.
   void follow();
@@ -52,7 +52,7 @@ class Isolation {
  private:
   std::vector<PieceId> to_show_again() const;
 
-  Workspace& on_;
+  Workspace& workspace_;
   std::vector<BodyId> isolated_from_;                 // bodies that are hidden because others were isolated
   std::optional<std::vector<BodyId>> hidden_before_;  // while an isolation is going on
 };

@@ -23,18 +23,18 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSpreadStep = 0.25, kMostSpread = 1.5;
-constexpr size_t kMostNamed = 100;  // pieces
+constexpr double kSpreadStep = 0.25, kMaxSpread = 1.5;
+constexpr size_t kMaxNamed = 100;  // pieces
 constexpr const char* kPiecesPanel = "Pieces";
 
 class PiecesFeature : public Feature {
  public:
-  explicit PiecesFeature(Workspace& on) : on_(on) {}
+  explicit PiecesFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {
-        {kPiecesPanel, Tab::kCut, 600, true, [this] { draw_list(); }},
-        {kPiecesPanel, Tab::kCut, 602, true, [this] { draw_spread(list_pieces(on_.world()).size() < 2); }}};
+    return {{kPiecesPanel, Tab::kCut, 600, true, [this] { draw_list(); }},
+            {kPiecesPanel, Tab::kCut, 602, true,
+             [this] { draw_spread(list_pieces(workspace_.world()).size() < 2); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {
@@ -42,7 +42,7 @@ class PiecesFeature : public Feature {
         {230, "Edit", piece_actions()},
         {301,
          "Tool",
-         {tool_action(on_, kPickTool, "K",
+         {tool_action(workspace_, kPickTool, "K",
                       "A click chooses a piece, a drag the pieces in a box; with Shift they are added. With "
                       "the laser in hand, Ctrl does the same.")}},
         {1400, "Pieces", shown_actions()}};
@@ -53,36 +53,36 @@ class PiecesFeature : public Feature {
             {90, "Double click on a name in the list", "Rename the piece"}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press& press) override {
-    return picks(on_, press) ? press_on_pieces(on_) : nullptr;
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
+    return picks(workspace_, press) ? press_on_pieces(workspace_) : nullptr;
   }
-  bool let_go() override {
-    const bool any = chosen_pieces(on_.view.look.pieces) > 0;
-    choose_none(on_.view.look.pieces);
-    on_.view.picture_old = on_.view.picture_old || any;
+  bool clear_selection() override {
+    const bool any = chosen_pieces(workspace_.view.look.pieces) > 0;
+    choose_none(workspace_.view.look.pieces);
+    workspace_.view.picture_old = workspace_.view.picture_old || any;
     return any;
   }
-  const char* hint() const override {
-    return on_.tool == kPickTool
+  const char* status_hint() const override {
+    return workspace_.tool == kPickTool
                ? "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it"
                : nullptr;
   }
 
   bool awaits_focus() const override { return list_.awaits_focus(); }
-  void draw_windows() override { list_.end_hidden_edit(on_); }
+  void draw_windows() override { list_.end_hidden_edit(workspace_); }
 
-  void follow(const Delta&) override { isolation_.follow(); }
-  void forget() override {
-    on_.view.look.pieces.clear();
-    on_.view.numbers = PieceNumbers();
-    on_.view.spread = 0;
+  void on_world_changed(const Delta&) override { isolation_.follow(); }
+  void on_document_opened() override {
+    workspace_.view.look.pieces.clear();
+    workspace_.view.numbers = PieceNumbers();
+    workspace_.view.spread = 0;
     isolation_.forget();
     list_.forget_rename();
   }
-  void report(nlohmann::ordered_json& report) const override {
-    report["pieces_chosen"] = chosen_pieces(on_.view.look.pieces);
-    report["pieces_hidden"] = hidden_pieces(on_.view.look.pieces).size();
-    report["spread"] = on_.view.spread;
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    report["pieces_chosen"] = chosen_pieces(workspace_.view.look.pieces);
+    report["pieces_hidden"] = hidden_pieces(workspace_.view.look.pieces).size();
+    report["spread"] = workspace_.view.spread;
   }
 
  private:
@@ -103,23 +103,23 @@ class PiecesFeature : public Feature {
   bool change_chosen(const std::function<Command(const PieceId&)>& command_for);
   void show_hidden();
   const char* why_none_hidden() const {
-    return hidden_pieces(on_.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
+    return hidden_pieces(workspace_.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
   }
 
-  Workspace& on_;
+  Workspace& workspace_;
   PiecesList list_;
-  Isolation isolation_{on_};
-  PieceExport export_{on_};
+  Isolation isolation_{workspace_};
+  PieceExport export_{workspace_};
 };
 
 // Actions
 // --------------------------------------------------------------------------------------------------------
 
 std::vector<UserAction> PiecesFeature::piece_actions() {
-  const auto why_none = [this] { return why_none_chosen(on_.view.look.pieces); };
+  const auto why_none = [this] { return why_none_chosen(workspace_.view.look.pieces); };
   const auto why_no_rename = [this]() -> const char* {
-    if (const char* why = why_none_chosen(on_.view.look.pieces)) return why;
-    return chosen_pieces(on_.view.look.pieces) > 1
+    if (const char* why = why_none_chosen(workspace_.view.look.pieces)) return why;
+    return chosen_pieces(workspace_.view.look.pieces) > 1
                ? "Several pieces are chosen: choose one alone to rename it."
                : nullptr;
   };
@@ -132,41 +132,41 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                  .shortcut = "H",
                  .tip = "Leaves the chosen pieces out of the picture; the beam passes them by.",
                  .run = [this] { ask_to_hide(); },
-                 .why_not = why_none},
+                 .disabled_reason = why_none},
       UserAction{.name = "Show all pieces",
                  .shortcut = "Shift+H",
                  .tip = "Draws the hidden pieces again.",
                  .run = [this] { ask_to_show(); },
-                 .why_not = [this] { return why_none_hidden(); }},
+                 .disabled_reason = [this] { return why_none_hidden(); }},
       UserAction{.name = "Isolate the chosen",
                  .shortcut = "/",
                  .pad_key = GLFW_KEY_KP_DIVIDE,
                  .tip = "Hides all other pieces; the same again shows them as they were.",
                  .run =
                      [this] {
-                       on_.changes.ask({.name = "Isolate pieces",
-                                        .run = [this] { return isolation_.change(), true; },
-                                        .is_one = true});
+                       workspace_.changes.ask({.name = "Isolate pieces",
+                                               .run = [this] { return isolation_.change(), true; },
+                                               .is_one = true});
                      },
-                 .why_not = [this] { return isolation_.why_not(); }},
+                 .disabled_reason = [this] { return isolation_.disabled_reason(); }},
       UserAction{
           .name = "Rename the chosen",
           .shortcut = "F2",
           .tip = "Edits the name of the chosen piece in the Pieces panel: Enter takes it, Esc does not.",
           .run = [this] { rename_chosen(); },
-          .why_not = why_no_rename},
+          .disabled_reason = why_no_rename},
       UserAction{
           .name = "Delete the chosen",
           .shortcut = "Del",
           .tip = "Takes the chosen pieces out of the world.",
           .run =
               [this] {
-                on_.changes.ask(
+                workspace_.changes.ask(
                     {.name = "Delete pieces",
                      .run = [this] { return change_chosen([](const PieceId& p) { return DeletePiece{p}; }); },
                      .is_one = true});
               },
-          .why_not = why_none,
+          .disabled_reason = why_none,
           .ends_group = true},
   };
 }
@@ -176,21 +176,21 @@ UserAction PiecesFeature::export_action() {
           .shortcut = "Ctrl+E",
           .tip = "As meshes, where they stand; several go to numbered files.",
           .run = [this] { export_.choose_file(); },
-          .why_not = [this] { return why_none_chosen(on_.view.look.pieces); }};
+          .disabled_reason = [this] { return why_none_chosen(workspace_.view.look.pieces); }};
 }
 
 std::vector<UserAction> PiecesFeature::pieces_to_choose() {
   std::vector<UserAction> actions;
-  PieceMap& looks = on_.view.look.pieces;
-  for (const PieceRow& row : list_pieces(on_.world(), looks)) {
-    if (actions.size() >= kMostNamed) break;
+  PieceMap& looks = workspace_.view.look.pieces;
+  for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
+    if (actions.size() >= kMaxNamed) break;
     actions.push_back({.name = row.name, .tip = "Chooses this piece, and no other."});
     actions.back().run = [this, &looks, id = row.id] {
       choose_none(looks);
       looks[id].selected = true;
-      on_.view.picture_old = true;
+      workspace_.view.picture_old = true;
     };
-    actions.back().why_not = [&looks, id = row.id] {
+    actions.back().disabled_reason = [&looks, id = row.id] {
       const auto look = looks.find(id);
       return look != looks.end() && look->second.hidden ? "It is hidden." : nullptr;
     };
@@ -199,11 +199,11 @@ std::vector<UserAction> PiecesFeature::pieces_to_choose() {
 }
 
 UserAction PiecesFeature::spread_action(const char* name, double by) {
-  return picture_action(on_.view, name,
+  return picture_action(workspace_.view, name,
                         "Draws the pieces away from the middle, or back. They stay where they are.",
                         [this, by] {
-                          on_.view.spread = std::clamp(on_.view.spread + by, 0.0, kMostSpread);
-                          spread_pieces(on_.world(), on_.view.spread, on_.view.look);
+                          workspace_.view.spread = std::clamp(workspace_.view.spread + by, 0.0, kMaxSpread);
+                          spread_pieces(workspace_.world(), workspace_.view.spread, workspace_.view.look);
                         });
 }
 
@@ -219,16 +219,17 @@ std::vector<UserAction> PiecesFeature::shown_actions() {
 // --------------------------------------------------------------------------------------------------------
 
 void PiecesFeature::draw_list() {
-  list_.draw(on_, list_pieces(on_.world(), on_.view.look.pieces), [this] { ask_to_hide(); });
+  list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces),
+             [this] { ask_to_hide(); });
   draw_buttons();
 }
 
 void PiecesFeature::draw_buttons() {
-  const char* why_none = chosen_pieces(on_.view.look.pieces) > 0
+  const char* why_none = chosen_pieces(workspace_.view.look.pieces) > 0
                              ? nullptr
                              : "No piece is chosen: Ctrl+click one in the picture, or click it in the list.";
   const auto told = [&](const char* meaning, const char* action) {
-    return with_shortcut(on_.view, meaning, action);
+    return with_shortcut(workspace_.view, meaning, action);
   };
   if (row_button("Hide", 3, why_none,
                  told("Leaves the chosen pieces out of the picture.", "Hide the chosen").c_str()))
@@ -246,15 +247,15 @@ void PiecesFeature::draw_buttons() {
 void PiecesFeature::draw_spread(bool one_piece) {
   if (!begin_properties("spread")) return;
   property("Spread");
-  double& spread = on_.view.spread;
+  double& spread = workspace_.view.spread;
   ImGui::BeginDisabled(one_piece);
   const char* meaning = one_piece ? "There is only one piece: cut something off first."
                                   : "Draws the pieces apart, away from the middle. They stay where they are: "
                                     "the next cut draws them together again.";
-  if (real_slider({"Spread", "##spread", meaning}, spread, 0, kMostSpread, "%.2f", {},
+  if (real_slider({"Spread", "##spread", meaning}, spread, 0, kMaxSpread, "%.2f", {},
                   spread == 0 ? "together" : "")) {
-    spread_further(on_.world(), spread, on_.view.look);
-    on_.view.picture_old = true;
+    spread_further(workspace_.world(), spread, workspace_.view.look);
+    workspace_.view.picture_old = true;
   }
   ImGui::EndDisabled();
   end_properties();
@@ -264,15 +265,15 @@ void PiecesFeature::draw_spread(bool one_piece) {
 // --------------------------------------------------------------------------------------------------------
 
 void PiecesFeature::choose_all() {
-  for (const PieceRow& row : list_pieces(on_.world())) {
-    PieceLook& look = on_.view.look.pieces[row.id];
+  for (const PieceRow& row : list_pieces(workspace_.world())) {
+    PieceLook& look = workspace_.view.look.pieces[row.id];
     look.selected = !look.hidden;
   }
-  on_.view.picture_old = true;
+  workspace_.view.picture_old = true;
 }
 
 void PiecesFeature::ask_to_hide() {
-  on_.changes.ask(
+  workspace_.changes.ask(
       {.name = "Hide pieces",
        .run = [this] { return change_chosen([](const PieceId& piece) {
                          return HidePiece{piece, true};
@@ -281,22 +282,23 @@ void PiecesFeature::ask_to_hide() {
 }
 
 void PiecesFeature::ask_to_show() {
-  on_.changes.ask({.name = "Show all pieces", .run = [this] { return show_hidden(), true; }, .is_one = true});
+  workspace_.changes.ask(
+      {.name = "Show all pieces", .run = [this] { return show_hidden(), true; }, .is_one = true});
 }
 
 void PiecesFeature::rename_chosen() {
-  KERF_ASSERT(chosen_pieces(on_.view.look.pieces) == 1);
-  on_.panels.reveal(kPiecesPanel);
-  list_.rename(*first_chosen(on_.view.look.pieces));
+  KERF_ASSERT(chosen_pieces(workspace_.view.look.pieces) == 1);
+  workspace_.panels.reveal(kPiecesPanel);
+  list_.rename(*first_chosen(workspace_.view.look.pieces));
 }
 
 // One after the other, because a piece may be part of another body after a command. Returns false where some
 // are left because one became pending.
 bool PiecesFeature::change_chosen(const std::function<Command(const PieceId&)>& command_for) {
-  while (const auto piece = first_chosen(on_.view.look.pieces)) {
-    if (on_.changes.is_pending()) return false;
-    on_.view.look.pieces[*piece].selected = false;
-    on_.changes.apply(command_for(*piece));
+  while (const auto piece = first_chosen(workspace_.view.look.pieces)) {
+    if (workspace_.changes.is_pending()) return false;
+    workspace_.view.look.pieces[*piece].selected = false;
+    workspace_.changes.apply(command_for(*piece));
   }
   return true;
 }
@@ -304,13 +306,16 @@ bool PiecesFeature::change_chosen(const std::function<Command(const PieceId&)>& 
 // Hidden pieces are bodies of their own, so that no id changes when one of them is shown.
 void PiecesFeature::show_hidden() {
   std::vector<Command> commands;
-  for (const PieceId& piece : hidden_pieces(on_.view.look.pieces))
+  for (const PieceId& piece : hidden_pieces(workspace_.view.look.pieces))
     commands.emplace_back(HidePiece{piece, false});
-  on_.changes.change("Show all pieces", is_small(on_.work.document), apply_all(std::move(commands)));
+  workspace_.changes.change("Show all pieces", is_small(workspace_.work.document),
+                            apply_all(std::move(commands)));
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> pieces_feature(Workspace& on) { return std::make_unique<PiecesFeature>(on); }
+std::unique_ptr<Feature> pieces_feature(Workspace& workspace) {
+  return std::make_unique<PiecesFeature>(workspace);
+}
 
 }  // namespace kerf

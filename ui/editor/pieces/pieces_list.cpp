@@ -114,10 +114,10 @@ void draw_swatch(const Vec3& c) {
 
 // The colour in which the picture shows the piece (sRGB, 0 .. 1), somewhat brighter; grey for what keeps its
 // paint.
-Vec3 swatch_colour(const Workspace& on, const PieceRow& row) {
-  if (row.number == 0 || on.view.look.show.pieces) return strong_piece_colour(row.number);
-  const Body& body = on.world().body(row.id.body);
-  const std::vector<glm::dvec3> colours = piece_colours(body.material_names, on.work.paints);
+Vec3 swatch_colour(const Workspace& workspace, const PieceRow& row) {
+  if (row.number == 0 || workspace.view.look.show.pieces) return strong_piece_colour(row.number);
+  const Body& body = workspace.world().body(row.id.body);
+  const std::vector<glm::dvec3> colours = piece_colours(body.material_names, workspace.work.paints);
   return screen_from_linear(glm::min(1.6 * colours[(row.number - 1) % colours.size()], 1.0));
 }
 
@@ -236,13 +236,14 @@ void PiecesList::forget_rename() {
   take_focus_ = false;
 }
 
-void PiecesList::end_hidden_edit(Workspace& on) {
+void PiecesList::end_hidden_edit(Workspace& workspace) {
   const bool drawn = std::exchange(field_drawn_, false);
   if (!asked_ && !renamed_) return;
-  if (renamed_ && !take_focus_ && !drawn) return take_new_name(on.changes);
+  if (renamed_ && !take_focus_ && !drawn) return take_new_name(workspace.changes);
   if (!awaits_focus() || ++unseen_frames_ <= kMaxUnseenFrames) return;
   forget_rename();
-  on.message.say("There is no room for the list of pieces: make the window larger to rename one.", true);
+  workspace.message.say("There is no room for the list of pieces: make the window larger to rename one.",
+                        true);
 }
 
 void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook& look) {
@@ -277,24 +278,24 @@ void PiecesList::draw_switches(WorldChanges& changes, const PieceRow& row, bool 
   mark_last_item(("pin " + row.name).c_str());
 }
 
-void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_folded) {
-  ViewState& view = on.view;
+void PiecesList::draw_row(Workspace& workspace, const PieceRow& row, bool is_folded) {
+  ViewState& view = workspace.view;
   const PieceLook look = look_of(view, row.id);
   ImGui::PushID(static_cast<int>(row.id.body.slot));
   ImGui::PushID(static_cast<int>(row.id.label));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   if (is_folded) ImGui::Indent();
-  draw_swatch(swatch_colour(on, row));
+  draw_swatch(swatch_colour(workspace, row));
   if (renamed_ == row.id) {
-    edit_name(on.changes);
+    edit_name(workspace.changes);
   } else {
     draw_name(view, row, look);
   }
   mark_last_item(("piece " + row.name).c_str());
   if (is_folded) ImGui::Unindent();
   draw_statistics(row.faces, row.area, view.frame.unit);
-  draw_switches(on.changes, row, look.hidden);
+  draw_switches(workspace.changes, row, look.hidden);
   ImGui::PopID();
   ImGui::PopID();
 }
@@ -328,11 +329,11 @@ void PiecesList::draw_specks(ViewState& view, const std::vector<PieceRow>& speck
   }
 }
 
-void PiecesList::draw_rows(Workspace& on, const SortedPieces& sorted, const HideChosen& hide_chosen) {
+void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted, const HideChosen& hide_chosen) {
   const std::vector<Listed> listed = rows_to_list(sorted, specks_unfolded_);
   const auto draw_one = [&](const Listed& each) {
-    if (each.row == nullptr) return draw_specks(on.view, sorted.specks, hide_chosen);
-    draw_row(on, *each.row, each.is_folded);
+    if (each.row == nullptr) return draw_specks(workspace.view, sorted.specks, hide_chosen);
+    draw_row(workspace, *each.row, each.is_folded);
   };
   // A field that is to take the focus has to be drawn, also where it is scrolled away.
   if (take_focus_) {
@@ -342,16 +343,17 @@ void PiecesList::draw_rows(Workspace& on, const SortedPieces& sorted, const Hide
   draw_rows_in_sight(listed.size(), [&](size_t i) { draw_one(listed[i]); });
 }
 
-void PiecesList::draw(Workspace& on, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen) {
+void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
+                      const HideChosen& hide_chosen) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
-  const SortedPieces sorted = set_specks_apart(rows, specks(on.work.document));
+  const SortedPieces sorted = set_specks_apart(rows, specks(workspace.work.document));
   begin_asked_rename(sorted);
   const size_t count = rows_to_list(sorted, specks_unfolded_).size();
   const float height = height_of_rows(std::min(count, kRowsInSight) + 1);
   if (!ImGui::BeginTable("pieces", 4, kList, {0, height})) return;
-  set_up_columns(rows, on.view.frame.unit);
-  draw_rows(on, sorted, hide_chosen);
+  set_up_columns(rows, workspace.view.frame.unit);
+  draw_rows(workspace, sorted, hide_chosen);
   ImGui::EndTable();
 }
 

@@ -25,7 +25,7 @@ class PiecesList {
  public:
   using HideChosen = std::function<void()>;
 
-  void draw(Workspace& on, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen);
+  void draw(Workspace& workspace, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen);
   // The next draw() begins to edit the name of this piece.
   void rename(const PieceId& piece) {
     asked_ = piece;
@@ -36,11 +36,11 @@ class PiecesList {
   // Whether a name is about to be edited, and its field does not have the keyboard yet.
   bool awaits_focus() const { return asked_ || (renamed_ && take_focus_); }
   // To be called once a frame when all panels are drawn: ends the edit of a name whose field was not drawn.
-  void end_hidden_edit(Workspace& on);
+  void end_hidden_edit(Workspace& workspace);
 
  private:
-  void draw_rows(Workspace& on, const SortedPieces& sorted, const HideChosen& hide_chosen);
-  void draw_row(Workspace& on, const PieceRow& row, bool is_folded);
+  void draw_rows(Workspace& workspace, const SortedPieces& sorted, const HideChosen& hide_chosen);
+  void draw_row(Workspace& workspace, const PieceRow& row, bool is_folded);
   void draw_specks(ViewState& view, const std::vector<PieceRow>& specks, const HideChosen& hide_chosen);
   void draw_name(ViewState& view, const PieceRow& row, const PieceLook& look);
   void draw_switches(WorldChanges& changes, const PieceRow& row, bool hidden);

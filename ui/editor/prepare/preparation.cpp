@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMostFaces = 16'000'000;  // that a subdivision may lead to
+constexpr size_t kMaxFaces = 16'000'000;  // that a subdivision may lead to
 
 // The share of a piece in a number of faces for all pieces.
 size_t share_of_faces(const PieceRow& piece, const FaceForecast& all, size_t faces) {
@@ -69,7 +69,7 @@ FaceForecast forecast(std::span<const PieceRow> pieces, const Preparation& p) {
       break;
     case Preparation::Tool::kSubdivide:
       faces.after = faces.before;
-      for (size_t i = 0; i < p.times && *faces.after <= kMostFaces; ++i)
+      for (size_t i = 0; i < p.times && *faces.after <= kMaxFaces; ++i)
         *faces.after *= parts_of_face(p.scheme);
       break;
     case Preparation::Tool::kSmooth:
@@ -89,7 +89,7 @@ const char* preparation_title(Preparation::Tool tool) {
 const char* why_no_preparation(std::span<const PieceRow> pieces, const Preparation& p) {
   const FaceForecast faces = forecast(pieces, p);
   if (faces.before == 0) return "There are no faces.";
-  if (p.tool == Preparation::Tool::kSubdivide && *faces.after > kMostFaces)
+  if (p.tool == Preparation::Tool::kSubdivide && *faces.after > kMaxFaces)
     return "That would make more than 16 million faces.";
   if (p.tool == Preparation::Tool::kSimplifyToFaces && p.faces >= faces.before)
     return "There are no more faces than that.";
@@ -127,7 +127,7 @@ Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, con
 
 namespace {
 
-constexpr double kMostDepth = 0.008;  // of the size of the world, from which a wire shines through a surface
+constexpr double kMaxDepth = 0.008;  // of the size of the world, from which a wire shines through a surface
 
 std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
   std::vector<FaceId> faces;
@@ -198,8 +198,8 @@ DrawnWire::Part wire_of(const World& world, const PieceId& made, const PieceId& 
 
 const char* why_no_preview(const World& world, std::span<const PieceRow> pieces, const Preparation& p) {
   if (const char* why = why_no_preparation(pieces, p)) return why;
-  if (world.live_faces() > kMostFacesToPreview) return "More than 400 000 faces are too many for a preview.";
-  if (forecast(pieces, p).after.value_or(0) > kMostFacesPreviewed)
+  if (world.live_faces() > kMaxFacesToPreview) return "More than 400 000 faces are too many for a preview.";
+  if (forecast(pieces, p).after.value_or(0) > kMaxFacesPreviewed)
     return "More than 1 600 000 faces afterwards are too many for a preview.";
   return nullptr;
 }
@@ -227,7 +227,7 @@ Result<Preview> make_preview(const World& world, std::span<const PieceRow> piece
     preview.distance = std::max(preview.distance, *distance);
     wire->parts.push_back(wire_of(document.world(), made, row.id));
   }
-  wire->depth = std::min(preview.distance, kMostDepth * world.loaded_bounds().diagonal());
+  wire->depth = std::min(preview.distance, kMaxDepth * world.loaded_bounds().diagonal());
   preview.wire = std::move(wire);
   return preview;
 }

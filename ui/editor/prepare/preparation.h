@@ -66,7 +66,7 @@ struct Preview {
 };
 
 // More faces than these are not previewed: of a world that is to be copied, and of what is made.
-inline constexpr size_t kMostFacesToPreview = 400'000, kMostFacesPreviewed = 1'600'000;
+inline constexpr size_t kMaxFacesToPreview = 400'000, kMaxFacesPreviewed = 1'600'000;
 
 // Why there is no preview of it, in one sentence, or null if there is one.
 const char* why_no_preview(const World& world, std::span<const PieceRow> pieces,

@@ -60,12 +60,12 @@ void draw_statistics(const Preview& preview, FileUnit unit) {
 
 }  // namespace
 
-void draw_preview(const LivePreview& preview, const char* why_not, FileUnit unit, bool& previewed) {
+void draw_preview(const LivePreview& preview, const char* disabled_reason, FileUnit unit, bool& previewed) {
   ImGui::Checkbox("Preview", &previewed);
   mark_last_item("preview");
   tooltip("Draws the edges that the new mesh would have over the surface as it is. Nothing is changed yet.");
-  if (!previewed || why_not != nullptr) {
-    if (previewed) secondary_text(why_not);
+  if (!previewed || disabled_reason != nullptr) {
+    if (previewed) secondary_text(disabled_reason);
     return;
   }
   if (preview.busy()) {
@@ -80,9 +80,9 @@ namespace {
 
 using PrepareTool = Preparation::Tool;
 
-constexpr size_t kMostSubdivisions = 4;
-constexpr size_t kMostTyped = 1'000'000'000'000;  // faces
-constexpr double kUsualError = 0.001;             // of the size of the world
+constexpr size_t kMaxSubdivisions = 4;
+constexpr size_t kMaxTyped = 1'000'000'000'000;  // faces
+constexpr double kUsualError = 0.001;            // of the size of the world
 
 // In the order of the tools and of the schemes.
 constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth",
@@ -134,7 +134,7 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
     case PrepareTool::kSimplifyToFaces: {
       size_t faces = shown.faces;
       if (fields_.count("Faces", faces, "How many faces are left, of all these pieces together.", 1,
-                        kMostTyped))
+                        kMaxTyped))
         preparation.faces = faces;
       break;
     }
@@ -151,11 +151,11 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
           "Scheme", "##scheme", preparation.scheme, kSchemes, "scheme",
           "Loop and the square root of 3 round the surface; midpoints leave it as it is. A face becomes four "
           "or three.");
-      draw_times(preparation, "How often every face is divided.", kMostSubdivisions);
+      draw_times(preparation, "How often every face is divided.", kMaxSubdivisions);
       break;
     case PrepareTool::kSmooth:
       draw_times(preparation, "How often vertices move half the way to the middle of their neighbours.",
-                 kMostSmoothing);
+                 kMaxSmoothing);
       break;
     case PrepareTool::kTurnShells:
       break;
@@ -197,45 +197,48 @@ constexpr const char* kPreparePanel = "Prepare";
 
 class PrepareFeature : public Feature {
  public:
-  explicit PrepareFeature(Workspace& on) : on_(on) {}
+  explicit PrepareFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{kPreparePanel, Tab::kPrepare, 300, true, [this] {
-               if (panel_.draw(on_.world(), on_.view, preparation_, preview_, on_.settings.prepare_preview))
+               if (panel_.draw(workspace_.world(), workspace_.view, preparation_, preview_,
+                               workspace_.settings.prepare_preview))
                  ask();
              }}};
   }
   std::vector<ActionGroup> actions() override {
     using Kind = Preparation::Tool;
-    return {{540,
-             "Prepare",
-             {tool_action("Simplify to faces", "Fewer faces: the panel Prepare says how many.",
-                          Kind::kSimplifyToFaces),
-              tool_action("Simplify to an error", "As few faces as an error in the unit of the file allows.",
-                          Kind::kSimplifyToError),
-              tool_action("Subdivide", "Three or four faces of each, rounder or where they are.",
-                          Kind::kSubdivide),
-              tool_action("Smooth", "Vertices move to the middle of their neighbours.", Kind::kSmooth),
-              tool_action("Turn inner shells",
-                          "Closed parts that lie in others and face the same way become cavities.",
-                          Kind::kTurnShells),
-              UserAction{.name = "Prepare the mesh",
-                         .tip = "Does what the panel Prepare says, to the chosen pieces, or to all.",
-                         .run = [this] { ask(); },
-                         .why_not = [this] { return why_no_preparation(pieces(), wanted()); }},
-              UserAction{.name = "Preview of the preparation",
-                         .tip = "The edges that the new mesh would have, over the surface as it is.",
-                         .run = [this] { on_.settings.prepare_preview = !on_.settings.prepare_preview; },
-                         .checked = [this] { return on_.settings.prepare_preview; }}}}};
+    return {
+        {540,
+         "Prepare",
+         {tool_action("Simplify to faces", "Fewer faces: the panel Prepare says how many.",
+                      Kind::kSimplifyToFaces),
+          tool_action("Simplify to an error", "As few faces as an error in the unit of the file allows.",
+                      Kind::kSimplifyToError),
+          tool_action("Subdivide", "Three or four faces of each, rounder or where they are.",
+                      Kind::kSubdivide),
+          tool_action("Smooth", "Vertices move to the middle of their neighbours.", Kind::kSmooth),
+          tool_action("Turn inner shells",
+                      "Closed parts that lie in others and face the same way become cavities.",
+                      Kind::kTurnShells),
+          UserAction{.name = "Prepare the mesh",
+                     .tip = "Does what the panel Prepare says, to the chosen pieces, or to all.",
+                     .run = [this] { ask(); },
+                     .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},
+          UserAction{
+              .name = "Preview of the preparation",
+              .tip = "The edges that the new mesh would have, over the surface as it is.",
+              .run = [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
+              .checked = [this] { return workspace_.settings.prepare_preview; }}}}};
   }
 
-  void follow_queue(double) override;
-  bool moving() const override { return preview_.busy(); }
-  void follow(const Delta& delta) override {
+  void after_queue(double) override;
+  bool needs_redraw() const override { return preview_.busy(); }
+  void on_world_changed(const Delta& delta) override {
     if (!delta.empty()) preview_.drop();
   }
-  void forget() override { preview_.drop(); }
-  void report(nlohmann::ordered_json& report) const override;
+  void on_document_opened() override { preview_.drop(); }
+  void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
   // Unfolds the panel with this tool.
@@ -244,66 +247,70 @@ class PrepareFeature : public Feature {
             .tip = tip,
             .run =
                 [this, tool] {
-                  on_.panels.show(kPreparePanel);
+                  workspace_.panels.show(kPreparePanel);
                   preparation_.tool = tool;
                   preparation_.times = 1;
                 },
-            .checked = [this, tool] { return on_.panels.shows(kPreparePanel) && preparation_.tool == tool; },
+            .checked = [this,
+                        tool] { return workspace_.panels.shows(kPreparePanel) && preparation_.tool == tool; },
             .ends_group = tool == Preparation::Tool::kTurnShells};
   }
 
-  std::vector<PieceRow> pieces() const { return pieces_to_prepare(on_.world(), on_.view.look.pieces); }
-  Preparation wanted() const { return with_numbers(preparation_, pieces(), on_.world()); }
+  std::vector<PieceRow> pieces() const {
+    return pieces_to_prepare(workspace_.world(), workspace_.view.look.pieces);
+  }
+  Preparation wanted() const { return with_numbers(preparation_, pieces(), workspace_.world()); }
 
   void ask() {
-    on_.changes.ask({.name = preparation_title(preparation_.tool),
-                     .run = [this, wanted = wanted()] { return prepare(wanted), true; },
-                     .is_one = true});
+    workspace_.changes.ask({.name = preparation_title(preparation_.tool),
+                            .run = [this, wanted = wanted()] { return prepare(wanted), true; },
+                            .is_one = true});
   }
   // All of them, or none if one fails or the user stops it.
   void prepare(const Preparation& wanted) {
     const std::vector<PieceRow> pieces = this->pieces();
     if (why_no_preparation(pieces, wanted) != nullptr) return;  // other pieces are chosen by now
-    cancel_stroke(on_);
+    cancel_stroke(workspace_);
     const FaceForecast faces = forecast(pieces, wanted);
     const bool quick = std::max(faces.before, faces.after.value_or(0)) <= kQuickToPrepare;
-    on_.changes.change(preparation_title(wanted.tool), quick,
-                       [pieces, wanted](Document& d, const Progress* progress) {
-                         return prepare_pieces(d, pieces, wanted, progress);
-                       });
+    workspace_.changes.change(preparation_title(wanted.tool), quick,
+                              [pieces, wanted](Document& d, const Progress* progress) {
+                                return prepare_pieces(d, pieces, wanted, progress);
+                              });
   }
 
   // Whether the world stays as it is, so that a copy of it is worth its time.
   bool world_rests() const {
-    const Document& document = on_.work.document;
+    const Document& document = workspace_.work.document;
     const bool queued = document.waiting() > 0 && !document.execution().only_cools();
-    return !on_.plays && !on_.cutting() && !queued && !on_.changes.is_pending() && !on_.changes.is_asked() &&
-           !on_.opening.loader.busy();
+    return !workspace_.plays && !workspace_.cutting() && !queued && !workspace_.changes.is_pending() &&
+           !workspace_.changes.is_asked() && !workspace_.opening.loader.busy();
   }
 
-  Workspace& on_;
+  Workspace& workspace_;
   Preparation preparation_;
   PreparePanel panel_;
   LivePreview preview_;
 };
 
-void PrepareFeature::follow_queue(double) {
-  const bool seen = on_.settings.prepare_preview && on_.panels.shows(kPreparePanel) && world_rests();
+void PrepareFeature::after_queue(double) {
+  const bool seen =
+      workspace_.settings.prepare_preview && workspace_.panels.shows(kPreparePanel) && world_rests();
   const std::vector<PieceRow> pieces = seen ? this->pieces() : std::vector<PieceRow>();
-  const Preparation preparation = with_numbers(preparation_, pieces, on_.world());
-  if (!seen || why_no_preview(on_.world(), pieces, preparation) != nullptr) {
+  const Preparation preparation = with_numbers(preparation_, pieces, workspace_.world());
+  if (!seen || why_no_preview(workspace_.world(), pieces, preparation) != nullptr) {
     preview_.drop();
   } else {
-    preview_.follow(on_.world(), pieces, preparation);
-    preview_.wait(on_.background_wait);
+    preview_.follow(workspace_.world(), pieces, preparation);
+    preview_.wait(workspace_.background_wait);
   }
   const auto wire = preview_.shown() != nullptr ? preview_.shown()->wire : nullptr;
-  if (on_.view.look.wire == wire) return;
-  on_.view.look.wire = wire;
-  on_.view.picture_old = true;
+  if (workspace_.view.look.wire == wire) return;
+  workspace_.view.look.wire = wire;
+  workspace_.view.picture_old = true;
 }
 
-void PrepareFeature::report(nlohmann::ordered_json& report) const {
+void PrepareFeature::write_session_log(nlohmann::ordered_json& report) const {
   const Preview* shown = preview_.shown();
   if (shown == nullptr) return;
   report["preview"] = {{"faces", shown->after.faces},
@@ -317,6 +324,8 @@ void PrepareFeature::report(nlohmann::ordered_json& report) const {
 
 }  // namespace
 
-std::unique_ptr<Feature> prepare_feature(Workspace& on) { return std::make_unique<PrepareFeature>(on); }
+std::unique_ptr<Feature> prepare_feature(Workspace& workspace) {
+  return std::make_unique<PrepareFeature>(workspace);
+}
 
 }  // namespace kerf

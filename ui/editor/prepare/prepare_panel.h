@@ -8,8 +8,8 @@
 namespace kerf {
 
 // Draws the switch of the preview and, while it is on, the statistics before and after: faces, least angle
-// and the distance of the two surfaces. `why_not`: why there is no preview, or null.
-void draw_preview(const LivePreview& preview, const char* why_not, FileUnit unit, bool& previewed);
+// and the distance of the two surfaces. `disabled_reason`: why there is no preview, or null.
+void draw_preview(const LivePreview& preview, const char* disabled_reason, FileUnit unit, bool& previewed);
 
 // What the preparation is of: "All pieces", "3 chosen pieces", or the name of one.
 std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks);

@@ -57,7 +57,7 @@ CutSoFar copy_of(const SceneDescription& scene, const World& world, const Loaded
 
 void LoadNews::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
   const Clock::time_point began = Clock::now();
-  if (!watched_ || began < next_ || world.live_faces() > Document::kMostFacesToCopy) return;
+  if (!watched_ || began < next_ || world.live_faces() > Document::kMaxFacesToCopy) return;
   {
     const std::lock_guard lock(mutex_);
     if (so_far_) return;
@@ -215,7 +215,7 @@ Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& prog
 Status hash_all(LoadedFiles& loaded, const Progress& progress) {
   bool stopped = false;
   const Progress watched{[&](double fraction) { return !(stopped = !progress.report(fraction)); }};
-  const Status noted = note_hashes(loaded.scene, &watched);
+  const Status noted = record_hashes(loaded.scene, &watched);
   if (stopped) return cancelled();
   if (!noted) loaded.cannot_be_kept = noted.error();
   return Done{};
@@ -261,7 +261,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
                                         : prepare_shading(scene.world, &shading_alone);
   if (!prepared) return prepared.error();
   loaded.prepared = std::move(*prepared);
-  if (scene.world.live_faces() <= Document::kMostFacesToCopy) loaded.as_loaded = scene.world;
+  if (scene.world.live_faces() <= Document::kMaxFacesToCopy) loaded.as_loaded = scene.world;
   loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
   if (!uncut) say("cutting again");
   const AfterStep after_step = shown_by(uncut ? nullptr : news, loaded);

@@ -47,7 +47,7 @@ class LoadNews {
   // By the reader: what is being done, in a word or two.
   void say(const char* what) { doing_ = what; }
   // By the reader, after every step that cuts: shows a copy of the world, unless nobody watches, it is too
-  // large for one (see Document::kMostFacesToCopy), the last copy was not taken yet, or copying would take
+  // large for one (see Document::kMaxFacesToCopy), the last copy was not taken yet, or copying would take
   // more than a small part of the time. `shadings` has the bodies as loaded. O(faces) for a copy.
   void show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings);
 

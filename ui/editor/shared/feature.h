@@ -50,47 +50,47 @@ class Feature {
 
   // Input. The first feature that returns true keeps an event from all that comes after it: keys from the
   // actions, the mouse from interactions. `in_picture`: the pointer is over the picture and no panel.
-  virtual bool takes(const InputEvent&, bool /*in_picture*/) { return false; }
+  virtual bool handle_event(const InputEvent&, bool /*in_picture*/) { return false; }
   // What a press begins; null: not the business of this feature.
-  virtual std::unique_ptr<Interaction> claim(const Press&) { return nullptr; }
+  virtual std::unique_ptr<Interaction> begin_interaction(const Press&) { return nullptr; }
   // Esc. All features end what is at work; if none did anything, the first that returns true has undone a
   // choice.
-  virtual bool stop() { return false; }
-  virtual bool let_go() { return false; }
+  virtual bool cancel() { return false; }
+  virtual bool clear_selection() { return false; }
   // Whether it has opened something with a text field that has to have the keyboard: until it has, what is
   // typed waits.
   virtual bool awaits_focus() const { return false; }
   // What the left button does at the moment, for the status bar; null: nothing to tell of.
-  virtual const char* hint() const { return nullptr; }
+  virtual const char* status_hint() const { return nullptr; }
 
   // The editor begins, waits for input, and ends.
-  virtual Status start(const EditorOptions&) { return Done{}; }
-  virtual void rest() {}
-  virtual void close(bool /*left_by_user*/) {}
+  virtual Status on_start(const EditorOptions&) { return Done{}; }
+  virtual void on_idle() {}
+  virtual void on_exit(bool /*left_by_user*/) {}
 
   // Once a frame, after the changes that were asked for: lets time pass (s).
-  virtual void advance(double /*seconds*/) {}
+  virtual void update(double /*seconds*/) {}
   // Once a frame, after the queue of the document was worked on.
-  virtual void follow_queue(double /*seconds*/) {}
+  virtual void after_queue(double /*seconds*/) {}
   // Whether the next frame has to come without input.
-  virtual bool moving() const { return false; }
+  virtual bool needs_redraw() const { return false; }
 
   // The open world has changed by this.
-  virtual void follow(const Delta&) {}
+  virtual void on_world_changed(const Delta&) {}
   // Another document is open: what belonged to the last one ends.
-  virtual void forget() {}
+  virtual void on_document_opened() {}
 
   // Draws over the picture.
-  virtual void draw_marks(ImDrawList&) {}
+  virtual void draw_overlay(ImDrawList&) {}
   // Windows of its own, and what belongs over the panels.
   virtual void draw_windows() {}
   // The picture without the panels, or all of the window, is drawn and not displayed yet.
-  enum class Drawn { kPicture, kWindow };
-  virtual void drawn(Drawn) {}
+  enum class Captured { kPicture, kWindow };
+  virtual void on_captured(Captured) {}
   // Names the places of handles, for tests.
-  virtual void mark(Landmarks&) const {}
+  virtual void add_landmarks(Landmarks&) const {}
   // Adds to the report of the session.
-  virtual void report(nlohmann::ordered_json&) const {}
+  virtual void write_session_log(nlohmann::ordered_json&) const {}
 };
 
 }  // namespace kerf

@@ -41,7 +41,7 @@ FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const
   return {guess, known == settings.frames.end()};
 }
 
-void note_frame(SceneDescription& scene, const FileFrame& frame) {
+void record_frame(SceneDescription& scene, const FileFrame& frame) {
   if (frame.is_default() && head_entry(scene, kKey).is_null()) return;
   set_head_entry(scene, kKey, frame_to_json(frame));
 }
@@ -78,7 +78,7 @@ std::string area_label(double area, FileUnit unit) {
 
 namespace {
 
-constexpr size_t kMostNames = 2;
+constexpr size_t kMaxNames = 2;
 
 // What the beam took most from comes first.
 std::string names_of(const HistoryStep& step) {
@@ -87,8 +87,8 @@ std::string names_of(const HistoryStep& step) {
   std::stable_sort(names.begin(), names.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
-  for (size_t i = 0; i < std::min(names.size(), kMostNames); ++i) text += names[i].first + ", ";
-  if (names.size() > kMostNames) text += std::to_string(names.size() - kMostNames) + " more, ";
+  for (size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) text += names[i].first + ", ";
+  if (names.size() > kMaxNames) text += std::to_string(names.size() - kMaxNames) + " more, ";
   return text;
 }
 

@@ -29,7 +29,7 @@ FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const
                          const Settings& settings);
 
 // Notes the frame in a scene that is to be saved; nothing where it is Kerf's own and was not noted before.
-void note_frame(SceneDescription& scene, const FileFrame& frame);
+void record_frame(SceneDescription& scene, const FileFrame& frame);
 
 // Shows the world in this frame. The lights turn with the ground, and the camera keeps its direction to it.
 void show_in_frame(ViewState& view, const FileFrame& frame);

@@ -17,9 +17,9 @@ namespace {
 // How far along a line the point of it is that is nearest to a ray; see dragged_along().
 std::optional<double> along_axis(const Pose& ray, const Vec3& at, const Vec3& axis) {
   KERF_ASSERT(is_unit(axis));
-  constexpr double kLeastSine2 = 1e-3;  // the square of the sine of the angle between the two
+  constexpr double kMinSine2 = 1e-3;  // the square of the sine of the angle between the two
   const double cosine = glm::dot(axis, ray.direction), sine2 = 1 - cosine * cosine;
-  if (sine2 < kLeastSine2) return std::nullopt;
+  if (sine2 < kMinSine2) return std::nullopt;
   const Vec3 from = ray.origin - at;
   return (glm::dot(from, axis) - cosine * glm::dot(from, ray.direction)) / sine2;
 }
@@ -114,13 +114,13 @@ namespace {
 constexpr double kRadius = 2.6;  // from the middle to the end of an axis
 constexpr double kEnd = 0.62;    // of the disc at a positive end
 constexpr double kOppositeEnd = 0.45;
-constexpr double kMargin = 0.9;       // around all that
-constexpr double kLeastPicture = 14;  // width and height of a picture that has room for it
+constexpr double kMargin = 0.9;     // around all that
+constexpr double kMinPicture = 14;  // width and height of a picture that has room for it
 
 double whole_radius(const ViewState& view) { return (kRadius + kEnd + 0.25) * view.layout.em; }
 
 bool has_room(const ViewState& view) {
-  return std::min(view.layout.first.size.x, view.layout.first.size.y) >= kLeastPicture * view.layout.em;
+  return std::min(view.layout.first.size.x, view.layout.first.size.y) >= kMinPicture * view.layout.em;
 }
 
 Vec2 middle_of(const ViewState& view) {

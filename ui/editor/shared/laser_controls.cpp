@@ -27,7 +27,7 @@ Resolution ResolutionControls::of(double radius) const {
 void ResolutionControls::show(const Resolution& resolution, double radius) {
   KERF_ASSERT(radius > 0);
   const auto fraction = [&](double length) {
-    return std::clamp(length / radius, kLeastFraction, kMostFraction);
+    return std::clamp(length / radius, kMinFraction, kMaxFraction);
   };
   scheme = resolution.scheme;
   rule = resolution.rule;
@@ -46,7 +46,7 @@ void LaserControls::show(const CutSettings& settings) {
 void make_finer(ResolutionControls& controls, int steps) {
   using Controls = ResolutionControls;
   const auto divide = [&](double& fraction) {
-    fraction = std::clamp(std::ldexp(fraction, -steps), Controls::kLeastFraction, Controls::kMostFraction);
+    fraction = std::clamp(std::ldexp(fraction, -steps), Controls::kMinFraction, Controls::kMaxFraction);
   };
   switch (controls.rule) {
     case Resolution::Rule::kTargetEdge:
@@ -96,8 +96,8 @@ bool fraction_row(const char* name, double& fraction, double standard, const Sho
                   const char* meaning) {
   property(name);
   double halvings = -std::log2(fraction);
-  const double low = -std::log2(ResolutionControls::kMostFraction),
-               high = -std::log2(ResolutionControls::kLeastFraction);
+  const double low = -std::log2(ResolutionControls::kMaxFraction),
+               high = -std::log2(ResolutionControls::kMinFraction);
   const std::string text = length_label(radius.length * fraction, radius.unit);
   const double before = fraction;
   if (real_slider({name, "##fraction", meaning, false, false}, halvings, low, high, "%.3f", {}, text))

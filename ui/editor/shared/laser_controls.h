@@ -17,7 +17,7 @@ struct ResolutionControls {
   int depth = 4;                      // levels, 0 .. kLargestDepth
   Rim rim = Rim::kSmooth;
 
-  static constexpr double kLeastFraction = 1.0 / 32, kMostFraction = 2;
+  static constexpr double kMinFraction = 1.0 / 32, kMaxFraction = 2;
   static constexpr int kLargestDepth = 10;
 
   // The resolution for a beam of this radius (m, > 0).
@@ -41,7 +41,7 @@ struct LaserControls {
   std::optional<double> heat_width;  // m, that was chosen (see CutSettings); none: default_heat_width
   double planned_speed = 0;  // m/s, of the next strokes as far as they are planned; 0: it is not known
 
-  static constexpr double kLeastPower = 1, kMostPower = 20'000;
+  static constexpr double kMinPower = 1, kMaxPower = 20'000;
   // The radius is set from the default over this to the default times this.
   static constexpr double kRadiusSpan = 20;
 

@@ -15,7 +15,7 @@ namespace {
 // How far the emitter lies to the right and above the eye, as a share of the focus: enough for the beam to be
 // seen from the side, and so little that it cuts under the pointer at all depths.
 constexpr double kEmitterAside = 0.004;
-constexpr double kLeastMove = 0.5;  // pixels
+constexpr double kMinMove = 0.5;  // pixels
 
 // The depth of the corner of the world's box that is nearest to the eye, or of what is looked at if that is
 // nearer.
@@ -136,7 +136,7 @@ void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, d
   if (!cutting_) return;
   const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
   const bool is_click = !held_.empty() && !has_moved();
-  if (glm::length(moved) < (is_click ? kClickReach : kLeastMove)) return;
+  if (glm::length(moved) < (is_click ? kClickReach : kMinMove)) return;
   pointer_ = pointer;
   KERF_ASSERT(heard >= began_);
   move_to(document, aim(view, pointer), heard);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kVersion = 1;
-constexpr int kLeastWindow = 480, kMostWindow = 16384;
+constexpr int kMinWindow = 480, kMaxWindow = 16384;
 constexpr std::array kThemes{"dark", "light"};
 constexpr std::array kPalettes{"red-green", "orange-blue"};
 constexpr std::array kTabs{"cut", "look", "move", "heat", "prepare"};
@@ -90,12 +90,12 @@ static void describe(KeptFields& f, Settings& s) {
   f.any("version", kVersion, [](const Json&) {});
   f.choice("theme", s.theme, kThemes);
   f.choice("palette", s.palette, kPalettes);
-  f.number("ui_scale", s.ui_scale, Settings::kLeastScale, Settings::kMostScale);
-  f.number("side_width", s.side_ems, Settings::kLeastSide, Settings::kMostSide);
-  f.number("second_width", s.second_ems, Settings::kLeastSide, Settings::kMostSide);
-  f.number("strip_height", s.strip_ems, Settings::kLeastStrip, Settings::kMostStrip);
-  f.number("width", s.width, kLeastWindow, kMostWindow);
-  f.number("height", s.height, kLeastWindow, kMostWindow);
+  f.number("ui_scale", s.ui_scale, Settings::kMinScale, Settings::kMaxScale);
+  f.number("side_width", s.side_ems, Settings::kMinSide, Settings::kMaxSide);
+  f.number("second_width", s.second_ems, Settings::kMinSide, Settings::kMaxSide);
+  f.number("strip_height", s.strip_ems, Settings::kMinStrip, Settings::kMaxStrip);
+  f.number("width", s.width, kMinWindow, kMaxWindow);
+  f.number("height", s.height, kMinWindow, kMaxWindow);
   f.number("split_share", s.split_share, 0, 1);
   f.flag("side_shown", s.side_shown);
   f.flag("antialias", s.antialias);
@@ -103,10 +103,10 @@ static void describe(KeptFields& f, Settings& s) {
   f.flag("prepare_preview", s.prepare_preview);
   f.flag("heat_held", s.heat_held);
   f.flag("welcomed", s.welcomed);
-  f.number("history_mb", s.history_megabytes, Settings::kLeastHistory, Settings::kMostHistory);
-  f.number("threads", s.threads, 0, Settings::kMostThreads);
-  f.number("drag_speed", s.drag_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
-  f.number("wheel_speed", s.wheel_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
+  f.number("history_mb", s.history_megabytes, Settings::kMinHistory, Settings::kMaxHistory);
+  f.number("threads", s.threads, 0, Settings::kMaxThreads);
+  f.number("drag_speed", s.drag_speed, Settings::kMinSpeed, Settings::kMaxSpeed);
+  f.number("wheel_speed", s.wheel_speed, Settings::kMinSpeed, Settings::kMaxSpeed);
   entries(f, "bindings", s.bindings);
   entries(f, "panels", s.panels);
   f.any("tab", s.tab ? Json(kTabs.at(static_cast<size_t>(*s.tab))) : Json(),
@@ -121,7 +121,7 @@ static void describe(KeptFields& f, Settings& s) {
   f.any("recent", recent_json(s.recent), [&](const Json& list) {
     if (!list.is_array()) return;
     for (const Json& file : list) {
-      if (file.is_string() && s.recent.size() < Settings::kMostRecent)
+      if (file.is_string() && s.recent.size() < Settings::kMaxRecent)
         s.recent.emplace_back(file.get<std::string>());
     }
   });
@@ -158,7 +158,7 @@ void remember_recent(Settings& settings, const fs::path& file) {
   const fs::path whole = whole_path(file);
   std::erase(settings.recent, whole);
   settings.recent.insert(settings.recent.begin(), whole);
-  if (settings.recent.size() > Settings::kMostRecent) settings.recent.resize(Settings::kMostRecent);
+  if (settings.recent.size() > Settings::kMaxRecent) settings.recent.resize(Settings::kMaxRecent);
 }
 
 fs::path settings_file() { return settings_folder() / "settings.json"; }

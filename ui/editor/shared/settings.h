@@ -52,13 +52,13 @@ struct Settings {
   bool welcomed = false;         // the welcome was shown
   std::string others = "{}";     // JSON: keys of the file that this version does not know
 
-  static constexpr double kLeastScale = 0.75, kMostScale = 2;
-  static constexpr double kLeastSide = 13, kMostSide = 42;
-  static constexpr double kLeastStrip = 8, kMostStrip = 60;
-  static constexpr double kLeastSpeed = 0.25, kMostSpeed = 4;
-  static constexpr size_t kMostRecent = 10;
-  static constexpr int kMostThreads = 64;
-  static constexpr int kLeastHistory = 16, kMostHistory = 16384;
+  static constexpr double kMinScale = 0.75, kMaxScale = 2;
+  static constexpr double kMinSide = 13, kMaxSide = 42;
+  static constexpr double kMinStrip = 8, kMaxStrip = 60;
+  static constexpr double kMinSpeed = 0.25, kMaxSpeed = 4;
+  static constexpr size_t kMaxRecent = 10;
+  static constexpr int kMaxThreads = 64;
+  static constexpr int kMinHistory = 16, kMaxHistory = 16384;
 
   size_t history_bytes() const { return static_cast<size_t>(history_megabytes) << 20; }
 

@@ -36,7 +36,7 @@ double FrameStatistics::percentile(double share) const {
   return sorted[index];
 }
 
-void StepChart::note_step(const StepResult& step) {
+void StepChart::record_step(const StepResult& step) {
   const StepStatistics& f = step.statistics;
   const bool cuts = step.moves > 0 || !step.delta.bodies.empty() || f.separate_s > 0;
   if (!cuts) return;  // only time passed
@@ -55,7 +55,7 @@ void StepChart::note_step(const StepResult& step) {
   for (const auto& [line, value] : now) add(line, value);
 }
 
-void StepChart::note_sent(size_t bytes) { add(kSent, static_cast<double>(bytes) / 1024); }
+void StepChart::record_sent(size_t bytes) { add(kSent, static_cast<double>(bytes) / 1024); }
 
 float StepChart::largest(Line line) const {
   const auto& values = lines_[line];
@@ -116,7 +116,7 @@ void count_world(ShownStatistics& shown, const Document& document, bool depth_sh
   }
 }
 
-void note_stroke(ShownStatistics& shown, const Document& document) {
+void record_stroke(ShownStatistics& shown, const Document& document) {
   shown.stroke.reset();
   const History& history = document.history();
   if (const auto last = history.last_cut()) {

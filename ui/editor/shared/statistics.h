@@ -40,8 +40,8 @@ class StepChart {
   enum Line { kFind, kRefine, kRemove, kTree, kSeparate, kBorn, kGone, kSent, kLines };
   static constexpr size_t kKept = 240;
 
-  void note_step(const StepResult& step);  // milliseconds and faces
-  void note_sent(size_t bytes);            // of one picture, kilobytes
+  void record_step(const StepResult& step);  // milliseconds and faces
+  void record_sent(size_t bytes);            // of one picture, kilobytes
 
   // The values of a line, oldest first.
   std::span<const float> line(Line line) const { return lines_[line]; }
@@ -114,6 +114,6 @@ struct Statistics {
 void count_world(ShownStatistics& shown, const Document& document, bool depth_shown);
 
 // Updates the statistics of the last stroke.
-void note_stroke(ShownStatistics& shown, const Document& document);
+void record_stroke(ShownStatistics& shown, const Document& document);
 
 }  // namespace kerf

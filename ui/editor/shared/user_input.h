@@ -25,8 +25,9 @@ struct UserAction {
   std::string tip = {};
   std::function<std::optional<TipPicture>()> tip_picture = {};  // under the tip; empty: none
   std::function<void()> run = {};
-  std::function<bool()> checked = {};         // empty: not a switch
-  std::function<const char*()> why_not = {};  // a sentence where it cannot be done at the moment, or null
+  std::function<bool()> checked = {};  // empty: not a switch
+  std::function<const char*()> disabled_reason =
+      {};  // a sentence where it cannot be done at the moment, or null
   // Where it is set, the key belongs to the action only while this holds, and then to no other action.
   std::function<bool()> has_key_when = {};
   // The actions of a submenu, as they are at the moment, in place of `run`. They have neither keys nor
@@ -37,7 +38,7 @@ struct UserAction {
   int key = 0, mods = 0;    // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
 
   // Why it cannot be done at the moment; null where it can.
-  const char* objection() const { return why_not ? why_not() : nullptr; }
+  const char* objection() const { return disabled_reason ? disabled_reason() : nullptr; }
   // Gives it the key that a text names; a text that names none takes its key.
   void set_shortcut(const std::string& text);
 };

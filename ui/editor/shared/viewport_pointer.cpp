@@ -16,26 +16,27 @@ constexpr double kOrbitPerHeight = 3.6;  // radians for a drag over the height o
 constexpr double kZoomPerNotch = 0.88;
 
 // How far the pointer has moved since the last call, in heights of the picture.
-Vec2 way_of(const Workspace& on, Vec2& last) {
-  return (on.pointer - std::exchange(last, on.pointer)) / on.view.pane().size.y;
+Vec2 way_of(const Workspace& workspace, Vec2& last) {
+  return (workspace.pointer - std::exchange(last, workspace.pointer)) / workspace.view.pane().size.y;
 }
 
 }  // namespace
 
 void Orbit::move(const InputEvent&) {
-  const Vec2 way = way_of(on_, last_);
-  const double speed = on_.settings.drag_speed;
-  on_.view.camera.orbit(-way.x * kOrbitPerHeight * speed, way.y * kOrbitPerHeight * speed);
+  const Vec2 way = way_of(workspace_, last_);
+  const double speed = workspace_.settings.drag_speed;
+  workspace_.view.camera.orbit(-way.x * kOrbitPerHeight * speed, way.y * kOrbitPerHeight * speed);
 }
 
 void Pan::move(const InputEvent&) {
-  const Vec2 way = 2.0 * way_of(on_, last_);
-  on_.view.camera.pan(way.x / on_.view.aspect(), -way.y, on_.view.aspect());
+  const Vec2 way = 2.0 * way_of(workspace_, last_);
+  workspace_.view.camera.pan(way.x / workspace_.view.aspect(), -way.y, workspace_.view.aspect());
 }
 
-void zoom(Workspace& on, double notches) {
-  const Vec2 p = on.view.in_picture(on.pointer);
-  on.view.camera.zoom(std::pow(kZoomPerNotch, notches * on.settings.wheel_speed), p.x, p.y, on.view.aspect());
+void zoom(Workspace& workspace, double notches) {
+  const Vec2 p = workspace.view.in_picture(workspace.pointer);
+  workspace.view.camera.zoom(std::pow(kZoomPerNotch, notches * workspace.settings.wheel_speed), p.x, p.y,
+                             workspace.view.aspect());
 }
 
 std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions& look, const Pose& ray) {
@@ -50,8 +51,9 @@ std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions&
   return SurfacePoint{ray.origin + ray.direction * seen->length, normal};
 }
 
-std::optional<Vec3> point_under_pointer(const Workspace& on) {
-  const auto surface = surface_point(on.world(), on.view.look, FirstPicture(on.view).ray(on.pointer));
+std::optional<Vec3> point_under_pointer(const Workspace& workspace) {
+  const auto surface = surface_point(workspace.world(), workspace.view.look,
+                                     FirstPicture(workspace.view).ray(workspace.pointer));
   return surface ? std::optional(surface->at) : std::nullopt;
 }
 
@@ -63,17 +65,18 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
   return turn * direction;
 }
 
-void choose_under_pointer(Workspace& on, bool add) {
-  if (on.view.in_second) return on.message.say("Pieces are chosen in the left half.", true);
-  const Vec2 p = on.view.in_picture(on.pointer);
-  const std::optional<Pick> seen = pick(on.world(), on.view.look, on.view.seen().ray(p.x, p.y));
+void choose_under_pointer(Workspace& workspace, bool add) {
+  if (workspace.view.in_second) return workspace.message.say("Pieces are chosen in the left half.", true);
+  const Vec2 p = workspace.view.in_picture(workspace.pointer);
+  const std::optional<Pick> seen =
+      pick(workspace.world(), workspace.view.look, workspace.view.seen().ray(p.x, p.y));
   if (seen) {
-    const uint32_t label = on.world().body(seen->body).mesh.data(seen->face).piece;
-    choose_piece(on.view.look.pieces, {seen->body, label}, add);
+    const uint32_t label = workspace.world().body(seen->body).mesh.data(seen->face).piece;
+    choose_piece(workspace.view.look.pieces, {seen->body, label}, add);
   } else if (!add) {
-    choose_none(on.view.look.pieces);
+    choose_none(workspace.view.look.pieces);
   }
-  on.view.picture_old = true;
+  workspace.view.picture_old = true;
 }
 
 std::vector<PieceId> chosen_ids(const PieceMap& looks) {

@@ -9,28 +9,28 @@ namespace kerf {
 // Drags that move the camera and nothing else: around what is looked at, and parallel to the picture.
 class Orbit : public Interaction {
  public:
-  explicit Orbit(Workspace& on) : on_(on), last_(on.pointer) {}
+  explicit Orbit(Workspace& workspace) : workspace_(workspace), last_(workspace.pointer) {}
   void move(const InputEvent&) override;
   const char* words() const override { return "Orbiting"; }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
   Vec2 last_;  // of the pointer
 };
 
 class Pan : public Interaction {
  public:
-  explicit Pan(Workspace& on) : on_(on), last_(on.pointer) {}
+  explicit Pan(Workspace& workspace) : workspace_(workspace), last_(workspace.pointer) {}
   void move(const InputEvent&) override;
   const char* words() const override { return "Panning"; }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
   Vec2 last_;
 };
 
 // Zooms to the pointer, by so many notches of the wheel.
-void zoom(Workspace& on, double notches);
+void zoom(Workspace& workspace, double notches);
 
 // A point of a visible surface, with the unit normal of its face on the side from which it is seen.
 struct SurfacePoint {
@@ -42,17 +42,19 @@ struct SurfacePoint {
 std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions& look, const Pose& ray);
 
 // The point of a visible surface under the pointer, in the first half of the picture.
-std::optional<Vec3> point_under_pointer(const Workspace& on);
+std::optional<Vec3> point_under_pointer(const Workspace& workspace);
 
 // The direction after the shortest rotation that turns the unit vector `from` into `to`, another one.
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);
 
 // The tool that chooses pieces; with Ctrl each tool does.
 inline constexpr const char* kPickTool = "Pick pieces";
-inline bool picks(const Workspace& on, const Press& press) { return on.tool == kPickTool || press.control; }
+inline bool picks(const Workspace& workspace, const Press& press) {
+  return workspace.tool == kPickTool || press.control;
+}
 
 // What a click does: chooses the piece under the pointer, with `add` beside those that are chosen.
-void choose_under_pointer(Workspace& on, bool add);
+void choose_under_pointer(Workspace& workspace, bool add);
 
 // The chosen pieces in the order of their ids.
 std::vector<PieceId> chosen_ids(const PieceMap& looks);

@@ -10,8 +10,8 @@ Workspace::Workspace() = default;
 
 const char* Workspace::why_time_stands_still() const {
   if (opening.loader.busy()) return "A file is being opened.";
-  for (const auto& why_not : time_holds) {
-    if (const char* why = why_not()) return why;
+  for (const auto& disabled_reason : time_holds) {
+    if (const char* why = disabled_reason()) return why;
   }
   return world().live_faces() == 0 ? "There is nothing that could move." : nullptr;
 }
@@ -24,30 +24,30 @@ std::vector<std::filesystem::path> Workspace::not_taken(std::vector<std::filesys
   return files;
 }
 
-bool cancel_stroke(Workspace& on) {
-  if (!on.beam.cutting()) return false;
-  if (on.beam.release(on.work.document)) on.message.say("Missed: the beam met nothing.");
+bool cancel_stroke(Workspace& workspace) {
+  if (!workspace.beam.cutting()) return false;
+  if (workspace.beam.release(workspace.work.document)) workspace.message.say("Missed: the beam met nothing.");
   return true;
 }
 
-void stand_together(Workspace& on) {
-  if (on.view.spread == 0) return;
-  on.view.spread = 0;
-  spread_pieces(on.world(), 0, on.view.look);
+void stand_together(Workspace& workspace) {
+  if (workspace.view.spread == 0) return;
+  workspace.view.spread = 0;
+  spread_pieces(workspace.world(), 0, workspace.view.look);
 }
 
-UserAction tool_action(Workspace& on, const char* name, const char* shortcut, const char* tip,
+UserAction tool_action(Workspace& workspace, const char* name, const char* shortcut, const char* tip,
                        bool has_panel) {
   return {.name = name,
           .shortcut = shortcut,
           .tip = tip,
           .run =
-              [&on, name, has_panel] {
-                if (on.held && on.held->cuts()) cancel_stroke(on);
-                on.tool = name;
-                if (has_panel) on.panels.show(name);
+              [&workspace, name, has_panel] {
+                if (workspace.held && workspace.held->cuts()) cancel_stroke(workspace);
+                workspace.tool = name;
+                if (has_panel) workspace.panels.show(name);
               },
-          .checked = [&on, name] { return on.tool == name; }};
+          .checked = [&workspace, name] { return workspace.tool == name; }};
 }
 
 UserAction picture_action(ViewState& view, const char* name, const char* tip, std::function<void()> change) {

@@ -103,14 +103,14 @@ struct Workspace {
 };
 
 // Ends the stroke that is drawn, if one is; what was cut stays cut. Returns whether there was one.
-bool cancel_stroke(Workspace& on);
+bool cancel_stroke(Workspace& workspace);
 
 // Draws pieces that are drawn apart where they stand, as they are cut and moved there.
-void stand_together(Workspace& on);
+void stand_together(Workspace& workspace);
 
 // The action that takes a tool, and unfolds its panel where it has one of the same name. A stroke by hand
 // ends.
-UserAction tool_action(Workspace& on, const char* name, const char* shortcut, const char* tip,
+UserAction tool_action(Workspace& workspace, const char* name, const char* shortcut, const char* tip,
                        bool has_panel = false);
 
 // An action that changes what the picture shows, and is not in a menu. Whether it is a switch, and why it is

@@ -63,12 +63,12 @@ bool is_quick(const Document& document, const Command& command) {
           [](const EndStroke&) { return true; },
           [&](const StopStroke&) { return document.execution().stop_here().has_value(); },
           [](const Recut&) { return true; },
-          [](const HappensInTime auto&) { return true; },
+          [](const TimedCommand auto&) { return true; },
           [](const Play&) { return true; },
           [&](const Undo&) { return small && (now == 0 || document.remembers_way_to(now - 1)); },
           [&](const Redo&) { return small; },
           [](const AddMesh&) { return false; },
-          [&](const HappensAtOnce auto&) { return small && document.waiting() <= kManyMoves; },
+          [&](const ImmediateCommand auto&) { return small && document.waiting() <= kManyMoves; },
       },
       command);
 }
@@ -160,8 +160,8 @@ WorldChanges::Change edit_all(std::vector<PieceId> pieces,
 }
 
 Renderer& WorldChanges::renderer() const {
-  KERF_ASSERT(on_.picture != nullptr);
-  return on_.picture->first();
+  KERF_ASSERT(workspace_.picture != nullptr);
+  return workspace_.picture->first();
 }
 
 // The queue
@@ -184,13 +184,13 @@ void WorldChanges::ask(const Command& command) {
   ask("", [this, command] { apply(command); });
 }
 
-void WorldChanges::fulfil() {
-  groups_.follow(on_.work.document);
+void WorldChanges::process_requests() {
+  groups_.follow(workspace_.work.document);
   for (size_t left = asked_.size(); left > 0 && !asked_.empty() && !pending_; --left) {
     Asked next = std::move(asked_.front());
     asked_.pop_front();
-    if (!next.always && on_.opening.loader.busy()) continue;  // what is open is about to go
-    if (next.is_one && !group_) group_ = {on_.work.document.history().position(), next.name};
+    if (!next.always && workspace_.opening.loader.busy()) continue;  // what is open is about to go
+    if (next.is_one && !group_) group_ = {workspace_.work.document.history().position(), next.name};
     if (!next.run()) {
       asked_.push_front(std::move(next));
       return;
@@ -202,14 +202,14 @@ void WorldChanges::fulfil() {
 // Nothing is left of the change that opened the group.
 void WorldChanges::end_group() {
   if (!group_ || pending_) return;
-  groups_.add(group_->from, on_.work.document, group_->name);
+  groups_.add(group_->from, workspace_.work.document, group_->name);
   group_.reset();
 }
 
 void WorldChanges::end_pending() {
   const bool goes_on = group_ && !asked_.empty() && asked_.front().name == group_->name;
   if (!goes_on) end_group();
-  on_.view.picture_old = true;
+  workspace_.view.picture_old = true;
 }
 
 void WorldChanges::begin(LongChange reading) {
@@ -228,43 +228,43 @@ void WorldChanges::forget() {
 // --------------------------------------------------------------------------------------------------------
 
 void WorldChanges::apply(const Command& command) {
-  change(words(command, on_.view.frame.unit), is_quick(on_.work.document, command),
+  change(words(command, workspace_.view.frame.unit), is_quick(workspace_.work.document, command),
          [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
 void WorldChanges::travel_to(size_t position, const std::string& said) {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   change(
       "Through the history", is_small(document) && document.remembers_way_to(position),
       [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, said);
 }
 
 void WorldChanges::step_through_history(bool back) {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   const std::string did = back ? "Undone: " : "Done again: ";
   groups_.follow(document);
   const StepGroups::Group* group = groups_.at(document, back);
-  cancel_stroke(on_);
+  cancel_stroke(workspace_);
   if (group != nullptr) return travel_to(back ? group->from : group->to, did + group->name);
   const History& history = document.history();
   const bool there_is_one = back ? history.position() > 0 : history.position() < history.size();
   std::string said;
   if (there_is_one) {
     const size_t step = back ? history.position() - 1 : history.position();
-    said = did + step_words(history, step, on_.view.frame.unit);
+    said = did + step_words(history, step, workspace_.view.frame.unit);
   }
   const Command command = back ? Command(Undo{}) : Command(Redo{});
   change(
-      words(command, on_.view.frame.unit), is_quick(document, command),
+      words(command, workspace_.view.frame.unit), is_quick(document, command),
       [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, said);
 }
 
 // A quick change is done at once, another beside the frames.
 void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
   KERF_ASSERT(!pending_);
-  on_.message.say("");
-  if (!said_later_.empty()) on_.message.note(std::exchange(said_later_, ""), false);
-  if (quick) return show_outcome(what(on_.work.document, nullptr), {}, said);
+  workspace_.message.say("");
+  if (!said_later_.empty()) workspace_.message.note(std::exchange(said_later_, ""), false);
+  if (quick) return show_outcome(what(workspace_.work.document, nullptr), {}, said);
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
   change.title = title;
@@ -286,7 +286,7 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
 bool WorldChanges::step(const Part& part) {
   KERF_ASSERT(!pending_);
   if (do_beside(part)) return false;
-  const Result<StepResult> step = part(on_.work.document);
+  const Result<StepResult> step = part(workspace_.work.document);
   if (!step) {
     show_failed_step(step.error());
     return false;
@@ -295,27 +295,30 @@ bool WorldChanges::step(const Part& part) {
   return true;
 }
 
-bool WorldChanges::can_cut() const { return on_.work.document.waiting() > 0 && !on_.holds_back(); }
+bool WorldChanges::can_cut() const {
+  return workspace_.work.document.waiting() > 0 && !workspace_.holds_back();
+}
 
 void WorldChanges::cut() {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   if (!can_cut() || pending_) return;
-  const double began = on_.clock->seconds();
+  const double began = workspace_.clock->seconds();
   const bool cools = document.execution().only_cools(),
-             beam = on_.beam.cutting() || document.execution().beam_waits();
-  while (can_cut() && on_.clock->seconds() < on_.cut_until) {
+             beam = workspace_.beam.cutting() || document.execution().beam_waits();
+  while (can_cut() && workspace_.clock->seconds() < workspace_.cut_until) {
     if (!step([](Document& d) { return d.step(kMovesOfStep); })) break;
   }
-  if (beam) on_.beam.find_strike(document);
-  if (on_.view.spread > 0) spread_pieces(document.world(), on_.view.spread, on_.view.look);
-  on_.cut_seconds += on_.clock->seconds() - began;
-  if (!cools) on_.view.picture_old = true;
-  if (cools && !on_.cools_unseen) on_.view.heat_old = true;
-  on_.statistics.world_changed = true;
+  if (beam) workspace_.beam.find_strike(document);
+  if (workspace_.view.spread > 0)
+    spread_pieces(document.world(), workspace_.view.spread, workspace_.view.look);
+  workspace_.cut_seconds += workspace_.clock->seconds() - began;
+  if (!cools) workspace_.view.picture_old = true;
+  if (cools && !workspace_.cools_unseen) workspace_.view.heat_old = true;
+  workspace_.statistics.world_changed = true;
 }
 
 bool WorldChanges::do_beside(const Part& part) {
-  const char* title = why_beside(on_.work.document);
+  const char* title = why_beside(workspace_.work.document);
   if (title == nullptr) return false;
   const auto step = std::make_shared<StepResult>();
   const auto prepared = std::make_shared<PreparedBodies>();
@@ -334,50 +337,52 @@ bool WorldChanges::do_beside(const Part& part) {
   change.then = [this, step, prepared](const Outcome& done) {
     if (!done.ok()) return show_failed_step(done.error());
     follow_step(*step, std::move(*prepared));
-    on_.statistics.world_changed = true;
+    workspace_.statistics.world_changed = true;
   };
   pending_ = std::move(change);
   return true;
 }
 
 void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) {
-  if (step.last) on_.beam.reach(step.last->to);
-  renderer().follow(on_.work.document.world(), step.delta, std::move(prepared));
-  if (on_.view.look.ghost || on_.view.look.show.face_numbers)
-    renderer().send_faces(on_.work.document.world());
+  if (step.last) workspace_.beam.reach(step.last->to);
+  renderer().follow(workspace_.work.document.world(), step.delta, std::move(prepared));
+  if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
+    renderer().send_faces(workspace_.work.document.world());
   follow_released(step.delta);
   const bool came = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
                                 [](const BodyDelta& body) { return !body.new_pieces.empty(); });
-  if (came || on_.view.numbers.waits()) {
-    on_.view.numbers.follow(on_.work.document.world(), false, pieces_may_return(on_.work.document.history()),
-                            on_.view.look.pieces);
+  if (came || workspace_.view.numbers.waits()) {
+    workspace_.view.numbers.follow(workspace_.work.document.world(), false,
+                                   pieces_may_return(workspace_.work.document.history()),
+                                   workspace_.view.look.pieces);
   }
-  on_.statistics.chart.note_step(step);
+  workspace_.statistics.chart.record_step(step);
   tell_left_open(step.delta);
 }
 
 // Solid bodies that a stroke left open: the first is shown, and all are in the log.
 void WorldChanges::tell_left_open(const Delta& delta) {
   for (size_t i = delta.left_open.size(); i-- > 1;)
-    on_.message.note(left_open_text(delta.left_open[i], on_.work.document.world()), true);
+    workspace_.message.note(left_open_text(delta.left_open[i], workspace_.work.document.world()), true);
   if (!delta.left_open.empty())
-    on_.message.say(left_open_text(delta.left_open.front(), on_.work.document.world()), true);
+    workspace_.message.say(left_open_text(delta.left_open.front(), workspace_.work.document.world()), true);
 }
 
 // Pieces that came off become bodies when time passes.
 void WorldChanges::follow_released(const Delta& delta) {
   if (delta.came.empty() && delta.detached.empty()) return;
-  const World& world = on_.work.document.world();
-  ViewOptions& look = on_.view.look;
+  const World& world = workspace_.work.document.world();
+  ViewOptions& look = workspace_.view.look;
   follow_world(world, delta, look.pieces);
-  on_.view.numbers.follow(world, false, pieces_may_return(on_.work.document.history()), look.pieces);
+  workspace_.view.numbers.follow(world, false, pieces_may_return(workspace_.work.document.history()),
+                                 look.pieces);
   followed(delta);
 }
 
 void WorldChanges::show_failed_step(const Error& error) {
-  cancel_stroke(on_);
-  renderer().resend(on_.work.document.world());
-  on_.message.say(error.message, true);
+  cancel_stroke(workspace_);
+  renderer().resend(workspace_.work.document.world());
+  workspace_.message.say(error.message, true);
 }
 
 // The picture
@@ -386,7 +391,7 @@ void WorldChanges::show_failed_step(const Error& error) {
 void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared, const std::string& said) {
   show_change(outcome.delta, std::move(prepared));
   if (!outcome.ok()) {
-    on_.message.say(outcome.error().message, true);
+    workspace_.message.say(outcome.error().message, true);
   } else {
     said_later_ = said;
     tell_done();
@@ -395,27 +400,28 @@ void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared,
 }
 
 void WorldChanges::tell_done() {
-  if (said_later_.empty() || on_.work.document.execution().beam_waits()) return;
-  on_.message.say(std::exchange(said_later_, ""));
+  if (said_later_.empty() || workspace_.work.document.execution().beam_waits()) return;
+  workspace_.message.say(std::exchange(said_later_, ""));
 }
 
 void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
-  const World& world = on_.work.document.world();
+  const World& world = workspace_.work.document.world();
   renderer().follow(world, delta, std::move(prepared));
-  ViewOptions& look = on_.view.look;
+  ViewOptions& look = workspace_.view.look;
   follow_world(world, delta, look.pieces);
-  on_.view.numbers.follow(world, true, pieces_may_return(on_.work.document.history()), look.pieces);
-  if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look);
+  workspace_.view.numbers.follow(world, true, pieces_may_return(workspace_.work.document.history()),
+                                 look.pieces);
+  if (workspace_.view.spread > 0) spread_pieces(world, workspace_.view.spread, look);
   followed(delta);
-  on_.view.picture_old = on_.statistics.world_changed = true;
+  workspace_.view.picture_old = workspace_.statistics.world_changed = true;
 }
 
 void WorldChanges::show_world(const World& world, Renderer& renderer) const {
-  if (on_.work.as_loaded) {
-    renderer.show(*on_.work.as_loaded, on_.work.paints);
+  if (workspace_.work.as_loaded) {
+    renderer.show(*workspace_.work.as_loaded, workspace_.work.paints);
     renderer.resend(world);
   } else {
-    renderer.show(world, on_.work.paints);
+    renderer.show(world, workspace_.work.paints);
   }
 }
 

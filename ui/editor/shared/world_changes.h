@@ -104,7 +104,7 @@ struct Workspace;
 class WorldChanges {
  public:
   // The workspace must outlive it and the changes that it leaves pending.
-  explicit WorldChanges(Workspace& on) : on_(on) {}
+  explicit WorldChanges(Workspace& workspace) : workspace_(workspace) {}
   WorldChanges(const WorldChanges&) = delete;
   WorldChanges& operator=(const WorldChanges&) = delete;
 
@@ -127,7 +127,7 @@ class WorldChanges {
   void ask(const Command& command);
   bool is_asked() const { return !asked_.empty(); }
   // To be called once a frame: does what was asked for, until a change becomes pending.
-  void fulfil();
+  void process_requests();
 
   bool is_pending() const { return pending_.has_value(); }
   std::optional<LongChange> take_pending() { return std::exchange(pending_, std::nullopt); }
@@ -193,7 +193,7 @@ class WorldChanges {
   void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& said = "");
   void show_change(const Delta& delta, PreparedBodies prepared);
 
-  Workspace& on_;
+  Workspace& workspace_;
   std::deque<Asked> asked_;
   std::optional<OpenGroup> group_;
   StepGroups groups_;

@@ -29,10 +29,10 @@ void draw_action(const UserAction& action) {
   }
   KERF_ASSERT(action.run);
   const bool checked = action.checked && action.checked();
-  const char* why_not = action.objection();
-  if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, why_not == nullptr))
+  const char* disabled_reason = action.objection();
+  if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, disabled_reason == nullptr))
     action.run();
-  if (why_not != nullptr) return tooltip(why_not);
+  if (disabled_reason != nullptr) return tooltip(disabled_reason);
   if (action.tip.empty()) return;
   const bool has_picture = action.tip_picture && ImGui::IsItemHovered();
   tooltip(action.tip.c_str(), has_picture ? action.tip_picture() : std::nullopt);
@@ -128,7 +128,7 @@ std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
 namespace {
 
 constexpr const char* kTitle = "##palette";
-constexpr float kWidthEms = 42, kMostRowsShown = 12;
+constexpr float kWidthEms = 42, kMaxRowsShown = 12;
 constexpr int kPage = 10;
 constexpr int kOfName = 4;  // times as much as a match that needs the name of the menu
 
@@ -163,7 +163,7 @@ float draw_key_and_state(const UserAction& action, ImVec2 right) {
 
 // Name, menu or the reason why it cannot be done, state and key. Returns whether it was clicked.
 bool draw_row(const UserAction& action, size_t place, bool at_cursor) {
-  const char* why_not = action.objection();
+  const char* disabled_reason = action.objection();
   const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(place));
@@ -172,12 +172,12 @@ bool draw_row(const UserAction& action, size_t place, bool at_cursor) {
   ImGui::PopID();
   const float taken = draw_key_and_state(action, {at.x + room - 0.3f * em, at.y});
   const float left = at.x + 0.3f * em, width = room - taken - 0.6f * em;
-  draw_text_at({left, at.y}, why_not != nullptr ? colours::secondary() : colours::text(),
+  draw_text_at({left, at.y}, disabled_reason != nullptr ? colours::secondary() : colours::text(),
                fitting(action.name, width));
   const float name = ImGui::CalcTextSize(action.name.c_str()).x + em;
   if (name + 3 * em < width)
     draw_text_at({left + name, at.y}, colours::secondary(),
-                 fitting(why_not != nullptr ? why_not : action.menu, width - name));
+                 fitting(disabled_reason != nullptr ? disabled_reason : action.menu, width - name));
   return clicked;
 }
 
@@ -213,7 +213,7 @@ std::optional<size_t> draw_matches(CommandPalette& palette, std::span<const User
                                    const std::vector<size_t>& found) {
   std::optional<size_t> clicked;
   const float row = ImGui::GetTextLineHeightWithSpacing();
-  const float rows = std::clamp(static_cast<float>(found.size()), 1.0f, kMostRowsShown);
+  const float rows = std::clamp(static_cast<float>(found.size()), 1.0f, kMaxRowsShown);
   if (ImGui::BeginChild("matches", {0, rows * row})) {
     if (found.empty()) ImGui::TextDisabled("No action has such a name");
     for (size_t place = 0; place < found.size(); ++place) {
@@ -234,8 +234,8 @@ void draw_explanation(std::span<const UserAction> actions, const std::vector<siz
   ImGui::PushTextWrapPos(0);
   if (palette.is_chosen && palette.cursor < found.size()) {
     const UserAction& action = actions[found[palette.cursor]];
-    const char* why_not = action.objection();
-    ImGui::TextDisabled("%s", why_not != nullptr ? why_not : action.tip.c_str());
+    const char* disabled_reason = action.objection();
+    ImGui::TextDisabled("%s", disabled_reason != nullptr ? disabled_reason : action.tip.c_str());
   }
   ImGui::PopTextWrapPos();
   // The window keeps its height from one explanation to the next.

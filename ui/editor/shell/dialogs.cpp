@@ -174,8 +174,7 @@ void bind_pressed(SettingsPage& page, Settings& settings, std::span<const UserAc
 void speed_row(const char* name, double& speed, const char* meaning) {
   property(name);
   const std::string id = std::string("##") + name;
-  real_slider({name, id.c_str(), meaning, true}, speed, Settings::kLeastSpeed, Settings::kMostSpeed,
-              "%.2f x");
+  real_slider({name, id.c_str(), meaning, true}, speed, Settings::kMinSpeed, Settings::kMaxSpeed, "%.2f x");
   mark_last_item(name);
 }
 
@@ -198,7 +197,7 @@ void draw_machine(Settings& settings) {
   if (!begin_properties("machine")) return;
   property("Threads");
   const int most =
-      std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMostThreads);
+      std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMaxThreads);
   whole_slider(
       {"Threads", "##Threads",
        "How many threads load, measure and save at the same time at most. Cutting always takes one."},
@@ -293,7 +292,7 @@ namespace {
 
 class Dialogs : public Feature {
  public:
-  Dialogs(Workspace& on, const Catalogue& catalogue) : on_(on), catalogue_(catalogue) {}
+  Dialogs(Workspace& workspace, const Catalogue& catalogue) : workspace_(workspace), catalogue_(catalogue) {}
 
   std::vector<ActionGroup> actions() override {
     return {{721, "View", column_actions()}, {800, "Help", help_actions()}};
@@ -307,23 +306,23 @@ class Dialogs : public Feature {
              "chosen pieces"}};
   }
 
-  bool takes(const InputEvent& event, bool) override;
-  bool let_go() override {
-    const bool shown = shortcuts_shown_ || on_.messages_shown;
-    shortcuts_shown_ = on_.messages_shown = false;
+  bool handle_event(const InputEvent& event, bool) override;
+  bool clear_selection() override {
+    const bool shown = shortcuts_shown_ || workspace_.messages_shown;
+    shortcuts_shown_ = workspace_.messages_shown = false;
     return shown;
   }
-  bool awaits_focus() const override { return on_.browser.open || palette_.open; }
+  bool awaits_focus() const override { return workspace_.browser.open || palette_.open; }
   void draw_windows() override;
-  void mark(Landmarks& landmarks) const override {
-    if (on_.browser.open) landmarks.mark("browser", {on_.pointer, Vec2(1)});
+  void add_landmarks(Landmarks& landmarks) const override {
+    if (workspace_.browser.open) landmarks.mark("browser", {workspace_.pointer, Vec2(1)});
   }
 
  private:
   std::vector<UserAction> column_actions();
   std::vector<UserAction> help_actions();
 
-  Workspace& on_;
+  Workspace& workspace_;
   const Catalogue& catalogue_;
   CommandPalette palette_;
   SettingsPage page_;
@@ -331,10 +330,10 @@ class Dialogs : public Feature {
 };
 
 std::vector<UserAction> Dialogs::column_actions() {
-  bool& shown = on_.settings.side_shown;
-  std::vector<UserAction> actions = tab_actions(on_.panels);
+  bool& shown = workspace_.settings.side_shown;
+  std::vector<UserAction> actions = tab_actions(workspace_.panels);
   actions.push_back(
-      {.name = "Panels", .items = [this] { return panel_actions(catalogue_.panels, on_.panels); }});
+      {.name = "Panels", .items = [this] { return panel_actions(catalogue_.panels, workspace_.panels); }});
   actions.push_back({.name = "Column of panels",
                      .shortcut = "F4",
                      .tip = "Hides the column, so that the picture fills the window.",
@@ -361,19 +360,19 @@ std::vector<UserAction> Dialogs::help_actions() {
                  .checked = [this] { return shortcuts_shown_; }},
       UserAction{.name = "Messages",
                  .tip = "What the status bar has said, in full. A click on its message shows them too.",
-                 .run = [this] { on_.messages_shown = !on_.messages_shown; },
-                 .checked = [this] { return on_.messages_shown; }},
+                 .run = [this] { workspace_.messages_shown = !workspace_.messages_shown; },
+                 .checked = [this] { return workspace_.messages_shown; }},
   };
 }
 
-bool Dialogs::takes(const InputEvent& event, bool) {
+bool Dialogs::handle_event(const InputEvent& event, bool) {
   if (event.kind != InputEvent::Kind::kKey) return false;
-  if (on_.browser.open) {
-    browser_key(on_.browser, event.button);
+  if (workspace_.browser.open) {
+    browser_key(workspace_.browser, event.button);
   } else if (palette_.open) {
     palette_key(palette_, event.button);
   } else if (page_.shown && !is_text_field_active()) {
-    settings_page_key(page_, on_.settings, catalogue_.usual, event.button, event.mods);
+    settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
   } else {
     return false;
   }
@@ -382,20 +381,20 @@ bool Dialogs::takes(const InputEvent& event, bool) {
 
 void Dialogs::draw_windows() {
   draw_shortcut_sheet(shortcuts_shown_, catalogue_.actions, catalogue_.gestures);
-  draw_message_log(on_.messages_shown, on_.message);
-  draw_settings_page(page_, on_.settings, catalogue_.usual);
-  const Area& picture = on_.view.layout.viewport;
+  draw_message_log(workspace_.messages_shown, workspace_.message);
+  draw_settings_page(page_, workspace_.settings, catalogue_.usual);
+  const Area& picture = workspace_.view.layout.viewport;
   draw_palette(palette_, catalogue_.actions, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
                static_cast<float>(picture.at.y + ImGui::GetFontSize()));
-  const bool was_open = on_.browser.open;
-  draw_file_browser(on_.browser);
-  if (was_open && !on_.browser.open) on_.settings.folder = on_.browser.folder;
+  const bool was_open = workspace_.browser.open;
+  draw_file_browser(workspace_.browser);
+  if (was_open && !workspace_.browser.open) workspace_.settings.folder = workspace_.browser.folder;
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> dialogs(Workspace& on, const Catalogue& catalogue) {
-  return std::make_unique<Dialogs>(on, catalogue);
+std::unique_ptr<Feature> dialogs(Workspace& workspace, const Catalogue& catalogue) {
+  return std::make_unique<Dialogs>(workspace, catalogue);
 }
 
 }  // namespace kerf

@@ -43,6 +43,6 @@ void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const 
 
 // What belongs to all features alike: the command palette, the settings, the sheet of shortcuts, the log of
 // messages, the file browser, and which panels are shown. The catalogue must outlive it.
-std::unique_ptr<Feature> dialogs(Workspace& on, const Catalogue& catalogue);
+std::unique_ptr<Feature> dialogs(Workspace& workspace, const Catalogue& catalogue);
 
 }  // namespace kerf

@@ -88,15 +88,17 @@ ViewOptions look_of_second(const ViewOptions& first, double spread, const World&
 
 // To the graphics card: what changed, or as much of a scene that is shown anew as there is time for. Where a
 // script leaves frames undrawn, changes are sent with the next one that is drawn.
-void send(Workspace& on) {
-  if (!on.view.picture_old && !on.view.heat_old) return;
-  Renderer& renderer = on.picture->first();
-  if (!on.window->draws() && !renderer.is_sending() && !on.cools) return;
+void send(Workspace& workspace) {
+  if (!workspace.view.picture_old && !workspace.view.heat_old) return;
+  Renderer& renderer = workspace.picture->first();
+  if (!workspace.window->draws() && !renderer.is_sending() && !workspace.cools) return;
   const size_t before = renderer.uploaded_bytes();
-  const double until = on.clock->seconds() + kSendingSeconds;
-  while (renderer.is_sending() && on.clock->seconds() < until) renderer.send_faces(on.shown_world());
-  renderer.catch_up(on.shown_world());
-  if (renderer.uploaded_bytes() > before) on.statistics.chart.note_sent(renderer.uploaded_bytes() - before);
+  const double until = workspace.clock->seconds() + kSendingSeconds;
+  while (renderer.is_sending() && workspace.clock->seconds() < until)
+    renderer.send_faces(workspace.shown_world());
+  renderer.catch_up(workspace.shown_world());
+  if (renderer.uploaded_bytes() > before)
+    workspace.statistics.chart.record_sent(renderer.uploaded_bytes() - before);
 }
 
 }  // namespace
@@ -104,55 +106,55 @@ void send(Workspace& on) {
 EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded,
                            const EditorOptions& options, MakeFeatures make_features)
     : window_(window), options_(options), landmarks_(options.landmarks), picture_(std::move(picture)) {
-  on_.picture = &picture_;
-  on_.window = &window;
-  on_.clock = &window.clock();
-  if (window.script() != nullptr) on_.background_wait = kLongest;
-  on_.settings = std::move(loaded.settings);
-  on_.view.look.antialias = on_.settings.antialias;
-  on_.view.look.show = default_show();
-  threads_.follow(on_.settings.threads);
-  features_ = make_features(on_, catalogue_);
-  saved_ = on_.settings;
-  catalogue_.gather(features_, on_.panels);
-  on_.changes.followed = [this](const Delta& delta) {
-    for (const auto& feature : features_) feature->follow(delta);
+  workspace_.picture = &picture_;
+  workspace_.window = &window;
+  workspace_.clock = &window.clock();
+  if (window.script() != nullptr) workspace_.background_wait = kLongest;
+  workspace_.settings = std::move(loaded.settings);
+  workspace_.view.look.antialias = workspace_.settings.antialias;
+  workspace_.view.look.show = default_show();
+  threads_.follow(workspace_.settings.threads);
+  features_ = make_features(workspace_, catalogue_);
+  saved_ = workspace_.settings;
+  catalogue_.gather(features_, workspace_.panels);
+  workspace_.changes.followed = [this](const Delta& delta) {
+    for (const auto& feature : features_) feature->on_world_changed(delta);
   };
-  on_.replaced = [this] {
-    on_.held.reset();
-    for (const auto& feature : features_) feature->forget();
+  workspace_.replaced = [this] {
+    workspace_.held.reset();
+    for (const auto& feature : features_) feature->on_document_opened();
   };
-  on_.landmarks = &landmarks_;
+  workspace_.landmarks = &landmarks_;
   keep_landmarks(&landmarks_);
-  report_entries_to(&on_.message);
+  report_entries_to(&workspace_.message);
 }
 
 Status EditorScreen::open() {
   lay_out_window();
   picture_.first().limit_sending(kFacesSent);
   for (const auto& feature : features_) {
-    if (Status started = feature->start(options_); !started) return started;
+    if (Status started = feature->on_start(options_); !started) return started;
   }
   return Done{};
 }
 
 void EditorScreen::rest() {
-  for (const auto& feature : features_) feature->rest();
+  for (const auto& feature : features_) feature->on_idle();
 }
 
 void EditorScreen::tell(const std::string& fault) {
-  if (!fault.empty() && !on_.message.is_error) on_.message.say(fault, true);
+  if (!fault.empty() && !workspace_.message.is_error) workspace_.message.say(fault, true);
 }
 
 void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& scene) {
   KERF_ASSERT(wants_game());
-  on_.leaves = Workspace::Leaves::kNot;
-  on_.settings.palette = look.palette;
-  on_.view.picture_old = true;
+  workspace_.leaves = Workspace::Leaves::kNot;
+  workspace_.settings.palette = look.palette;
+  workspace_.view.picture_old = true;
   title_.clear();
   keep_landmarks(&landmarks_);
-  report_entries_to(&on_.message);
-  if (!scene.empty()) on_.open({scene});
+  report_entries_to(&workspace_.message);
+  if (!scene.empty()) workspace_.open({scene});
 }
 
 void EditorScreen::close(bool left_by_user) {
@@ -160,29 +162,31 @@ void EditorScreen::close(bool left_by_user) {
     thread_.stop();
     finish_change();
   }
-  on_.beam.release(on_.work.document);
-  on_.held.reset();
-  for (const auto& feature : features_) feature->close(left_by_user);
+  workspace_.beam.release(workspace_.work.document);
+  workspace_.held.reset();
+  for (const auto& feature : features_) feature->on_exit(left_by_user);
   report_entries_to(nullptr);
   save_settings();
 }
 
 GuiLook EditorScreen::look() const {
-  const Settings& s = on_.settings;
+  const Settings& s = workspace_.settings;
   return {s.theme, s.palette, window_.scale() * static_cast<float>(s.ui_scale), options_.own_font};
 }
 
 bool EditorScreen::moving() const {
-  if (thread_.busy() || easing_ || on_.view.picture_old || on_.view.heat_old || picture_.busy()) return true;
-  if (on_.changes.is_asked()) return true;
+  if (thread_.busy() || easing_ || workspace_.view.picture_old || workspace_.view.heat_old || picture_.busy())
+    return true;
+  if (workspace_.changes.is_asked()) return true;
   return std::any_of(features_.begin(), features_.end(),
-                     [](const auto& feature) { return feature->moving(); });
+                     [](const auto& feature) { return feature->needs_redraw(); });
 }
 
 double EditorScreen::least_frame() const {
   constexpr double kProgress = 0.1;
-  const bool still = !easing_ && !on_.view.picture_old && !picture_.busy() && !on_.changes.is_asked();
-  return still && on_.opening.loader.busy() ? kProgress : 0;
+  const bool still =
+      !easing_ && !workspace_.view.picture_old && !picture_.busy() && !workspace_.changes.is_asked();
+  return still && workspace_.opening.loader.busy() ? kProgress : 0;
 }
 
 // Hearing
@@ -197,16 +201,16 @@ KeyboardHold EditorScreen::keyboard_hold() const {
 
 void EditorScreen::hear(const Input& input) {
   if (thread_.busy()) {
-    if (busy_.hear(input, thread_)) on_.quit();
+    if (busy_.hear(input, thread_)) workspace_.quit();
     return;
   }
   lay_out_window();
-  catalogue_.bind(on_.settings, on_.view.shortcuts);
+  catalogue_.bind(workspace_.settings, workspace_.view.shortcuts);
   std::vector<InputEvent> events = busy_.take_heard();
   events.insert(events.end(), input.events.begin(), input.events.end());
   for (const InputEvent& event : events) hear_event(event);
-  if (!input.drops.empty()) on_.open(input.drops);
-  if (input.close) on_.quit();
+  if (!input.drops.empty()) workspace_.open(input.drops);
+  if (input.close) workspace_.quit();
 }
 
 // Releases of keys and characters are the business of ImGui alone.
@@ -226,33 +230,34 @@ void EditorScreen::hear_event(const InputEvent& event) {
 }
 
 void EditorScreen::hear_pointer(const InputEvent& event) {
-  const bool in_picture = on_.view.layout.viewport.contains(event.at) && !pointer_is_over_panel();
+  const bool in_picture = workspace_.view.layout.viewport.contains(event.at) && !pointer_is_over_panel();
   if (event.kind == InputEvent::Kind::kPress && is_popup_open() && in_picture) {
     close_popups();
     return held_press_.hold(event);
   }
-  if (const auto press = held_press_.begun_by(event)) hear_mouse(on_, features_, *press, true);
-  const bool taken = std::any_of(features_.begin(), features_.end(),
-                                 [&](const auto& feature) { return feature->takes(event, in_picture); });
-  if (!taken) hear_mouse(on_, features_, event, !ImGui::GetIO().WantCaptureMouse && !is_popup_open());
+  if (const auto press = held_press_.press_of(event)) hear_mouse(workspace_, features_, *press, true);
+  const bool taken = std::any_of(features_.begin(), features_.end(), [&](const auto& feature) {
+    return feature->handle_event(event, in_picture);
+  });
+  if (!taken) hear_mouse(workspace_, features_, event, !ImGui::GetIO().WantCaptureMouse && !is_popup_open());
 }
 
 void EditorScreen::hear_key(const InputEvent& event) {
   const bool taken = std::any_of(features_.begin(), features_.end(),
-                                 [&](const auto& feature) { return feature->takes(event, false); });
+                                 [&](const auto& feature) { return feature->handle_event(event, false); });
   if (taken || is_text_field_active() || event.again) return;
   if (event.button == GLFW_KEY_ESCAPE) return is_popup_open() ? close_popups() : escape();
-  run_shortcut(catalogue_.actions, event.button, event.mods, on_.message);
+  run_shortcut(catalogue_.actions, event.button, event.mods, workspace_.message);
 }
 
 void EditorScreen::escape() {
   bool stopped = false;
-  for (const auto& feature : features_) stopped = feature->stop() || stopped;
-  if (on_.held && on_.held->over()) on_.held.reset();
+  for (const auto& feature : features_) stopped = feature->cancel() || stopped;
+  if (workspace_.held && workspace_.held->over()) workspace_.held.reset();
   if (stopped) return;
-  if (on_.held && on_.held->cancel()) return on_.held.reset();
+  if (workspace_.held && workspace_.held->cancel()) return workspace_.held.reset();
   for (const auto& feature : features_) {
-    if (feature->let_go()) return;
+    if (feature->clear_selection()) return;
   }
 }
 
@@ -260,43 +265,44 @@ void EditorScreen::escape() {
 // --------------------------------------------------------------------------------------------------------
 
 void EditorScreen::advance() {
-  threads_.follow(on_.settings.threads);
-  if (window_.script() != nullptr && on_.opening.loader.busy()) on_.opening.loader.is_over(kLongest);
+  threads_.follow(workspace_.settings.threads);
+  if (window_.script() != nullptr && workspace_.opening.loader.busy())
+    workspace_.opening.loader.is_over(kLongest);
   if (thread_.busy() && !thread_.is_over(0)) return;
   if (thread_.busy()) finish_change();
   const double seconds = ImGui::GetIO().DeltaTime;
-  on_.changes.fulfil();
-  easing_ = on_.view.camera.advance(std::min(seconds, Workspace::kLongestStep));
-  if (easing_) on_.view.picture_old = true;
-  on_.cut_until = window_.clock().seconds() + std::max(kCutSeconds, picture_.seconds());
-  on_.cut_seconds = 0;
-  for (const auto& feature : features_) feature->advance(seconds);
-  on_.changes.cut();
-  if (!on_.changes.is_pending()) on_.changes.tell_done();
-  for (const auto& feature : features_) feature->follow_queue(seconds);
-  if (on_.held && on_.held->over()) on_.held.reset();
-  send(on_);
+  workspace_.changes.process_requests();
+  easing_ = workspace_.view.camera.advance(std::min(seconds, Workspace::kLongestStep));
+  if (easing_) workspace_.view.picture_old = true;
+  workspace_.cut_until = window_.clock().seconds() + std::max(kCutSeconds, picture_.seconds());
+  workspace_.cut_seconds = 0;
+  for (const auto& feature : features_) feature->update(seconds);
+  workspace_.changes.cut();
+  if (!workspace_.changes.is_pending()) workspace_.changes.tell_done();
+  for (const auto& feature : features_) feature->after_queue(seconds);
+  if (workspace_.held && workspace_.held->over()) workspace_.held.reset();
+  send(workspace_);
 }
 
 void EditorScreen::finish_change() {
   thread_.finish();
-  on_.changes.end_pending();
+  workspace_.changes.end_pending();
 }
 
 void EditorScreen::lay_out_window() {
   const double em = ImGui::GetFontSize(), bar = ImGui::GetFrameHeight();
-  const Settings& settings = on_.settings;
-  Layout layout = lay_out(window_.size(), em, bar, bar, panel_sizes(on_.panels, settings));
-  if (on_.second != nullptr) layout = split_in_two(layout, settings.split_share);
-  ViewState& view = on_.view;
+  const Settings& settings = workspace_.settings;
+  Layout layout = lay_out(window_.size(), em, bar, bar, panel_sizes(workspace_.panels, settings));
+  if (workspace_.second != nullptr) layout = split_in_two(layout, settings.split_share);
+  ViewState& view = workspace_.view;
   if (layout.first.size != view.layout.first.size || layout.second.size != view.layout.second.size)
     view.picture_old = true;
   view.layout = layout;
 }
 
 void EditorScreen::save_settings() {
-  Settings& now = on_.settings;
-  now.antialias = on_.view.look.antialias;
+  Settings& now = workspace_.settings;
+  now.antialias = workspace_.view.look.antialias;
   if (options_.width == 0) {  // a size that was asked for this session alone is not kept
     now.width = static_cast<int>(window_.size().x);
     now.height = static_cast<int>(window_.size().y);
@@ -304,7 +310,7 @@ void EditorScreen::save_settings() {
   if (now == saved_) return;
   saved_ = now;
   if (const Status written = write_settings(now, settings_file()); !written)
-    on_.message.say(written.error().message, true);
+    workspace_.message.say(written.error().message, true);
 }
 
 // Drawing
@@ -312,58 +318,61 @@ void EditorScreen::save_settings() {
 
 void EditorScreen::draw() {
   busy_frame_ = thread_.busy();
-  if (busy_frame_) return busy_.draw(window_.size(), on_.view.layout.viewport, thread_);
+  if (busy_frame_) return busy_.draw(window_.size(), workspace_.view.layout.viewport, thread_);
   const double began = window_.clock().seconds();
   if (began - statistics_at_ >= kFigureSeconds) {
     statistics_at_ = began;
     save_settings();
-    bring_up_to_date(on_);
+    bring_up_to_date(workspace_);
   }
   landmarks_.begin_frame();
   draw_panels();
   const double picture_began = window_.clock().seconds();
   draw_picture();
   picture_seconds_ = window_.clock().seconds() - picture_began;
-  for (const auto& feature : features_) feature->drawn(Feature::Drawn::kPicture);
+  for (const auto& feature : features_) feature->on_captured(Feature::Captured::kPicture);
 }
 
 void EditorScreen::draw_panels() {
-  const Layout& layout = on_.view.layout;
+  const Layout& layout = workspace_.view.layout;
   draw_menu_bar(catalogue_.actions);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(to_im(layout.viewport.at), to_im(layout.viewport.at + layout.viewport.size));
-  on_.badges.begin_frame();
-  for (const auto& feature : features_) feature->draw_marks(list);
-  if (on_.held) on_.held->draw(list);
+  workspace_.badges.begin_frame();
+  for (const auto& feature : features_) feature->draw_overlay(list);
+  if (workspace_.held) workspace_.held->draw(list);
   list.PopClipRect();
-  draw_panel_areas(layout, catalogue_.panels, on_.panels, on_.settings);
-  draw_splitters(layout, on_.settings);
-  const char* hint = on_.held ? on_.held->words() : nullptr;
-  for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->hint();
-  if (!on_.held && !on_.statistics.shown.work.empty()) hint = on_.statistics.shown.work.c_str();
-  if (draw_status_bar(layout.status, hint, on_.message, on_.statistics.shown)) on_.messages_shown = true;
-  if (picture_.first().is_sending() && !on_.opening.loader.busy())
+  draw_panel_areas(layout, catalogue_.panels, workspace_.panels, workspace_.settings);
+  draw_splitters(layout, workspace_.settings);
+  const char* hint = workspace_.held ? workspace_.held->words() : nullptr;
+  for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->status_hint();
+  if (!workspace_.held && !workspace_.statistics.shown.work.empty())
+    hint = workspace_.statistics.shown.work.c_str();
+  if (draw_status_bar(layout.status, hint, workspace_.message, workspace_.statistics.shown))
+    workspace_.messages_shown = true;
+  if (picture_.first().is_sending() && !workspace_.opening.loader.busy())
     draw_progress(layout.viewport, "Sending faces to the graphics card", picture_.first().sent_share(),
                   false);
   for (const auto& feature : features_) feature->draw_windows();
 }
 
 void EditorScreen::draw_picture() {
-  ViewState& view = on_.view;
+  ViewState& view = workspace_.view;
   const Layout& layout = view.layout;
-  view.look.tree.palette = on_.settings.palette;
-  view.look.by_day = on_.settings.theme == Theme::kLight;
+  view.look.tree.palette = workspace_.settings.palette;
+  view.look.by_day = workspace_.settings.theme == Theme::kLight;
   std::optional<BeamPicture> beam;  // its glare would hide what a stage did
-  if (!view.look.stage && !on_.stroke_waits()) beam = on_.beam.picture(on_.work.document);
-  const Shot first{on_.shown_world(), view.seen_first(), view.look, beam, layout.first};
+  if (!view.look.stage && !workspace_.stroke_waits())
+    beam = workspace_.beam.picture(workspace_.work.document);
+  const Shot first{workspace_.shown_world(), view.seen_first(), view.look, beam, layout.first};
   const PictureChange change = view.picture_old ? PictureChange::kAll
                                : view.heat_old  ? PictureChange::kHeat
                                                 : PictureChange::kNothing;
-  ShadowStatistics& shadows = on_.statistics.shadows;
-  if (layout.split() && on_.second != nullptr) {
-    const ViewOptions look = look_of_second(view.look, view.spread, *on_.second);
+  ShadowStatistics& shadows = workspace_.statistics.shadows;
+  if (layout.split() && workspace_.second != nullptr) {
+    const ViewOptions look = look_of_second(view.look, view.spread, *workspace_.second);
     const double aspect = layout.second.size.x / layout.second.size.y;
-    const Shot second{*on_.second, view.camera.view(aspect), look, beam, layout.second};
+    const Shot second{*workspace_.second, view.camera.view(aspect), look, beam, layout.second};
     new_picture_ = picture_.draw(first, &second, change, window_, shadows);
   } else {
     new_picture_ = picture_.draw(first, nullptr, change, window_, shadows);
@@ -375,33 +384,33 @@ void EditorScreen::draw_picture() {
 // The last of a frame, for what the window shows is seen until the pending change is done.
 void EditorScreen::drawn() {
   if (busy_frame_) return;
-  for (const auto& feature : features_) feature->drawn(Feature::Drawn::kWindow);
-  if (on_.title != title_) window_.set_title(title_ = on_.title);
-  if (!on_.changes.is_pending()) return;
+  for (const auto& feature : features_) feature->on_captured(Feature::Captured::kWindow);
+  if (workspace_.title != title_) window_.set_title(title_ = workspace_.title);
+  if (!workspace_.changes.is_pending()) return;
   busy_.keep(window_.pixel_size());
-  thread_.start(on_.work.document, *on_.changes.take_pending());
+  thread_.start(workspace_.work.document, *workspace_.changes.take_pending());
   if (thread_.is_over(window_.script() != nullptr ? kLongest : kMissable)) finish_change();
 }
 
 // Landmarks are told of after the frame, when it is known whether another one follows without input.
 void EditorScreen::took(const FrameTime& time) {
-  Statistics& statistics = on_.statistics;
+  Statistics& statistics = workspace_.statistics;
   const double beside = busy_frame_ ? time.whole : time.before - picture_seconds_;
   statistics.frames.add(1000 * time.whole);
   statistics.between_pictures.add(1000 * beside);
   if (busy_frame_) return;
-  if (picture_.first().is_sending()) on_.view.picture_old = true;
-  if (on_.cut_seconds > 0) {
+  if (picture_.first().is_sending()) workspace_.view.picture_old = true;
+  if (workspace_.cut_seconds > 0) {
     statistics.cutting_frames.add(1000 * time.whole);
     statistics.between_cutting_pictures.add(1000 * beside);
   }
-  if (new_picture_) picture_.took(time.whole - on_.cut_seconds);
+  if (new_picture_) picture_.took(time.whole - workspace_.cut_seconds);
   const ImVec2 at = ImGui::GetIO().MousePos;
-  landmarks_.mark(on_.view.layout);
+  landmarks_.mark(workspace_.view.layout);
   if (is_popup_open()) landmarks_.mark("popup", {{at.x, at.y}, Vec2(1)});
-  for (const auto& feature : features_) feature->mark(landmarks_);
+  for (const auto& feature : features_) feature->add_landmarks(landmarks_);
   if (const Status written = landmarks_.finish(moving(), {at.x, at.y}); !written)
-    on_.message.say(written.error().message, true);
+    workspace_.message.say(written.error().message, true);
 }
 
 // Telling
@@ -415,8 +424,8 @@ std::optional<std::string> EditorScreen::answer(const std::string& what) const {
 }
 
 nlohmann::ordered_json EditorScreen::report() const {
-  nlohmann::ordered_json report = session_report(on_);
-  for (const auto& feature : features_) feature->report(report);
+  nlohmann::ordered_json report = session_report(workspace_);
+  for (const auto& feature : features_) feature->write_session_log(report);
   return report;
 }
 

@@ -93,11 +93,11 @@ class EditorScreen : public Screen {
   bool moving() const override;
   double least_frame() const override;
   void rest() override;
-  bool over() const override { return on_.leaves == Workspace::Leaves::kForGood || wants_game(); }
+  bool over() const override { return workspace_.leaves == Workspace::Leaves::kForGood || wants_game(); }
   std::optional<std::string> answer(const std::string& what) const override;
 
   // Whether the screen is over only until the player comes back from the game.
-  bool wants_game() const { return on_.leaves == Workspace::Leaves::kForTheGame && !thread_.busy(); }
+  bool wants_game() const { return workspace_.leaves == Workspace::Leaves::kForTheGame && !thread_.busy(); }
   // To be called when the game is over, with a scene that is to be opened, or an empty path.
   void come_back(const GuiLook& look, const std::filesystem::path& scene);
 
@@ -116,7 +116,7 @@ class EditorScreen : public Screen {
   const EditorOptions& options_;
   Landmarks landmarks_;
   LivePicture picture_;
-  Workspace on_;
+  Workspace workspace_;
   Catalogue catalogue_;
   Features features_;
   Settings saved_;  // as they are in the file

@@ -28,7 +28,7 @@ bool pointer_is_over_panel() {
                                 ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
 }
 
-std::optional<InputEvent> HeldPress::begun_by(const InputEvent& event) {
+std::optional<InputEvent> HeldPress::press_of(const InputEvent& event) {
   if (!held_) return std::nullopt;
   switch (event.kind) {
     case InputEvent::Kind::kMove:
@@ -49,12 +49,12 @@ std::optional<InputEvent> HeldPress::begun_by(const InputEvent& event) {
 
 namespace {
 
-std::unique_ptr<Interaction> begin(Workspace& on, const Features& features, const InputEvent& event) {
+std::unique_ptr<Interaction> begin(Workspace& workspace, const Features& features, const InputEvent& event) {
   const bool alt = (event.mods & GLFW_MOD_ALT) != 0, left = event.button == GLFW_MOUSE_BUTTON_LEFT;
   const Press press{event, (event.mods & GLFW_MOD_SHIFT) != 0, (event.mods & GLFW_MOD_CONTROL) != 0};
-  if (event.button == GLFW_MOUSE_BUTTON_RIGHT) return std::make_unique<Pan>(on);
-  if (event.button == GLFW_MOUSE_BUTTON_MIDDLE && press.shift) return std::make_unique<Pan>(on);
-  if (event.button == GLFW_MOUSE_BUTTON_MIDDLE || (left && alt)) return std::make_unique<Orbit>(on);
+  if (event.button == GLFW_MOUSE_BUTTON_RIGHT) return std::make_unique<Pan>(workspace);
+  if (event.button == GLFW_MOUSE_BUTTON_MIDDLE && press.shift) return std::make_unique<Pan>(workspace);
+  if (event.button == GLFW_MOUSE_BUTTON_MIDDLE || (left && alt)) return std::make_unique<Orbit>(workspace);
   for (size_t i = 0; left && i < features.size(); ++i) {
     if (auto claimed = features[i]->claim(press)) return claimed;
   }
@@ -63,31 +63,31 @@ std::unique_ptr<Interaction> begin(Workspace& on, const Features& features, cons
 
 }  // namespace
 
-void hear_mouse(Workspace& on, const Features& features, const InputEvent& event, bool free) {
-  on.pointer = event.at;
-  on.over_picture = free && on.view.layout.viewport.contains(event.at);
-  if (!on.held) on.view.in_second = on.view.layout.second.contains(event.at);
+void hear_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free) {
+  workspace.pointer = event.at;
+  workspace.over_picture = free && workspace.view.layout.viewport.contains(event.at);
+  if (!workspace.held) workspace.view.in_second = workspace.view.layout.second.contains(event.at);
   switch (event.kind) {
     case InputEvent::Kind::kPress:
-      if (!on.held && on.over_picture) on.held = begin(on, features, event);
+      if (!workspace.held && workspace.over_picture) workspace.held = begin(workspace, features, event);
       break;
     case InputEvent::Kind::kMove:
-      if (on.held) on.held->move(event);
+      if (workspace.held) workspace.held->move(event);
       break;
     case InputEvent::Kind::kRelease:
-      if (!on.held) break;
-      on.held->release(event);
-      if (!on.held->cuts()) on.held.reset();
+      if (!workspace.held) break;
+      workspace.held->release(event);
+      if (!workspace.held->cuts()) workspace.held.reset();
       break;
     case InputEvent::Kind::kWheel:
-      if (on.over_picture && !(on.held && on.held->cuts())) zoom(on, event.wheel);
+      if (workspace.over_picture && !(workspace.held && workspace.held->cuts())) zoom(workspace, event.wheel);
       break;
     case InputEvent::Kind::kKey:
     case InputEvent::Kind::kKeyUp:
     case InputEvent::Kind::kText:
       break;
   }
-  if (on.held && on.held->over()) on.held.reset();
+  if (workspace.held && workspace.held->over()) workspace.held.reset();
 }
 
 }  // namespace kerf

@@ -26,7 +26,7 @@ class HeldPress {
   // Keeps the press in place of an earlier one.
   void hold(const InputEvent& press) { held_ = press; }
   // The press whose drag this event begins, once. Any other press and the release of the button drop it.
-  std::optional<InputEvent> begun_by(const InputEvent& event);
+  std::optional<InputEvent> press_of(const InputEvent& event);
 
  private:
   std::optional<InputEvent> held_;
@@ -35,6 +35,6 @@ class HeldPress {
 // What the mouse does in the picture: a press of the left button belongs to the first feature that claims it;
 // middle or Alt+left drag orbits, Shift+middle or right drag pans, the wheel zooms to the pointer. A drag
 // belongs to where it began and goes on across panels. `free` says that no panel or menu wants the mouse.
-void hear_mouse(Workspace& on, const Features& features, const InputEvent& event, bool free);
+void hear_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free);
 
 }  // namespace kerf

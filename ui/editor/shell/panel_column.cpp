@@ -174,7 +174,7 @@ namespace {
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-constexpr float kLeastStripPanel = 22;  // width in sizes of the text; more panels scroll
+constexpr float kMinStripPanel = 22;  // width in sizes of the text; more panels scroll
 
 // The panels that have the title of the first one.
 std::span<const Panel> with_one_title(std::span<const Panel> panels) {
@@ -284,7 +284,7 @@ void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& pl
     const float gap = ImGui::GetStyle().ItemSpacing.x, all = ImGui::GetContentRegionAvail().x;
     const auto count = static_cast<float>(std::max<size_t>(shown.size(), 1));
     const float width =
-        std::max((all - gap * (count - 1)) / count, std::min(all, kLeastStripPanel * ImGui::GetFontSize()));
+        std::max((all - gap * (count - 1)) / count, std::min(all, kMinStripPanel * ImGui::GetFontSize()));
     for (const std::span<const Panel> parts : shown) {
       if (parts.data() != shown.front().data()) ImGui::SameLine();
       if (ImGui::BeginChild(parts.front().title, {width, 0})) draw_foldable(parts, places, Dock::kStrip);
@@ -372,22 +372,22 @@ void draw_splitters(const Layout& l, Settings& settings) {
     const auto to = splitter("##sides", l.side.at, l.side.size.y,
                              "Drag to make the panels wider or narrower, double click for their first width; "
                              "F4 hides them.");
-    drag_edge(to, &Settings::side_ems, l.status.size.x - to.dragged.value_or(0), Settings::kLeastSide,
-              Settings::kMostSide, settings);
+    drag_edge(to, &Settings::side_ems, l.status.size.x - to.dragged.value_or(0), Settings::kMinSide,
+              Settings::kMaxSide, settings);
   }
   if (l.second_side.size.x > 0) {
     const auto to =
         splitter("##second edge", l.viewport.at, l.second_side.size.y,
                  "Drag to make the panels wider or narrower, double click for their first width.");
-    drag_edge(to, &Settings::second_ems, to.dragged.value_or(0), Settings::kLeastSide, Settings::kMostSide,
+    drag_edge(to, &Settings::second_ems, to.dragged.value_or(0), Settings::kMinSide, Settings::kMaxSide,
               settings);
   }
   if (l.strip.size.y > 0) {
     const auto to =
         splitter_across("##strip edge", l.strip.at, l.strip.size.x,
                         "Drag to make the panels higher or lower, double click for their first height.");
-    drag_edge(to, &Settings::strip_ems, l.status.at.y - to.dragged.value_or(0), Settings::kLeastStrip,
-              Settings::kMostStrip, settings);
+    drag_edge(to, &Settings::strip_ems, l.status.at.y - to.dragged.value_or(0), Settings::kMinStrip,
+              Settings::kMaxStrip, settings);
   }
   if (!l.split()) return;
   const auto to = splitter("##halves", l.second.at, l.second.size.y,

@@ -92,9 +92,9 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
 
 }  // namespace
 
-nlohmann::ordered_json session_report(const Workspace& on) {
-  const Document& document = on.work.document;
-  const Statistics& statistics = on.statistics;
+nlohmann::ordered_json session_report(const Workspace& workspace) {
+  const Document& document = workspace.work.document;
+  const Statistics& statistics = workspace.statistics;
   return {
       {"frames", statistics.frames.frames()},
       {"frame_ms", times_of(statistics.frames)},
@@ -114,24 +114,24 @@ nlohmann::ordered_json session_report(const Workspace& on) {
       {"recuts", statistics.recuts},
       {"bodies", bodies_with_faces(document.world()).size()},
       {"placements", placements_of(document.world())},
-      {"message", on.message.text},
-      {"messages", texts_of(on.message.log)},
-      {"layout", layout_of(on.view.layout)},
+      {"message", workspace.message.text},
+      {"messages", texts_of(workspace.message.log)},
+      {"layout", layout_of(workspace.view.layout)},
   };
 }
 
-void bring_up_to_date(Workspace& on) {
-  Statistics& statistics = on.statistics;
+void bring_up_to_date(Workspace& workspace) {
+  Statistics& statistics = workspace.statistics;
   ShownStatistics& shown = statistics.shown;
-  shown.unit = on.view.frame.unit;
-  const World* as_loaded = on.work.as_loaded ? &*on.work.as_loaded : nullptr;
-  shown.frame_ms = 1000 * on.picture->seconds();
-  shown.memory = memory_statistics(std::array{&on.world(), on.second, as_loaded},
-                                   on.work.document.history().bytes(), on.picture->memory());
+  shown.unit = workspace.view.frame.unit;
+  const World* as_loaded = workspace.work.as_loaded ? &*workspace.work.as_loaded : nullptr;
+  shown.frame_ms = 1000 * workspace.picture->seconds();
+  shown.memory = memory_statistics(std::array{&workspace.world(), workspace.second, as_loaded},
+                                   workspace.work.document.history().bytes(), workspace.picture->memory());
   const bool depth_missing = statistics.depth_wanted && !shown.tree_depth;
   if (!std::exchange(statistics.world_changed, false) && !depth_missing) return;
-  count_world(shown, on.work.document, statistics.depth_wanted);
-  note_stroke(shown, on.work.document);
+  count_world(shown, workspace.work.document, statistics.depth_wanted);
+  record_stroke(shown, workspace.work.document);
 }
 
 namespace {

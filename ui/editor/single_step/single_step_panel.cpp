@@ -24,13 +24,13 @@ constexpr float kRows = 9;
 // A button that tells the key of an action, or says why it cannot be pressed at the moment. Returns whether
 // it was pressed.
 bool button(const ViewState& view, const char* label, const char* mark, const char* tip, const char* action,
-            const char* why_not, float width) {
-  ImGui::BeginDisabled(why_not != nullptr);
+            const char* disabled_reason, float width) {
+  ImGui::BeginDisabled(disabled_reason != nullptr);
   const std::string fitted = fitted_label(label, width - ImGui::GetStyle().FramePadding.x);
   const bool pressed = ImGui::Button(fitted.c_str(), {width, 0});
   ImGui::EndDisabled();
   mark_last_item(mark);
-  const std::string text = why_not != nullptr ? why_not : with_shortcut(view, tip, action);
+  const std::string text = disabled_reason != nullptr ? disabled_reason : with_shortcut(view, tip, action);
   tooltip((fitted == label ? text : visible_part(label) + ". " + text).c_str());
   return pressed;
 }
@@ -164,7 +164,7 @@ void SingleStepPanel::draw(StageState& stages, const Document& document, const V
 
 namespace {
 
-constexpr float kMostEms = 44;
+constexpr float kMaxEms = 44;
 
 // Draws what the last stage of single steps did, in words, at the lower edge of a picture. Draws nothing if
 // no stage was executed.
@@ -174,7 +174,7 @@ void draw_stage_caption(const StageLog& stages, const Area& picture) {
   const std::string text = "Move " + grouped(stages.moves()) + ", stage " + grouped(stages.stage_of_move()) +
                            ". " + stages.told()[stages.done() - 1];
   const float em = ImGui::GetFontSize();
-  const float room = std::min(kMostEms * em, static_cast<float>(picture.size.x) - 4 * em);
+  const float room = std::min(kMaxEms * em, static_cast<float>(picture.size.x) - 4 * em);
   if (room <= 0) return;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
   const float left = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * size.x;
@@ -253,9 +253,9 @@ constexpr double kSpeedStep = 2;
 
 class SingleStepFeature : public Feature {
  public:
-  explicit SingleStepFeature(Workspace& on) : on_(on) {
-    on.holds_back = [this] { return cut_.holds_back(); };
-    on.time_holds.push_back(
+  explicit SingleStepFeature(Workspace& workspace) : workspace_(workspace) {
+    workspace.holds_back = [this] { return cut_.holds_back(); };
+    workspace.time_holds.push_back(
         [this] { return stages_.wishes.on ? "Bodies stand still during single steps." : nullptr; });
   }
 
@@ -265,30 +265,31 @@ class SingleStepFeature : public Feature {
                if (stages_.wishes.on) draw_query_walk(stages_.log);
              }},
             {"Single step", Tab::kLook, 1200, false,
-             [this] { panel_.draw(stages_, on_.work.document, on_.view); }}};
+             [this] { panel_.draw(stages_, workspace_.work.document, workspace_.view); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{500, "Tool", beginnings()}, {501, "Tool", steps()}, {1100, "Tree", view_actions()}};
   }
 
-  void advance(double seconds) override { cut_.advance(std::min(seconds, Workspace::kLongestStep)); }
-  void follow_queue(double) override {
-    if (on_.changes.is_pending()) return;
+  void update(double seconds) override { cut_.advance(std::min(seconds, Workspace::kLongestStep)); }
+  void after_queue(double) override {
+    if (workspace_.changes.is_pending()) return;
     std::shared_ptr<const StageMarks> marks;
-    if (stages_.wishes.on) marks = stages_.log.marks(on_.world());
-    if (on_.view.look.stage == marks) return;
-    on_.view.look.stage = std::move(marks);
-    on_.view.picture_old = true;
+    if (stages_.wishes.on) marks = stages_.log.marks(workspace_.world());
+    if (workspace_.view.look.stage == marks) return;
+    workspace_.view.look.stage = std::move(marks);
+    workspace_.view.picture_old = true;
   }
-  bool moving() const override { return cut_.waits(); }
-  void forget() override { stages_.log.forget(); }
+  bool needs_redraw() const override { return cut_.waits(); }
+  void on_document_opened() override { stages_.log.forget(); }
 
-  void draw_marks(ImDrawList&) override {
+  void draw_overlay(ImDrawList&) override {
     if (!stages_.wishes.on) return;
-    on_.badges.draw(on_.view, Badges::Sign::kMode, "Single steps: " + state_text(), "single step badge");
-    if (stages_.log.done() > 0) draw_stage_caption(stages_.log, on_.view.layout.first);
+    workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Single steps: " + state_text(),
+                           "single step badge");
+    if (stages_.log.done() > 0) draw_stage_caption(stages_.log, workspace_.view.layout.first);
   }
-  void report(nlohmann::ordered_json& report) const override {
+  void write_session_log(nlohmann::ordered_json& report) const override {
     const QueryWalk& query = stages_.log.query();
     report["stages"] = {
         {"on", stages_.wishes.on},
@@ -302,16 +303,16 @@ class SingleStepFeature : public Feature {
  private:
   // What single steps do at the moment, or wait for.
   std::string state_text() const;
-  const char* why_no_next() const { return why_no_next_stage(stages_, on_.work.document); }
+  const char* why_no_next() const { return why_no_next_stage(stages_, workspace_.work.document); }
   std::vector<UserAction> beginnings();
   std::vector<UserAction> steps();
   std::vector<UserAction> view_actions();
   UserAction speed_action(const char* name, double factor);
   UserAction visit_action(const char* name, const char* shortcut, int by);
 
-  Workspace& on_;
+  Workspace& workspace_;
   StageState stages_;
-  StageCut cut_{on_, stages_};
+  StageCut cut_{workspace_, stages_};
   SingleStepPanel panel_;
 };
 
@@ -319,16 +320,16 @@ std::string SingleStepFeature::state_text() const {
   if (cut_.waits_for_earlier())
     return cut_.wants_more() ? "an earlier stroke is cut first, then the next stage"
                              : "an earlier stroke is cut first";
-  const size_t waiting = on_.work.document.waiting();
+  const size_t waiting = workspace_.work.document.waiting();
   if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
   if (waiting > 0 && stages_.wishes.playing) return "playing";
-  if (waiting > 0) return with_shortcut(on_.view, "next stage", "Next stage");
+  if (waiting > 0) return with_shortcut(workspace_.view, "next stage", "Next stage");
   return stages_.log.done() > 0 ? "the stroke is cut" : "draw a stroke";
 }
 
 std::vector<UserAction> SingleStepFeature::beginnings() {
   StageWishes& wishes = stages_.wishes;
-  const auto why_not_start = [this] { return why_not_again(on_.work.document); };
+  const auto why_not_start = [this] { return why_not_again(workspace_.work.document); };
   const auto why_no_play = [this, why_not_start]() -> const char* {
     return stages_.wishes.playing || why_no_next() == nullptr ? nullptr : why_not_start();
   };
@@ -342,20 +343,20 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
                  .shortcut = "Shift+F8",
                  .tip = "Takes the last stroke back, to be cut again stage by stage.",
                  .run = [&wishes] { wishes.begin_again(); },
-                 .why_not = why_not_start},
+                 .disabled_reason = why_not_start},
       UserAction{.name = "Play the stages",
                  .shortcut = "Space",
                  .tip = "In slow motion, or pauses. At the end of the stroke it begins again.",
-                 .run = [this] { cut_.follow(), play_or_pause(stages_, on_.work.document); },
+                 .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.work.document); },
                  .checked = [&wishes] { return wishes.playing; },
-                 .why_not = why_no_play,
+                 .disabled_reason = why_no_play,
                  .has_key_when = [&wishes] { return wishes.on; }},
   };
 }
 
 std::vector<UserAction> SingleStepFeature::steps() {
   StageWishes& wishes = stages_.wishes;
-  const auto why_not = [this] { return why_no_next(); };
+  const auto disabled_reason = [this] { return why_no_next(); };
   const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key lets a tick pass
   return {
       UserAction{.name = "Next stage",
@@ -366,23 +367,23 @@ std::vector<UserAction> SingleStepFeature::steps() {
                        cut_.follow();
                        stages_.wishes.go_to(stages_.log.done() + 1);
                      },
-                 .why_not = why_not,
+                 .disabled_reason = disabled_reason,
                  .has_key_when = while_on},
       UserAction{.name = "Stage back",
                  .shortcut = ",",
                  .tip = "Takes the last stage back, exactly.",
                  .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
-                 .why_not = [this] { return why_no_stage_back(stages_, on_.work.document); }},
+                 .disabled_reason = [this] { return why_no_stage_back(stages_, workspace_.work.document); }},
       UserAction{.name = "Finish the move",
                  .shortcut = "Shift+.",
                  .tip = "Executes stages until a move of the beam is finished.",
                  .run = [this] { cut_.follow(), stages_.wishes.run_to_end_of_move(); },
-                 .why_not = why_not},
+                 .disabled_reason = disabled_reason},
       UserAction{.name = "Finish the stroke",
                  .shortcut = "End",
                  .tip = "Executes all stages that are left.",
                  .run = [this] { cut_.follow(), stages_.wishes.go_to(StageWishes::kAll); },
-                 .why_not = why_not},
+                 .disabled_reason = disabled_reason},
   };
 }
 
@@ -408,7 +409,7 @@ UserAction SingleStepFeature::visit_action(const char* name, const char* shortcu
                 const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
                 stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
               },
-          .why_not =
+          .disabled_reason =
               [this] {
                 return stages_.log.query().empty() ? "No stage of single steps has asked the tree." : nullptr;
               },
@@ -430,8 +431,8 @@ std::vector<UserAction> SingleStepFeature::view_actions() {
 
 }  // namespace
 
-std::unique_ptr<Feature> single_step_feature(Workspace& on) {
-  return std::make_unique<SingleStepFeature>(on);
+std::unique_ptr<Feature> single_step_feature(Workspace& workspace) {
+  return std::make_unique<SingleStepFeature>(workspace);
 }
 
 }  // namespace kerf

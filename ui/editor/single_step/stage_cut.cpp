@@ -47,19 +47,19 @@ constexpr double kQuickSeconds = 0.100;  // going back that takes longer runs be
 }  // namespace
 
 StageCut::Key StageCut::key_now() const {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   return {document.revision(), document.history().position(), stages_.log.forgotten()};
 }
 
 bool StageCut::can_go_on() const {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   return document.waiting() > 0 && document.execution().next_is_of_last_step();
 }
 
 bool StageCut::holds_back() const { return stages_.wishes.on && from_its_start_ && can_go_on(); }
 
 bool StageCut::waits_for_earlier() const {
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   return stages_.wishes.on && document.waiting() > 0 && !document.execution().next_is_of_last_step();
 }
 
@@ -75,11 +75,12 @@ bool StageCut::wants_more() const {
 }
 
 bool StageCut::waits() const {
-  return stages_.wishes.on && !on_.changes.is_pending() && (must_go_back() || (wants_more() && can_go_on()));
+  return stages_.wishes.on && !workspace_.changes.is_pending() &&
+         (must_go_back() || (wants_more() && can_go_on()));
 }
 
 void StageCut::advance(double seconds) {
-  if (on_.changes.is_pending()) return;
+  if (workspace_.changes.is_pending()) return;
   StageWishes& wishes = stages_.wishes;
   if (!wishes.on) return key_.reset();
   if (std::exchange(went_back_, false)) show();
@@ -99,11 +100,11 @@ void StageCut::follow() {
 
 // A stroke of which a part was executed otherwise starts again, where it can.
 void StageCut::begin() {
-  single_.emplace(on_.work.document);
+  single_.emplace(workspace_.work.document);
   spent_ = 0;
   StageWishes& wishes = stages_.wishes;
   if (!wishes.start_again) wishes.stop();
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   from_its_start_ = !can_go_on() || document.history().last().waiting();
   if (!from_its_start_ && document.can_start_again()) wishes.start_again = true;
   stages_.runs_on = !from_its_start_ && !wishes.start_again;
@@ -114,28 +115,28 @@ void StageCut::go_back(size_t stages) {
   const size_t done = stages_.log.done();
   wishes.start_again = false;
   wishes.stage.reset();
-  if (!on_.work.document.can_start_again()) return;
+  if (!workspace_.work.document.can_start_again()) return;
   stages = std::min(stages, done);
   const double again = static_cast<double>(stages - single_->resumes_after(stages));
   const double before = spent_;
   spent_ = done > 0 ? spent_ * static_cast<double>(stages) / static_cast<double>(done) : 0;
   const double seconds = done > 0 ? before * again / static_cast<double>(done) : 0;
   from_its_start_ = true;
-  on_.changes.change("Going back", seconds < kQuickSeconds,
-                     [this, stages](Document&, const Progress* progress) {
-                       stages_.log.restart(single_->resumes_after(stages));
-                       Outcome gone = single_->go_back_to(
-                           stages, [this](const StageRecord& stage) { note(stage); }, progress);
-                       key_ = key_now();
-                       went_back_ = true;
-                       return gone;
-                     });
+  workspace_.changes.change("Going back", seconds < kQuickSeconds,
+                            [this, stages](Document&, const Progress* progress) {
+                              stages_.log.restart(single_->resumes_after(stages));
+                              Outcome gone = single_->go_back_to(
+                                  stages, [this](const StageRecord& stage) { note(stage); }, progress);
+                              key_ = key_now();
+                              went_back_ = true;
+                              return gone;
+                            });
 }
 
 void StageCut::go_on() {
-  const double began = on_.clock->seconds();
-  const auto spent = [&] { return on_.clock->seconds() - began; };
-  const double budget = std::max(kStageSeconds, on_.statistics.shown.frame_ms / 1000);
+  const double began = workspace_.clock->seconds();
+  const auto spent = [&] { return workspace_.clock->seconds() - began; };
+  const double budget = std::max(kStageSeconds, workspace_.statistics.shown.frame_ms / 1000);
   const size_t before = stages_.log.done();
   while (holds_back() && wants_more() && due_ >= 1 && spent() < budget) {
     if (!next()) break;
@@ -149,7 +150,7 @@ void StageCut::go_on() {
 // What is asked for while earlier strokes are cut stays.
 void StageCut::drop_fulfilled() {
   StageWishes& wishes = stages_.wishes;
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   const bool over = document.waiting() == 0 && !document.execution().in_stroke();
   if (over || (wishes.stage && *wishes.stage <= stages_.log.done())) {
     const bool playing = wishes.playing && !over;
@@ -159,7 +160,7 @@ void StageCut::drop_fulfilled() {
 }
 
 bool StageCut::next() {
-  return on_.changes.step([this](Document&) -> Result<StepResult> {
+  return workspace_.changes.step([this](Document&) -> Result<StepResult> {
     Result<StageRecord> stage = single_->next();
     if (!stage) return stage.error();
     note(*stage);
@@ -169,20 +170,20 @@ bool StageCut::next() {
 }
 
 void StageCut::note(const StageRecord& stage) {
-  stages_.log.note(on_.work.document.world(), stage, on_.view.frame.unit);
+  stages_.log.note(workspace_.work.document.world(), stage, workspace_.view.frame.unit);
 }
 
 void StageCut::show() {
   const StageRecord* last = stages_.log.last();
   if (last != nullptr && last->move) {
-    const World::Bounds bounds = on_.work.document.world().bounds();
+    const World::Bounds bounds = workspace_.work.document.world().bounds();
     const Pose& pose = last->move->to;
-    on_.beam.take_over(on_.work.document.history().last_settings(),
-                       glm::length(0.5 * (bounds.min + bounds.max) - pose.origin));
-    on_.beam.reach(pose);
+    workspace_.beam.take_over(workspace_.work.document.history().last_settings(),
+                              glm::length(0.5 * (bounds.min + bounds.max) - pose.origin));
+    workspace_.beam.reach(pose);
   }
-  on_.beam.find_strike(on_.work.document);
-  on_.view.picture_old = on_.statistics.world_changed = true;
+  workspace_.beam.find_strike(workspace_.work.document);
+  workspace_.view.picture_old = workspace_.statistics.world_changed = true;
 }
 
 }  // namespace kerf

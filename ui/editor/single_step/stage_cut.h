@@ -62,7 +62,7 @@ const char* why_no_stage_back(const StageState& stages, const Document& document
 class StageCut {
  public:
   // Both must outlive it.
-  StageCut(Workspace& on, StageState& stages) : on_(on), stages_(stages) {}
+  StageCut(Workspace& workspace, StageState& stages) : workspace_(workspace), stages_(stages) {}
 
   // Executes what the user asked for, at most for a part of a frame; `seconds` have passed since the last
   // frame. Going back in a long stroke becomes a pending change.
@@ -97,7 +97,7 @@ class StageCut {
   void note(const StageRecord& stage);
   void show();
 
-  Workspace& on_;
+  Workspace& workspace_;
   StageState& stages_;
   std::optional<SingleStep> single_;
   std::optional<Key> key_;

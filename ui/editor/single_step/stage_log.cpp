@@ -206,7 +206,7 @@ void QueryWalk::mark(StageMarks& marks) const {
   if (visited_ == 0) return;
   StageMarks::OfBody& on = marks.bodies.emplace_back();
   on.body = body_;
-  for (size_t i = visited_ - std::min(visited_, kMostDrawn); i < visited_; ++i)
+  for (size_t i = visited_ - std::min(visited_, kMaxDrawn); i < visited_; ++i)
     add_box(visits_[i].box, kind_of(visits_[i].outcome), on.lines);
   add_box(visits_[visited_ - 1].box, Kind::kLast, on.lines);
 }

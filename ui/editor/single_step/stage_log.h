@@ -40,8 +40,8 @@ class QueryWalk {
   // The face of the box that was visited last, if it is that of one face.
   FaceId face() const { return visited_ > 0 ? visits_[visited_ - 1].face : FaceId(); }
 
-  // Adds the boxes that were visited to the marks. Of more than kMostDrawn the latest are drawn.
-  static constexpr size_t kMostDrawn = 2000;
+  // Adds the boxes that were visited to the marks. Of more than kMaxDrawn the latest are drawn.
+  static constexpr size_t kMaxDrawn = 2000;
   void mark(StageMarks& marks) const;
 
  private:

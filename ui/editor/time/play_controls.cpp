@@ -32,26 +32,26 @@ namespace kerf {
 
 namespace {
 
-UserAction speed_action(Workspace& on, PlayState& play, bool faster) {
+UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
   return {.name = faster ? "Time: faster" : "Time: slower",
           .shortcut = faster ? "=" : "-",
           .pad_key = faster ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT,
           .tip = "From an eighth of real time to real time.",
           .run =
-              [&play, &message = on.message, faster] {
+              [&play, &message = workspace.message, faster] {
                 KERF_ASSERT(faster ? play.can_go_faster() : play.can_go_slower());
                 faster ? ++play.speed_index : --play.speed_index;
                 message.say(std::string("Time passes at ") + play.speed().name);
               },
-          .why_not = [&play, faster]() -> const char* {
+          .disabled_reason = [&play, faster]() -> const char* {
             if (faster) return play.can_go_faster() ? nullptr : "Time passes in real time already.";
             return play.can_go_slower() ? nullptr : "Time passes at an eighth of real time already.";
           },
           .ends_group = faster};
 }
 
-std::vector<UserAction> time_actions(Workspace& on, PlayState& play) {
-  const auto why_no_play = [&on] { return on.why_time_stands_still(); };
+std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
+  const auto why_no_play = [&workspace] { return workspace.why_time_stands_still(); };
   return {
       UserAction{
           .name = "Play",
@@ -59,14 +59,14 @@ std::vector<UserAction> time_actions(Workspace& on, PlayState& play) {
           .tip = "Pieces that came off fall, or everything stands still again. One undo takes a fall back.",
           .run = [&play] { play.play_or_pause(); },
           .checked = [&play] { return play.playing; },
-          .why_not = [&play, why_no_play] { return play.playing ? nullptr : why_no_play(); }},
+          .disabled_reason = [&play, why_no_play] { return play.playing ? nullptr : why_no_play(); }},
       UserAction{.name = "One tick",
                  .shortcut = ".",
                  .tip = "Lets 1/120 s pass.",
                  .run = [&play] { play.ask_for_tick(); },
-                 .why_not = why_no_play},
-      speed_action(on, play, false),
-      speed_action(on, play, true),
+                 .disabled_reason = why_no_play},
+      speed_action(workspace, play, false),
+      speed_action(workspace, play, true),
   };
 }
 
@@ -91,43 +91,46 @@ SetEnvironment with_gravity(const World& world, const FileFrame& frame, bool on)
   return {around};
 }
 
-void ask_to_pin(Workspace& on, bool pinned) {
+void ask_to_pin(Workspace& workspace, bool pinned) {
   const char* name = pinned ? "Pin pieces" : "Unpin pieces";
-  const auto run = [&on, name, pinned] {
-    cancel_stroke(on);
-    on.changes.change(name, is_small(on.work.document),
-                      edit_all(chosen_ids(on.view.look.pieces), [pinned](const PieceId& p) {
-                        return PinPiece{p, pinned};
-                      }));
+  const auto run = [&workspace, name, pinned] {
+    cancel_stroke(workspace);
+    workspace.changes.change(name, is_small(workspace.work.document),
+                             edit_all(chosen_ids(workspace.view.look.pieces), [pinned](const PieceId& p) {
+                               return PinPiece{p, pinned};
+                             }));
     return true;
   };
-  on.changes.ask({.name = name, .run = run, .is_one = true});
+  workspace.changes.ask({.name = name, .run = run, .is_one = true});
 }
 
-std::vector<UserAction> body_actions(Workspace& on, PlayState& play) {
-  std::vector<UserAction> actions = time_actions(on, play);
-  const auto has_gravity = [&on] { return on.world().environment().gravity != Vec3(0); };
-  const auto are_pinned = [&on] { return chosen_are_pinned(on.world(), on.view); };
-  actions.push_back(
-      {.name = "Gravity",
-       .tip = "Without it pieces float apart. The Bodies panel sets its value.",
-       .run = [&on, has_gravity] { on.changes.ask(with_gravity(on.world(), on.view.frame, !has_gravity())); },
-       .checked = has_gravity});
+std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
+  std::vector<UserAction> actions = time_actions(workspace, play);
+  const auto has_gravity = [&workspace] { return workspace.world().environment().gravity != Vec3(0); };
+  const auto are_pinned = [&workspace] { return chosen_are_pinned(workspace.world(), workspace.view); };
+  actions.push_back({.name = "Gravity",
+                     .tip = "Without it pieces float apart. The Bodies panel sets its value.",
+                     .run =
+                         [&workspace, has_gravity] {
+                           workspace.changes.ask(
+                               with_gravity(workspace.world(), workspace.view.frame, !has_gravity()));
+                         },
+                     .checked = has_gravity});
   actions.push_back({.name = "Pin the chosen",
                      .shortcut = "Shift+P",
                      .tip =
                          "The chosen pieces stay where they are while others move; the same again lets them "
                          "move.",
-                     .run = [&on, are_pinned] { ask_to_pin(on, !are_pinned()); },
+                     .run = [&workspace, are_pinned] { ask_to_pin(workspace, !are_pinned()); },
                      .checked = are_pinned,
-                     .why_not = [&on] { return why_no_pin(on.view); }});
+                     .disabled_reason = [&workspace] { return why_no_pin(workspace.view); }});
   return actions;
 }
 
 namespace {
 
 constexpr int kCoils = 9;
-constexpr float kLeastCoiled = 2;  // sizes of the text; a shorter spring is a line
+constexpr float kMinCoiled = 2;  // sizes of the text; a shorter spring is a line
 
 constexpr double kAsFast = 0.9;  // of the chosen speed; a smaller one that is reached is told
 
@@ -143,7 +146,7 @@ void draw_coil(Vec2 from, Vec2 to, float em, ImDrawList& list) {
   const double length = glm::length(way);
   const Vec2 aside = length > 0 ? Vec2(-way.y, way.x) / length * (0.3 * em) : Vec2(0);
   std::vector<ImVec2> points{to_im(from)};
-  const int coils = length > kLeastCoiled * em ? kCoils : 0;
+  const int coils = length > kMinCoiled * em ? kCoils : 0;
   for (int i = 0; i < coils; ++i) {
     const double along = 0.12 + 0.76 * (i + 0.5) / coils;
     points.push_back(to_im(from + along * way + (i % 2 == 0 ? aside : -aside)));
@@ -165,9 +168,9 @@ std::string speed_text(const PlayState& play, const ReachedSpeed& reached) {
 // As wide as the longest time to come, so that it stands still.
 void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const World& world,
                      const ViewState& view, Badges& badges) {
-  constexpr float kLeastEms = 9.5f;
+  constexpr float kMinEms = 9.5f;
   badges.draw(view, play.playing ? Badges::Sign::kPlaying : Badges::Sign::kPaused,
-              words_of(play, reached, world), "play badge", kLeastEms);
+              words_of(play, reached, world), "play badge", kMinEms);
 }
 
 void draw_spring(const Spring& spring, const World& world, const ViewState& view) {
@@ -208,25 +211,26 @@ void stretch(Spring& spring, const ViewState& view, Vec2 place) {
 // Play, pause and speed, gravity and ground, pins, the views of contacts, and what the last tick did.
 class BodiesPanel {
  public:
-  void draw(Workspace& on, PlayState& play);
+  void draw(Workspace& workspace, PlayState& play);
 
  private:
-  void draw_environment(Workspace& on);
+  void draw_environment(Workspace& workspace);
 
   NumberFields fields_;
 };
 
-void draw_time(Workspace& on, PlayState& play) {
-  const char* why_not = on.why_time_stands_still();
+void draw_time(Workspace& workspace, PlayState& play) {
+  const char* disabled_reason = workspace.why_time_stands_still();
   const auto told = [&](const char* meaning, const char* action) {
-    return with_shortcut(on.view, meaning, action);
+    return with_shortcut(workspace.view, meaning, action);
   };
-  if (row_button(play.playing ? "Pause###play" : "Play###play", 2, play.playing ? nullptr : why_not,
+  if (row_button(play.playing ? "Pause###play" : "Play###play", 2, play.playing ? nullptr : disabled_reason,
                  told("Pieces that came off fall, or everything stands still again.", "Play").c_str()))
     play.play_or_pause();
   mark_last_item("bodies play");
   ImGui::SameLine();
-  if (row_button("One tick", 2, why_not, told("Lets 1/120 s pass.", "One tick").c_str())) play.ask_for_tick();
+  if (row_button("One tick", 2, disabled_reason, told("Lets 1/120 s pass.", "One tick").c_str()))
+    play.ask_for_tick();
   mark_last_item("bodies tick");
 }
 
@@ -242,13 +246,13 @@ void draw_speed(PlayState& play) {
   }
 }
 
-void draw_pin(Workspace& on) {
-  const bool pinned = chosen_are_pinned(on.world(), on.view);
-  if (row_button(pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(on.view),
-                 with_shortcut(on.view, "What is pinned stays where it is while other pieces move.",
+void draw_pin(Workspace& workspace) {
+  const bool pinned = chosen_are_pinned(workspace.world(), workspace.view);
+  if (row_button(pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(workspace.view),
+                 with_shortcut(workspace.view, "What is pinned stays where it is while other pieces move.",
                                "Pin the chosen")
                      .c_str()))
-    ask_to_pin(on, !pinned);
+    ask_to_pin(workspace, !pinned);
   mark_last_item("bodies pin");
 }
 
@@ -261,14 +265,14 @@ void draw_statistics(const TickStatistics& statistics) {
   ImGui::PopStyleColor();
 }
 
-void BodiesPanel::draw_environment(Workspace& on) {
-  const World& world = on.work.document.world();
-  const FileFrame& frame = on.view.frame;
+void BodiesPanel::draw_environment(Workspace& workspace) {
+  const World& world = workspace.work.document.world();
+  const FileFrame& frame = workspace.view.frame;
   Environment around = world.environment();
   const double metres = metres_per_unit(frame.unit);
   bool gravity = around.gravity != Vec3(0);
   property("Gravity");
-  if (ImGui::Checkbox("##gravity", &gravity)) on.changes.ask(with_gravity(world, frame, gravity));
+  if (ImGui::Checkbox("##gravity", &gravity)) workspace.changes.ask(with_gravity(world, frame, gravity));
   mark_last_item("gravity on");
   tooltip("Without gravity pieces float apart.");
   if (!around.ground) around = default_environment(world, frame);
@@ -278,28 +282,28 @@ void BodiesPanel::draw_environment(Workspace& on) {
   if (gravity && fields_.number("Its value", value, "%.3g m/s\xc2\xb2",
                                 "9.81 on the earth, 1.62 on the moon.", {}, kPositive)) {
     around.gravity = value / metres * down;
-    on.changes.ask(SetEnvironment{around});
+    workspace.changes.ask(SetEnvironment{around});
   }
   double height = around.ground.value_or(0);
   const LengthUnit unit = label_unit(0.1 * world.loaded_bounds().diagonal(), frame.unit);
   if (gravity &&
       length_field(fields_, "Ground", height, unit, "The height of the ground on which pieces rest.")) {
     around.ground = height;
-    on.changes.ask(SetEnvironment{around});
+    workspace.changes.ask(SetEnvironment{around});
   }
 }
 
-void BodiesPanel::draw(Workspace& on, PlayState& play) {
-  draw_time(on, play);
+void BodiesPanel::draw(Workspace& workspace, PlayState& play) {
+  draw_time(workspace, play);
   if (begin_properties("bodies")) {
     draw_speed(play);
-    draw_environment(on);
+    draw_environment(workspace);
     end_properties();
   }
-  draw_pin(on);
+  draw_pin(workspace);
   for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
-    draw_switch(on.view, id);
-  draw_statistics(on.work.document.execution().physics().statistics());
+    draw_switch(workspace.view, id);
+  draw_statistics(workspace.work.document.execution().physics().statistics());
 }
 
 // Whether the user has let time pass for the bodies, and that is not undone.
@@ -313,54 +317,56 @@ bool has_played(const History& history) {
 
 class TimeFeature : public Feature {
  public:
-  explicit TimeFeature(Workspace& on) : on_(on) {}
+  explicit TimeFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Bodies", Tab::kMove, 700, true, [this] { panel_.draw(on_, play_); }}};
+    return {{"Bodies", Tab::kMove, 700, true, [this] { panel_.draw(workspace_, play_); }}};
   }
-  std::vector<ActionGroup> actions() override { return {{520, "Bodies", body_actions(on_, play_)}}; }
+  std::vector<ActionGroup> actions() override { return {{520, "Bodies", body_actions(workspace_, play_)}}; }
   std::vector<Gesture> gestures() const override {
     return {{50, "Ctrl+left drag on a piece", "Pull it by a spring, while bodies move"}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press& press) override {
-    if (!picks(on_, press) || !play_.playing) return nullptr;
-    const auto spring = spring_at(on_.world(), on_.view, on_.pointer);
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
+    if (!picks(workspace_, press) || !play_.playing) return nullptr;
+    const auto spring = spring_at(workspace_.world(), workspace_.view, workspace_.pointer);
     return spring ? std::make_unique<Pull>(*this, *spring) : nullptr;
   }
-  const char* hint() const override {
-    return on_.tool == kPickTool && play_.playing ? "Pick: drag pulls a piece, a click chooses it" : nullptr;
+  const char* status_hint() const override {
+    return workspace_.tool == kPickTool && play_.playing ? "Pick: drag pulls a piece, a click chooses it"
+                                                         : nullptr;
   }
 
-  void advance(double) override {
-    if (dynamic_cast<const Pull*>(on_.held.get()) == nullptr) spring_.reset();
-    on_.cools_unseen = cooling_.passes_unseen();
+  void update(double) override {
+    if (dynamic_cast<const Pull*>(workspace_.held.get()) == nullptr) spring_.reset();
+    workspace_.cools_unseen = cooling_.passes_unseen();
   }
-  void follow_queue(double seconds) override;
-  bool moving() const override { return cooling_.moving() || play_.playing || play_.one_tick; }
-  void follow(const Delta& delta) override {
+  void after_queue(double seconds) override;
+  bool needs_redraw() const override { return cooling_.moving() || play_.playing || play_.one_tick; }
+  void on_world_changed(const Delta& delta) override {
     if (spring_) spring_->piece = named_after(delta, spring_->piece);
   }
 
-  void draw_marks(ImDrawList&) override {
-    if (spring_) draw_spring(*spring_, on_.world(), on_.view);
-    const bool stands = !play_.playing && !on_.cools && has_played(on_.work.document.history());
-    if (play_.playing || stands) draw_play_badge(play_, reached_, on_.world(), on_.view, on_.badges);
-    if (on_.settings.heat_held && is_hot(on_.world()))
-      on_.badges.draw(on_.view, Badges::Sign::kMode, "Heat is held", "heat badge");
+  void draw_overlay(ImDrawList&) override {
+    if (spring_) draw_spring(*spring_, workspace_.world(), workspace_.view);
+    const bool stands = !play_.playing && !workspace_.cools && has_played(workspace_.work.document.history());
+    if (play_.playing || stands)
+      draw_play_badge(play_, reached_, workspace_.world(), workspace_.view, workspace_.badges);
+    if (workspace_.settings.heat_held && is_hot(workspace_.world()))
+      workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Heat is held", "heat badge");
   }
-  void report(nlohmann::ordered_json& report) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
   // What was pressed while time passes is pulled by a drag, and chosen by a click.
   class Pull : public Interaction {
    public:
     Pull(TimeFeature& feature, const Spring& spring)
-        : feature_(feature), pressed_at_(feature.on_.pointer), spring_(spring) {}
+        : feature_(feature), pressed_at_(feature.workspace_.pointer), spring_(spring) {}
 
     void move(const InputEvent&) override;
     void release(const InputEvent& event) override {
-      if (!pulls_) choose_under_pointer(feature_.on_, (event.mods & GLFW_MOD_SHIFT) != 0);
+      if (!pulls_) choose_under_pointer(feature_.workspace_, (event.mods & GLFW_MOD_SHIFT) != 0);
     }
     bool cancel() override { return pulls_; }
     const char* words() const override { return pulls_ ? "Pulling: release to let go" : nullptr; }
@@ -372,34 +378,34 @@ class TimeFeature : public Feature {
     bool pulls_ = false;
   };
 
-  Workspace& on_;
+  Workspace& workspace_;
   PlayState play_;
   std::optional<Spring> spring_;  // that a piece is pulled by
-  TimeFlow flow_{on_, play_, spring_};
-  Cooling cooling_{on_, play_};
+  TimeFlow flow_{workspace_, play_, spring_};
+  Cooling cooling_{workspace_, play_};
   ReachedSpeed reached_;
   BodiesPanel panel_;
 };
 
 void TimeFeature::Pull::move(const InputEvent&) {
-  if (!pulls_ && glm::length(feature_.on_.pointer - pressed_at_) > kClickReach) {
+  if (!pulls_ && glm::length(feature_.workspace_.pointer - pressed_at_) > kClickReach) {
     pulls_ = true;
     feature_.spring_ = spring_;
   }
-  if (feature_.spring_) stretch(*feature_.spring_, feature_.on_.view, feature_.on_.pointer);
+  if (feature_.spring_) stretch(*feature_.spring_, feature_.workspace_.view, feature_.workspace_.pointer);
 }
 
-void TimeFeature::follow_queue(double seconds) {
+void TimeFeature::after_queue(double seconds) {
   flow_.advance(seconds);
   cooling_.advance(seconds);
-  on_.cools = cooling_.flows();
-  on_.plays = play_.playing;
-  reached_.follow(play_.playing, on_.world().clock(), seconds);
-  on_.statistics.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
+  workspace_.cools = cooling_.flows();
+  workspace_.plays = play_.playing;
+  reached_.follow(play_.playing, workspace_.world().clock(), seconds);
+  workspace_.statistics.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
   // The picture is old wherever contacts may have changed.
-  if (on_.changes.is_pending() || !on_.view.picture_old) return;
-  on_.view.look.bodies =
-      gather_body_marks(on_.world(), on_.work.document.execution().physics(), on_.view.look.show);
+  if (workspace_.changes.is_pending() || !workspace_.view.picture_old) return;
+  workspace_.view.look.bodies = gather_body_marks(
+      workspace_.world(), workspace_.work.document.execution().physics(), workspace_.view.look.show);
 }
 
 nlohmann::ordered_json heat_of(const World& world) {
@@ -414,8 +420,8 @@ nlohmann::ordered_json heat_of(const World& world) {
   return {{"hottest", hottest}, {"emitted", world.energy().emitted}, {"absorbed", world.energy().absorbed}};
 }
 
-void TimeFeature::report(nlohmann::ordered_json& report) const {
-  const World& world = on_.world();
+void TimeFeature::write_session_log(nlohmann::ordered_json& report) const {
+  const World& world = workspace_.world();
   report["time"] = {
       {"ticks", world.clock()},
       {"playing", play_.playing},
@@ -428,6 +434,8 @@ void TimeFeature::report(nlohmann::ordered_json& report) const {
 
 }  // namespace
 
-std::unique_ptr<Feature> time_feature(Workspace& on) { return std::make_unique<TimeFeature>(on); }
+std::unique_ptr<Feature> time_feature(Workspace& workspace) {
+  return std::make_unique<TimeFeature>(workspace);
+}
 
 }  // namespace kerf

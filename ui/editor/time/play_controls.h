@@ -11,10 +11,10 @@
 namespace kerf {
 
 // Play and pause, single ticks, speeds, gravity and pins. Both must outlive them.
-std::vector<UserAction> body_actions(Workspace& on, PlayState& play);
+std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play);
 
 // Pins the chosen pieces where they are, or lets them move again; they stay chosen.
-void ask_to_pin(Workspace& on, bool pinned);
+void ask_to_pin(Workspace& workspace, bool pinned);
 
 // The reason why no piece can be pinned or unpinned, or null.
 const char* why_no_pin(const ViewState& view);

@@ -28,7 +28,7 @@ void ReachedSpeed::follow(bool playing, Ticks clock, double seconds) {
 
 namespace {
 constexpr double kLongestLag = 0.1;  // s, that are made up for
-constexpr double kMostTicks = kLongestLag * kTicksPerSecond;
+constexpr double kMaxTicks = kLongestLag * kTicksPerSecond;
 constexpr double kLongestFrame = 0.1, kRest = 1;  // s, that are made up for in a frame and between rests
 constexpr double kTintedFrom = 500;               // K; below, no tint spreads and nothing glows
 constexpr double kSeenOnScale = 8;                // K over the ambient, a step of the temperature view
@@ -36,13 +36,13 @@ constexpr double kSeenOnScale = 8;                // K over the ambient, a step 
 
 void TimeFlow::advance(double seconds) {
   if (!may_go_on()) return end();
-  const Document& document = on_.work.document;
+  const Document& document = workspace_.work.document;
   pace_.due += std::min(seconds, kLongestLag) * play_.speed().of_real_time * kTicksPerSecond;
-  if (on_.changes.is_pending() || document.waiting() > 0) {
+  if (workspace_.changes.is_pending() || document.waiting() > 0) {
     pace_.slow_down();
     return pace_.limit_to(pace_.most);
   }
-  pace_.speed_up(kMostTicks);
+  pace_.speed_up(kMaxTicks);
   if (!begin()) return;
   const bool single = std::exchange(play_.one_tick, false);
   const auto ticks = single ? Ticks{1} : static_cast<Ticks>(pace_.due);
@@ -53,47 +53,47 @@ void TimeFlow::advance(double seconds) {
 void TimeFlow::end() {
   pace_.due = 0;
   before_ground_.reset();
-  if (!begun_ || on_.changes.is_pending() || on_.work.document.waiting() > 0) return;
-  mark_state(on_.work.document, on_.work.marks, true);
+  if (!begun_ || workspace_.changes.is_pending() || workspace_.work.document.waiting() > 0) return;
+  mark_state(workspace_.work.document, workspace_.work.marks, true);
   begun_ = false;
 }
 
 // Ends playing where it has to end.
 bool TimeFlow::may_go_on() {
-  const size_t position = on_.work.document.history().position();
+  const size_t position = workspace_.work.document.history().position();
   const bool undone = position < std::exchange(position_, position);
   if (!play_.playing && !play_.one_tick) return false;
-  if (on_.changes.is_pending()) return true;
-  const char* why_not = on_.why_time_stands_still();
-  if (why_not != nullptr) on_.message.say(why_not);
-  if (why_not != nullptr || (undone && begun_)) play_.stop();
+  if (workspace_.changes.is_pending()) return true;
+  const char* disabled_reason = workspace_.why_time_stands_still();
+  if (disabled_reason != nullptr) workspace_.message.say(disabled_reason);
+  if (disabled_reason != nullptr || (undone && begun_)) play_.stop();
   return play_.playing || play_.one_tick;
 }
 
 // Returns false while something else has to be done first.
 bool TimeFlow::begin() {
   if (begun_) return true;
-  Document& document = on_.work.document;
-  stand_together(on_);
-  const Environment fitting = fitting_environment(document.world(), on_.view.frame);
+  Document& document = workspace_.work.document;
+  stand_together(workspace_);
+  const Environment fitting = fitting_environment(document.world(), workspace_.view.frame);
   if (fitting != document.world().environment()) {
     if (document.execution().in_stroke()) return false;
     before_ground_ = document.history().position();
-    on_.changes.apply(SetEnvironment{fitting});
+    workspace_.changes.apply(SetEnvironment{fitting});
     return false;
   }
   if (!document.execution().in_stroke()) document.apply(Play{});
   position_ = document.history().position();
   // The user has done nothing in between: one undo takes the ground away, too.
   if (before_ground_ && position_ == *before_ground_ + 2)
-    on_.changes.groups().add(*before_ground_, document, "Play", true);
+    workspace_.changes.groups().add(*before_ground_, document, "Play", true);
   before_ground_.reset();
   return begun_ = true;
 }
 
 // The spring of the document becomes the one that the user pulls.
 void TimeFlow::queue_spring() {
-  Document& document = on_.work.document;
+  Document& document = workspace_.work.document;
   if (!spring_ && document.world().spring()) document.apply(ReleaseBody{});
   if (spring_ && document.world().spring() != spring_)
     document.apply(DragBody{spring_->piece, spring_->at, spring_->to});
@@ -101,7 +101,7 @@ void TimeFlow::queue_spring() {
 
 // Up to a full minute at most.
 void TimeFlow::queue_ticks(Ticks ticks) {
-  OpenWork& work = on_.work;
+  OpenWork& work = workspace_.work;
   const Ticks of_minute = work.document.world().clock() % Execution::kTicksToForget;
   if (of_minute == 0) mark_state(work.document, work.marks, true);
   ticks = std::min(ticks, Execution::kTicksToForget - of_minute);
@@ -114,21 +114,23 @@ void TimeFlow::queue_ticks(Ticks ticks) {
 // --------------------------------------------------------------------------------------------------------
 
 bool Cooling::flows() const {
-  const History& history = on_.work.document.history();
-  const bool stands = play_.playing || play_.one_tick || on_.settings.heat_held || on_.changes.is_pending() ||
-                      on_.why_time_stands_still() != nullptr;
-  return !stands && history.position() == history.size() && is_hot(on_.work.document.world());
+  const History& history = workspace_.work.document.history();
+  const bool stands = play_.playing || play_.one_tick || workspace_.settings.heat_held ||
+                      workspace_.changes.is_pending() || workspace_.why_time_stands_still() != nullptr;
+  return !stands && history.position() == history.size() && is_hot(workspace_.work.document.world());
 }
 
 bool Cooling::is_seen() const {
-  const double least = on_.view.look.show.heat ? kAmbient + kSeenOnScale : kTintedFrom;
-  return on_.picture->first().warmest() > least;
+  const double least = workspace_.view.look.show.heat ? kAmbient + kSeenOnScale : kTintedFrom;
+  return workspace_.picture->first().warmest() > least;
 }
 
-bool Cooling::moving() const { return flows() && (is_seen() || on_.clock->seconds() - passed_at_ >= kRest); }
+bool Cooling::moving() const {
+  return flows() && (is_seen() || workspace_.clock->seconds() - passed_at_ >= kRest);
+}
 
 void Cooling::advance(double seconds) {
-  Document& document = on_.work.document;
+  Document& document = workspace_.work.document;
   if (!flows()) {
     pace_.due = 0;
     unseen_ = false;
@@ -147,7 +149,7 @@ void Cooling::advance(double seconds) {
   pace_.take(ticks);
   document.apply(AdvanceTime{ticks, false, true});
   unseen_ = !seen;
-  passed_at_ = on_.clock->seconds();
+  passed_at_ = workspace_.clock->seconds();
 }
 
 }  // namespace kerf

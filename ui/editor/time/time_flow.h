@@ -78,8 +78,8 @@ struct TickPace {
 class TimeFlow {
  public:
   // All must outlive it. `spring` is the one that the user pulls a piece by.
-  TimeFlow(Workspace& on, PlayState& play, const std::optional<Spring>& spring)
-      : on_(on), play_(play), spring_(spring) {}
+  TimeFlow(Workspace& workspace, PlayState& play, const std::optional<Spring>& spring)
+      : workspace_(workspace), play_(play), spring_(spring) {}
 
   // To be called once a frame after the queue was worked on; `seconds` have passed since the last frame.
   void advance(double seconds);
@@ -91,7 +91,7 @@ class TimeFlow {
   void queue_spring();
   void queue_ticks(Ticks ticks);
 
-  Workspace& on_;
+  Workspace& workspace_;
   PlayState& play_;
   const std::optional<Spring>& spring_;
   bool begun_ = false;                   // Play is in the document
@@ -110,21 +110,21 @@ class TimeFlow {
 class Cooling {
  public:
   // Both must outlive it.
-  Cooling(Workspace& on, const PlayState& play) : on_(on), play_(play) {}
+  Cooling(Workspace& workspace, const PlayState& play) : workspace_(workspace), play_(play) {}
 
   // To be called once a frame after the queue was worked on; `seconds` have passed since the last frame.
   void advance(double seconds);
   // Whether a frame is due although nothing else moves.
   bool moving() const;
   // Whether only ticks wait that change nothing in the picture.
-  bool passes_unseen() const { return unseen_ && !on_.work.document.execution().beam_waits(); }
+  bool passes_unseen() const { return unseen_ && !workspace_.work.document.execution().beam_waits(); }
   // Whether something hot cools down as time passes. How long that is seen, the renderer tells.
   bool flows() const;
 
  private:
   bool is_seen() const;
 
-  Workspace& on_;
+  Workspace& workspace_;
   const PlayState& play_;
   TickPace pace_;
   bool unseen_ = false;

@@ -74,7 +74,7 @@ std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bou
 }
 
 void add_light(ViewOptions& look, UpAxis up) {
-  KERF_ASSERT(look.lights.size() < kMostLights);
+  KERF_ASSERT(look.lights.size() < kMaxLights);
   Light another;
   another.at = from_y_up({0.7, 0.8, -0.4}, up);
   another.intensity = 1;
@@ -165,8 +165,8 @@ void draw_light_handles(const ViewState& view, ImDrawList& list) {
 
 namespace {
 
-constexpr double kLeastIntensity = 0.02, kMostIntensity = 50;
-constexpr double kLeastReach = 0.25, kMostReach = 50;  // diagonals
+constexpr double kMinIntensity = 0.02, kMaxIntensity = 50;
+constexpr double kMinReach = 0.25, kMaxReach = 50;  // diagonals
 
 bool method_row(const char* label, const char* id, ShadowMethod& method) {
   property(label);
@@ -209,7 +209,7 @@ bool shadow_rows(ViewState& view) {
          "How far the paper's volumes are extruded, in sizes of the world; what lies beyond gets no "
          "shadow.",
          true},
-        shadow.extrusion, kLeastReach, kMostReach, "%.2g sizes");
+        shadow.extrusion, kMinReach, kMaxReach, "%.2g sizes");
   }
   property("");
   changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
@@ -269,7 +269,7 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
   changed |= slider_row(
       {"Intensity", "##intensity",
        "What arrives on a surface that faces it; of a lamp at a distance of one size of the world.", true},
-      light.intensity, kLeastIntensity, kMostIntensity, "%.3g");
+      light.intensity, kMinIntensity, kMaxIntensity, "%.3g");
   return changed;
 }
 
@@ -307,7 +307,7 @@ bool choose_light(ViewOptions& look, UpAxis up) {
     ImGui::PopStyleColor();
   }
   if (!lights.empty()) ImGui::SameLine();
-  ImGui::BeginDisabled(lights.size() >= kMostLights);
+  ImGui::BeginDisabled(lights.size() >= kMaxLights);
   if (ImGui::Button("Add")) {
     add_light(look, up);
     changed = true;
@@ -344,91 +344,92 @@ constexpr const char* kLightPanel = "Light";
 
 class LightFeature : public Feature {
  public:
-  explicit LightFeature(Workspace& on) : on_(on) {}
+  explicit LightFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kLightPanel, Tab::kLook, 1310, false,
-             [this] { draw_light_panel(on_.view, on_.world().bounds(), on_.statistics.shadows); }}};
+    return {{kLightPanel, Tab::kLook, 1310, false, [this] {
+               draw_light_panel(workspace_.view, workspace_.world().bounds(), workspace_.statistics.shadows);
+             }}};
   }
   std::vector<ActionGroup> actions() override { return {{1300, "Light", light_actions()}}; }
   std::vector<Gesture> gestures() const override {
     return {{130, "Left drag on a light", "Move it, while the Light panel is open"}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press&) override {
-    const auto light = light_under(on_.view, on_.pointer);
+  std::unique_ptr<Interaction> begin_interaction(const Press&) override {
+    const auto light = light_under(workspace_.view, workspace_.pointer);
     if (!light || !shows_handles()) return nullptr;
     return std::make_unique<PlainDrag>("Moving a light", [this, light = *light](const InputEvent&) {
-      drag_light(on_.view, light, on_.pointer);
+      drag_light(workspace_.view, light, workspace_.pointer);
     });
   }
 
-  void forget() override { on_.view.look.shadow.inspected = 0; }
+  void on_document_opened() override { workspace_.view.look.shadow.inspected = 0; }
 
-  void draw_marks(ImDrawList& list) override {
-    if (shows_handles() && !on_.cutting()) draw_light_handles(on_.view, list);
+  void draw_overlay(ImDrawList& list) override {
+    if (shows_handles() && !workspace_.cutting()) draw_light_handles(workspace_.view, list);
   }
-  void mark(Landmarks& landmarks) const override {
-    for (size_t i = 0; i < on_.view.look.lights.size() && shows_handles(); ++i) {
-      if (const auto handle = light_handle(on_.view, i))
+  void add_landmarks(Landmarks& landmarks) const override {
+    for (size_t i = 0; i < workspace_.view.look.lights.size() && shows_handles(); ++i) {
+      if (const auto handle = light_handle(workspace_.view, i))
         landmarks.mark("light " + std::to_string(i), {*handle, Vec2(0)});
     }
   }
   // Where each light is, and its handle in the window where that is shown.
-  void report(nlohmann::ordered_json& report) const override {
+  void write_session_log(nlohmann::ordered_json& report) const override {
     nlohmann::ordered_json& all = report["lights"] = nlohmann::ordered_json::array();
-    for (size_t i = 0; i < on_.view.look.lights.size(); ++i) {
-      const Vec3& at = on_.view.look.lights[i].at;
+    for (size_t i = 0; i < workspace_.view.look.lights.size(); ++i) {
+      const Vec3& at = workspace_.view.look.lights[i].at;
       nlohmann::ordered_json light{{"at", {at.x, at.y, at.z}}};
-      const auto handle = light_handle(on_.view, i);
+      const auto handle = light_handle(workspace_.view, i);
       if (handle && shows_handles()) light["handle"] = {handle->x, handle->y};
       all.push_back(light);
     }
-    const auto& wrong = on_.statistics.shadows.wrong;
+    const auto& wrong = workspace_.statistics.shadows.wrong;
     report["pixels_that_rays_have_otherwise"] =
         wrong ? nlohmann::ordered_json(*wrong) : nlohmann::ordered_json();
   }
 
  private:
-  bool shows_handles() const { return on_.panels.shows(kLightPanel); }
+  bool shows_handles() const { return workspace_.panels.shows(kLightPanel); }
   std::vector<UserAction> light_actions();
   std::vector<UserAction> presets();
 
-  Workspace& on_;
+  Workspace& workspace_;
 };
 
 std::vector<UserAction> LightFeature::presets() {
   std::vector<UserAction> actions;
   for (const LightPreset& preset : light_presets()) {
     actions.push_back({.name = preset.name, .tip = preset.meaning});
-    actions.back().run = [&on = on_, &preset] {
-      ViewOptions& look = on.view.look;
-      look.lights = lights_of(preset, on.world().bounds(), on.view.camera.up_axis());
+    actions.back().run = [&workspace = workspace_, &preset] {
+      ViewOptions& look = workspace.view.look;
+      look.lights = lights_of(preset, workspace.world().bounds(), workspace.view.camera.up_axis());
       look.shadow.inspected = 0;
-      on.view.picture_old = true;
+      workspace.view.picture_old = true;
     };
   }
   return actions;
 }
 
 std::vector<UserAction> LightFeature::light_actions() {
-  ViewState& view = on_.view;
+  ViewState& view = workspace_.view;
   ViewOptions& look = view.look;
   UserAction add = picture_action(view, "Add a light",
                                   "A directional light; its handle is dragged while the Light panel is open.",
                                   [&view] { add_light(view.look, view.camera.up_axis()); });
-  add.why_not = [&look] {
-    return look.lights.size() < kMostLights ? nullptr : "There are four lights already.";
+  add.disabled_reason = [&look] {
+    return look.lights.size() < kMaxLights ? nullptr : "There are four lights already.";
   };
   UserAction remove = picture_action(view, "Remove the chosen light", "The one that the Light panel shows.",
                                      [&look] { remove_light(look); });
-  remove.why_not = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
+  remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
   UserAction next =
       picture_action(view, "Next light", "Chooses the light whose values the Light panel shows.", [&look] {
         KERF_ASSERT(!look.lights.empty());
         look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
       });
-  next.why_not = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
+  next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
   return {UserAction{.name = "Light preset", .items = [this] { return presets(); }, .in_menu = false}, add,
           remove, next,
           flag_action(view, "Shadows: paper look", look.shadow.paper_look,
@@ -437,6 +438,8 @@ std::vector<UserAction> LightFeature::light_actions() {
 
 }  // namespace
 
-std::unique_ptr<Feature> light_feature(Workspace& on) { return std::make_unique<LightFeature>(on); }
+std::unique_ptr<Feature> light_feature(Workspace& workspace) {
+  return std::make_unique<LightFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -25,7 +25,7 @@ std::span<const LightPreset> light_presets();
 // The lights of a preset for a world whose upward axis is `up`.
 std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up);
 
-// Adds a directional light and chooses it. Precondition: fewer than kMostLights.
+// Adds a directional light and chooses it. Precondition: fewer than kMaxLights.
 void add_light(ViewOptions& look, UpAxis up);
 // Removes the chosen light and chooses the first one. Precondition: there is a light.
 void remove_light(ViewOptions& look);

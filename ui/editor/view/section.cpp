@@ -23,8 +23,8 @@ constexpr ImU32 kColour = IM_COL32(0xbc, 0xdd, 0xff, 255), kFaint = IM_COL32(0xb
 constexpr ImU32 kDark = IM_COL32(10, 12, 16, 150);
 
 constexpr double kSmallAngle = 1e-4;  // radians, over which the grip's way in the picture is taken
-constexpr double kLeastWay2 = 1e-6;   // of the grip in the picture, for a radian, squared
-constexpr double kLeastLevel = 1e-6;  // sine of the angle between the normal and upwards
+constexpr double kMinWay2 = 1e-6;     // of the grip in the picture, for a radian, squared
+constexpr double kMinLevel = 1e-6;    // sine of the angle between the normal and upwards
 
 Vec3 upwards(UpAxis up) { return up == UpAxis::kY ? Vec3(0, 1, 0) : Vec3(0, 0, 1); }
 
@@ -69,7 +69,7 @@ PlaneAxes axes_of(const SectionPlane& plane, UpAxis up) {
   KERF_ASSERT(is_unit(plane.normal));
   const Vec3 level = glm::cross(upwards(up), plane.normal);
   const double sine = glm::length(level);
-  const Vec3 unit = sine > kLeastLevel ? level / sine : Vec3(1, 0, 0);
+  const Vec3 unit = sine > kMinLevel ? level / sine : Vec3(1, 0, 0);
   return {unit, glm::normalize(glm::cross(plane.normal, unit))};
 }
 
@@ -97,7 +97,7 @@ SectionPlane SectionDrag::turned(Vec2 pointer) const {
   if (here.z <= 0 || there.z <= 0) return from_;
   const Vec2 way = (on_screen(view_, there) - on_screen(view_, here)) / kSmallAngle;
   const double way2 = glm::dot(way, way);
-  if (way2 < kLeastWay2) return from_;
+  if (way2 < kMinWay2) return from_;
   const Vec2 moved = (pointer - began_) * Vec2(view_.aspect, 1);
   const glm::dquat turn = glm::angleAxis(glm::dot(moved, way) / way2, axis);
   return {from_.point, glm::normalize(turn * from_.normal)};
@@ -220,12 +220,14 @@ void draw_text(ViewState& view, Message& message) {
 // Moves or turns the plane by one of its handles.
 class DragOfPlane : public Interaction {
  public:
-  DragOfPlane(Workspace& on, SectionDrag drag) : on_(on), drag_(std::move(drag)) {}
+  DragOfPlane(Workspace& workspace, SectionDrag drag) : workspace_(workspace), drag_(std::move(drag)) {}
 
   const SectionDrag& drag() const { return drag_; }
-  void move(const InputEvent&) override { show(on_.view, drag_.to(on_.view.in_picture(on_.pointer))); }
+  void move(const InputEvent&) override {
+    show(workspace_.view, drag_.to(workspace_.view.in_picture(workspace_.pointer)));
+  }
   bool cancel() override {
-    show(on_.view, drag_.from());
+    show(workspace_.view, drag_.from());
     return true;
   }
   const char* words() const override {
@@ -234,93 +236,98 @@ class DragOfPlane : public Interaction {
   }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
   SectionDrag drag_;
 };
 
 using Edit = std::function<void(ViewState&)>;
 
 // The plane is shown first, where it is not.
-UserAction edit_action(Workspace& on, const char* name, const char* tip, Edit edit) {
+UserAction edit_action(Workspace& workspace, const char* name, const char* tip, Edit edit) {
   UserAction action{.name = name, .tip = tip, .in_menu = false};
-  action.run = [&on, edit = std::move(edit)] {
-    on.view.look.show.section = true;
-    place_section(on.view, on.world());
-    if (on.view.look.section) edit(on.view);
+  action.run = [&workspace, edit = std::move(edit)] {
+    workspace.view.look.show.section = true;
+    place_section(workspace.view, workspace.world());
+    if (workspace.view.look.section) edit(workspace.view);
   };
   return action;
 }
 
-UserAction across(Workspace& on, const char* name, int axis) {
-  return edit_action(on, name, "Turns the section plane about its point; what is towards the eye goes.",
+UserAction across(Workspace& workspace, const char* name, int axis) {
+  return edit_action(workspace, name,
+                     "Turns the section plane about its point; what is towards the eye goes.",
                      [axis](ViewState& view) { turn_section_across(view, axis); });
 }
 
 class SectionFeature : public Feature {
  public:
-  explicit SectionFeature(Workspace& on) : on_(on) {}
+  explicit SectionFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
     return {{"View", Tab::kLook, 1000, true, [this] { draw_rows(); }}};
   }
 
   std::vector<ActionGroup> actions() override {
-    return {{1500,
-             "View",
-             {edit_action(on_, "Section plane: flip", "Shows the other side.", flip_section),
-              across(on_, "Section plane: across X", 0), across(on_, "Section plane: across Y", 1),
-              across(on_, "Section plane: across Z", 2),
-              edit_action(on_, "Section plane: parallel to the picture", "Turns it about its point.",
-                          turn_section_to_view),
-              edit_action(on_, "Section plane: copy", "As text, as kerf render --section takes it.",
-                          [this](ViewState& view) { copy_section(view, on_.message); }),
-              UserAction{.name = "Section plane: paste",
-                         .tip = "Sets it as the text in the clipboard says.",
-                         .run = [this] { paste_section(on_.view, on_.message); },
-                         .in_menu = false}}}};
+    return {
+        {1500,
+         "View",
+         {edit_action(workspace_, "Section plane: flip", "Shows the other side.", flip_section),
+          across(workspace_, "Section plane: across X", 0), across(workspace_, "Section plane: across Y", 1),
+          across(workspace_, "Section plane: across Z", 2),
+          edit_action(workspace_, "Section plane: parallel to the picture", "Turns it about its point.",
+                      turn_section_to_view),
+          edit_action(workspace_, "Section plane: copy", "As text, as kerf render --section takes it.",
+                      [this](ViewState& view) { copy_section(view, workspace_.message); }),
+          UserAction{.name = "Section plane: paste",
+                     .tip = "Sets it as the text in the clipboard says.",
+                     .run = [this] { paste_section(workspace_.view, workspace_.message); },
+                     .in_menu = false}}}};
   }
 
   std::vector<Gesture> gestures() const override {
     return {{120, "Left drag on the section plane's handles", "Move it along its normal, or turn it"}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press&) override {
-    auto drag = section_drag_at(on_.view, on_.pointer);
-    return drag ? std::make_unique<DragOfPlane>(on_, std::move(*drag)) : nullptr;
+  std::unique_ptr<Interaction> begin_interaction(const Press&) override {
+    auto drag = section_drag_at(workspace_.view, workspace_.pointer);
+    return drag ? std::make_unique<DragOfPlane>(workspace_, std::move(*drag)) : nullptr;
   }
 
-  void advance(double) override { place_section(on_.view, on_.world()); }
+  void update(double) override { place_section(workspace_.view, workspace_.world()); }
 
-  void forget() override {
-    on_.view.look.section.reset();
-    on_.view.look.show.section = false;
+  void on_document_opened() override {
+    workspace_.view.look.section.reset();
+    workspace_.view.look.show.section = false;
   }
 
-  void draw_marks(ImDrawList& list) override {
-    if (on_.cutting()) return;
-    const auto* held = dynamic_cast<const DragOfPlane*>(on_.held.get());
-    draw_section(on_.view, on_.world().bounds(), on_.points() ? std::optional(on_.pointer) : std::nullopt,
+  void draw_overlay(ImDrawList& list) override {
+    if (workspace_.cutting()) return;
+    const auto* held = dynamic_cast<const DragOfPlane*>(workspace_.held.get());
+    draw_section(workspace_.view, workspace_.world().bounds(),
+                 workspace_.points() ? std::optional(workspace_.pointer) : std::nullopt,
                  held != nullptr ? std::optional(held->drag()) : std::nullopt, list);
   }
 
-  void mark(Landmarks& landmarks) const override { mark_handles(section_handles(on_.view), landmarks); }
+  void add_landmarks(Landmarks& landmarks) const override {
+    mark_handles(section_handles(workspace_.view), landmarks);
+  }
 
  private:
   void draw_rows();
 
-  Workspace& on_;
+  Workspace& workspace_;
   NumberFields fields_;
 };
 
 // Rows of the panel while the plane is shown: its point and its normal as numbers that can be typed, in the
 // numbers of the file, and buttons that flip, turn, copy and paste it.
 void SectionFeature::draw_rows() {
-  ViewState& view = on_.view;
+  ViewState& view = workspace_.view;
   if (shown_section(view.look) == nullptr || !begin_properties("section plane")) return;
   SectionPlane plane = *view.look.section;
   bool typed = fields_.vector("Section", plane.point, "%.5g",
                               "X, Y and Z of the point that the plane goes through and turns about.",
-                              file_unit(view.frame.unit), on_.world().loaded_bounds().diagonal());
+                              file_unit(view.frame.unit), workspace_.world().loaded_bounds().diagonal());
   typed |= fields_.vector("Normal", plane.normal, "%.4g",
                           "The direction that the plane faces, of any length. What lies on this side is not "
                           "drawn.");
@@ -329,12 +336,14 @@ void SectionFeature::draw_rows() {
     view.picture_old = true;
   }
   draw_turns(view);
-  draw_text(view, on_.message);
+  draw_text(view, workspace_.message);
   end_properties();
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> section_feature(Workspace& on) { return std::make_unique<SectionFeature>(on); }
+std::unique_ptr<Feature> section_feature(Workspace& workspace) {
+  return std::make_unique<SectionFeature>(workspace);
+}
 
 }  // namespace kerf

@@ -33,7 +33,7 @@ class DisplayPanel {
 // The size changes when the slider is let go, for the slider itself changes with it.
 void scale_row(Settings& settings, double& wanted) {
   property("Text size");
-  constexpr double kLow = Settings::kLeastScale * 100, kHigh = Settings::kMostScale * 100;
+  constexpr double kLow = Settings::kMinScale * 100, kHigh = Settings::kMaxScale * 100;
   double percent = wanted > 0 ? 100 * wanted : 100 * settings.ui_scale;
   constexpr const char* kMeaning = "Of the panels and menus, on top of what the display asks for.";
   if (real_slider({"Text size", "##scale", kMeaning}, percent, kLow, kHigh, "%.0f %%"))
@@ -58,42 +58,43 @@ constexpr double kScaleStep = 0.125;
 // A press on the axes: a click looks along one of them, a drag orbits.
 class PressOnAxes : public Interaction {
  public:
-  explicit PressOnAxes(Workspace& on) : on_(on), pressed_at_(on.pointer) {}
+  explicit PressOnAxes(Workspace& workspace) : workspace_(workspace), pressed_at_(workspace.pointer) {}
 
   void move(const InputEvent& event) override {
     if (orbit_) {
       orbit_->move(event);
-    } else if (glm::length(on_.pointer - pressed_at_) > kClickReach) {
-      orbit_.emplace(on_);
+    } else if (glm::length(workspace_.pointer - pressed_at_) > kClickReach) {
+      orbit_.emplace(workspace_);
     }
   }
   void release(const InputEvent&) override {
-    const auto axis = orbit_ ? std::nullopt : axis_end_under(on_.view, on_.pointer);
-    if (axis) on_.view.camera.turn_to(axis->view.yaw, axis->view.pitch);
+    const auto axis = orbit_ ? std::nullopt : axis_end_under(workspace_.view, workspace_.pointer);
+    if (axis) workspace_.view.camera.turn_to(axis->view.yaw, axis->view.pitch);
   }
   const char* words() const override { return orbit_ ? orbit_->words() : nullptr; }
 
  private:
-  Workspace& on_;
+  Workspace& workspace_;
   Vec2 pressed_at_;
   std::optional<Orbit> orbit_;
 };
 
-void copy_view(Workspace& on) {
-  ImGui::SetClipboardText(view_text({on.view.seen().near().eye, on.view.camera.pivot()}).c_str());
-  on.message.say("The view is in the clipboard as text");
+void copy_view(Workspace& workspace) {
+  ImGui::SetClipboardText(
+      view_text({workspace.view.seen().near().eye, workspace.view.camera.pivot()}).c_str());
+  workspace.message.say("The view is in the clipboard as text");
 }
 
-void paste_view(Workspace& on) {
+void paste_view(Workspace& workspace) {
   const char* text = ImGui::GetClipboardText();
   const Result<View> view = parse_view_text(text != nullptr ? text : "");
-  if (!view) return on.message.say(view.error().message, true);
-  on.view.camera.look(view->eye, view->target);
-  on.message.say("");
+  if (!view) return workspace.message.say(view.error().message, true);
+  workspace.view.camera.look(view->eye, view->target);
+  workspace.message.say("");
 }
 
 void change_scale(Settings& settings, double by) {
-  settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kLeastScale, Settings::kMostScale);
+  settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kMinScale, Settings::kMaxScale);
 }
 
 // The action of a standard view. Each pair of views has a key; the second one needs Ctrl, too.
@@ -111,15 +112,15 @@ UserAction look_action(ViewState& view, size_t which) {
   return action;
 }
 
-UserAction switch_action(Workspace& on, const ViewSwitch& s) {
+UserAction switch_action(Workspace& workspace, const ViewSwitch& s) {
   UserAction action{.name = action_name(s), .tip = s.tip, .in_menu = s.in_menu, .ends_group = s.ends_group};
   if (s.key != 0) action.shortcut = std::string(1, s.key);
-  action.run = [&view = on.view, &message = on.message, &s] {
+  action.run = [&view = workspace.view, &message = workspace.message, &s] {
     s.flip(view.look);
     view.picture_old = true;
     if (!s.is_two_state()) message.say(std::string(s.label) + ": " + s.states[s.get(view.look)]);
   };
-  action.checked = [&view = on.view, &s] { return s.get(view.look) != 0; };
+  action.checked = [&view = workspace.view, &s] { return s.get(view.look) != 0; };
   return action;
 }
 
@@ -132,11 +133,12 @@ Area under_label(const Layout& l) {
 class ViewFeature : public Feature {
  public:
   // The legends beside the picture take the place of those in it.
-  explicit ViewFeature(Workspace& on) : on_(on) { on_.view.look.legends = false; }
+  explicit ViewFeature(Workspace& workspace) : workspace_(workspace) { workspace_.view.look.legends = false; }
 
   std::vector<Panel> panels() override {
     return {{"View", Tab::kLook, 1001, true, [this] { draw_switches(); }},
-            {"Display", Tab::kLook, 1600, false, [this] { display_.draw(on_.settings, on_.view); }}};
+            {"Display", Tab::kLook, 1600, false,
+             [this] { display_.draw(workspace_.settings, workspace_.view); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{220, "Edit", text_of_view_actions()},
@@ -149,24 +151,25 @@ class ViewFeature : public Feature {
     return {{150, "Click on the axes in the corner", "Look along that axis; a drag there orbits"}};
   }
 
-  std::unique_ptr<Interaction> claim(const Press&) override {
-    return is_on_axes(on_.view, on_.pointer) ? std::make_unique<PressOnAxes>(on_) : nullptr;
+  std::unique_ptr<Interaction> begin_interaction(const Press&) override {
+    return is_on_axes(workspace_.view, workspace_.pointer) ? std::make_unique<PressOnAxes>(workspace_)
+                                                           : nullptr;
   }
 
-  void draw_marks(ImDrawList& list) override {
-    draw_axes_gizmo(on_.view, on_.pointer_over_picture(), list);
-    on_.view.legends =
-        draw_legends(legends_of(on_.view.look, on_.statistics.shadows), under_label(on_.view.layout));
+  void draw_overlay(ImDrawList& list) override {
+    draw_axes_gizmo(workspace_.view, workspace_.pointer_over_picture(), list);
+    workspace_.view.legends = draw_legends(legends_of(workspace_.view.look, workspace_.statistics.shadows),
+                                           under_label(workspace_.view.layout));
   }
-  void mark(Landmarks& landmarks) const override {
-    for (const AxisEnd& end : axis_ends(on_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});
+  void add_landmarks(Landmarks& landmarks) const override {
+    for (const AxisEnd& end : axis_ends(workspace_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});
   }
-  void report(nlohmann::ordered_json& report) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
   void draw_switches() {
     for (const ViewSwitch& s : view_switches()) {
-      if (s.in_view_panel) draw_switch(on_.view, s.id);
+      if (s.in_view_panel) draw_switch(workspace_.view, s.id);
     }
   }
   std::vector<UserAction> text_of_view_actions();
@@ -175,7 +178,7 @@ class ViewFeature : public Feature {
   UserAction theme_action();
   std::vector<UserAction> scale_actions();
 
-  Workspace& on_;
+  Workspace& workspace_;
   DisplayPanel display_;
 };
 
@@ -184,11 +187,11 @@ std::vector<UserAction> ViewFeature::text_of_view_actions() {
       UserAction{.name = "Copy the view",
                  .shortcut = "Ctrl+C",
                  .tip = "Where the eye stands, as text.",
-                 .run = [this] { copy_view(on_); }},
+                 .run = [this] { copy_view(workspace_); }},
       UserAction{.name = "Paste the view",
                  .shortcut = "Ctrl+V",
                  .tip = "Looks from where the text in the clipboard says.",
-                 .run = [this] { paste_view(on_); },
+                 .run = [this] { paste_view(workspace_); },
                  .ends_group = true},
   };
 }
@@ -198,33 +201,37 @@ std::vector<UserAction> ViewFeature::camera_actions() {
       UserAction{.name = "Frame all",
                  .shortcut = "F",
                  .tip = "Everything in the picture, seen from the side where the eye is.",
-                 .run = [this] { on_.view.camera.frame(on_.world().bounds(), on_.view.aspect()); }},
+                 .run =
+                     [this] {
+                       workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect());
+                     }},
       UserAction{.name = "First view",
                  .shortcut = "Home",
                  .tip = "As it was when the file was opened.",
-                 .run = [this] { go_home(on_.view, on_.world().bounds()); },
+                 .run = [this] { go_home(workspace_.view, workspace_.world().bounds()); },
                  .ends_group = true},
   };
-  for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(on_.view, i));
-  actions.push_back(UserAction{.name = "Orthographic",
-                               .shortcut = "5",
-                               .pad_key = GLFW_KEY_KP_5,
-                               .tip = "Without perspective: lengths are drawn alike at all distances.",
-                               .run = [this] { on_.view.camera.set_parallel(!on_.view.camera.parallel()); },
-                               .checked = [this] { return on_.view.camera.parallel(); }});
+  for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(workspace_.view, i));
+  actions.push_back(
+      UserAction{.name = "Orthographic",
+                 .shortcut = "5",
+                 .pad_key = GLFW_KEY_KP_5,
+                 .tip = "Without perspective: lengths are drawn alike at all distances.",
+                 .run = [this] { workspace_.view.camera.set_parallel(!workspace_.view.camera.parallel()); },
+                 .checked = [this] { return workspace_.view.camera.parallel(); }});
   return actions;
 }
 
 std::vector<UserAction> ViewFeature::switch_actions() {
   std::vector<UserAction> actions;
   for (const ViewSwitch& each : view_switches()) {
-    if (each.label[0] != '\0') actions.push_back(switch_action(on_, each));
+    if (each.label[0] != '\0') actions.push_back(switch_action(workspace_, each));
   }
   return actions;
 }
 
 UserAction ViewFeature::theme_action() {
-  Theme& theme = on_.settings.theme;
+  Theme& theme = workspace_.settings.theme;
   return {.name = "Light theme",
           .shortcut = "F9",
           .tip = "Bright panels and menus; the picture stays as it is.",
@@ -233,48 +240,51 @@ UserAction ViewFeature::theme_action() {
 }
 
 std::vector<UserAction> ViewFeature::scale_actions() {
-  Settings& settings = on_.settings;
+  Settings& settings = workspace_.settings;
   return {
       UserAction{.name = "Larger text",
                  .shortcut = "Ctrl+=",
                  .tip = "Of panels and menus.",
                  .run = [&settings] { change_scale(settings, kScaleStep); },
-                 .why_not =
+                 .disabled_reason =
                      [&settings] {
-                       return settings.ui_scale >= Settings::kMostScale ? "It is as large as it can be."
-                                                                        : nullptr;
+                       return settings.ui_scale >= Settings::kMaxScale ? "It is as large as it can be."
+                                                                       : nullptr;
                      }},
       UserAction{.name = "Smaller text",
                  .shortcut = "Ctrl+-",
                  .tip = "Of panels and menus.",
                  .run = [&settings] { change_scale(settings, -kScaleStep); },
-                 .why_not =
+                 .disabled_reason =
                      [&settings] {
-                       return settings.ui_scale <= Settings::kLeastScale ? "It is as small as it can be."
-                                                                         : nullptr;
+                       return settings.ui_scale <= Settings::kMinScale ? "It is as small as it can be."
+                                                                       : nullptr;
                      }},
   };
 }
 
-void ViewFeature::report(nlohmann::ordered_json& report) const {
+void ViewFeature::write_session_log(nlohmann::ordered_json& report) const {
   nlohmann::ordered_json& all = report["view"];
   for (const ViewSwitch& s : view_switches()) {
-    const size_t state = s.get(on_.view.look);
+    const size_t state = s.get(workspace_.view.look);
     KERF_ASSERT(state < s.states.size());
     all[s.report] = s.is_two_state() ? nlohmann::ordered_json(state == 1) : s.states[state];
   }
   all["section_plane"] = nullptr;
-  if (const SectionPlane* plane = shown_section(on_.view.look)) all["section_plane"] = section_text(*plane);
-  all["boxes_deepest"] = on_.view.look.tree.deepest;
-  all["boxes_leaves_only"] = on_.view.look.tree.leaves_only;
-  const Vec3 eye = on_.view.seen().near().eye;
+  if (const SectionPlane* plane = shown_section(workspace_.view.look))
+    all["section_plane"] = section_text(*plane);
+  all["boxes_deepest"] = workspace_.view.look.tree.deepest;
+  all["boxes_leaves_only"] = workspace_.view.look.tree.leaves_only;
+  const Vec3 eye = workspace_.view.seen().near().eye;
   all["eye"] = {eye.x, eye.y, eye.z};
-  all["orthographic"] = on_.view.camera.parallel();
-  all["frame"] = frame_to_json(on_.view.frame);
+  all["orthographic"] = workspace_.view.camera.parallel();
+  all["frame"] = frame_to_json(workspace_.view.frame);
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> view_feature(Workspace& on) { return std::make_unique<ViewFeature>(on); }
+std::unique_ptr<Feature> view_feature(Workspace& workspace) {
+  return std::make_unique<ViewFeature>(workspace);
+}
 
 }  // namespace kerf

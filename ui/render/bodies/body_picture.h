@@ -79,17 +79,17 @@ std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
 // leaves. Programs that do not write it must not draw meanwhile. Without a plane it does nothing.
 class SectionClip {
  public:
-  explicit SectionClip(const ViewOptions& options) : on_(shown_section(options) != nullptr) {
-    if (on_) glEnable(GL_CLIP_DISTANCE0);
+  explicit SectionClip(const ViewOptions& options) : workspace_(shown_section(options) != nullptr) {
+    if (workspace_) glEnable(GL_CLIP_DISTANCE0);
   }
   ~SectionClip() {
-    if (on_) glDisable(GL_CLIP_DISTANCE0);
+    if (workspace_) glDisable(GL_CLIP_DISTANCE0);
   }
   SectionClip(const SectionClip&) = delete;
   SectionClip& operator=(const SectionClip&) = delete;
 
  private:
-  bool on_;
+  bool workspace_;
 };
 
 // What a pass draws, and with which options.

@@ -19,7 +19,7 @@ namespace {
 // open directions.
 constexpr double kOpenShare = 1e-4;
 // How far the temperature of the vertex may lie beyond those of the faces, in the range of these.
-constexpr double kMostBeyond = 0.5;
+constexpr double kMaxBeyond = 0.5;
 
 double weight_of(const FaceSample& sample) {
   const double size2 = sample.size * sample.size;
@@ -70,7 +70,7 @@ std::array<LocalHeat, 2> fit_heat(const Vec3& vertex, std::span<const FaceSample
   std::array<LocalHeat, 2> fits;
   for (size_t i = 0; i < 2; ++i) {
     const Vec3 gradient = inverse * moments[i];
-    const double beyond = kMostBeyond * (most[i] - least[i]);
+    const double beyond = kMaxBeyond * (most[i] - least[i]);
     fits[i] = {std::clamp(mean.temperatures[i] - glm::dot(gradient, mean.offset), least[i] - beyond,
                           most[i] + beyond),
                gradient};

@@ -14,7 +14,7 @@ namespace {
 using Indices = std::array<uint32_t, 3>;
 
 constexpr GLuint kScalarAttribute = 9;
-constexpr size_t kLeastRoom = 64;  // slots
+constexpr size_t kMinRoom = 64;  // slots
 
 FaceCorners corners_of(const FaceVertices& face) {
   const auto at = [&](size_t i) {
@@ -159,9 +159,9 @@ DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
     LiveList& live = chunk_of(range).live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));
-      if (live.set(f % kChunkFaces, lives)) note_change(mesh, FaceId(f), lives);
+      if (live.set(f % kChunkFaces, lives)) record_change(mesh, FaceId(f), lives);
       count(mesh, f);
-      note_corners(mesh, f);
+      record_corners(mesh, f);
       if (lives) born.mark(f);
       if (lives && heat_.any()) reheated_.mark(f);
     }
@@ -169,7 +169,7 @@ DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
   return born;
 }
 
-void FaceBuffer::note_corners(const Mesh& mesh, uint32_t slot) {
+void FaceBuffer::record_corners(const Mesh& mesh, uint32_t slot) {
   const Corners before = corners_[slot];
   corners_[slot] = mesh.is_live(FaceId(slot)) ? mesh.corners(FaceId(slot)) : Corners{};
   for (const Corners& corners : {before, corners_[slot]}) {
@@ -203,7 +203,7 @@ std::array<float, 3> FaceBuffer::rim_of(const Mesh& mesh, FaceId f) const {
 }
 
 // A slot behind the last one was taken back with the command that made it: its face was never removed.
-void FaceBuffer::note_change(const Mesh& mesh, FaceId f, bool lives) {
+void FaceBuffer::record_change(const Mesh& mesh, FaceId f, bool lives) {
   if (lives) {
     removed_.came_back(f);
   } else if (f.index < mesh.face_slots()) {
@@ -220,7 +220,7 @@ FaceBuffer::Chunk& FaceBuffer::chunk_of(const SlotRange& range) {
   if (needed <= found.room) return found;
   const size_t begin = chunk * kChunkFaces;
   const size_t known = halvings_.size() > begin ? halvings_.size() - begin : 0;
-  const size_t wanted = std::clamp<size_t>(std::max<size_t>(known, needed), kLeastRoom, kChunkFaces);
+  const size_t wanted = std::clamp<size_t>(std::max<size_t>(known, needed), kMinRoom, kChunkFaces);
   found.make_room(static_cast<uint32_t>(std::bit_ceil(wanted)));
   chunks_with_scalars_ = std::min(chunks_with_scalars_, chunk);
   return found;

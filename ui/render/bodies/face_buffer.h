@@ -121,9 +121,9 @@ class FaceBuffer {
   // The one that has the slots of a range, which lies in one chunk; creates or enlarges it if necessary.
   Chunk& chunk_of(const SlotRange& range);
   void count(const Mesh& mesh, uint32_t slot);
-  void note_change(const Mesh& mesh, FaceId f, bool lives);
+  void record_change(const Mesh& mesh, FaceId f, bool lives);
   DirtySlots take_born(const Mesh& mesh, uint32_t most);
-  void note_corners(const Mesh& mesh, uint32_t slot);
+  void record_corners(const Mesh& mesh, uint32_t slot);
   void find_rims(const Mesh& mesh, DirtySlots& born);
   std::array<float, 3> rim_of(const Mesh& mesh, FaceId f) const;
   size_t update_slots(const Mesh& mesh, const SlotRange& range);

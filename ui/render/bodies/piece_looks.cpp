@@ -12,7 +12,7 @@ BodyLooks::BodyLooks(BodyId id, const ViewOptions& options) {
   for (auto i = options.pieces.lower_bound({id, 0}); i != options.pieces.end() && i->first.body == id; ++i) {
     if (!(i->second == PieceLook{})) by_group_.emplace(i->first.label, i->second);
   }
-  note_separation(id, options);
+  record_separation(id, options);
   const auto found = options.groups.find(id);
   if (found == options.groups.end()) return;
   KERF_ASSERT(found->second != nullptr);
@@ -30,7 +30,7 @@ BodyLooks::BodyLooks(BodyId id, const ViewOptions& options) {
   }
 }
 
-void BodyLooks::note_separation(BodyId id, const ViewOptions& options) {
+void BodyLooks::record_separation(BodyId id, const ViewOptions& options) {
   if (!options.stage) return;
   for (const PieceId& piece : options.stage->stayed) {
     if (piece.body == id) came_off_[piece.label] = false;

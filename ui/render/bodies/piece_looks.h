@@ -35,7 +35,7 @@ class BodyLooks {
   const std::shared_ptr<const PieceGroups>& groups() const { return groups_; }
 
  private:
-  void note_separation(BodyId id, const ViewOptions& options);
+  void record_separation(BodyId id, const ViewOptions& options);
 
   std::map<uint32_t, PieceLook> by_group_;
   std::map<uint32_t, bool> came_off_;

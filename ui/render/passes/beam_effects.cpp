@@ -13,17 +13,17 @@ namespace kerf {
 
 namespace {
 
-constexpr double kLightReach = 14;     // radii that the spot's light reaches
-constexpr double kLeastReach = 0.012;  // of the world's unit
-constexpr double kSpotRadii = 16;      // half the width of the spot, in radii of the beam
-constexpr double kLeastSpot = 34;      // pixels, where the picture is high enough for them
-constexpr double kMostSpot = 0.20;     // of the picture's height
-constexpr double kCoreOfBeam = 0.9;    // the width of the core over the radius of the beam
-constexpr double kLeastCore = 1.2;     // pixels of a picture that is at most 800 high
-constexpr double kMostCore = 3.2;      // the same
-constexpr double kHalo = 16;           // half the width of the ribbon over the largest width of the core
-constexpr double kFade = 1.0;          // m before an end in mid-air
-constexpr double kMostFade = 0.5;      // of the length of the beam
+constexpr double kLightReach = 14;   // radii that the spot's light reaches
+constexpr double kMinReach = 0.012;  // of the world's unit
+constexpr double kSpotRadii = 16;    // half the width of the spot, in radii of the beam
+constexpr double kMinSpot = 34;      // pixels, where the picture is high enough for them
+constexpr double kMaxSpot = 0.20;    // of the picture's height
+constexpr double kCoreOfBeam = 0.9;  // the width of the core over the radius of the beam
+constexpr double kMinCore = 1.2;     // pixels of a picture that is at most 800 high
+constexpr double kMaxCore = 3.2;     // the same
+constexpr double kHalo = 16;         // half the width of the ribbon over the largest width of the core
+constexpr double kFade = 1.0;        // m before an end in mid-air
+constexpr double kMaxFade = 0.5;     // of the length of the beam
 
 // Pixels that a length across the view takes at a distance of one metre.
 double pixels_at_one_metre(const CameraView& view, double length, int height) {
@@ -33,7 +33,7 @@ double pixels_at_one_metre(const CameraView& view, double length, int height) {
 }  // namespace
 
 double spot_half_width(double radius_pixels, int height) {
-  return std::min(std::max(kSpotRadii * radius_pixels, kLeastSpot), kMostSpot * height);
+  return std::min(std::max(kSpotRadii * radius_pixels, kMinSpot), kMaxSpot * height);
 }
 
 BeamPicture ended_on_ground(BeamPicture beam, double ground, UpAxis up) {
@@ -50,7 +50,7 @@ BeamPass::BeamPass(Shaders& shaders)
 
 void BeamPass::fill_in(FrameUniforms& frame, const FrameSpace& space, const BeamPicture& beam) {
   if (!beam.strike && !beam.on_ground) return;
-  const double reach = std::max(kLightReach * beam.radius, kLeastReach * space.unit);
+  const double reach = std::max(kLightReach * beam.radius, kMinReach * space.unit);
   frame.spot = glm::vec4(space.from_world(beam.strike.value_or(beam.to)), space.length(reach));
   frame.beam = glm::vec4(space.from_world(beam.from), 0);
   const glm::vec4 colour = beam.strike ? glm::vec4(5.0f, 2.7f, 1.15f, 0) : glm::vec4(2.5f, 1.35f, 0.6f, 0);
@@ -67,12 +67,12 @@ void BeamPass::draw(const CameraView& view, const BeamPicture& beam, const Frame
 
 void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, double near, int width,
                            int height) const {
-  const double zoom = std::max(1.0, height / 800.0), most = kMostCore * zoom;
+  const double zoom = std::max(1.0, height / 800.0), most = kMaxCore * zoom;
   const auto seen = on_screen(view, beam.from, beam.to, width, height, kHalo * most);
   if (!seen) return;
   const double length = glm::length(beam.to - beam.from);
   const double strike = beam.strike ? glm::length(*beam.strike - beam.from) : length;
-  const double fade = beam.on_ground ? 0 : std::min(kFade, kMostFade * length);
+  const double fade = beam.on_ground ? 0 : std::min(kFade, kMaxFade * length);
   ribbon_.use();
   ribbon_.set("ends", glm::vec4(glm::vec2(seen->from), glm::vec2(seen->to)));
   const auto depth_of = [&](double share) {
@@ -86,7 +86,7 @@ void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, doub
                                  static_cast<float>(fade / std::max(strike, 1e-300))));
   ribbon_.set("strength", static_cast<float>(beam.strength));
   ribbon_.set("core", glm::vec4(pixels_at_one_metre(view, kCoreOfBeam * beam.radius, height) / view.focus,
-                                kLeastCore * zoom, most, kHalo));
+                                kMinCore * zoom, most, kHalo));
   no_vertices_.draw(GL_TRIANGLE_STRIP, 8);
 }
 
@@ -158,7 +158,7 @@ BeamPicture picture_of_beam(const World& world, const CutSettings& settings, con
 namespace {
 
 constexpr double kSparksPerKilogram = 500, kPuffsPerKilogram = 27;
-constexpr size_t kMostSparks = 1200, kMostPuffs = 160;
+constexpr size_t kMaxSparks = 1200, kMaxPuffs = 160;
 constexpr double kGravity = 9.81;       // m/s^2
 constexpr double kStreak = 0.028;       // s of flight that a streak shows
 constexpr double kSparkWidth = 0.0035;  // m, half of it
@@ -193,14 +193,14 @@ Vec3 Particles::direction_in_ball() {
 void Particles::add(const Bite& bite, const Vec3& up) {
   KERF_ASSERT(bite.mass >= 0 && bite.size > 0 && is_unit(up));
   const double mass = bite.mass / (bite.size * bite.size);
-  for (add_owed(owed_sparks_, kSparksPerKilogram * mass, kMostSparks); owed_sparks_ >= 1; --owed_sparks_)
+  for (add_owed(owed_sparks_, kSparksPerKilogram * mass, kMaxSparks); owed_sparks_ >= 1; --owed_sparks_)
     throw_spark(bite, up);
-  for (add_owed(owed_puffs_, kPuffsPerKilogram * mass, kMostPuffs); owed_puffs_ >= 1; --owed_puffs_)
+  for (add_owed(owed_puffs_, kPuffsPerKilogram * mass, kMaxPuffs); owed_puffs_ >= 1; --owed_puffs_)
     raise_puff(bite, up);
 }
 
 void Particles::throw_spark(const Bite& bite, const Vec3& up) {
-  if (sparks_.size() >= kMostSparks) return;
+  if (sparks_.size() >= kMaxSparks) return;
   const Vec3 towards = direction_in_ball() * 1.1 - bite.direction * 0.75 + up * 0.35;
   const double speed = bite.size * mixed(1.2, 4.2, random_.unit() * random_.unit());
   const double life = mixed(0.25, 0.9, random_.unit());
@@ -208,7 +208,7 @@ void Particles::throw_spark(const Bite& bite, const Vec3& up) {
 }
 
 void Particles::raise_puff(const Bite& bite, const Vec3& up) {
-  if (puffs_.size() >= kMostPuffs) return;
+  if (puffs_.size() >= kMaxPuffs) return;
   const Vec3 velocity = (up * 0.55 - bite.direction * 0.35 + direction_in_ball() * 0.22) * bite.size;
   puffs_.push_back({bite.at, velocity, bite.size, 0, mixed(0.7, 1.5, random_.unit())});
 }

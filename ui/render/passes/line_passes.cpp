@@ -22,8 +22,8 @@ constexpr float kFaintestHit = 0.13f;     // but boxes that the beam was in are 
 constexpr float kLeafFade = 0.97f;        // from one depth to the next where only leaves are drawn
 constexpr float kDarkHalfWidth = 1.3f;    // pixels
 constexpr float kColourHalfWidth = 0.6f;  // pixels
-constexpr size_t kMostBoxes = 3500;       // those that are seen largest are drawn
-constexpr GLsizei kMostDark = 200;        // lines beyond these are too many for a dark one under each
+constexpr size_t kMaxBoxes = 3500;        // those that are seen largest are drawn
+constexpr GLsizei kMaxDark = 200;         // lines beyond these are too many for a dark one under each
 constexpr int kVerticesOfBox = 12 * 6;
 
 // Deep boxes fade, so that the tree is a structure and not a fog; what was asked for by its depth is drawn
@@ -106,9 +106,9 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   const glm::mat4 from_body = space.from_body(body.placement, frame);
   const gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   if (boxes) {
-    lines.boxes.send(choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMostBoxes), GL_DYNAMIC_DRAW);
+    lines.boxes.send(choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMaxBoxes), GL_DYNAMIC_DRAW);
     const BoxColours colours = colours_of(options.tree.palette);
-    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count(), kMostDark, srgb(colours.hit, 1),
+    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count(), kMaxDark, srgb(colours.hit, 1),
                srgb(colours.untouched, 1), options.mark_scale);
   }
   if (show.normals) {
@@ -124,8 +124,8 @@ namespace {
 constexpr float kWireHalfWidth = 0.6f, kDarkWireHalfWidth = 1.2f;  // pixels
 // Edges as long as these in the picture are drawn fully; shorter ones fade, so that a fine wire leaves the
 // surface in sight.
-constexpr float kPlainEdge = 16, kLeastOpacity = 0.12f;  // pixels
-constexpr float kEdgeWithDark = 5;                       // pixels; shorter edges have no room for a dark one
+constexpr float kPlainEdge = 16, kMinOpacity = 0.12f;  // pixels
+constexpr float kEdgeWithDark = 5;                     // pixels; shorter edges have no room for a dark one
 
 // The length of the usual edge of a part in the picture where the middle of the part is, in pixels of a
 // picture of usual height.
@@ -170,7 +170,7 @@ void WirePass::draw(const Subject& subject, const FrameUniforms& frame) {
     if (look.hidden) continue;
     const glm::mat4 from_part = subject.space.from_body({look.offset, look.turn}, part.frame);
     const float pixels = pixels_of_edge(part, from_part, subject.space, frame);
-    const float opacity = std::clamp(pixels / kPlainEdge, kLeastOpacity, 1.0f);
+    const float opacity = std::clamp(pixels / kPlainEdge, kMinOpacity, 1.0f);
     program_.set("frame_from_body", from_part);
     edges_[i].bind();
     for (const bool dark : {true, false}) {

@@ -45,8 +45,8 @@ using State = BodyMarks::CentreMark::State;
 
 constexpr float kHalfWidth = 0.9f;  // pixels
 // In diagonals of the world.
-constexpr double kNormal = 0.02, kContactArm = 0.002, kPointArm = 0.0025, kLeastCentre = 0.006,
-                 kMostCentre = 0.02;
+constexpr double kNormal = 0.02, kContactArm = 0.002, kPointArm = 0.0025, kMinCentre = 0.006,
+                 kMaxCentre = 0.02;
 constexpr double kCentreOfRadius = 0.15;
 
 constexpr double kHalfAxis = 0.025, kHubCircle = 0.012, kWeldArm = 0.006;
@@ -137,8 +137,7 @@ void BodyPass::draw(const Subject& subject, double diagonal) {
     lines.add(c.at, c.at + kNormal * diagonal * c.normal, colour);
   }
   for (const BodyMarks::CentreMark& c : marks->centres) {
-    const double arm =
-        std::clamp(kCentreOfRadius * c.radius, kLeastCentre * diagonal, kMostCentre * diagonal);
+    const double arm = std::clamp(kCentreOfRadius * c.radius, kMinCentre * diagonal, kMaxCentre * diagonal);
     lines.add_cross(c.centre, arm, srgb(colour_of(c.state), 1));
   }
   for (const BodyMarks::JointMark& joint : marks->joints) add_joint(joint, diagonal, lines);
@@ -235,7 +234,7 @@ namespace {
 
 constexpr float kLinkHalfWidth = 0.7f;                        // pixels
 constexpr float kLoopHalfWidth = 1.1f, kEarlierLoop = 0.45f;  // pixels; opacity
-constexpr float kLeastRadius = 1.6f, kMostRadius = 7;         // of a disc, pixels
+constexpr float kMinRadius = 1.6f, kMaxRadius = 7;            // of a disc, pixels
 constexpr float kRadiusOfLink = 0.22f;                        // of the usual length of a link
 
 // Where nodes are drawn: moved with their bodies, displaced with their pieces, and not at all where these are
@@ -314,7 +313,7 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
     ends.emplace_back(*at[a], *at[b]);
     links.push_back({*at[a], *at[b], colour});
   }
-  const float radius = std::clamp(kRadiusOfLink * usual_length(ends, frame), kLeastRadius, kMostRadius);
+  const float radius = std::clamp(kRadiusOfLink * usual_length(ends, frame), kMinRadius, kMaxRadius);
   std::vector<Disc> discs;
   for (size_t i = 0; i < at.size(); ++i) {
     const DrawnGraph::Node& n = graph.nodes[i];

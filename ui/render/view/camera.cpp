@@ -15,7 +15,7 @@ constexpr double kDefaultYaw = 0.66;    // 38 degrees to the right of the front
 constexpr double kDefaultPitch = 0.30;  // 17 degrees
 constexpr double kEaseSeconds = 0.043;  // to 1/e; nine tenths in 100 ms, 97 % in 150 ms
 constexpr double kNarrow = 1.25;        // a narrower picture shows as much sideways, and more above and below
-constexpr double kMostWidth = 0.82;     // of the picture that a framed box may take
+constexpr double kMaxWidth = 0.82;      // of the picture that a framed box may take
 constexpr double kTurn = 6.283185307179586;
 const double kFullPull = std::log(CameraView::kFarAway);
 
@@ -117,7 +117,7 @@ void Camera::fit(State& state, const World::Bounds& bounds, double aspect, doubl
   for (int i = 0; i < 48; ++i) {
     state.distance = 0.5 * (near + far);
     const Extent e = extent_of(view_of(state, aspect), bounds);
-    const bool fits = e.in_front && e.high.y - e.low.y <= 2 * fill && e.high.x - e.low.x <= 2 * kMostWidth;
+    const bool fits = e.in_front && e.high.y - e.low.y <= 2 * fill && e.high.x - e.low.x <= 2 * kMaxWidth;
     (fits ? far : near) = state.distance;
   }
   state.distance = far;
@@ -198,7 +198,7 @@ bool Camera::advance(double seconds) {
 
 namespace {
 
-constexpr double kLeastDepth = 1e-4;  // of the focus: nearer to the plane of the eye nothing can be projected
+constexpr double kMinDepth = 1e-4;  // of the focus: nearer to the plane of the eye nothing can be projected
 
 // x and y span the picture from -depth to depth.
 struct ClipPoint {
@@ -225,7 +225,7 @@ std::optional<ScreenSegment> on_screen(const CameraView& view, const Vec3& from,
   KERF_ASSERT(width > 0 && height > 0);
   const ClipPoint a = clip_point(view, from), b = clip_point(view, to);
   const Vec2 half(0.5 * width, 0.5 * height), limit = (half + margin) / half;
-  const double least = kLeastDepth * view.focus;
+  const double least = kMinDepth * view.focus;
   Vec2 share(0, 1);
   keep_positive(a.depth - least, b.depth - least, share);
   keep_positive(limit.x * a.depth - a.x, limit.x * b.depth - b.x, share);

@@ -209,7 +209,7 @@ struct ViewOptions {
   bool by_day = false;                  // the environment are bright, otherwise dark
   std::optional<SectionPlane> section;  // where ShowOptions::section cuts; see shown_section()
   TreeOverlay tree;
-  std::vector<Light> lights = std::vector<Light>(1);  // only the first kMostLights are used
+  std::vector<Light> lights = std::vector<Light>(1);  // only the first kMaxLights are used
   ShadowOptions shadow;
   std::shared_ptr<const DrawnGraph> graph;    // what ShowOptions::graph draws; null: nothing
   std::shared_ptr<const ScalarField> scalar;  // colours the faces; null: their paints do

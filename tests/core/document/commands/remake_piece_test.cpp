@@ -169,7 +169,7 @@ TEST(PrepareCommands, give_the_same_world_again_by_their_journal) {
   write_text(folder / "torus.obj", obj);
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "torus.obj"));
-  ASSERT_TRUE(note_hashes(scene).ok());
+  ASSERT_TRUE(record_hashes(scene).ok());
   auto loaded = load_scene(scene);
   ASSERT_TRUE(loaded.ok());
   Document document(std::move(loaded->world));
@@ -252,7 +252,7 @@ struct OnceHot {
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       const Triangle t = body.mesh.triangle(FaceId(f));
       const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
-      if (distance({middle, middle, middle}) < width) body.heat.note_hottest(body.mesh, FaceId(f), hottest);
+      if (distance({middle, middle, middle}) < width) body.heat.record_hottest(body.mesh, FaceId(f), hottest);
     }
     return world;
   }

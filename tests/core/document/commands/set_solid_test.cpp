@@ -71,7 +71,7 @@ TEST_F(SolidBox, comes_back_from_a_journal) {
   ASSERT_TRUE(write_mesh(view, folder / "box.obj", MeshFormat::kObj).ok());
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "box.obj"));
-  ASSERT_TRUE(note_hashes(scene).ok());
+  ASSERT_TRUE(record_hashes(scene).ok());
   ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
   std::vector<StateMark> marks;
   mark_state(document_, marks, true);

@@ -53,7 +53,7 @@ TEST(CutReport, sums_up_the_volume_that_was_removed_where_all_is_closed) {
   for (const double volume : {0.125, 0.25}) {
     StepResult bite = bite_of_solid(volume, world.ids().front());
     bite.delta.left_open.clear();
-    job.note_bite(bite, world, 0);
+    job.record_bite(bite, world, 0);
   }
   EXPECT_EQ(cut_report(job, world, {}, {})["removed"]["volume"], 0.375);
 }
@@ -65,7 +65,7 @@ TEST(CutReport, sums_up_walls_and_says_each_reason_once) {
   body.solid = true;
   CutJob job;
   for (const double volume : {0.125, 0.25})
-    job.note_bite(bite_of_solid(volume, world.ids().front()), world, 0);
+    job.record_bite(bite_of_solid(volume, world.ids().front()), world, 0);
   const auto report = cut_report(job, world, {}, {});
   EXPECT_FALSE(report["removed"].contains("volume")) << "which is not known of what stays open";
   EXPECT_EQ(report["walls"]["faces"], 20);
@@ -80,7 +80,7 @@ TEST(CutReport, sums_up_what_was_loaded_and_what_steps_took) {
   mesh.vertices = 8;
   mesh.components = 1;
   mesh.area = 6;
-  for (int i = 0; i < 2; ++i) job.note_loaded(mesh);
+  for (int i = 0; i < 2; ++i) job.record_loaded(mesh);
   const World world = world_of(brick({1, 1, 1}));
   // Steps of 1 to 100 ms in some order, and one that removed nothing.
   for (int i = 1; i <= 100; ++i) {
@@ -92,9 +92,9 @@ TEST(CutReport, sums_up_what_was_loaded_and_what_steps_took) {
     step.statistics.remove_s = 1;
     step.statistics.update_tree_s = 2;
     step.statistics.separate_s = 4;
-    job.note_bite(step, world, i * 37 % 101 / 1000.0);
+    job.record_bite(step, world, i * 37 % 101 / 1000.0);
   }
-  job.note_bite({}, world, 7);
+  job.record_bite({}, world, 7);
   const auto report = cut_report(job, world, {}, {});
   EXPECT_EQ(report["input"]["faces"], 24);
   EXPECT_EQ(report["input"]["vertices"], 16);

@@ -37,7 +37,7 @@ TEST(Scene, the_hashes_of_its_files_are_noted_with_a_progress_that_ends_at_one) 
     last = share;
     return true;
   }};
-  ASSERT_TRUE(note_hashes(description, &progress).ok());
+  ASSERT_TRUE(record_hashes(description, &progress).ok());
   EXPECT_NEAR(last, 1, 1e-9);
   for (const SceneBody& body : description.bodies) EXPECT_EQ(body.hash, description.bodies[0].hash);
 }

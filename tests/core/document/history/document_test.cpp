@@ -156,7 +156,7 @@ TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
 
 TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   CutSettings too_fine = settings_of(0.02);
-  too_fine.most_faces = 40;
+  too_fine.max_faces = 40;
   too_fine.bite = 1;
   const auto strokes = [&](Document& document, bool step_between) {
     for (const double z : {0.2, -0.2}) {
@@ -176,7 +176,7 @@ TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
 
 TEST(Document, a_stroke_that_failed_is_over_and_is_not_tried_again_by_redo) {
   CutSettings too_fine = settings_of(0.02);
-  too_fine.most_faces = 40;
+  too_fine.max_faces = 40;
   Document document(world_of(plate(1)));
   const uint64_t whole = state_hash(document.world());
   document.apply(BeginStroke{too_fine, {{-0.7, 1, 0.2}, {0, -1, 0}}});
@@ -200,7 +200,7 @@ TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
   const uint64_t cut = state_hash(document.world());
   const double removed = document.history().removed_area();
   CutSettings too_fine = settings_of(0.02);
-  too_fine.most_faces = 40;
+  too_fine.max_faces = 40;
   document.apply(Recut{too_fine});
   while (document.waiting() > 0) (void)document.step(4).ok();
   EXPECT_EQ(document.history().removed_area(), 0);
@@ -213,7 +213,7 @@ TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
 TEST(Document, what_is_drawn_of_a_stroke_after_it_failed_is_cut_with_other_settings_whenever_it_failed) {
   std::array<Document, 2> documents{Document(world_of(plate(1))), Document(world_of(plate(1)))};
   CutSettings too_fine = settings_of(0.02);
-  too_fine.most_faces = 40;
+  too_fine.max_faces = 40;
   const auto drain = [](Document& document) {
     while (document.waiting() > 0) (void)document.step(4).ok();
   };
@@ -256,13 +256,13 @@ TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
   for (const bool too_fine : {false, true}) {
     Document document(world_of(plate(1)));
     std::set<FaceId> known = live_faces(document.world());
-    const auto draw = [&](double z, size_t most_faces) {
+    const auto draw = [&](double z, size_t max_faces) {
       CutSettings settings = settings_of(0.02);
-      settings.most_faces = most_faces;
+      settings.max_faces = max_faces;
       document.apply(BeginStroke{settings, {{-0.7, 1, z}, {0, -1, 0}}});
       document.apply(MoveBeam{{{0.7, 1, z}, {0, -1, 0}}});
     };
-    draw(0.2, CutSettings{}.most_faces);
+    draw(0.2, CutSettings{}.max_faces);
     if (too_fine) draw(-0.2, 40);
     const size_t before = document.world().live_faces();
     const Outcome outcome = document.apply(MovePiece{{{7, 0}, 1}, {}});

@@ -35,7 +35,7 @@ Document with_a_stroke_over_budget(bool executed_before_it_ends) {
   EXPECT_EQ(state_hash(document.world()), before) << "nothing of the stroke is left";
   EXPECT_EQ(document.history().position(), 1u);
   EXPECT_EQ(document.waiting(), 0u);
-  document.set_face_budget(CutSettings::kMostFaces);
+  document.set_face_budget(CutSettings::kMaxFaces);
   draw(document, -0.2, 0.01);
   EXPECT_TRUE(run_all(document).ok());
   return document;
@@ -76,7 +76,7 @@ TEST(FaceBudget, grows_with_the_memory_between_its_ends) {
   EXPECT_EQ(usual_face_budget(0), 100'000u);
   EXPECT_EQ(usual_face_budget(uint64_t{2} << 30), (uint64_t{2} << 30) / 400);
   EXPECT_GT(usual_face_budget(uint64_t{32} << 30), 50'000'000u);
-  EXPECT_EQ(usual_face_budget(~uint64_t{0}), CutSettings::kMostFaces);
+  EXPECT_EQ(usual_face_budget(~uint64_t{0}), CutSettings::kMaxFaces);
 }
 
 }  // namespace

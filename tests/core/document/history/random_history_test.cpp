@@ -80,7 +80,7 @@ struct Model {
     const bool joins = time.joins && !time.bodies;
     const auto is_edit = [](const Command& first) {
       return std::visit(
-          Overloaded{[](const HappensAtOnce auto&) { return true; }, [](const auto&) { return false; }},
+          Overloaded{[](const ImmediateCommand auto&) { return true; }, [](const auto&) { return false; }},
           first);
     };
     const bool own = at == 0 || (!joins && is_edit(steps[at - 1].commands.front()));

@@ -22,7 +22,7 @@ class AutosaveFolder : public testing::Test {
   void SetUp() override {
     write_text(folder_ / "triangle.obj", kTriangle);
     scene_.bodies.push_back(body_of_file(folder_ / "triangle.obj"));
-    ASSERT_TRUE(note_hashes(scene_).ok());
+    ASSERT_TRUE(record_hashes(scene_).ok());
   }
   std::filesystem::path state() const { return folder_ / "state"; }
   std::vector<LeftWork> left() {

@@ -25,7 +25,7 @@ class JournalFile : public testing::Test {
   void SetUp() override {
     write_text(folder_ / "plate.obj", kPlate);
     scene_.bodies.push_back(body_of_file(folder_ / "plate.obj"));
-    ASSERT_TRUE(note_hashes(scene_).ok());
+    ASSERT_TRUE(record_hashes(scene_).ok());
   }
   std::filesystem::path file() const { return folder_ / "plate.kerf"; }
   void save(std::span<const Command> commands, std::span<const StateMark> marks = {}) {

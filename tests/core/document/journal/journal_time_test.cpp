@@ -49,7 +49,7 @@ TEST(JournalTime, of_a_journal_without_times_is_none) {
              "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n");
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "plate.obj"));
-  ASSERT_TRUE(note_hashes(scene).ok());
+  ASSERT_TRUE(record_hashes(scene).ok());
   const std::vector<Command> commands{BeginStroke{thin_beam(0.05), kAtOneEnd}, MoveBeam{kAtTheOther},
                                       EndStroke{}};
   ASSERT_TRUE(save_journal(folder / "old.kerf", scene, commands, {}).ok());

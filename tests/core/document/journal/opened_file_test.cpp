@@ -35,7 +35,7 @@ TEST(OpenedFile, of_a_journal_has_its_scene_and_its_commands_unless_the_mesh_is_
   write_text(folder / "plate.obj", kPlateObj);
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "plate.obj"));
-  ASSERT_TRUE(note_hashes(scene).ok());
+  ASSERT_TRUE(record_hashes(scene).ok());
   const std::vector<Command> commands{RenamePiece{{{0, 0}, 0}, "lid"}};
   ASSERT_TRUE(save_journal(folder / "work.kerf", scene, commands, {}).ok());
   const Result<OpenedFile> opened = open_file(folder / "work.kerf");

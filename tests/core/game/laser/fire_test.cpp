@@ -55,13 +55,13 @@ TEST_F(Firing, ends_a_cut_that_would_make_too_many_faces_and_says_that_all_may_h
   const auto cut = fire_once(0.15, 0);
   ASSERT_TRUE(cut.contains(sheet));
   EXPECT_TRUE(cut.at(sheet).delta.anew);
-  EXPECT_GT(faces(sheet), kMostFacesOfTarget - 1'000);
-  EXPECT_LT(faces(sheet), kMostFacesOfTarget + 100);
+  EXPECT_GT(faces(sheet), kMaxFacesOfTarget - 1'000);
+  EXPECT_LT(faces(sheet), kMaxFacesOfTarget + 100);
 }
 
 TEST_F(Firing, leaves_a_body_alone_that_has_too_many_faces) {
   const BodyId sheet = add_sheet(40, 150, 20);
-  ASSERT_GT(faces(sheet), kMostFacesOfTarget);
+  ASSERT_GT(faces(sheet), kMaxFacesOfTarget);
   EXPECT_FALSE(fire_once(0.15, 0).contains(sheet));
   EXPECT_EQ(faces(sheet), 45'000u);
 }

@@ -38,7 +38,7 @@ class Lateness {
   void follow(const Match& match) {
     if (match.delta().anew) *this = Lateness();
     unnoticed_.resize(match.vehicles().size(), 0);
-    note_changes(match);
+    record_changes(match);
     if (match.standing().ticks % kEvery == 0) look(match, std::exchange(changed_, {}));
   }
   // Ticks that the first free part has been late.
@@ -63,7 +63,7 @@ class Lateness {
   }
 
   // Notes of the bodies whose faces changed as which they were loaded.
-  void note_changes(const Match& match) {
+  void record_changes(const Match& match) {
     const World& world = match.world();
     const auto add = [&](BodyId id) {
       if (world.contains(id)) changed_.insert(world.body(id).loaded_as);
@@ -92,7 +92,7 @@ class Lateness {
     return !damage.wheels.empty() || !damage.vitals.empty() || damage.turret || damage.barrel || damage.died;
   }
 
-  std::set<BodyId> changed_;  // see note_changes, since it looked
+  std::set<BodyId> changed_;  // see record_changes, since it looked
   std::map<BodyId, Ticks> free_;
   std::vector<Ticks> unnoticed_;  // by vehicle
 };

@@ -29,7 +29,7 @@ TEST(ReducedContacts, are_eight_in_their_order_with_the_deepest_among_them) {
       std::vector<Contact> contacts = random_contacts(100, {1, 0, 1}, 0.001, random);
       const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance)->feature;
       on_plane ? reduce_on_plane(contacts, kUp, 0) : reduce_contacts(contacts);
-      EXPECT_LE(contacts.size(), kMostContacts);
+      EXPECT_LE(contacts.size(), kMaxContacts);
       EXPECT_TRUE(std::ranges::is_sorted(contacts, {}, &Contact::feature));
       EXPECT_TRUE(std::ranges::any_of(contacts, [&](const Contact& c) { return c.feature == deepest; }));
     }

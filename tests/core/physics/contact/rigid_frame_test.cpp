@@ -45,7 +45,7 @@ TEST(RigidFrame, of_a_solid_body_is_that_of_the_solid) {
   const double as_sheet = rigid_frame(body).mass;
   body.solid = true;
   EXPECT_EQ(rigid_frame(body).mass, as_sheet) << "before it is weighed";
-  weigh(body);
+  update_mass_properties(body);
   const RigidFrame frame = rigid_frame(body);
   const double mass = 6 * body.sheet.density;
   EXPECT_NEAR(frame.mass, mass, 1e-9);
@@ -66,7 +66,7 @@ TEST(RigidFrame, of_a_closed_and_an_open_piece_is_that_of_a_solid_and_a_sheet) {
   for (uint32_t f = 12; f < 14; ++f) body.mesh.edit_data(FaceId(f)).piece = 1;
   body.pieces.edit(0).faces = 12;
   body.pieces.edit(1).faces = 2;
-  weigh(body);
+  update_mass_properties(body);
   const double box = body.sheet.density, sheet = 4 * body.sheet.density * body.sheet.thickness;
   const RigidFrame frame = rigid_frame(body);
   EXPECT_NEAR(frame.mass, box + sheet, 1e-9);

@@ -136,7 +136,7 @@ TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
 
 TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
   cut();
-  ASSERT_TRUE(note_hashes(work_.scene).ok());
+  ASSERT_TRUE(record_hashes(work_.scene).ok());
   {
     Autosave dead(folder_ / "state");
     dead.begin(work_.scene, {}, {folder_ / "workshop.json"});
@@ -150,7 +150,7 @@ TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
 
 TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor_left) {
   cut();
-  ASSERT_TRUE(note_hashes(work_.scene).ok());
+  ASSERT_TRUE(record_hashes(work_.scene).ok());
   {
     Autosave dead(folder_ / "state");
     dead.begin(work_.scene, {});

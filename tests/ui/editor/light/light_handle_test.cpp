@@ -25,12 +25,12 @@ TEST(LightFeature, a_press_on_a_handle_moves_the_light_while_the_panel_is_unfold
   const auto feature = light_feature(on);
   on.pointer = light_handle(on.view, 0).value();
   const InputEvent event{InputEvent::Kind::kPress, on.pointer};
-  EXPECT_EQ(feature->claim({event}), nullptr);
+  EXPECT_EQ(feature->begin_interaction({event}), nullptr);
   on.panels.add("Light", Tab::kLook, Dock::kColumn, false);
   on.panels.show("Light");
-  EXPECT_NE(feature->claim({event}), nullptr);
+  EXPECT_NE(feature->begin_interaction({event}), nullptr);
   on.settings.side_shown = false;
-  EXPECT_EQ(feature->claim({event}), nullptr);
+  EXPECT_EQ(feature->begin_interaction({event}), nullptr);
 }
 
 TEST_F(LightHandleTest, a_drag_takes_either_kind_of_light_to_the_pointer) {
@@ -58,7 +58,7 @@ TEST(LightPresets, each_has_one_to_four_lights_that_shine_on_the_world) {
   for (const LightPreset& preset : light_presets()) {
     const std::vector<Light> lights = preset.lights(bounds);
     EXPECT_GE(lights.size(), 1u) << preset.name;
-    EXPECT_LE(lights.size(), kMostLights) << preset.name;
+    EXPECT_LE(lights.size(), kMaxLights) << preset.name;
     for (const Light& light : lights) {
       EXPECT_GT(light.intensity, 0) << preset.name;
       EXPECT_GT(glm::length(light.at), 0) << preset.name;

@@ -170,7 +170,7 @@ struct Bench {
       }
     }
   }
-  bool key(int key) { return feature->takes({InputEvent::Kind::kKey, {}, key}, false); }
+  bool key(int key) { return feature->handle_event({InputEvent::Kind::kKey, {}, key}, false); }
   void keys(const std::string& typed) {
     for (const char c : typed) EXPECT_TRUE(key(c));
   }

@@ -77,7 +77,7 @@ TEST(PathWork, undo_and_redo_go_through_all_edits) {
 TEST(PathWork, a_run_comes_before_the_edits_in_the_order_of_undo_until_it_is_undone_or_the_path_edited) {
   PathWork path = two_strokes();
   EXPECT_TRUE(path.is_newer_than(7));
-  path.note_run(3);
+  path.record_run(3);
   EXPECT_FALSE(path.is_newer_than(5));
   EXPECT_TRUE(path.is_newer_than(3));
   path.begin_edit();

@@ -18,15 +18,15 @@ struct RulerBench {
   RulerBench() {
     World world;
     world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
-    on.work.document = Document(std::move(world));
-    on.view.layout = lay_out({1000, 700}, 16, 26, 26);
-    on.view.camera.look({0, 0, 5}, {0, 0, 0});
-    on.view.camera.finish();
-    on.tool = "Ruler";
+    workspace.work.document = Document(std::move(world));
+    workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
+    workspace.view.camera.finish();
+    workspace.tool = "Ruler";
   }
-  Vec2 seen(const Vec3& p) const { return FirstPicture(on.view).place_of(p).value(); }
+  Vec2 seen(const Vec3& p) const { return FirstPicture(workspace.view).place_of(p).value(); }
   void hear(InputEvent::Kind kind, Vec2 at) {
-    hear_mouse(on, editor.features, {kind, at, GLFW_MOUSE_BUTTON_LEFT}, true);
+    hear_mouse(workspace, editor.features, {kind, at, GLFW_MOUSE_BUTTON_LEFT}, true);
   }
   void drag(Vec2 from, Vec2 to) {
     hear(InputEvent::Kind::kPress, from);
@@ -40,11 +40,11 @@ struct RulerBench {
     }
   }
   nlohmann::json kept() const {
-    return nlohmann::json::parse(on.work.scene.others).value("rulers", nlohmann::json());
+    return nlohmann::json::parse(workspace.work.scene.others).value("rulers", nlohmann::json());
   }
 
   test::EditorFeatures editor;
-  Workspace& on = editor.on;
+  Workspace& workspace = editor.on;
 };
 
 TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cut_nothing) {
@@ -78,9 +78,9 @@ TEST(RulerFeature, a_drag_of_an_end_moves_it_and_is_one_step_of_the_undo) {
 TEST(RulerFeature, shows_what_the_head_of_an_opened_document_holds) {
   RulerBench bench;
   bench.on.work.scene.others = R"({"rulers": [{"name": "axle", "from": [0, 0, 1], "to": [0, 1, 0]}]})";
-  for (const auto& feature : bench.editor.features) feature->forget();
+  for (const auto& feature : bench.editor.features) feature->on_document_opened();
   nlohmann::ordered_json report;
-  for (const auto& feature : bench.editor.features) feature->report(report);
+  for (const auto& feature : bench.editor.features) feature->write_session_log(report);
   ASSERT_EQ(report["rulers"].size(), 1u);
   EXPECT_EQ(report["rulers"][0]["name"], "axle");
 }

@@ -26,8 +26,7 @@ TEST(FaceScalars, measure_edges_and_angles_of_each_face) {
   const Body body = sheet();
   for (const float edge : face_scalars(body, FaceQuantity::kLongestEdge, nullptr))
     EXPECT_NEAR(edge, 0.25 * std::sqrt(2.0), 1e-6);
-  for (const float angle : face_scalars(body, FaceQuantity::kLeastAngle, nullptr))
-    EXPECT_NEAR(angle, 45, 1e-3);
+  for (const float angle : face_scalars(body, FaceQuantity::kMinAngle, nullptr)) EXPECT_NEAR(angle, 45, 1e-3);
 }
 
 TEST(FaceScalars, a_dead_face_has_none) {

@@ -89,7 +89,7 @@ TEST(ScalarMap, a_cut_adds_finer_faces_and_undo_takes_them_back) {
 TEST(ScalarMap, values_that_stayed_the_same_stay_the_same_list) {
   ScalarMap map;
   const World world = sheet_world();
-  map.show(FaceQuantity::kLeastAngle);
+  map.show(FaceQuantity::kMinAngle);
   map.update(world, {});
   const auto before = map.field(FileUnit::kMetre);
   map.follow(world, changed(world));
@@ -100,7 +100,7 @@ TEST(ScalarMap, values_that_stayed_the_same_stay_the_same_list) {
 TEST(ScalarMap, the_field_has_labels_from_one_end_to_the_other) {
   ScalarMap map;
   const World world = sheet_world();
-  map.show(FaceQuantity::kLeastAngle);
+  map.show(FaceQuantity::kMinAngle);
   map.update(world, {});
   map.set_range({20, 60});
   const auto field = map.field(FileUnit::kMetre);

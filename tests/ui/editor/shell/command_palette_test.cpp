@@ -13,7 +13,7 @@ namespace {
 class Palette : public testing::Test {
  protected:
   test::EditorFeatures editor;
-  Workspace& on = editor.on;
+  Workspace& workspace = editor.on;
   const std::vector<UserAction>& actions = editor.catalogue.usual;
   const std::vector<UserAction> all = nameable_actions(actions);
 
@@ -60,21 +60,21 @@ TEST_F(Palette, every_switch_of_the_view_and_every_panel_is_found_by_its_name) {
 
 TEST_F(Palette, the_actions_of_panels_change_what_the_panels_show) {
   const auto run = [&](const char* typed) { all[find_actions(all, typed).front()].run(); };
-  const double before = on.laser.radius;
+  const double before = workspace.laser.radius;
   run("wider beam");
-  EXPECT_GT(on.laser.radius, before);
+  EXPECT_GT(workspace.laser.radius, before);
   run("split to depth");
-  EXPECT_EQ(on.laser.resolution.rule, Resolution::Rule::kDepth);
-  const int depth = on.laser.resolution.depth;
+  EXPECT_EQ(workspace.laser.resolution.rule, Resolution::Rule::kDepth);
+  const int depth = workspace.laser.resolution.depth;
   run("finer cut");
-  EXPECT_EQ(on.laser.resolution.depth, depth + 1);
+  EXPECT_EQ(workspace.laser.resolution.depth, depth + 1);
   run("add a light");
-  EXPECT_EQ(on.view.look.lights.size(), 2u);
+  EXPECT_EQ(workspace.view.look.lights.size(), 2u);
   run("remove light");
-  EXPECT_EQ(on.view.look.lights.size(), 1u);
-  const bool shown = on.panels.shows("Tree");
+  EXPECT_EQ(workspace.view.look.lights.size(), 1u);
+  const bool shown = workspace.panels.shows("Tree");
   run("panels tree");
-  EXPECT_NE(on.panels.shows("Tree"), shown);
+  EXPECT_NE(workspace.panels.shows("Tree"), shown);
 }
 
 }  // namespace

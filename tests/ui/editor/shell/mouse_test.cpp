@@ -20,20 +20,20 @@ struct MouseBench {
   MouseBench() {
     World world;
     world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
-    on.work.document = Document(std::move(world));
-    on.view.layout = lay_out({1000, 700}, 16, 26, 26);
-    on.view.camera.look({0, 0, 5}, {0, 0, 0});
-    on.view.camera.finish();
-    on.laser.radius = 0.03;
+    workspace.work.document = Document(std::move(world));
+    workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
+    workspace.view.camera.finish();
+    workspace.laser.radius = 0.03;
   }
-  void hear(const InputEvent& event) { hear_mouse(on, editor.features, event, true); }
+  void hear(const InputEvent& event) { hear_mouse(workspace, editor.features, event, true); }
   void cut() {
-    while (on.work.document.waiting() > 0) ASSERT_TRUE(on.work.document.step(8).ok());
+    while (workspace.work.document.waiting() > 0) ASSERT_TRUE(workspace.work.document.step(8).ok());
   }
-  uint64_t hash() const { return state_hash(on.world()); }
+  uint64_t hash() const { return state_hash(workspace.world()); }
 
   test::EditorFeatures editor;
-  Workspace& on = editor.on;
+  Workspace& workspace = editor.on;
 };
 
 InputEvent event(EventKind kind, Vec2 at, double seconds) {

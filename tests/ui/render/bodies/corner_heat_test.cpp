@@ -19,7 +19,7 @@ void heat_to(Body& body, FaceId f, double temperature) {
   const Substance& s = body.sheet.substance;
   const double mass = triangle_area(body.mesh.triangle(f)) * body.sheet.thickness * s.density;
   body.heat.set_energy(body.mesh, f, mass * enthalpy_at(s, temperature));
-  body.heat.note_hottest(body.mesh, f, temperature);
+  body.heat.record_hottest(body.mesh, f, temperature);
 }
 
 TEST(CornerHeat, of_a_body_that_was_never_hot_is_none) {
@@ -87,7 +87,7 @@ TEST(CornerHeat, ends_along_a_straight_line_whatever_the_faces) {
   const auto falling = [](const Vec3& p) { return kTintedFrom - 800 * (p.x + 0.3 * p.z); };
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     const double there = falling(centroid(body.mesh.triangle(FaceId(f))));
-    if (there > kTintedFrom) body.heat.note_hottest(body.mesh, FaceId(f), there);
+    if (there > kTintedFrom) body.heat.record_hottest(body.mesh, FaceId(f), there);
   }
   CornerHeat heat;
   std::vector<FaceId> affected;

@@ -35,9 +35,9 @@ TEST(FileFrames, of_scenes_are_metres_and_y_upwards_unless_they_were_saved_other
   const FrameChoice plain = choose_frame(scene, false, kPart, {});
   EXPECT_TRUE(plain.frame.is_default());
   EXPECT_FALSE(plain.ask);
-  note_frame(scene, kInchZ);
+  record_frame(scene, kInchZ);
   EXPECT_EQ(choose_frame(scene, false, kPart, {}).frame, kInchZ);
-  note_frame(scene, {});
+  record_frame(scene, {});
   EXPECT_TRUE(choose_frame(scene, false, kPart, {}).frame.is_default());
 }
 

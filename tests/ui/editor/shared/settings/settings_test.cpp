@@ -82,7 +82,7 @@ TEST_F(SettingsTest, a_broken_file_is_set_aside_and_said) {
 TEST_F(SettingsTest, values_without_sense_are_the_defaults) {
   put(R"({"ui_scale": 900, "side_width": "wide", "recent": [7, "/b.obj"], "panels": [], "width": -4})");
   const Settings settings = read_settings(file).settings;
-  EXPECT_EQ(settings.ui_scale, Settings::kMostScale);
+  EXPECT_EQ(settings.ui_scale, Settings::kMaxScale);
   EXPECT_EQ(settings.side_ems, Settings().side_ems);
   EXPECT_EQ(settings.recent, std::vector<fs::path>{"/b.obj"});
   EXPECT_GE(settings.width, 480);
@@ -92,7 +92,7 @@ TEST(RecentFiles, are_ten_without_doubles_the_latest_first) {
   Settings settings;
   for (int i = 0; i < 14; ++i) remember_recent(settings, "/none/" + std::to_string(i));
   remember_recent(settings, "/none/9");
-  ASSERT_EQ(settings.recent.size(), Settings::kMostRecent);
+  ASSERT_EQ(settings.recent.size(), Settings::kMaxRecent);
   EXPECT_EQ(settings.recent[0], "/none/9");
   EXPECT_EQ(settings.recent[1], "/none/13");
   EXPECT_EQ(std::count(settings.recent.begin(), settings.recent.end(), fs::path("/none/9")), 1);

@@ -42,10 +42,10 @@ Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const Pict
   gl::Framebuffer picture({options.width, options.height, 1, false});
   if (!picture.complete())
     return failed("OpenGL has no room for a picture of this size; choose a smaller one");
-  auto renderer = Renderer::create();
-  if (!renderer) return renderer.error();
+  auto made = Renderer::create();
+  if (!made) return made.error();
 
-  OffscreenRenderer renderer(std::move(*context), std::move(picture), std::move(*renderer));
+  OffscreenRenderer renderer(std::move(*context), std::move(picture), std::move(*made));
   renderer.renderer_.show(scene.world, scene.paints);
   renderer.view_ = chosen_view(options, scene.view, scene.world.bounds());
   renderer.look_.show = options.show;
@@ -115,7 +115,8 @@ Film::Film(OffscreenRenderer renderer, FilmOptions options, const World::Bounds&
 Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
   KERF_ASSERT(options.frames_per_second > 0);
   auto renderer = OffscreenRenderer::open(scene, options.picture);
-  if (!renderer) return renderer.error();
+  if (!made) return made.error();
+
   Film film(std::move(*renderer), std::move(options), scene.world.bounds());
   if (const Status rested = film.pass(kRest, scene.world, std::nullopt); !rested) return rested.error();
   return film;

@@ -1,14 +1,16 @@
 #include "core/mesh/remesh/openmesh_tools.h"
 
 #include <algorithm>
-#include <OpenMesh/Tools/Smoother/JacobiLaplaceSmootherT.hh>
-#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
-#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
 #include <vector>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/mesh/remesh/openmesh_internal.h"
+
+// After the kernel, which clang does not compile otherwise.
+#include <OpenMesh/Tools/Smoother/JacobiLaplaceSmootherT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
 
 namespace kerf {
 

@@ -26,7 +26,7 @@ TEST(ReadMesh, goes_by_content_whatever_the_ending) {
       test::write_text(path, sample.bytes);
       const Result<Soup> soup = read_mesh(path);
       ASSERT_TRUE(soup) << sample.name << " as " << ending << ": " << soup.error().message;
-      EXPECT_EQ(soup->format, format_name(sample.format)) << sample.name << " as " << ending;
+      EXPECT_EQ(soup->format, format_row(sample.format).ending) << sample.name << " as " << ending;
     }
   }
 }

@@ -143,8 +143,8 @@ TEST(VertexColours, are_read_back_as_they_were_written) {
     const MeshView view{soup.positions, triangles, {}, {}, {}, {}, soup.colours};
     for (const MeshFormat format :
          {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff, MeshFormat::kGlb, MeshFormat::kGltf}) {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::string(format_name(format)));
-      const auto path = folder / ("mesh." + std::string(format_name(format)));
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::string(format_row(format).ending));
+      const auto path = folder / ("mesh." + std::string(format_row(format).ending));
       ASSERT_TRUE(write_mesh(view, path, format));
       const Result<Soup> read = read_mesh(path);
       ASSERT_TRUE(read) << read.error().message;

@@ -63,12 +63,12 @@ TEST(WriteMesh, reads_back_bit_equal) {
     Random random(seed);
     const RandomMesh mesh = random_mesh(random);
     for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kOff, MeshFormat::kPly}) {
-      const auto path = folder / ("mesh." + std::string(format_name(format)));
+      const auto path = folder / ("mesh." + std::string(format_row(format).ending));
       ASSERT_TRUE(write_mesh(mesh.view(), path, format));
       const Result<Soup> soup = read_mesh(path);
       ASSERT_TRUE(soup) << soup.error().message;
-      EXPECT_TRUE(same_bits(soup->positions, mesh.positions)) << format_name(format) << ", seed " << seed;
-      EXPECT_EQ(soup->triangles, mesh.triangles) << format_name(format) << ", seed " << seed;
+      EXPECT_TRUE(same_bits(soup->positions, mesh.positions)) << format_row(format).ending << ", seed " << seed;
+      EXPECT_EQ(soup->triangles, mesh.triangles) << format_row(format).ending << ", seed " << seed;
       EXPECT_TRUE(soup->warnings.empty());
       if (format != MeshFormat::kObj) continue;
       EXPECT_EQ(soup->materials, mesh.materials) << "seed " << seed;

@@ -15,7 +15,7 @@ namespace {
 class Actions : public testing::Test {
  protected:
   test::EditorFeatures editor;
-  Workspace& workspace = editor.on;
+  Workspace& workspace = editor.workspace;
   const std::vector<UserAction>& actions = editor.catalogue.actions;
 
   // "| Ctrl+O | Open... |" for every row of the sheet that F1 shows, in its order.

@@ -182,7 +182,7 @@ class RulerFeature : public Feature {
    public:
     DragOfEnd(RulerFeature& feature, EndOfMark end) : feature_(feature), end_(end) {}
     void move(const InputEvent&) override {
-      const auto surface = point_under_pointer(feature_.on_);
+      const auto surface = point_under_pointer(feature_.workspace_);
       if (!surface || end_.mark >= feature_.list_.marks().size()) return;
       if (!std::exchange(edits_, true)) feature_.list_.begin_edit();
       feature_.list_.move(end_.mark, end_.to, *surface);

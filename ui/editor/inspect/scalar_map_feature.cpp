@@ -146,7 +146,7 @@ class ScalarMapFeature : public Feature {
 
  private:
   void show(std::optional<FaceQuantity> quantity);
-  void update();
+  void update_map();
   void hand_over();
   void draw();
   void draw_choice();
@@ -193,11 +193,11 @@ void ScalarMapFeature::after_queue(double) {
   if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
   map_.follow_steps(workspace_.world(), workspace_.work.document.waiting() > 0);
   map_.follow_heat(workspace_.world());
-  if (map_.is_old()) update();
+  if (map_.is_old()) update_map();
   if (unit_ != workspace_.view.frame.unit) hand_over();
 }
 
-void ScalarMapFeature::update() {
+void ScalarMapFeature::update_map() {
   const auto now = [this] { return workspace_.clock != nullptr ? workspace_.clock->seconds() : 0.0; };
   const double began = now();
   if (began < next_) return;

@@ -256,7 +256,7 @@ class MovingFeature : public Feature {
     if (const auto command = moving_.confirm()) workspace_.changes.ask(*command);
   }
   // A copy that was moved is taken back by undo.
-  void cancel() {
+  void cancel_move() {
     if (moves_copy_)
       workspace_.changes.ask("Undo", [this] { workspace_.changes.step_through_history(true); });
     moving_.end();
@@ -285,7 +285,7 @@ bool MovingFeature::handle_event(const InputEvent& event, bool in_picture) {
   if (left && in_picture) {
     confirm();
   } else {
-    cancel();
+    cancel_move();
   }
   return in_picture;
 }
@@ -297,7 +297,7 @@ void MovingFeature::take_key(int key) {
     case GLFW_KEY_KP_ENTER:
       return confirm();
     case GLFW_KEY_ESCAPE:
-      return cancel();
+      return cancel_move();
     case GLFW_KEY_G:
     case GLFW_KEY_R:
       moving_.begin(workspace_.world(), key == GLFW_KEY_G ? PieceMove::Kind::kMove : PieceMove::Kind::kTurn,

@@ -56,7 +56,7 @@ std::unique_ptr<Interaction> begin(Workspace& workspace, const Features& feature
   if (event.button == GLFW_MOUSE_BUTTON_MIDDLE && press.shift) return std::make_unique<Pan>(workspace);
   if (event.button == GLFW_MOUSE_BUTTON_MIDDLE || (left && alt)) return std::make_unique<Orbit>(workspace);
   for (size_t i = 0; left && i < features.size(); ++i) {
-    if (auto claimed = features[i]->claim(press)) return claimed;
+    if (auto claimed = features[i]->begin_interaction(press)) return claimed;
   }
   return nullptr;
 }

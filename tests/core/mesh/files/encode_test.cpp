@@ -33,8 +33,8 @@ TEST(Encode, is_read_back_to_the_bit_and_in_order) {
     EXPECT_EQ(recognise_format(bytes, ""), format);
     const auto soup = test::reader_of(format)(bytes, "mesh", nullptr);
     ASSERT_TRUE(soup) << soup.error().message;
-    EXPECT_EQ(soup->positions, mesh.positions) << format_name(format);
-    EXPECT_EQ(soup->triangles, mesh.triangles) << format_name(format);
+    EXPECT_EQ(soup->positions, mesh.positions) << format_row(format).ending;
+    EXPECT_EQ(soup->triangles, mesh.triangles) << format_row(format).ending;
   }
 }
 
@@ -59,7 +59,7 @@ TEST(Encode, ends_where_the_sink_wants_no_more) {
       taken += part.size();
       return false;
     });
-    EXPECT_LT(taken, encoded(mesh.view(), format).size()) << format_name(format);
+    EXPECT_LT(taken, encoded(mesh.view(), format).size()) << format_row(format).ending;
   }
 }
 

@@ -14,9 +14,10 @@ TEST(MeshFormat, is_named_by_the_extension_in_upper_and_lower_case) {
   EXPECT_FALSE(mesh_format("objx"));
   EXPECT_FALSE(mesh_format(""));
   EXPECT_FALSE(mesh_format("..obj"));
-  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff,
-                                  MeshFormat::kGlb, MeshFormat::kGltf})
-    EXPECT_EQ(mesh_format(format_name(format)), format);
+  for (const MeshFormatRow& row : kMeshFormats) {
+    EXPECT_EQ(mesh_format(row.ending), row.format);
+    EXPECT_EQ(format_row(row.format).ending, row.ending);
+  }
 }
 
 TEST(MeshFormat, of_a_file_is_recognised_by_its_bytes_whatever_its_name) {

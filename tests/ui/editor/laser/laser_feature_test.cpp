@@ -38,16 +38,16 @@ TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_mov
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
   on.work.document = Document(std::move(world));
   const auto laser = laser_feature(on);
-  EXPECT_FALSE(laser->stop());
+  EXPECT_FALSE(laser->cancel());
   CutSettings settings;
   settings.laser.radius = 0.1;
   on.work.document.apply(BeginStroke{settings, {{-0.5, 0, 5}, {0, 0, -1}}});
   on.work.document.apply(MoveBeam{{{0.5, 0, 5}, {0, 0, -1}}, 1});
   on.work.document.apply(EndStroke{});
-  EXPECT_TRUE(laser->stop());  // in the frame in which the button was released
+  EXPECT_TRUE(laser->cancel());  // in the frame in which the button was released
   EXPECT_TRUE(on.changes.is_asked());
   while (on.work.document.waiting() > 0) ASSERT_TRUE(on.work.document.step(8).ok());
-  EXPECT_FALSE(laser->stop());
+  EXPECT_FALSE(laser->cancel());
 }
 
 }  // namespace

@@ -189,17 +189,17 @@ TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
   b.run("Move the chosen");
   b.keys("Y2");
   EXPECT_EQ(b.look().offset, Vec3(0, 2, 0));
-  EXPECT_FALSE(b.on.changes.is_asked());
+  EXPECT_FALSE(b.workspace.changes.is_asked());
   EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
   EXPECT_FALSE(b.look().is_away());
-  EXPECT_TRUE(b.on.changes.is_asked());
+  EXPECT_TRUE(b.workspace.changes.is_asked());
   EXPECT_FALSE(b.key(GLFW_KEY_X));
 }
 
 TEST(Moving, ends_with_the_command_that_moves_the_piece) {
   Bench b;
-  Moving moving(b.on.view);
-  moving.begin(b.on.world(), Kind::kMove, b.on.pointer);
+  Moving moving(b.workspace.view);
+  moving.begin(b.workspace.world(), Kind::kMove, b.workspace.pointer);
   EXPECT_TRUE(moving.key(GLFW_KEY_Y) && moving.key(GLFW_KEY_2));
   const auto command = moving.confirm();
   ASSERT_TRUE(command);
@@ -215,12 +215,12 @@ TEST(Moving, asks_for_nothing_when_it_is_cancelled_or_goes_nowhere) {
   EXPECT_FALSE(b.look().is_away());
   b.run("Move the chosen");
   EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
-  EXPECT_FALSE(b.on.changes.is_asked());
+  EXPECT_FALSE(b.workspace.changes.is_asked());
 }
 
 TEST(Moving, needs_exactly_one_chosen_piece) {
   Bench b;
-  PieceMap& looks = b.on.view.look.pieces;
+  PieceMap& looks = b.workspace.view.look.pieces;
   EXPECT_EQ(why_no_move(looks), nullptr);
   looks[{b.id, 7}].selected = true;
   EXPECT_NE(why_no_move(looks), nullptr);
@@ -240,9 +240,9 @@ TEST(PieceHandles, are_found_where_they_are_drawn_and_only_with_the_tool_that_pi
       EXPECT_EQ(found->name, handle.name);
     }
   }
-  const Area& area = b.on.view.layout.first;
+  const Area& area = b.workspace.view.layout.first;
   EXPECT_FALSE(handle_under(handles, area.at + Vec2(5)));
-  b.on.tool = "Laser";
+  b.workspace.tool = "Laser";
   EXPECT_TRUE(b.handles().empty());
 }
 

@@ -44,7 +44,7 @@ struct RulerBench {
   }
 
   test::EditorFeatures editor;
-  Workspace& workspace = editor.on;
+  Workspace& workspace = editor.workspace;
 };
 
 TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cut_nothing) {
@@ -55,7 +55,7 @@ TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cu
   ASSERT_EQ(bench.kept().size(), 1u);
   EXPECT_LT(bench.kept()[0]["from"][0], 0);
   EXPECT_GT(bench.kept()[0]["to"][0], 0);
-  EXPECT_EQ(bench.on.work.document.history().strokes(), 0u);
+  EXPECT_EQ(bench.workspace.work.document.history().strokes(), 0u);
   bench.run("Undo the edit of distances");
   EXPECT_TRUE(bench.kept().is_null());
 }
@@ -77,7 +77,7 @@ TEST(RulerFeature, a_drag_of_an_end_moves_it_and_is_one_step_of_the_undo) {
 
 TEST(RulerFeature, shows_what_the_head_of_an_opened_document_holds) {
   RulerBench bench;
-  bench.on.work.scene.others = R"({"rulers": [{"name": "axle", "from": [0, 0, 1], "to": [0, 1, 0]}]})";
+  bench.workspace.work.scene.others = R"({"rulers": [{"name": "axle", "from": [0, 0, 1], "to": [0, 1, 0]}]})";
   for (const auto& feature : bench.editor.features) feature->on_document_opened();
   nlohmann::ordered_json report;
   for (const auto& feature : bench.editor.features) feature->write_session_log(report);

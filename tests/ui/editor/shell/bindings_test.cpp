@@ -12,7 +12,7 @@ namespace {
 class BindingsOfActions : public testing::Test {
  protected:
   test::EditorFeatures editor;
-  Workspace& workspace = editor.on;
+  Workspace& workspace = editor.workspace;
   const std::vector<UserAction>& usual = editor.catalogue.usual;
 
   const UserAction& action(const std::vector<UserAction>& of, const std::string& name) const {

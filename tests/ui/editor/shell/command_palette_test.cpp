@@ -13,7 +13,7 @@ namespace {
 class Palette : public testing::Test {
  protected:
   test::EditorFeatures editor;
-  Workspace& workspace = editor.on;
+  Workspace& workspace = editor.workspace;
   const std::vector<UserAction>& actions = editor.catalogue.usual;
   const std::vector<UserAction> all = nameable_actions(actions);
 

@@ -33,7 +33,7 @@ struct MouseBench {
   uint64_t hash() const { return state_hash(workspace.world()); }
 
   test::EditorFeatures editor;
-  Workspace& workspace = editor.on;
+  Workspace& workspace = editor.workspace;
 };
 
 InputEvent event(EventKind kind, Vec2 at, double seconds) {
@@ -71,7 +71,7 @@ TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
   MouseBench bench;
   for (const InputEvent& e : arc()) bench.hear(e);
   std::vector<double> times;
-  for (const Command& c : bench.on.work.document.journal()) {
+  for (const Command& c : bench.workspace.work.document.journal()) {
     if (const auto* move = std::get_if<MoveBeam>(&c)) times.push_back(move->time);
   }
   ASSERT_EQ(times.size(), 40u);
@@ -81,17 +81,17 @@ TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
 TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_closer) {
   const auto seen = [](double speed) {
     MouseBench bench;
-    bench.on.settings.drag_speed = bench.on.settings.wheel_speed = speed;
+    bench.workspace.settings.drag_speed = bench.workspace.settings.wheel_speed = speed;
     InputEvent wheel{EventKind::kWheel, {400, 300}};
     wheel.wheel = 1;
     bench.hear(wheel);
-    bench.on.view.camera.finish();
-    const double distance = bench.on.view.seen().focus;
+    bench.workspace.view.camera.finish();
+    const double distance = bench.workspace.view.seen().focus;
     InputEvent press{EventKind::kPress, {400, 300}, GLFW_MOUSE_BUTTON_MIDDLE};
     bench.hear(press);
     bench.hear({EventKind::kMove, {430, 300}});
-    bench.on.view.camera.finish();
-    return std::pair(std::asin(bench.on.view.seen().forward.x), std::log(distance / 5));
+    bench.workspace.view.camera.finish();
+    return std::pair(std::asin(bench.workspace.view.seen().forward.x), std::log(distance / 5));
   };
   const auto [turned, nearer] = seen(1);
   const auto [turned_twice, nearer_twice] = seen(2);
@@ -102,21 +102,21 @@ TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_clo
 
 TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
   MouseBench bench;
-  bench.on.tool = "Pick pieces";
+  bench.workspace.tool = "Pick pieces";
   for (const InputEvent& e : arc()) bench.hear(e);
-  EXPECT_EQ(bench.on.work.document.history().strokes(), 0u);
-  EXPECT_EQ(bench.on.held, nullptr);
+  EXPECT_EQ(bench.workspace.work.document.history().strokes(), 0u);
+  EXPECT_EQ(bench.workspace.held, nullptr);
 }
 
 TEST(Mouse, a_stroke_that_is_cancelled_lets_go_of_the_mouse) {
   MouseBench bench;
   bench.hear(arc()[0]);
   bench.hear(arc()[1]);
-  ASSERT_NE(bench.on.held, nullptr);
-  EXPECT_TRUE(cancel_stroke(bench.on));
+  ASSERT_NE(bench.workspace.held, nullptr);
+  EXPECT_TRUE(cancel_stroke(bench.workspace));
   bench.hear(arc()[2]);
-  EXPECT_EQ(bench.on.held, nullptr);
-  EXPECT_FALSE(bench.on.beam.cutting());
+  EXPECT_EQ(bench.workspace.held, nullptr);
+  EXPECT_FALSE(bench.workspace.beam.cutting());
 }
 
 }  // namespace

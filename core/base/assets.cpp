@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of the program or library with this code. A program is known to the linker by the name with which
-// it was called, which need not be a path.
+// Returns the file of the program or library that contains this code. For a program the linker reports the
+// name of its invocation, which need not be a path.
 fs::path own_file() {
   Dl_info info{};
   std::error_code fault;
@@ -25,7 +25,7 @@ fs::path own_file() {
 }  // namespace
 
 fs::path assets_folder() {
-  constexpr int kLevels = 4;  // up from lib/x86_64-linux-gnu, and one to spare
+  constexpr int kLevels = 4;  // levels above lib/x86_64-linux-gnu, and one to spare
   std::error_code fault;
   fs::path folder = own_file().parent_path();
   for (int level = 0; level < kLevels && !folder.empty(); ++level, folder = folder.parent_path()) {

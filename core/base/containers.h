@@ -12,12 +12,12 @@
 namespace kerf {
 
 // Disjoint sets over 0 .. count-1 with path halving (R. Tarjan, J. van Leeuwen: Worst-case analysis of set
-// union algorithms, 1984). The representative of a set is its least member.
+// union algorithms, 1984). The representative of a set is its smallest member.
 class UnionFind {
  public:
   explicit UnionFind(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
-  // The representative of the set of x. Precondition: x < count. Amortised O(log count).
+  // Returns the representative of the set of x. Precondition: x < count. Amortised O(log count).
   uint32_t find(uint32_t x) {
     assert(x < parent_.size());
     while (parent_[x] != x) {
@@ -26,7 +26,7 @@ class UnionFind {
     }
     return x;
   }
-  // Merges the sets of a and b. Returns whether they were different sets. Precondition: both are < count.
+  // Merges the sets of a and b. Returns true if they were different sets. Precondition: both are < count.
   bool unite(uint32_t a, uint32_t b) {
     a = find(a);
     b = find(b);
@@ -40,9 +40,9 @@ class UnionFind {
   std::vector<uint32_t> parent_;
 };
 
-// A hash table that maps keys to item indices by open addressing with linear probing. The caller stores the
-// items and their keys; the table stores indices only. Items can be added but not removed. Results never
-// depend on the order of the entries within the table.
+// A hash table from keys to item indices, by open addressing with linear probing. The caller stores the items
+// and their keys; the table stores indices only. Items can be added but not removed. Results never depend on
+// the order of entries in the table.
 class KeyTable {
  public:
   static constexpr uint32_t kNone = 0xffffffffu;
@@ -63,7 +63,8 @@ class KeyTable {
     return next;
   }
 
-  // The index of the item whose hash is `hash` and for which same(index) holds; kNone where there is none.
+  // Returns the index of the item whose hash is `hash` and for which same(index) holds; kNone if there is
+  // none.
   template <typename Same>
   uint32_t find(uint64_t hash, const Same& same) const {
     if (slots_.empty()) return kNone;
@@ -105,12 +106,12 @@ class KeyTable {
   size_t count_ = 0;
 };
 
-// A sparse array: an item that was never written reads as T(), and only pages that were written take memory.
-// Growing moves no item.
+// A sparse array: an item that was never written reads as T(), and only written pages take memory. Growing
+// moves no item.
 template <typename T>
 class PagedArray {
  public:
-  static constexpr uint32_t kPage = 1024;  // items a page
+  static constexpr uint32_t kPage = 1024;  // items per page
 
   PagedArray() = default;
   PagedArray(PagedArray&&) noexcept = default;
@@ -126,7 +127,7 @@ class PagedArray {
     const Page* page = page_of(i);
     return page ? (*page)[i % kPage] : T();
   }
-  // The item, for writing; allocates its page.
+  // Returns the item for writing; allocates its page.
   T& at(uint32_t i) {
     const size_t page = i / kPage;
     if (page >= pages_.size()) pages_.resize(page + 1);
@@ -138,10 +139,9 @@ class PagedArray {
     if (const Page* page = page_of(i)) __builtin_prefetch(&(*page)[i % kPage]);
   }
 
-  // An upper bound of the indices written so far, exclusive.
+  // An exclusive upper bound of the indices written so far.
   uint32_t end() const { return static_cast<uint32_t>(pages_.size()) * kPage; }
-  // The items of the page with item i, the one with index i - i % kPage first; null if none of them was
-  // written.
+  // Returns the items of the page of item i, beginning with index i - i % kPage; null if none was written.
   const T* page(uint32_t i) const {
     const Page* page = page_of(i);
     return page ? page->data() : nullptr;

@@ -9,7 +9,6 @@ namespace kerf {
 
 namespace {
 
-// The nearest integer.
 int64_t rounded(double x) { return static_cast<int64_t>(x < 0 ? x - 0.5 : x + 0.5); }
 
 // Taylor series for |x| <= pi / 4.
@@ -31,7 +30,7 @@ double cosine_near_zero(double x) {
   return sum;
 }
 
-// For 0 <= t <= 1. Halving the angle twice leaves at most 0.2, where the series converges quickly.
+// Precondition: 0 <= t <= 1. Halving the angle twice leaves at most 0.2, where the series converges quickly.
 double arc_tangent_of_ratio(double t) {
   for (int halving = 0; halving < 2; ++halving) t = t / (1 + std::sqrt(1 + t * t));
   double power = t, sum = t;

@@ -16,32 +16,32 @@ inline constexpr double kPi = std::numbers::pi;
 constexpr double radians_of(double degrees) { return degrees * (kPi / 180); }
 constexpr double degrees_of(double radians) { return radians * (180 / kPi); }
 
-// Trigonometry that gives the same bits on every machine: only sums, products, quotients and square roots.
+// Trigonometry with bit-identical results on every machine: only sums, products, quotients and square roots.
 // Absolute errors are below 1e-12 for arguments of up to 1e6 rad.
 struct SinCos {
   double sin = 0, cos = 1;
 };
 SinCos sin_cos(double radians);
-// The angle of the vector (x, y) against the x axis, from -pi to pi; 0 for the zero vector.
+// Returns the angle of the vector (x, y) from the x axis, from -pi to pi; 0 for the zero vector.
 double arc_tangent(double y, double x);
-// An angle, brought to between -pi and pi by full turns. Precondition: finite and below 1e9.
+// Wraps an angle to [-pi, pi]. Precondition: finite, with a magnitude below 1e9.
 double wrapped(double radians);
 
-// The rotation about a unit axis by the right-hand rule.
+// Returns the rotation about a unit axis by the right-hand rule.
 glm::dquat turn_about(const Vec3& axis, double radians);
 
-// Directions of the game: a heading is an angle about +Y, 0 along +Z and positive to the left, towards +X;
-// a pitch is the angle above the horizontal plane.
+// Directions in the game. A heading is an angle about +Y, 0 along +Z and positive to the left, towards +X; a
+// pitch is the angle above the horizontal plane.
 Vec3 direction_of(double heading, double pitch);
 double heading_of(const Vec3& direction);
 double pitch_of(const Vec3& direction);
 
-// e^x by sums and products alone, the same to the bit on every machine. The relative error is below 1e-15 for
-// x from -700 to 700. Precondition: x is in that range.
+// Returns e^x from sums and products alone, bit-identical on every machine. The relative error is below
+// 1e-15. Precondition: x is from -700 to 700.
 //
 // Method: x = n ln 2 + r with |r| <= ln 2 / 2, e^r by its Taylor series, and 2^n by the bits of a double. ln
-// 2 is the sum of two doubles, the first with so few digits that its product with n is exact (Cody and Waite,
-// Software Manual for the Elementary Functions, 1980).
+// 2 is the sum of two doubles, the first with so few digits that its product with n is exact (W. J. Cody, W.
+// Waite: Software Manual for the Elementary Functions, 1980).
 constexpr double exponential(double x) {
   assert(x >= -700 && x <= 700);
   constexpr double kLn2High = 0x1.62e42feep-1, kLn2Low = 0x1.a39ef35793c76p-33;
@@ -55,7 +55,7 @@ constexpr double exponential(double x) {
   return sum * std::bit_cast<double>(static_cast<uint64_t>(1023 + n) << 52);
 }
 
-// The natural logarithm by sums, products and quotients alone, the same to the bit on every machine. The
+// Returns the natural logarithm from sums, products and quotients alone, bit-identical on every machine. The
 // error is below 1e-15 of the larger of 1 and the result. Precondition: x is a normal positive number.
 //
 // Method: x = 2^n m with m near 1, and ln m = 2 artanh((m - 1) / (m + 1)) by its series.
@@ -76,8 +76,8 @@ constexpr double logarithm(double x) {
   return static_cast<double>(n) * kLn2 + 2 * s * sum;
 }
 
-// A sum of up to 2^32 numbers below 16 in absolute value. Each is cut off kBits bits after the point; the sum
-// is exact, so that it does not depend on their order.
+// An order-independent sum of up to 2^32 numbers below 16 in absolute value. Each is truncated to kBits
+// fractional bits; the sum of those is exact.
 class FixedSum {
  public:
   void add(double x) {
@@ -87,7 +87,7 @@ class FixedSum {
     const auto rest = static_cast<int64_t>((high - static_cast<double>(whole)) * 0x1p32);
     sum_ += static_cast<Wide>(whole) * (int64_t{1} << 32) + rest;
   }
-  // The sum times 2^exponent.
+  // Returns the sum times 2^exponent.
   double value(int exponent) const { return std::ldexp(static_cast<double>(sum_), exponent - kBits); }
 
  private:

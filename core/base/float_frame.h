@@ -9,15 +9,15 @@
 
 namespace kerf {
 
-// Maps a body's coordinates from doubles to floats, for the GPU and for shadows: (x - origin) * scale, which
-// lies within about [-1, 1]. A mesh is therefore drawn equally well whether it is 1e-6 m or 1e39 m wide, and
-// wherever it lies.
+// Maps coordinates of a body from doubles to floats, for the GPU and for shadows: (x - origin) * scale, which
+// is within about [-1, 1]. Precision therefore depends neither on the size of a mesh, 1e-6 m or 1e39 m, nor
+// on its position.
 struct FloatFrame {
   Vec3 origin{0};    // metres, in the frame of the body
   double scale = 1;  // a power of two
 
-  // The frame for points between the corners of a box; a box without extent keeps scale 1. Precondition: min
-  // <= max by component.
+  // Returns the frame for points within a box; a box without extent keeps scale 1. Precondition: min <= max
+  // in each component.
   static FloatFrame around(const Vec3& min, const Vec3& max) {
     KERF_ASSERT(min.x <= max.x && min.y <= max.y && min.z <= max.z);
     const Vec3 half = (max - min) * 0.5;
@@ -26,7 +26,7 @@ struct FloatFrame {
     if (largest > 0 && std::isfinite(largest)) frame.scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
     return frame;
   }
-  // Maps a point of the body; to_float also rounds it to single precision.
+  // Map a point of the body; to_float also rounds it to single precision.
   glm::dvec3 scaled(const Vec3& p) const { return (p - origin) * scale; }
   glm::vec3 to_float(const Vec3& p) const { return glm::vec3(scaled(p)); }
 };

@@ -10,12 +10,13 @@
 namespace kerf {
 
 // Positions and directions in double precision; lengths are in metres. glm evaluates operations on these
-// types as plain sums, products and square roots in the order written, so that the results are the same to
-// the bit on every machine.
+// types as plain sums, products and square roots in the order written, so that results are bit-identical on
+// every machine.
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 
-// The z component of the cross product of two vectors in the plane; cross2(a, b) == -cross2(b, a) to the bit.
+// Returns the z component of the cross product of two plane vectors; cross2(a, b) == -cross2(b, a) to the
+// bit.
 inline double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 // The lexicographic order of positions.
@@ -24,33 +25,33 @@ inline bool precedes(const Vec3& a, const Vec3& b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// Whether a squared length read from a file is that of a unit vector or quaternion; see kUnitSlack.
+// Returns true if a squared length read from a file is that of a unit vector or quaternion; see kUnitSlack.
 constexpr bool is_unit_length2(double length2, double slack = kUnitSlack) {
   return length2 - 1 < slack && 1 - length2 < slack;
 }
 
-// Whether a vector is a unit vector, as a precondition. The slack is larger than that of files, because a
-// direction may have been rotated by an orientation that has an error of its own.
+// Returns true if v is a unit vector; for preconditions. The slack exceeds that of files, because a direction
+// may have been rotated by an orientation that has an error of its own.
 inline bool is_unit(const Vec3& v) { return is_unit_length2(glm::dot(v, v), 16 * kUnitSlack); }
 
-// Whether two unit vectors are opposite to each other up to rounding, so that no direction lies between them;
-// see kOpposite. Precondition: both are unit vectors.
+// Returns true if two unit vectors are opposite up to rounding, so that no direction lies between them; see
+// kOpposite. Precondition: both are unit vectors.
 inline bool are_opposite(const Vec3& a, const Vec3& b) {
   const Vec3 sum = a + b;
   return glm::dot(sum, sum) < kOpposite * kOpposite;
 }
 
-// A closed interval of the real line; empty where low > high.
+// A closed interval of the real line; empty if low > high.
 struct Interval {
   double low = 0;
   double high = 0;
 };
 
-// An axis-aligned box; the origin by default.
+// An axis-aligned box; by default the origin.
 struct Bounds {
   Vec3 min{0}, max{0};
 
-  // The bounds of nothing, from which bounds grow: min > max in every coordinate.
+  // Empty bounds, with min > max in every coordinate; add() extends them.
   static Bounds none() {
     return {Vec3(std::numeric_limits<double>::max()), Vec3(std::numeric_limits<double>::lowest())};
   }
@@ -68,8 +69,8 @@ struct Bounds {
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
-// A ray, or the pose of a beam: it starts at `origin` (m) and has the unit vector `direction`. The frame
-// depends on the use: that of the world for a stroke, that of a body for a query of its tree.
+// A ray, or the pose of a beam: starts at `origin` (m) and has the unit vector `direction`. The frame depends
+// on the use: the world's for a stroke, the body's for a query of its tree.
 struct Pose {
   Vec3 origin{0};
   Vec3 direction{0, 0, -1};

@@ -1,5 +1,5 @@
-// Replaces operator new, in the program and within the library: large arrays are aligned to huge pages and
-// backed by them, where the system has any. Loading a million faces fills some hundred megabytes, and the
+// Replaces operator new in the program and within the library: aligns large arrays to huge pages and backs
+// them by these if the system has any. Loading a million faces fills several hundred megabytes, and page
 // faults of small pages take a fifth of that time.
 #include <cstdlib>
 #include <new>
@@ -12,7 +12,7 @@ void* allocate(size_t bytes) {
   if (bytes < kerf::kHugePage) return std::malloc(bytes > 0 ? bytes : 1);
   const size_t whole = (bytes + kerf::kHugePage - 1) / kerf::kHugePage * kerf::kHugePage;
   void* memory = whole < bytes ? nullptr : std::aligned_alloc(kerf::kHugePage, whole);
-  // The last page is a huge one only if most of it is used.
+  // The last page becomes a huge page only if most of it is used.
   const size_t rest = bytes % kerf::kHugePage;
   const size_t advised = rest == 0 || rest > kerf::kHugePage / 2 ? whole : whole - kerf::kHugePage;
   if (memory) kerf::advise_huge_pages(memory, advised);
@@ -21,8 +21,7 @@ void* allocate(size_t bytes) {
 
 }  // namespace
 
-// Not inlined, because the compiler would see malloc there and take the matching operator delete for a
-// mistake.
+// Not inlined: if the compiler saw malloc here, it would report the matching operator delete as a mismatch.
 [[gnu::noinline]] void* operator new(size_t bytes) {
   for (;;) {
     if (void* memory = allocate(bytes)) return memory;

@@ -8,9 +8,9 @@ namespace kerf {
 // The index or label of no element.
 inline constexpr uint32_t kNoIndex = 0xffffffffu;
 
-// The index of a slot in an array that holds things of one kind. Such an array only grows while a document is
-// open: the slot of a thing that died is not used again, unless undo takes the slot itself back. Tag keeps
-// ids of different kinds apart.
+// The index of a slot in an array of items of one kind. Such an array only grows while a document is open:
+// the slot of a removed item is not reused, except after undo removes the slot itself. Tag keeps ids of
+// different kinds apart.
 template <typename Tag>
 struct Id {
   static constexpr uint32_t kNone = kNoIndex;
@@ -26,10 +26,10 @@ using VertexId = Id<struct VertexTag>;
 using EdgeId = Id<struct EdgeTag>;
 using FaceId = Id<struct FaceTag>;
 
-// Names a body of a world. Undo of the command that made a body gives its slot free, and the next body that
-// is made gets the same slot; the generation tells the two apart, so that an id never names a second body. It
-// is 0 for the bodies that a document begins with, and 1 + n for a body that the n-th command (from 0) of the
-// journal made; redo and replay of that command give the body the same id again.
+// Identifies a body of a world. Undoing the command that created a body frees its slot, and the next body
+// created gets the same slot; the generation distinguishes the two, so that an id never refers to a second
+// body. It is 0 for the bodies of a new document, and 1 + n for a body created by the n-th command (from 0)
+// of the journal; redo and replay of that command give the body the same id again.
 struct BodyId {
   static constexpr uint32_t kNone = kNoIndex;
   uint32_t slot = kNone;
@@ -38,8 +38,8 @@ struct BodyId {
   friend constexpr auto operator<=>(BodyId, BodyId) = default;
 };
 
-// Names a piece: the body that its faces belong to, and their label there (FaceData::piece). Label 0 is what
-// is left of the body itself.
+// Identifies a piece: the body that owns its faces, and their label there (FaceData::piece). Label 0 is the
+// remainder of the body itself.
 struct PieceId {
   BodyId body;
   uint32_t label = 0;

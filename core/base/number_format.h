@@ -6,10 +6,10 @@
 
 namespace kerf {
 
-// A number with grouped digits: "12 345 678".
+// Formats a number with grouped digits: "12 345 678".
 std::string grouped(size_t number);
 
-// "1 stroke", "3 strokes", "1 234 faces", for a word of which the plural ends in "s".
+// Formats a count: "1 stroke", "3 strokes", "1 234 faces". Precondition: the plural of the word ends in "s".
 std::string count_text(size_t count, const std::string& word);
 
 // A unit of length: its symbol and its size in metres.
@@ -17,17 +17,17 @@ struct LengthUnit {
   const char* name;
   double metres;
 };
-// The largest unit from nm to km that does not exceed the length; nm for shorter lengths.
+// Returns the largest unit from nm to km that does not exceed the length; nm for shorter lengths.
 LengthUnit unit_for(double metres);
 
-// The length in that unit, with three significant digits: "2.75 mm".
+// Formats a length in that unit, with three significant digits: "2.75 mm".
 std::string length_text(double metres);
 
-// The range of the numbers that a saved value may have; both ends belong to it.
+// The closed range of a saved number.
 struct NumberRange {
   double least, most;
-  const char* unit = "";  // in which the number is saved, for errors
-  bool positive = false;  // zero and below are refused in words of their own
+  const char* unit = "";  // unit of the saved number, for errors
+  bool positive = false;  // zero and negative numbers get an error message of their own
 
   constexpr bool contains(double x) const { return x >= least && x <= most; }
 };
@@ -39,8 +39,8 @@ inline constexpr NumberRange kPositive{std::numeric_limits<double>::denorm_min()
 inline constexpr NumberRange kPositiveShare{std::numeric_limits<double>::denorm_min(), 1, "", true};
 inline constexpr NumberRange kShare{0, 1};
 
-// What a missing key stands for, for ever: what Kerf did before the key existed, whatever the default of new
-// work is. A command that lacks a key that every version wrote is damaged.
+// The meaning of a missing key: permanently the behaviour of Kerf before the key existed, even if new
+// documents have another default. A command is damaged if it lacks a key that every version wrote.
 struct MissingKey {
   double value;
   bool always_written;
@@ -48,7 +48,7 @@ struct MissingKey {
 constexpr MissingKey always_written(double value) { return {value, true}; }
 constexpr MissingKey added_later(double value) { return {value, false}; }
 
-// A number of a saved type: what its readers, its writers and its row in a panel know of it.
+// A number of a saved type, as shared by its readers, its writers and its row in a panel.
 template <typename Owner>
 struct NumberField {
   const char* name;  // of the member, and in assets/materials.json
@@ -56,11 +56,11 @@ struct NumberField {
   double Owner::*member;
   NumberRange range;
   MissingKey missing;
-  // In the panel, which does not have what has no label: the number is shown in a unit of this size.
+  // Row in the panel, in units of `scale`; no row without a label.
   const char* label = nullptr;
   double scale = 1;
-  const char* format = "";   // with the unit that is shown
-  const char* meaning = "";  // for the user
+  const char* format = "";   // with the displayed unit
+  const char* meaning = "";  // tooltip
 };
 
 }  // namespace kerf

@@ -18,15 +18,15 @@ namespace kerf {
 
 namespace {
 
-// What a thread hands to those that work for it, and what it gets back. oneTBB orders the one before the
-// other; the thread sanitizer, which does not see into that library, is told so.
+// Synchronises a thread with the threads that work for it. oneTBB already orders them; this reports the order
+// to the thread sanitizer, which does not see into that library.
 class Handover {
  public:
   Handover() { release(); }
   ~Handover() { acquire(); }
   Handover(const Handover&) = delete;
   Handover& operator=(const Handover&) = delete;
-  // Around the work of one of these threads.
+  // Runs the work of one of these threads.
   template <typename Work>
   void receive(const Work& work) {
     acquire();
@@ -44,7 +44,7 @@ class Handover {
 #endif
 };
 
-// Ranges `first` to `last` (exclusive) of for_each_range().
+// Runs ranges `first` to `last` (exclusive) of for_each_range().
 void work_on(size_t first, size_t last, size_t items, size_t grain, const RangeWork& work) {
   Handover handover;
   const auto work_on_part = [&](const tbb::blocked_range<size_t>& part) {

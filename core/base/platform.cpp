@@ -23,8 +23,8 @@ Error write_error(const std::filesystem::path& path, int code) {
   return failed("cannot write " + path.string() + ": " + reason + ".");
 }
 
-// The path of a new hidden file beside the target, and its descriptor; the file has the permissions that the
-// user's mask gives to new files. A negative descriptor: errno says why there is none.
+// Returns the path of a new hidden file in the directory of the target, and its descriptor. The umask
+// determines the permissions of the file. A negative descriptor means failure, with the reason in errno.
 std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& target) {
   constexpr size_t kLongestStem = 200;  // of the 255 bytes that a file name may have
   const std::string stem =
@@ -38,7 +38,7 @@ std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& t
 
 }  // namespace
 
-// One write takes 1 GiB at most, because the kernel takes no more than 2 GiB.
+// Writes at most 1 GiB at once, because the kernel accepts no more than 2 GiB.
 int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), std::min(bytes.size(), size_t{1} << 30));
@@ -49,10 +49,10 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
-// Not every file system can flush; one that says so has nothing to lose.
+// Not every file system can flush; one that reports so has nothing to lose.
 int flush_file(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
 
-// A folder that may be written to, but not read, cannot be opened, and so not be flushed either.
+// A folder with write but without read permission cannot be opened and hence not flushed; this is no error.
 int flush_folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -92,8 +92,8 @@ Result<AtomicFile> AtomicFile::open(const std::filesystem::path& path) {
   if (descriptor < 0) return write_error(path, errno);
   file.beside_ = beside;
   file.descriptor_ = descriptor;
-  // A user who may write a file but does not own it cannot give its permissions to another file; writing goes
-  // on without them.
+  // A user who may write a file but does not own it cannot copy its permissions; writing continues without
+  // them.
   if (exists) std::ignore = ::fchmod(descriptor, there.st_mode & 07777);
   return file;
 }
@@ -163,7 +163,7 @@ uint64_t physical_memory() {
   return pages > 0 && bytes > 0 ? static_cast<uint64_t>(pages) * static_cast<uint64_t>(bytes) : kNone;
 }
 
-// The limit in the control group as a container sees it; "max" is no number and means none.
+// Returns the limit of the control group as a container sees it; "max" is no number and means no limit.
 uint64_t limit_in(const char* file) {
   std::ifstream in(file);
   uint64_t bytes = 0;

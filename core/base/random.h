@@ -21,11 +21,11 @@ constexpr uint64_t mix64(uint64_t x) {
 // Extends the hash of a sequence by one word; the order of the words matters.
 constexpr uint64_t hash_combine(uint64_t seed, uint64_t word) { return mix64(seed ^ mix64(word)); }
 
-// The bit pattern of a number, the same for -0.0 and +0.0, so that numbers that compare equal hash alike.
+// Returns the bits of a number, the same for -0.0 and +0.0, so that equal numbers have equal hashes.
 constexpr uint64_t number_bits(double x) { return std::bit_cast<uint64_t>(x == 0.0 ? 0.0 : x); }
 
-// A pseudorandom generator (SplitMix64; see mix64) whose sequence is the same on every platform. It brings
-// its own distributions because those of the standard library differ between implementations.
+// A pseudorandom generator (SplitMix64; see mix64) whose sequence is the same on every platform. It has its
+// own distributions because those of the standard library differ between implementations.
 class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
@@ -50,22 +50,22 @@ class Random {
   uint64_t state_;
 };
 
-// Varies what no result may depend on: the order in which a query of a tree lists faces, the shape of trees,
-// and the number of faces that are processed together. Off unless the environment variable KERF_SHUFFLE
-// holds a seed, for tests that compare results.
+// Varies details that results must not depend on: the order of faces from tree queries, the shape of trees,
+// and the number of faces processed together. Off unless the environment variable KERF_SHUFFLE holds a seed;
+// for tests that compare results.
 class Shuffle {
  public:
-  // The one of this process; the environment is read once.
+  // The instance of this process; reads the environment once.
   static const Shuffle& chosen();
 
   bool on() const { return seed_ != 0; }
-  // A generator for one choice, which `about` tells from others; the same for equal seeds and choices.
+  // Returns a generator for one decision, identified by `about`; the same for equal seeds and decisions.
   Random random(uint64_t about) const { return Random(hash_combine(seed_, about)); }
 
-  // Whether this is one of the calls, one of `times` on average, for which it returns true; false if off.
+  // Returns true in one of `times` calls on average; always false if off.
   bool once_in(uint64_t times) const;
 
-  // Brings the items from index `first` on into a random order, which depends on how many they are.
+  // Shuffles the items from index `first` on; the permutation depends on their number.
   template <typename T>
   void reorder(std::vector<T>& items, size_t first) const {
     if (!on()) return;

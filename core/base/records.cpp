@@ -11,7 +11,7 @@ namespace kerf {
 
 void* take_chunk(size_t bytes) {
   KERF_ASSERT(bytes > 0 && bytes % kHugePage == 0);
-  // One huge page more than requested is mapped; both ends are unmapped again, so that the rest is aligned.
+  // Maps one huge page more than requested and unmaps both ends, so that the remainder is aligned.
   const size_t taken = bytes + kHugePage;
   void* start =
       mmap(nullptr, taken, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

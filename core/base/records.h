@@ -20,20 +20,20 @@ namespace kerf {
 // zero-initialised, is aligned to kHugePage bytes and takes no physical memory until it is written.
 inline constexpr size_t kHugePage = size_t{2} << 20;
 
-// Allocates and frees a chunk. Precondition: `bytes` is a positive multiple of kHugePage, the same number for
-// both calls. take_chunk throws std::bad_alloc.
+// Allocate and free a chunk. Precondition: `bytes` is a positive multiple of kHugePage, the same for both
+// calls. take_chunk throws std::bad_alloc.
 void* take_chunk(size_t bytes);
 void give_chunk(void* chunk, size_t bytes);
 
-// Asks the system to back the chunk with huge pages, which saves TLB misses. This is only a hint.
+// Requests huge pages for the chunk, which saves TLB misses. This is only a hint.
 void advise_huge_pages(void* chunk, size_t bytes);
 
 // An array of trivially copyable records with undo.
 //
 // It grows chunk by chunk, so that growing never moves a record once the array is larger than kSmall. Between
-// begin_change() and end_change() it saves the before-image of each page that is about to be written; the
-// resulting Change exchanges those pages with the present ones. Undo and redo therefore cost time and memory
-// in proportion to the pages written, not to the array, and restore it to the bit.
+// begin_change() and end_change() it saves the before-image of each page before the page is written; the
+// resulting Change swaps those pages with the present ones. Undo and redo therefore cost time and memory in
+// proportion to the pages written, not to the array, and restore it to the bit.
 template <typename T>
 class Records {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -48,7 +48,7 @@ class Records {
   static constexpr uint32_t kShift = sizeof(T) >= 32 ? 16 : 19;
   static constexpr uint32_t kChunk = uint32_t{1} << kShift;
   static constexpr size_t kChunkBytes = (kChunk * sizeof(T) + kHugePage - 1) / kHugePage * kHugePage;
-  // Up to this many records lie in one small allocation, which moves when it grows.
+  // Up to this number of records are in one small allocation, which moves when it grows.
   static constexpr uint32_t kSmall = records_in(size_t{64} << 10);
   static constexpr uint32_t kPage = records_in(512);  // records saved together
 
@@ -57,12 +57,12 @@ class Records {
    public:
     // Memory allocated, in bytes.
     size_t bytes() const { return pages_.size() * (sizeof(Page) + sizeof(Page*)); }
-    // Whether the command changed anything.
+    // Returns true if the command changed anything.
     bool any() const { return resized_ || !pages_.empty(); }
     // The size of the array in its other state.
     uint32_t size() const { return size_; }
-    // Calls visit(first, records) for each page of which a record may have changed: the records from index
-    // `first` on in their other state.
+    // Calls visit(first, records) for each page that may have changed: the records from index `first` on in
+    // their other state.
     template <typename Visit>
     void for_each_page(Visit visit) const {
       for (const auto& page : pages_) visit(page->index * kPage, std::span<const T>(page->records));
@@ -105,7 +105,7 @@ class Records {
     assert(i < size_);
     return at(i);
   }
-  // The record, for writing; saves its page first where a change is open.
+  // Returns the record for writing; saves its page first if a change is open.
   T& edit(uint32_t i) {
     assert(i < size_);
     if (i < remembered_) save_page(i / kPage);
@@ -118,7 +118,7 @@ class Records {
   // grows.
   const T* const* chunks() const { return chunks_.data(); }
 
-  // Grows the array to `size` records; the new ones are zero. A smaller size changes nothing.
+  // Grows the array to `size` records; new ones are zero. No-op for a smaller size.
   void grow_to(uint32_t size) {
     if (size <= size_) return;
     reserve(size);
@@ -143,17 +143,17 @@ class Records {
     while (capacity() < size) {
       const size_t wanted = std::min(size - capacity(), kChunk) * sizeof(T);
       chunks_.push_back(static_cast<T*>(take_chunk(kChunkBytes)));
-      // For what comes at once. What comes one by one would wait for a whole huge page to be cleared, which
-      // pays only where it is asked for at random ever after.
+      // Huge pages suit arrays that are filled at once. Adding records one by one would wait for a whole huge
+      // page to be cleared, which pays only if they are then read at random.
       const bool whole = huge_growth_ && size * sizeof(T) >= kHugePage / 2;
       advise_huge_pages(chunks_.back(), whole ? kChunkBytes : wanted / kHugePage * kHugePage);
     }
   }
 
-  // Backs chunks that are added later by huge pages as well.
+  // Requests huge pages for chunks that are added later, too.
   void grow_on_huge_pages() { huge_growth_ = true; }
 
-  // Touches every reserved page that is not in use yet, so that filling it later causes no page faults.
+  // Touches every reserved unused page, so that filling it later causes no page faults.
   void touch_reserved() {
     constexpr uint32_t kStride = std::max<uint32_t>(1, 4096 / sizeof(T));
     for (uint32_t i = size_; i < reserved_ && small_ == 0; i += kStride)
@@ -166,7 +166,7 @@ class Records {
     __builtin_prefetch(&at(i));
   }
 
-  // Opens a change: from here on a page is saved before it is first edited. Precondition: none is open.
+  // Opens a change: from now on each page is saved before it is first edited. Precondition: none is open.
   void begin_change() {
     assert(remembered_ == 0 && change_.pages_.empty());
     remembered_ = size_;
@@ -174,7 +174,7 @@ class Records {
     saved_.resize((size_ / kPage + 64) / 64);
   }
 
-  // Closes the change that begin_change() opened and returns it.
+  // Closes the open change and returns it.
   Change end_change() {
     remembered_ = 0;
     for (const auto& page : change_.pages_) saved_[page->index / 64] = 0;
@@ -194,11 +194,11 @@ class Records {
   }
 
   // Undoes the change as an edit, which an open change records. Precondition: the array is as the change left
-  // it or grew since; it may be a copy, which lacks what lies beyond the end.
+  // it or has grown since; it may be a copy, which lacks the records beyond the end.
   void restore(const Change& change) {
     reserve(change.size_);
     used_ = std::max(used_, change.size_);
-    // Records beyond the new end are saved here, because growing again overwrites them without saving.
+    // Saves the records beyond the new end here, because growing again overwrites them without saving.
     const uint32_t end = std::min(size_, remembered_);
     for (uint32_t i = change.size_; i < end; i += kPage - i % kPage) save_page(i / kPage);
     for (const auto& page : change.pages_) {
@@ -249,7 +249,7 @@ class Records {
     small_ = 0;
   }
 
-  // Zeroes records that an undo took away and that growing to `size` brings back.
+  // Zeroes records that an undo removed and that growing to `size` restores.
   void clear_used(uint32_t size) {
     for (uint32_t i = size_; i < std::min(size, remembered_); i += kPage - i % kPage) save_page(i / kPage);
     for (uint32_t i = size_; i < std::min(size, used_); ++i)
@@ -290,29 +290,29 @@ class Records {
 
   std::vector<T*> chunks_;
   uint32_t size_ = 0;
-  uint32_t used_ = 0;  // the largest size ever: records beyond size_ come back by redo
+  uint32_t used_ = 0;  // maximum size so far: redo restores records beyond size_
   bool huge_growth_ = false;
-  uint32_t reserved_ = 0;    // the largest capacity that was reserved
-  uint32_t small_ = 0;       // capacity of the small allocation; 0 where chunks are used
-  uint32_t remembered_ = 0;  // records below this are saved before they are edited; 0 while no change is open
+  uint32_t reserved_ = 0;    // maximum reserved capacity
+  uint32_t small_ = 0;       // capacity of the small allocation; 0 if chunks are used
+  uint32_t remembered_ = 0;  // records below this are saved before they are edited; 0 if no change is open
   std::vector<uint64_t> saved_;  // one bit per page: saved since begin_change()
   Change change_;
 };
 
 // The state of a value before a command; after exchange(), the state after it. The general version keeps a
-// copy and suits values that are cheap to copy and to compare. For a class with a nested type `Change`, that
-// type is used instead; it has the same functions.
+// copy and suits values that are cheap to copy and to compare. A class with a nested type `Change`, which has
+// the same functions, uses that instead.
 //
-// The order of calls is begin, the edits of the command, end, and then any number of exchange and restore.
-// Precondition of both: the value is in the state that the change was recorded for, i.e. later changes were
-// undone before.
+// Call order: begin, the edits of the command, end, and then any number of exchange and restore. Precondition
+// of these two: the value is in the state that the change was recorded for, i.e. later changes were undone
+// before.
 template <typename T>
 class ChangeOf {
  public:
-  // Starts to record the edits of `value`.
+  // Starts recording edits of `value`.
   void begin(T& value) { other_ = value; }
   void end(T& value) { differs_ = !(other_ == value); }
-  // Whether the command changed anything.
+  // Returns true if the command changed anything.
   bool any() const { return differs_; }
   // Swaps the state of `value` with the recorded one, exactly to the bit.
   void exchange(T& value) { std::swap(value, other_); }
@@ -345,12 +345,12 @@ template <typename T>
 requires requires { typename T::Change; }
 class ChangeOf<T> : public T::Change {};
 
-// The change of an owner that lists the members that a command may change once, as
+// The change of an owner that lists once which of its members a command may change:
 //
 //   template <typename Self>
 //   static auto parts(Self& self) { return std::tie(self.links_, self.positions_); }
 //
-// where Self is the owner or the owner as const. Every function goes through the members in that order.
+// Self is the owner or the owner as const. Every function processes the members in that order.
 template <typename Owner>
 class ChangeOfParts {
  public:

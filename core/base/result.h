@@ -8,10 +8,10 @@
 
 namespace kerf {
 
-// The kind of a failure; it decides the exit status of the command line.
+// The kind of a failure; determines the exit status of the command line.
 enum class ErrorCode {
-  kBadInput,  // the file, the setting or the command line is wrong (exit 2)
-  kFailed,    // it could not be done: disk full, no OpenGL, cancelled (exit 1)
+  kBadInput,  // invalid file, setting or command line (exit 2)
+  kFailed,    // the operation failed: disk full, no OpenGL, cancelled (exit 1)
 };
 
 // An expected failure. The message is one sentence for the user: what failed, where, and what to do.
@@ -53,11 +53,11 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-// The value of an operation that has none to return.
+// The value of an operation without a result.
 struct Done {};
 using Status = Result<Done>;
 
-// Moves the value of a result into `to`, or returns its error and leaves `to` as it is.
+// Moves the value of a result into `to`, or returns its error and leaves `to` unchanged.
 template <typename T, typename U>
 Status unpack(Result<T> result, U& to) {
   if (!result) return result.error();

@@ -11,17 +11,16 @@
 
 namespace kerf {
 
-// `co_await worked(units)` in a computation that can be resumed says how much it has done since the last time
-// it said so. One unit is the work that a face costs in a step of a cut, about a third of a microsecond. The
-// computation pauses there if it has done a part, kPartOfWork units, since the last pause.
+// `co_await worked(units)` in a resumable computation reports the work done since the last report. One unit
+// is the work of one face in a slice of a cut, about a third of a microsecond. The computation pauses there
+// once it has done kPartOfWork units since the last pause.
 struct Worked {
   size_t units;
 };
 inline Worked worked(size_t units) { return {units}; }
 inline constexpr size_t kPartOfWork = 1500;
 
-// The computations that wait for each other, the innermost last, and what they have done since the last
-// pause.
+// The stack of waiting computations, the innermost last, and their work since the last pause.
 struct WaitingComputations {
   std::vector<std::coroutine_handle<>> waiting;
   size_t units = 0;
@@ -35,10 +34,10 @@ struct WaitingComputations {
   }
 };
 
-// A computation that is done in parts and yields a T: a coroutine that says what it has worked, waits for
-// others of its kind by `co_await other(...)`, and ends by `co_return value`. It begins with the first call
-// of go_on(); what its arguments refer to must live until it is over. Its result does not depend on when it
-// is resumed. An exception leaves go_on(), which must not be called again then.
+// A computation in parts that yields a T: a coroutine that reports its work, awaits others of its kind by
+// `co_await other(...)`, and ends by `co_return value`. It starts with the first call of go_on(); objects
+// that its arguments refer to must outlive it. Its result does not depend on when it is resumed. An exception
+// leaves go_on(), which must not be called again then.
 template <typename T>
 class [[nodiscard]] Resumable {
  public:
@@ -55,7 +54,7 @@ class [[nodiscard]] Resumable {
     if (coroutine_) coroutine_.destroy();
   }
 
-  // Does the next part. Returns whether the computation is over. Precondition: it was not.
+  // Runs the next part. Returns true if the computation is complete. Precondition: it was not.
   bool go_on() {
     if (!all_) {
       all_ = std::make_unique<WaitingComputations>();
@@ -67,7 +66,7 @@ class [[nodiscard]] Resumable {
     return all_->waiting.empty();
   }
 
-  // Moves the result out. Precondition: the computation is over.
+  // Moves the result out. Precondition: the computation is complete.
   T take() {
     KERF_ASSERT(coroutine_.promise().result);
     return std::move(*coroutine_.promise().result);
@@ -93,7 +92,7 @@ struct Resumable<T>::promise_type {
   WaitingComputations* all = nullptr;
   std::optional<T> result;
 
-  // Goes back to go_on(), which resumes what waits for this computation.
+  // Returns to go_on(), which resumes the computation that awaits this one.
   struct End {
     bool await_ready() const noexcept { return false; }
     void await_suspend(std::coroutine_handle<promise_type> own) const noexcept {
@@ -130,7 +129,7 @@ struct Resumable<T>::promise_type {
   }
 };
 
-// Does all parts of a computation.
+// Runs a computation to completion.
 template <typename T>
 T at_once(Resumable<T> computation) {
   while (!computation.go_on()) {

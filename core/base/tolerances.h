@@ -2,8 +2,8 @@
 
 namespace kerf {
 
-// All tolerances of core, each with its reason. None is a length in metres: each is relative to a quantity
-// that its comment names, so that the size and the place of a mesh do not matter.
+// All tolerances of core, each with its derivation. None is a length in metres: each is relative to a
+// quantity that its comment names, so that the size and the position of a mesh do not matter.
 
 // Directions ------------------------------------------------------------------------------------------------
 
@@ -18,35 +18,36 @@ inline constexpr double kOpposite = 1e-9;
 // Loading ---------------------------------------------------------------------------------------------------
 
 // A closed part of a mesh has a volume if the sum of its signed terms exceeds this fraction of the sum of
-// their bounds. Rounding is 1.2e-10 of that at worst for a million terms, and near 1e-13 in practice; a plate
+// their bounds. Rounding is at worst 1.2e-10 of that for a million terms, and near 1e-13 in practice; a plate
 // whose thickness is a millionth of its width exceeds the value by a factor of a thousand.
 inline constexpr double kMinVolume = 1e-10;
 
 // Culling by boxes ------------------------------------------------------------------------------------------
 //
-// Floats and boxes only cull; exact or double tests decide. These bounds must therefore never be too small,
-// and a bound that is several times too large costs a few needless triangle tests and nothing else.
+// Floats and boxes only cull; exact or double tests decide. These bounds must therefore never be too small; a
+// bound that is several times too large only costs a few needless triangle tests.
 
 // Slack of a box test in double, relative to the largest number in it. A dot product of three terms in double
 // errs by less than 4e-16 of that; this is 25 times as much.
 inline constexpr double kBoxSlack = 1e-14;
 
-// How far a float in a tree may lie from the double that it was rounded from: kFloatSlack relative to itself
-// plus kFloatLeast near zero. Rounding errs by 2^-24 of the number, or by less than the smallest normal
-// float; four times that leaves room for sums of a few such errors.
+// Maximum distance of a float in a tree from the double that it was rounded from: kFloatSlack relative to
+// itself plus kFloatLeast near zero. Rounding errs by 2^-24 of the number, or by less than the smallest
+// normal float; four times that leaves a margin for sums of a few such errors.
 inline constexpr float kFloatSlack = 0x1p-22f;
 inline constexpr float kFloatLeast = 0x1p-126f;
 
-// Rounding errors of single precision, relative to the extent of the numbers that enter, as multiples of the
-// error 2^-24 of one operation.
+// Rounding errors of single precision, relative to the extent of the inputs, as multiples of the error 2^-24
+// of one operation.
 inline constexpr double kProjectionRoundings = 0x1p-19;  // projection of a box: fewer than 32 operations
-inline constexpr double kPlaneRoundings = 0x1p-19;    // where a ray meets a plane: fewer than 24 operations
+inline constexpr double kPlaneRoundings =
+    0x1p-19;  // intersection of a ray and a plane: fewer than 24 operations
 inline constexpr double kShearedRoundings = 0x1p-21;  // sheared coordinate of a corner or a ray: up to 8
 inline constexpr float kEdgeRoundings = 0x1p-21f;   // edge function, relative to the extent squared: up to 8
 inline constexpr float kSlopeRoundings = 0x1p-20f;  // reciprocal of a direction's component: up to 16
 
 // Smallest component of a ray's unit direction. Smaller ones are replaced by it, because the reciprocal must
-// be finite and stay so when it is multiplied by coordinates of the tree, which are below 2^7.
+// be finite and stay so when multiplied by coordinates of the tree, which are below 2^7.
 inline constexpr float kMinComponent = 1e-20f;
 
 // Smallest parameter of a ray at which boxes count, relative to the extent of the tree. It is positive
@@ -67,33 +68,33 @@ inline constexpr float kBinScale = 0.9999f;
 inline constexpr double kEqualArea = 1e-9;
 
 // The smooth rim --------------------------------------------------------------------------------------------
-//
 // Lengths are relative to the radius of the beam. Together they keep the rim within 0.005 radii of the exact
+// boundary of the swept volume, as the tests require.
 // boundary of the swept volume, which is what the tests demand.
 
 // Largest distance of a chord of the rim from the boundary: that of a regular polygon with 64 sides.
 inline constexpr double kRimChord = 0.0012;
-// Largest distance of a chord after a vertex was moved onto the boundary. Moving is worth a longer chord,
+// Largest distance of a chord after a vertex was moved onto the boundary. A longer chord is acceptable here,
 // because a face that is cut off close to a vertex would be a sliver; the value stays below the bound of
 // 0.005.
 inline constexpr double kRimMovedChord = 0.0045;
 // A face that reaches across the boundary by less than this between its corners is not split for it. It is
-// slightly larger than kRimChord, so that the faces on the other side of a chord that was accepted are not
-// split for it. After a vertex was moved twice this is allowed.
+// slightly larger than kRimChord, so that the faces on the other side of an accepted chord are not split for
+// it. Also applies after a vertex was moved twice.
 inline constexpr double kRimGraze = 0.0015;
 // A vertex this near the boundary lies on it. It is smaller than kRimChord, so that both errors together stay
 // below the bound.
 inline constexpr double kRimOn = 0.001;
 // A vertex this near the boundary that must not move counts as lying on it: the bound itself.
 inline constexpr double kRimNear = 0.005;
-// Faces whose longest edge is shorter than this are not split for the sake of the rim: the sagitta of such a
-// chord is 3e-5, far below kRimChord, so a failure is not one of resolution and splitting could not end.
+// Faces whose longest edge is shorter than this are not split for the rim: the sagitta of such a chord is
+// 3e-5, far below kRimChord, so a failure is not one of resolution and splitting could not end.
 inline constexpr double kRimLeastEdge = 1.0 / 64;
 
-// The rest is relative to the length of the edge that the boundary crosses, or of the shorter edge at the
-// vertex. A vertex nearer to the boundary than kRimSnap may move onto it: cutting the edge instead would
-// leave an angle of about atan(1/4), 14 degrees. Where it may not move and is nearer than kRimSliver, which
-// would leave less than 7 degrees, the faces around it are split so that it may.
+// The remaining values are relative to the length of the edge that crosses the boundary, or of the shorter
+// edge at the vertex. A vertex nearer to the boundary than kRimSnap may move onto it: cutting the edge
+// instead would leave an angle of about atan(1/4), 14 degrees. If it may not move and is nearer than
+// kRimSliver, which would leave less than 7 degrees, the faces around it are split so that it may.
 inline constexpr double kRimSnap = 0.25;
 inline constexpr double kRimSliver = 0.12;
 

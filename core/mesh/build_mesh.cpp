@@ -18,7 +18,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kItems = 1 << 16;  // triangles, edges or vertices a range
+constexpr size_t kItems = 1 << 16;  // triangles, edges or vertices per range
 
 class Builder {
  public:
@@ -91,7 +91,7 @@ class Builder {
     return Done{};
   }
 
-  // Shells that touch others are closed as well.
+  // Marks shells that touch others as closed, too.
   void join_patches_of_shells(Patches& patches) const {
     std::vector<uint32_t> several;
     for (uint32_t e = 0; e < edges_.count(); ++e) {
@@ -122,7 +122,7 @@ class Builder {
     std::vector<uint32_t> edge_of = edges_of_sides(edges_);
     for (size_t t = 0; t < triangles_.size(); ++t) {
       if (!chosen[t]) continue;
-      // Swapping the ends of side 0 turns the triangle and exchanges sides 1 and 2.
+      // Swapping the ends of side 0 reverses the triangle and exchanges sides 1 and 2.
       std::swap(triangles_[t][0], triangles_[t][1]);
       const uint32_t s1 = static_cast<uint32_t>(3 * t + 1), s2 = s1 + 1;
       replace_side(edge_of[s1], s1, s2);
@@ -137,17 +137,17 @@ class Builder {
         new_side;
   }
 
-  // The corner at which a side starts: a position until find_vertices(), then a vertex.
+  // The start of a side: a position until find_vertices(), then a vertex.
   uint32_t tail(uint32_t side) const { return triangles_[side / 3][side % 3]; }
   static uint32_t previous_side(uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
-  // Whether two triangles on one edge have the third corner in common too. They are linked as rings, so that
-  // the edges that splitting makes inside them are linked as well.
+  // Returns true if two triangles on one edge share the third corner, too. They are linked as rings, so that
+  // the edges that splits create inside them are linked as well.
   bool are_copies(uint32_t side, uint32_t other) const {
     return tail(previous_side(side)) == tail(previous_side(other));
   }
 
-  // Pairs the sides of an edge of two triangles. Returns whether it is one.
+  // Pairs the sides of an edge of two triangles. Returns false if the edge is none.
   bool pair_sides_of(uint32_t edge, std::vector<uint32_t>& partner) const {
     const auto sides = edges_.sides_of(edge);
     if (sides.size() != 2 || tail(sides[0]) == tail(sides[1]) || are_copies(sides[0], sides[1])) return false;
@@ -156,8 +156,8 @@ class Builder {
     return true;
   }
 
-  // partner_[side] = the one other side of its edge, in the other direction; kNoSide at boundaries and in
-  // rings.
+  // Sets partner_[side] to the only other side of its edge, in the opposite direction, or to kNoSide at
+  // boundaries and in rings.
   Status find_partners(const Progress& progress) {
     struct Found {
       size_t boundary = 0;
@@ -187,7 +187,7 @@ class Builder {
     return Done{};
   }
 
-  // The number of triangles with the corners of an earlier one in the same order.
+  // Returns the number of triangles with the corners of an earlier one in the same order.
   size_t count_doubled(std::span<const uint32_t> edges) const {
     std::vector<uint32_t> doubled;
     for (const uint32_t e : edges) {
@@ -274,7 +274,7 @@ class Builder {
       const auto start = [&](uint32_t side) { return fans_.position[tail(side)]; };
       std::vector<HalfEdgeId> members;
       for (const uint32_t s : sides) {
-        if (partner_[s] != kNoSide && partner_[s] < s) continue;  // they have one edge
+        if (partner_[s] != kNoSide && partner_[s] < s) continue;  // both sides have one edge
         members.push_back(start(s) == start(sides[0]) ? half_edge[s] : opposite(half_edge[s]));
       }
       link_ring(mesh_.kernel(), members);

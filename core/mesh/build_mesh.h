@@ -10,12 +10,12 @@
 
 namespace kerf {
 
-// The changes that building the mesh made. Every triangle of the file is accounted for: triangles_in_file =
-// faces + degenerate_faces_dropped + non_finite_faces_dropped + invalid_faces_dropped.
+// Changes made while building the mesh. Every triangle of the file is counted: triangles_in_file = faces +
+// degenerate_faces_dropped + non_finite_faces_dropped + invalid_faces_dropped.
 struct Repairs {
-  size_t welded_vertices = 0;            // vertices in use whose position an earlier vertex of the file has
-  size_t duplicated_vertices = 0;        // vertices added because each sheet has vertices of its own
-  size_t reoriented_faces = 0;           // turned to agree with their neighbours, or outward
+  size_t welded_vertices = 0;            // used vertices at the position of an earlier vertex of the file
+  size_t duplicated_vertices = 0;        // added, because each sheet has vertices of its own
+  size_t reoriented_faces = 0;           // flipped to agree with their neighbours, or outward
   size_t degenerate_faces_dropped = 0;   // two corners at the same position
   size_t non_finite_faces_dropped = 0;   // a corner that is not a finite number
   size_t invalid_faces_dropped = 0;      // an index of a missing vertex
@@ -23,7 +23,7 @@ struct Repairs {
   size_t isolated_vertices_dropped = 0;  // used by no face of the mesh
 };
 
-// A description of the file and of the mesh built from it, as `kerf info` prints it.
+// A description of the file and of its mesh, as printed by `kerf info`.
 struct MeshReport {
   std::string format;
   size_t faces_in_file = 0;
@@ -31,7 +31,7 @@ struct MeshReport {
   size_t faces = 0;
   size_t vertices = 0;            // distinct positions in use
   size_t boundary_edges = 0;      // edges with one face, after welding
-  size_t non_manifold_edges = 0;  // edges with three faces or more, after welding
+  size_t non_manifold_edges = 0;  // edges with three or more faces, after welding
   size_t components = 0;          // sets of faces connected over edges with any number of faces
   double area = 0;                // m^2
   Vec3 min{0}, max{0};            // bounding box of the mesh, m
@@ -39,21 +39,22 @@ struct MeshReport {
   std::vector<std::string> warnings;
 };
 
-// The result of build_mesh.
 struct BuiltMesh {
   Mesh mesh;
   MeshReport report;
   std::vector<std::string> material_names;  // by FaceData::material; empty if the file names none
-  std::vector<MeshPart> parts;              // those of the soup, of faces; those without faces are left out
+  std::vector<MeshPart> parts;              // of the soup, as ranges of faces; empty ones are dropped
 };
 
-// Builds a conforming half-edge mesh from a soup: equal positions are welded, unusable faces are dropped and
-// counted, components are oriented consistently, closed parts that face inward are turned outward unless they
-// lie inside another closed part, where they may be cavities, edges of three or more faces are split into
-// rings, in which each closed shell has one edge, and where several fans of faces meet in a vertex each gets
-// a vertex of its own. Face slots have the order of the soup's triangles. Fails if no face remains, or with
-// cancelled() when stopped; `progress` may be null. Precondition: all indices of the soup are in range. O(n
-// log d), where d is the largest number of edges at a vertex.
+// Builds a conforming half-edge mesh from a soup:
+// - Welds equal positions; drops and counts unusable faces.
+// - Orients components consistently, and flips closed parts that face inward, unless they are inside another
+//   closed part, where they may be cavities.
+// - Splits edges of three or more faces into rings, in which each closed shell has one edge.
+// - Gives each fan of faces around a vertex a vertex of its own.
+// Face slots have the order of the soup's triangles. Fails if no face remains, or with cancelled() when
+// stopped; `progress` may be null. Precondition: all indices of the soup are in range. O(n log d), where d is
+// the maximum number of edges at a vertex.
 Result<BuiltMesh> build_mesh(const Soup& soup, const Progress* progress = nullptr);
 
 }  // namespace kerf

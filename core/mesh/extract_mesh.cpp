@@ -34,7 +34,7 @@ class Extraction {
     return {h, m.next(h), m.previous(h)};
   }
 
-  // The copy of a half-edge.
+  // Returns the copy of a half-edge.
   HalfEdgeId named(HalfEdgeId h) const {
     const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge_of(h));
     assert(at != edges_.end() && *at == edge_of(h));
@@ -50,7 +50,7 @@ class Extraction {
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   }
 
-  // Each fan of faces around a vertex gets a vertex of its own.
+  // Gives each fan of faces around a vertex a vertex of its own.
   void name_vertices() {
     starts_.resize(2 * edges_.size());
     for (const FaceId f : faces_) {
@@ -89,7 +89,7 @@ class Extraction {
     to_.live_faces = static_cast<uint32_t>(faces_.size());
   }
 
-  // A boundary half-edge is followed by the one that bounds the same fan on its other side.
+  // Links each boundary half-edge to the one that bounds the same fan on its other side.
   void close_boundaries() {
     HalfEdges& m = to_.half_edges;
     for (uint32_t i = 0; i < 2 * m.edges(); ++i) {
@@ -111,7 +111,7 @@ class Extraction {
   }
 
   void copy_data() {
-    std::unordered_map<uint32_t, FaceId> first_of_base;  // looked up, never walked
+    std::unordered_map<uint32_t, FaceId> first_of_base;  // never iterated
     for (uint32_t i = 0; i < faces_.size(); ++i) {
       FaceData data = old_.faces[faces_[i].index];
       const FaceId own(i);

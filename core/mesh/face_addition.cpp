@@ -32,14 +32,14 @@ void FaceAddition::append(uint32_t v, HalfEdgeId h) {
   chain.last = entry;
 }
 
-// Lists the half-edges at a vertex before a face is added there; later the mesh may not lead to all of them.
+// Lists the half-edges at a vertex before a face is added there; later they may be unreachable from the mesh.
 void FaceAddition::record_half_edges(const Mesh::Kernel& kernel, uint32_t v) {
   if (is_noted_[v]) return;
   is_noted_[v] = true;
   kernel.half_edges.for_each_outgoing(vertices_[v], [&](HalfEdgeId h) { append(v, h); });
 }
 
-// An open half-edge that is there, or one of a new edge.
+// Returns an existing open half-edge, or one of a new edge.
 HalfEdgeId FaceAddition::side(Mesh::Kernel& kernel, uint32_t from, uint32_t to) {
   HalfEdges& m = kernel.half_edges;
   HalfEdgeId found;
@@ -53,8 +53,8 @@ HalfEdgeId FaceAddition::side(Mesh::Kernel& kernel, uint32_t from, uint32_t to) 
   return made;
 }
 
-// Every boundary half-edge that ends at a vertex is followed by the one that bounds the same fan on its other
-// side, and the vertex leads to a fan.
+// Links each boundary half-edge that ends at a vertex to the one that bounds the same fan on its other side,
+// and sets the vertex's outgoing half-edge if it has none.
 void FaceAddition::link_boundaries(Mesh::Kernel& kernel, uint32_t v) const {
   HalfEdges& m = kernel.half_edges;
   if (!m.outgoing(vertices_[v]).valid()) m.set_outgoing(vertices_[v], entries_[chains_[v].first].half_edge);

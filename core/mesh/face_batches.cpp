@@ -41,10 +41,10 @@ void TriangleBatch::read(const Mesh& mesh) {
 
 namespace {
 
-// The sides of a face, its first one first.
+// The sides of a face, in order from its first one.
 using Sides = std::array<HalfEdgeId, 3>;
 
-// Found from a side that is known already rather than from the first one, whose place has to be read first.
+// Starts from a known side if there is one, because the first side must be read from memory.
 Sides sides_of(const HalfEdges& m, const ReachedFace& reached, HalfEdgeId first) {
   const HalfEdgeId hint(reached.side);
   const bool known = hint.valid() && m.face(hint) == reached.face;
@@ -53,12 +53,12 @@ Sides sides_of(const HalfEdges& m, const ReachedFace& reached, HalfEdgeId first)
   return first == b ? Sides{b, c, a} : Sides{c, a, b};
 }
 
-// A side ends where the next one starts.
+// A side ends at the start of the next one.
 std::array<VertexId, 3> corners_of(const HalfEdges& m, const Sides& sides) {
   return {m.to(sides[2]), m.to(sides[0]), m.to(sides[1])};
 }
 
-// Takes only the faces of a ring that are next to the side.
+// Appends the faces across a side; of a ring only the two next to it.
 void append_beyond(const Mesh::Kernel& k, HalfEdgeId side, std::vector<ReachedFace>& out) {
   const HalfEdges& m = k.half_edges;
   const auto append = [&](HalfEdgeId h) { out.push_back({m.face(h), h.index}); };

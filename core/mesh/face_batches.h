@@ -9,28 +9,28 @@
 
 namespace kerf {
 
-// Faces that are read together. A triangle lies behind four reads that wait for one another, each of which
-// may miss the cache; in a batch those of many faces are under way at once. For callers that read many faces,
-// in any order; a single face costs more than by Mesh::triangle().
+// Faces that are read together. Reading a triangle takes four dependent reads, each of which may miss the
+// cache; a batch overlaps those of many faces. For callers that read many faces, in any order; a single face
+// costs more than with Mesh::triangle().
 class TriangleBatch {
  public:
   static constexpr uint32_t kFaces = 64;
 
-  // Precondition: the batch has room.
+  // Precondition: the batch is not full.
   void add(FaceId f) { face_[count_++] = f; }
   void clear() { count_ = 0; }
   uint32_t count() const { return count_; }
   uint32_t room() const { return kFaces - count_; }
 
-  // Reads the corners of all faces in the batch, or those and their positions; they come in the order of
-  // Mesh::corners(). Precondition: all faces are live.
+  // Read the corners of all faces in the batch, or also their positions, in the order of Mesh::corners().
+  // Precondition: all faces are live.
   void read_corners(const Mesh& mesh);
   void read(const Mesh& mesh);
 
   FaceId face(uint32_t i) const { return face_[i]; }
-  // After read_corners() or read().
+  // Precondition: read_corners() or read() was called.
   const std::array<VertexId, 3>& corners(uint32_t i) const { return corners_[i]; }
-  // After read().
+  // Precondition: read() was called.
   const Triangle& triangle(uint32_t i) const { return triangle_[i]; }
 
  private:
@@ -40,8 +40,7 @@ class TriangleBatch {
   std::array<Triangle, kFaces> triangle_;
 };
 
-// Calls visit(const TriangleBatch&) for the live faces of the slots from `first` to `end`, in ascending
-// order.
+// Calls visit(const TriangleBatch&) for the live faces in slots `first` .. `end` - 1, in ascending order.
 template <typename Visit>
 void for_each_batch(const Mesh& mesh, size_t first, size_t end, Visit visit) {
   TriangleBatch batch;
@@ -77,9 +76,9 @@ void for_each_corners(const Mesh& mesh, std::span<const FaceId> faces, Visit vis
   }
 }
 
-// A face that a traversal over shared edges has reached, with the side over which it came: what lies around
-// the face is then found without looking the face up first. A side that is missing, or outdated because the
-// face was edited meanwhile, costs time only.
+// A face reached by a traversal over shared edges, with the side over which it was reached, so that its
+// neighbourhood is found without looking up the face first. A missing side, or one that is outdated by an
+// edit of the face, only costs time.
 struct ReachedFace {
   static constexpr uint32_t kNone = 0xffffffffu;
 
@@ -87,27 +86,27 @@ struct ReachedFace {
   uint32_t side = kNone;  // private to core/mesh
 };
 
-// Visits the faces of a mesh in batches, such that the memory accesses of a batch overlap. A traversal of a
-// large mesh waits for memory most of the time, so this is several times as fast as going face by face.
+// Visits the faces of a mesh in batches, whose memory accesses overlap. Traversing a large mesh is bound by
+// memory latency, so this is several times as fast as visiting face by face.
 class FaceWalk {
  public:
-  // Precondition: the mesh outlives the walk.
+  // The mesh must outlive the walk.
   explicit FaceWalk(const Mesh& mesh) : mesh_(mesh) {}
 
-  // Prefetches most of what visiting these faces reads. Precondition: the faces exist, and they were reached
-  // a moment ago, so that the sides themselves need no prefetching.
+  // Prefetches most of the memory that visiting these faces reads. Precondition: the faces exist and were
+  // reached recently, so that the sides themselves need no prefetching.
   void prefetch(std::span<const ReachedFace> faces) const;
 
-  // Visits faces; a dead one is skipped. The results are valid until the next call.
+  // Visits faces; skips dead ones. The results are valid until the next call.
   void visit(std::span<const ReachedFace> faces);
-  // The nearest neighbours of all these faces, in the order of Mesh::append_nearest_neighbours.
+  // Returns the nearest neighbours of all these faces, in the order of Mesh::append_nearest_neighbours.
   std::span<const ReachedFace> neighbours() const { return neighbours_; }
-  // Whether the face with this index in the batch is live, and its area (m^2) if it is, to the bit that of
+  // Liveness and area (m^2) of face i of the batch; the area of a live face is bit-equal to that of
   // triangle_area().
   bool is_live(size_t i) const { return corners_[i][0].valid(); }
   double area(size_t i) const { return areas_[i]; }
 
-  // The corners of faces, in their order. Precondition: all are live.
+  // Returns the corners of faces, in their order. Precondition: all are live.
   std::span<const Triangle> triangles(std::span<const FaceId> faces);
 
  private:

@@ -95,7 +95,7 @@ void HalfEdges::remove(FaceId f) {
   }
 }
 
-// Removes an edge without faces; the boundaries on both of its sides are joined.
+// Removes an edge without faces and joins the boundaries on its two sides.
 void HalfEdges::remove_edge(EdgeId e) {
   const HalfEdgeId h = half_edge(e, 0), o = half_edge(e, 1);
   assert(!face(h).valid() && !face(o).valid());
@@ -106,8 +106,8 @@ void HalfEdges::remove_edge(EdgeId e) {
   leave(to(o), h, after_o);
 }
 
-// Removes the half-edge `gone` from a vertex. `other` also starts there, or equals `gone` if it was the last
-// one.
+// Unlinks a half-edge from its start vertex. `other` starts there, too, or is the same half-edge if it was
+// the last one.
 void HalfEdges::leave(VertexId v, HalfEdgeId gone, HalfEdgeId other) {
   if (outgoing(v) == gone) set_outgoing(v, other == gone ? HalfEdgeId() : other);
 }
@@ -126,8 +126,8 @@ void HalfEdges::prefetch(FaceId f, int turn) const {
 
 size_t HalfEdges::bytes() const { return ChangeOfParts<HalfEdges>::bytes_of(*this); }
 
-// A side of a face that was or is changed leads to it. So do vertices that were or are moved: faces that they
-// have in one state alone have sides that changed.
+// A changed side of a face leads to the face in both states. So does a moved vertex: a face that has the
+// vertex in one state only has changed sides.
 void HalfEdges::Change::append_faces(const HalfEdges& mesh, std::vector<FaceId>& out) const {
   const auto append_ends = [&](uint32_t now, uint32_t other) {
     for (uint32_t f = std::min(now, other); f < std::max(now, other); ++f) out.emplace_back(f);
@@ -153,7 +153,7 @@ void HalfEdges::Change::append_faces(const HalfEdges& mesh, std::vector<FaceId>&
 
 namespace {
 
-// Sets one side of the link of the edge of `at`. Precondition: `at` and `target` have the same direction.
+// Sets one link of the edge of `at`. Precondition: `at` and `target` have the same direction.
 void set_link(Mesh::Kernel& k, HalfEdgeId at, HalfEdgeId RingLink::*side, HalfEdgeId target) {
   const EdgeId edge = edge_of(at);
   assert(edge.index < k.rings.size());
@@ -253,10 +253,10 @@ class FanFinder {
   }
 
  private:
-  // `fans` of a position with several, until they are numbered.
+  // Value of `fans` for a position with several fans, until they are numbered.
   static constexpr uint32_t kSeveral = 0xffffffffu;
 
-  // The sides that start at a position, and then its vertices.
+  // The sides that start at a position, and later its vertices.
   struct Position {
     uint32_t sides = 0;
     uint32_t first_side = kNoSide, last_side = 0;
@@ -296,7 +296,7 @@ class FanFinder {
     return sides == position.sides ? 1 : kSeveral;
   }
 
-  // Numbers the fans at each position that has several from 0, in the order of their lowest sides.
+  // Numbers the fans from 0 at each position with several, in the order of their lowest sides.
   void number_fans_of_shared_positions() {
     shared_at_.assign(at_.size(), kNoSide);
     for (uint32_t p = 0; p < at_.size(); ++p) {
@@ -359,8 +359,8 @@ class FanFinder {
     uint32_t position;
     std::vector<uint32_t> last_sides;  // by fan
   };
-  std::vector<Shared> shared_;       // the positions with several fans, ascending
-  std::vector<uint32_t> shared_at_;  // by position: its number in shared_, or kNoSide
+  std::vector<Shared> shared_;       // positions with several fans, ascending
+  std::vector<uint32_t> shared_at_;  // by position: its index in shared_, or kNoSide
   std::vector<uint32_t> fan_of_;     // by side that starts at such a position: its fan there; empty without
   VertexFans vertices_;
 };
@@ -375,7 +375,7 @@ Result<VertexFans> name_vertices(std::vector<std::array<uint32_t, 3>>& triangles
 
 namespace {
 
-constexpr size_t kTrianglesTogether = 1 << 14;  // a range
+constexpr size_t kTrianglesTogether = 1 << 14;  // per range
 
 class HalfEdgeFilling {
  public:
@@ -403,7 +403,7 @@ class HalfEdgeFilling {
   }
 
  private:
-  // Whether the side names its edge, i.e. is the lower of its two.
+  // Returns true if the side defines its edge, i.e. is the lower of its two sides.
   bool names_edge(size_t side) const { return partner_[side] == kNoSide || partner_[side] > side; }
 
   uint32_t count_edges() {
@@ -436,7 +436,7 @@ class HalfEdgeFilling {
     }
   }
 
-  // A vertex has one fan, so that at most one boundary half-edge starts there; it continues the boundary.
+  // A vertex has one fan, so at most one boundary half-edge starts there; it continues the boundary.
   void close_boundaries() {
     std::vector<HalfEdgeId> outer;
     for (uint32_t s = 0; s < partner_.size(); ++s) {

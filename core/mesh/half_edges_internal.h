@@ -22,18 +22,18 @@ inline EdgeId edge_of(HalfEdgeId h) { return EdgeId(h.index >> 1); }
 inline HalfEdgeId half_edge(EdgeId e, uint32_t side) { return HalfEdgeId(2 * e.index + side); }
 
 // The half-edges of a triangle mesh (K. Weiler: Edge-based data structures for solid modeling in
-// curved-surface environments, 1985), in arrays that grow by chunks and remember what a command changed. A
-// half-edge without a face is a boundary; those of one hole follow on one another. Slots only grow.
+// curved-surface environments, 1985), in arrays that grow by chunks and record the changes of a command. A
+// half-edge without a face is a boundary; the boundary half-edges of one hole form a cycle. Slots only grow.
 //
-// An edge has two faces at most and a vertex one cycle of half-edges; what else a mesh may be is said by
-// rings (see Rings).
+// An edge has at most two faces, and a vertex one cycle of half-edges; rings represent non-manifold edges
+// (see below).
 class HalfEdges {
  public:
   uint32_t vertices() const { return positions_.size(); }
   uint32_t edges() const { return links_.size() / 2; }
   uint32_t faces() const { return first_.size(); }
 
-  // Accessors. Precondition: the id is in range; `to`, `next`, `previous` and `face` are defined for edges in
+  // Accessors. Precondition: the id is in range; `to`, `next`, `previous` and `face` also require an edge in
   // use.
   const Vec3& position(VertexId v) const { return positions_[v.index]; }
   const Vec3* const* position_chunks() const { return positions_.chunks(); }
@@ -42,9 +42,9 @@ class HalfEdges {
   HalfEdgeId next(HalfEdgeId h) const { return links_[h.index].next; }
   HalfEdgeId previous(HalfEdgeId h) const { return links_[h.index].previous; }
   FaceId face(HalfEdgeId h) const { return links_[h.index].face; }
-  // A half-edge that starts at the vertex; invalid if the vertex has no edge any more.
+  // Returns a half-edge that starts at the vertex; invalid if the vertex has no edge.
   HalfEdgeId outgoing(VertexId v) const { return outgoing_[v.index]; }
-  // A half-edge of the face; invalid if the face is dead.
+  // Returns a half-edge of the face; invalid if the face is dead.
   HalfEdgeId first(FaceId f) const { return first_[f.index]; }
 
   VertexId add_vertex(const Vec3& position);
@@ -52,13 +52,13 @@ class HalfEdges {
   HalfEdgeId add_edge(VertexId from, VertexId to);
   FaceId add_face(HalfEdgeId first);
 
-  // Grows the arrays for a mesh that is about to be filled in: every new record must be set. Several threads
-  // may then set different records at the same time.
+  // Grows the arrays for a mesh to be filled in; every new record must be set. Several threads may then set
+  // different records concurrently.
   void grow_to(uint32_t vertices, uint32_t edges, uint32_t faces);
-  // Sets the sides of a new face, in the order of its corners, and what they link to.
+  // Sets the sides of a new face, in the order of its corners, and their links.
   void set_face_sides(FaceId f, const std::array<HalfEdgeId, 3>& sides,
                       const std::array<VertexId, 3>& corners);
-  // Sets a new half-edge without a face; it must be linked.
+  // Sets a new half-edge without a face; it must be linked afterwards.
   void set_open(HalfEdgeId h, VertexId to) { links_.edit(h.index) = {to, {}, {}, {}}; }
 
   void set_position(VertexId v, const Vec3& p) { positions_.edit(v.index) = p; }
@@ -69,21 +69,22 @@ class HalfEdges {
     links_.edit(h.index).next = after;
     links_.edit(after.index).previous = h;
   }
-  // Makes three half-edges the sides of a face and links them in a cycle. Precondition: each ends where the
-  // next starts.
+  // Makes three half-edges the sides of a face and links them in a cycle. Precondition: each ends at the
+  // start of the next.
   void close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c);
   void set_face(HalfEdgeId h, FaceId f) { links_.edit(h.index).face = f; }
 
-  // Splits an edge at a new vertex, and its faces. Half-edge 0 of the edge then runs from the vertex to its
-  // former end, and the first new edge runs from the vertex to its former start. The left face and then the
-  // right one keep the part at the former end; the other part becomes a new face.
+  // Splits an edge at a new vertex, and its faces. Afterwards half-edge 0 of the edge runs from the new
+  // vertex to its former end, and the first new edge from the new vertex to its former start. Each face,
+  // first the left and then the right one, keeps the part at the former end; the other part becomes a new
+  // face.
   VertexId split(EdgeId e, const Vec3& at);
 
   // Removes a face and the edges that no other face uses. Precondition: the face is live.
   void remove(FaceId f);
 
-  // Prefetches a face, its sides and two of its corners in kTurns turns, each of which reads what the
-  // previous one prefetched.
+  // Prefetches a face, its sides and two of its corners in kTurns turns, each of which reads the data that
+  // the previous one prefetched.
   static constexpr int kTurns = 3;
   void prefetch(FaceId f, int turn) const;
   // Prefetch one record each. GCC drops calls of functions that only prefetch, because they have no effect,
@@ -91,7 +92,7 @@ class HalfEdges {
   [[gnu::always_inline]] void prefetch_first(FaceId f) const { first_.prefetch(f.index); }
   [[gnu::always_inline]] void prefetch_links(HalfEdgeId h) const { links_.prefetch(h.index); }
   [[gnu::always_inline]] void prefetch_position(VertexId v) const { positions_.prefetch(v.index); }
-  // The face and its other sides, for a face with a side that is known and cached; none is allowed.
+  // Prefetches a face and its other sides from a known, cached side; the side may be invalid.
   [[gnu::always_inline]] void prefetch_around(FaceId f, HalfEdgeId side) const {
     first_.prefetch(f.index);
     if (!side.valid()) return;
@@ -113,7 +114,7 @@ class HalfEdges {
 
   size_t bytes() const;
 
-  // The arrays as they were before a command (see ChangeOf).
+  // The arrays before a command (see ChangeOf).
   class Change;
 
  private:
@@ -170,8 +171,8 @@ struct Mesh::Change::Parts : ChangeOfParts<Mesh::Kernel> {};
 
 // A ring links the coincident edges of a mesh (see Mesh); a mesh without rings stores no links.
 
-// The next and the previous half-edge in the ring of h, in the direction of h; h itself if its edge is in no
-// ring.
+// Return the next and the previous half-edge in the ring of h, in the direction of h; h itself if its edge is
+// in no ring.
 HalfEdgeId next_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 HalfEdgeId previous_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 
@@ -185,11 +186,11 @@ void link_ring(Mesh::Kernel& k, const std::vector<HalfEdgeId>& members);
 // have the same direction and bit-equal ends.
 void join_ring(Mesh::Kernel& k, HalfEdgeId h, HalfEdgeId member);
 
-// Removes an edge from its ring. An edge in no ring is left unchanged.
+// Removes an edge from its ring; no-op if it is in none.
 void leave_ring(Mesh::Kernel& k, EdgeId e);
 
-// The vertices of a mesh: one for each fan of triangles around a position. They have the order of their
-// positions and, at one position, of the lowest sides that start there.
+// The vertices of a mesh: one per fan of triangles around a position. Sorted by position and then by the
+// lowest side that starts there.
 struct VertexFans {
   std::vector<uint32_t> position;   // by vertex
   std::vector<uint32_t> last_side;  // by vertex: the highest side that starts there
@@ -197,21 +198,20 @@ struct VertexFans {
   uint32_t count() const { return static_cast<uint32_t>(position.size()); }
 };
 
-// Finds the fans, i.e. the sets of sides with one tail that are connected over paired sides, and replaces the
-// corners of the triangles, which are numbers of positions, by vertices. Side 3 t + i runs from corner i of
-// triangle t to its next corner; partner[side] is the side of another triangle on the same edge in the
-// opposite direction, or kNoSide. Fails with cancelled() when stopped; the triangles are then in no usable
-// state. `progress` may be null. Precondition: all corners are below `positions`. Linear time, on several
-// threads.
+// Finds the fans, i.e. the sets of sides with one start that are connected over paired sides, and replaces
+// the corners of the triangles, which are position numbers, by vertices. Side 3 t + i runs from corner i of
+// triangle t to its next corner; partner[side] is the opposite side of another triangle on the same edge, or
+// kNoSide. Fails with cancelled() when stopped, and leaves the triangles unusable then. `progress` may be
+// null. Precondition: all corners are below `positions`. Linear time, multithreaded.
 inline constexpr uint32_t kNoSide = 0xffffffffu;
 Result<VertexFans> name_vertices(std::vector<std::array<uint32_t, 3>>& triangles, size_t positions,
                                  std::span<const uint32_t> partner, const Progress* progress);
 
-// Fills empty half-edge arrays from triangles of vertices. partner[side] is as at name_vertices(), and
-// last_side[v] is the highest side that starts at vertex v: its half-edge becomes the vertex's. Edges have
-// the order of their lower sides, whose direction is that of half-edge 0. Positions of vertices are left
-// unset. Returns the half-edge of each side, or fails with cancelled() when stopped. `progress` may be null.
-// Precondition: every vertex has one fan of triangles. Linear time, on several threads.
+// Fills empty half-edge arrays from triangles of vertices. partner[side] is as in name_vertices(), and
+// last_side[v] is the highest side that starts at vertex v; its half-edge becomes the vertex's. Edges have
+// the order of their lower sides, whose direction is that of half-edge 0. Does not set vertex positions.
+// Returns the half-edge of each side, or fails with cancelled() when stopped. `progress` may be null.
+// Precondition: every vertex has one fan of triangles. Linear time, multithreaded.
 Result<std::vector<HalfEdgeId>> fill_half_edges(HalfEdges& half_edges,
                                                 std::span<const std::array<uint32_t, 3>> triangles,
                                                 std::span<const uint32_t> partner,

@@ -17,13 +17,13 @@
 namespace kerf {
 
 Result<Bounds> bounds_of(const Mesh& mesh, const Progress* progress) {
-  constexpr size_t kVertices = 1 << 16;  // a range
+  constexpr size_t kVertices = 1 << 16;  // per range
   const HalfEdges& m = mesh.kernel().half_edges;
   std::vector<Bounds> parts(range_count(m.vertices(), kVertices), Bounds::none());
   const auto bound = [&](size_t first, size_t end) {
     Bounds& bounds = parts[first / kVertices];
     for (auto v = static_cast<uint32_t>(first); v < end; ++v) {
-      // A vertex has an edge as long as it has a face.
+      // A vertex has an edge if and only if it has a face.
       if (m.outgoing(VertexId(v)).valid()) bounds.add(m.position(VertexId(v)));
     }
   };
@@ -86,8 +86,8 @@ namespace {
 
 constexpr uint32_t kMaxInLeaf = 4;  // triangles
 
-// Boxes over triangles, each divided in the middle of its triangles along its longest side. The children of
-// node n are n + 1 and Node::second.
+// A tree of boxes over triangles; each node is split along its longest side into halves with equal numbers of
+// triangles. The children of node n are n + 1 and Node::second.
 class TriangleBoxes {
  public:
   explicit TriangleBoxes(std::span<const Triangle> triangles)
@@ -96,7 +96,8 @@ class TriangleBoxes {
     build(0, static_cast<uint32_t>(triangles_.size()));
   }
 
-  // The squared distance of a point, or any value up to `enough` if it is not larger than that.
+  // Returns the squared distance from a point, or any value up to `enough` if the distance is not larger than
+  // that.
   double squared_distance_above(const Vec3& p, double enough) {
     double nearest = std::numeric_limits<double>::infinity();
     waiting_.assign(1, {nodes_[0].squared_distance(p), 0});
@@ -128,7 +129,7 @@ class TriangleBoxes {
     }
   };
   struct Visit {
-    double bound;  // no triangle of the node is nearer
+    double bound;  // lower bound of the squared distance to the triangles of the node
     uint32_t node;
   };
 
@@ -175,7 +176,7 @@ std::array<Vec3, 7> samples_of(const Triangle& t) {
 }
 
 // Raises `most`, a squared distance, to that of the sample of `from` that is farthest from `to`. Returns
-// false if it was stopped.
+// false if stopped.
 bool raise(std::span<const Triangle> from, TriangleBoxes& to, const Progress& progress, double& most) {
   const size_t sampled = std::min(from.size(), kMaxSampled);
   Pace pace(&progress, sampled);
@@ -206,8 +207,8 @@ namespace {
 
 using Corners = std::array<uint32_t, 3>;
 
-// Faces by the numbers of the distinct positions of their corners. Faces with two corners at one position are
-// left out: their other two sides are the same edge in both directions, and they enclose nothing.
+// Faces with distinct positions numbered. Omits faces with two corners at one position: their other two sides
+// are the same edge in both directions, and they enclose no volume.
 struct WeldedFaces {
   std::vector<Vec3> positions;
   std::vector<Corners> triangles;
@@ -251,7 +252,7 @@ WeldedFaces weld_faces(const Mesh& mesh, std::span<const FaceId> faces) {
   return welded;
 }
 
-// 1 where the side runs from the lesser to the greater number, otherwise -1.
+// Returns 1 if the side runs from the lower to the higher number, otherwise -1.
 int direction(std::span<const Corners> triangles, uint32_t side) {
   const Corners& corners = triangles[side / 3];
   const uint32_t i = side % 3;
@@ -280,7 +281,7 @@ double signed_volume(std::span<const Vec3> positions, std::span<const Corners> t
 // A side of an edge: the label of its triangle, and its direction.
 using LabelledSide = std::pair<uint32_t, int>;
 
-// Notes as open the labels whose sides of one edge do not balance. Sorts the sides.
+// Marks labels as open whose sides of one edge do not balance. Sorts the sides.
 void record_open(std::vector<LabelledSide>& sides, std::vector<bool>& closed) {
   std::sort(sides.begin(), sides.end());
   for (size_t i = 0; i < sides.size();) {

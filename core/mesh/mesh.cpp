@@ -80,7 +80,7 @@ VertexColours& Mesh::colours() { return kernel_->colours; }
 
 namespace {
 
-// The half-edge of face f that starts at vertex `from`.
+// Returns the half-edge of face f that starts at vertex `from`.
 HalfEdgeId half_edge_from(const HalfEdges& m, FaceId f, VertexId from) {
   HalfEdgeId h = m.first(f);
   for (int i = 0; i < 2 && m.from(h) != from; ++i) h = m.next(h);
@@ -88,7 +88,7 @@ HalfEdgeId half_edge_from(const HalfEdges& m, FaceId f, VertexId from) {
   return h;
 }
 
-// Visits every half-edge that bounds a face on the edge of h, over its ring.
+// Calls visit(side) for every half-edge with a face on the edge of h, over its ring.
 template <typename Visit>
 void for_each_side(const Mesh::Kernel& k, HalfEdgeId h, Visit visit) {
   HalfEdgeId member = h;
@@ -100,7 +100,7 @@ void for_each_side(const Mesh::Kernel& k, HalfEdgeId h, Visit visit) {
   } while (member != h);
 }
 
-// The half-edge of a face from one position to another; invalid where the face has none.
+// Returns the half-edge of a face between two positions; invalid if the face has none.
 HalfEdgeId side_between(const HalfEdges& m, FaceId face, const Vec3& from, const Vec3& to) {
   if (!face.valid()) return HalfEdgeId();
   HalfEdgeId h = m.first(face);
@@ -112,7 +112,7 @@ HalfEdgeId side_between(const HalfEdges& m, FaceId face, const Vec3& from, const
   return HalfEdgeId();
 }
 
-// The half-edge from one position to another in a face on the edge of `member`, of another edge than h.
+// Finds a coincident copy of h in a face on the edge of `member`; invalid if there is none.
 HalfEdgeId copy_beside(const HalfEdges& m, HalfEdgeId member, HalfEdgeId h) {
   const auto &from = m.position(m.from(h)), &to = m.position(m.to(h));
   for (const HalfEdgeId side : {member, opposite(member)}) {
@@ -122,10 +122,10 @@ HalfEdgeId copy_beside(const HalfEdges& m, HalfEdgeId member, HalfEdgeId h) {
   return HalfEdgeId();
 }
 
-// Faces that lie on one another share all their edges, those that splitting makes inside them too. h is an
-// edge that was just turned over: if a face on the rings of both its neighbour edges has the same edge
-// already, they are linked. Both rings are searched at once, each both ways, until one ends: one may be long
-// where the other is short, and copies of a face are split one after the other.
+// Coincident faces share all their edges, including those that splits create inside them. h is an edge that
+// was just flipped: if a face on the rings of both its neighbouring edges already has the same edge, the two
+// are linked. Searches both rings at once, each in both directions, until one ends: one ring may be much
+// longer than the other, and copies of a face are split one after the other.
 void link_to_copy(Mesh::Kernel& k, HalfEdgeId h) {
   if (k.rings.empty()) return;
   const HalfEdges& m = k.half_edges;
@@ -149,20 +149,20 @@ void link_to_copy(Mesh::Kernel& k, HalfEdgeId h) {
   }
 }
 
-// One edge, bisected: where its two halves are, both in the direction of the half-edge that was split.
+// The two halves of a bisected edge, both in the direction of the half-edge that was split.
 struct Halves {
   HalfEdgeId near_from;
   HalfEdgeId near_to;
 };
 
-// The next new face remembers what its parent does.
+// Adds a new face with a copy of the data of its parent.
 FaceId hand_down(Mesh::Kernel& k, FaceId parent) {
   k.faces.push_back(FaceData(k.faces[parent.index]));
   ++k.live_faces;
   return FaceId(k.faces.size() - 1);
 }
 
-// The new vertex on an edge gets the colour between those of its ends.
+// Interpolates the colour of the new vertex on an edge.
 void colour_middle(Mesh::Kernel& k, VertexId middle, VertexId tail, VertexId head) {
   const HalfEdges& m = k.half_edges;
   const double whole = glm::distance(m.position(tail), m.position(head));
@@ -170,7 +170,7 @@ void colour_middle(Mesh::Kernel& k, VertexId middle, VertexId tail, VertexId hea
   k.colours.set(middle, mix(k.colours.get(tail), k.colours.get(head), std::min(share, 1.0)));
 }
 
-// Bisects the edge of h and its one or two faces, and appends what became of them: first the face of h.
+// Bisects the edge of h and its one or two faces, and appends these splits, first that of the face of h.
 Halves bisect(Mesh::Kernel& k, HalfEdgeId h, const Vec3& at, std::vector<Mesh::FaceSplit>& out) {
   HalfEdges& m = k.half_edges;
   const EdgeId edge = edge_of(h), new_edge(m.edges());
@@ -184,24 +184,24 @@ Halves bisect(Mesh::Kernel& k, HalfEdgeId h, const Vec3& at, std::vector<Mesh::F
   if (left.valid()) out.push_back({left, hand_down(k, left), middle, tail, head, head});
   if (right.valid()) out.push_back({right, hand_down(k, right), middle, head, tail, head});
   if (h != h0 && out.size() - first == 2) std::swap(out[first], out[first + 1]);
-  if (!k.rings.empty()) add_lone_rings(k);  // the edges that were just made
+  if (!k.rings.empty()) add_lone_rings(k);  // for the new edges
 
   const HalfEdgeId outward = half_edge(new_edge, 0);  // middle -> tail
   if (h == h0) return {opposite(outward), h0};
   return {o0, outward};
 }
 
-// The area of the first face relative to that of both; a half where neither has any.
+// Returns the area of the first face as a fraction of both; one half if both have none.
 double area_share(const Mesh& mesh, FaceId a, FaceId b) {
   const double first = triangle_area(mesh.triangle(a)), second = triangle_area(mesh.triangle(b));
   const double share = first / (first + second);
   return share >= 0 ? share : 0.5;
 }
 
-// Where faces that lie on one another were bisected, their bisectors lie on one another.
+// Links the bisectors of coincident faces, which coincide as well.
 void link_bisectors(Mesh::Kernel& k, std::span<const Mesh::FaceSplit> splits) {
   const HalfEdges& m = k.half_edges;
-  std::vector<HalfEdgeId> bisectors;  // from the midpoint to the corner opposite
+  std::vector<HalfEdgeId> bisectors;  // from the midpoint to the opposite corner
   std::vector<Vec3> ends;
   for (const Mesh::FaceSplit& s : splits) {
     const FaceId before_midpoint =
@@ -244,7 +244,7 @@ void Mesh::append_neighbours(FaceId f, std::vector<FaceId>& out) const {
 
 void Mesh::append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const {
   const HalfEdges& m = kernel_->half_edges;
-  // A member of a ring has one face or two, which are beside each other.
+  // A member of a ring has one face or two, which are neighbours.
   const auto append_one = [&](HalfEdgeId member) {
     const auto face = m.face(member);
     out.push_back(face.valid() ? face : m.face(opposite(member)));

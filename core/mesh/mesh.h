@@ -15,9 +15,8 @@ namespace kerf {
 
 using Triangle = std::array<Vec3, 3>;
 
-// Area in m^2.
 double triangle_area(const Triangle& t);
-// Squared length of the longest edge.
+// Squared length of the longest edge (m^2).
 double longest_edge2(const Triangle& t);
 // Cosine of the smallest interior angle, i.e. the largest of the three cosines; 1 for a degenerate triangle.
 double largest_cosine(const Triangle& t);
@@ -26,12 +25,13 @@ double largest_cosine(const Triangle& t);
 struct FaceData {
   static constexpr uint32_t kNoElement = 0xffffffffu;
 
-  FaceId base;                    // the loaded face that contains this one
-  uint32_t element = kNoElement;  // the green element of which it is a half (see OneToFour)
+  FaceId base;                    // loaded face that contains this one
+  uint32_t element = kNoElement;  // green element that contains it as a half (see OneToFour)
   uint32_t piece = 0;             // label of its piece
   uint16_t material = 0;
-  uint8_t halvings = 0;  // how often the area of the base face was halved; a split into four counts two
-  bool hit = false;      // the beam is or was in its bounding box; for display
+  uint8_t halvings =
+      0;             // number of times the area of the base face was halved; a split into four counts as two
+  bool hit = false;  // its bounding box is or was hit by the beam; for display
 };
 
 // Direct access to the positions of vertices. Valid until the mesh is edited.
@@ -50,14 +50,14 @@ class Positions {
 
 // A conforming triangle mesh of half-edges.
 //
-// It is conforming: two faces share an edge, a corner or nothing, and splitting an edge splits all faces on
-// it. A half-edge structure stores at most two faces per edge. Where three or more faces meet, or two that
-// cannot be oriented consistently, each closed shell has an edge of its own for its two faces, and each other
-// face one for itself (see pair_sides.h). These coincident edges are linked in a *ring*. Faces that coincide
-// corner by corner are linked along all their edges and are always split together. Adjacency includes rings:
-// two faces are neighbours if they share an edge by position.
+// Conforming means that two faces share an edge, a corner or nothing, and that splitting an edge splits all
+// faces on it. A half-edge structure stores at most two faces per edge. If three or more faces meet, or two
+// that cannot be oriented consistently, each closed shell has an edge of its own for its two faces, and each
+// other face one for itself (see pair_sides.h). These coincident edges are linked in a *ring*. Faces that
+// coincide corner by corner are linked along all their edges and are always split together. Adjacency
+// includes rings: two faces are neighbours if they share an edge by position.
 //
-// Vertices belong to sheets: where sheets touch in a vertex or a ring, each sheet has its own vertex at a
+// Vertices belong to sheets: if sheets touch in a vertex or a ring, each sheet has its own vertex at a
 // bit-equal position. The numbers of face and vertex slots never decrease; a removed face keeps its slot,
 // which is marked dead.
 //
@@ -75,11 +75,11 @@ class Mesh {
   uint32_t vertex_slots() const;
   uint32_t edge_slots() const;
   uint32_t live_faces() const;
-  bool is_live(FaceId f) const;  // false if there is no such slot
+  bool is_live(FaceId f) const;  // false if the slot does not exist
 
   Vec3 position(VertexId v) const;
-  // The corners of a face, counter-clockwise; edits nearby may change which corner comes first. Precondition
-  // of this, has_side, triangle, data and edit_data: the face is live.
+  // The corners of a face, counter-clockwise; nearby edits may change which corner is first. Precondition of
+  // this, has_side, triangle, data and edit_data: the face is live.
   std::array<VertexId, 3> corners(FaceId f) const;
   bool has_side(FaceId f, VertexId from, VertexId to) const;  // counter-clockwise
   Triangle triangle(FaceId f) const;
@@ -89,24 +89,24 @@ class Mesh {
   const FaceData& data(FaceId f) const;
   FaceData& edit_data(FaceId f);
 
-  // Further values of the faces, which follow all that is done to faces (see FaceColumns).
+  // Additional values of the faces, kept up to date by all edits of faces (see FaceColumns).
   const FaceColumns& columns() const;
   FaceColumns& columns();
 
-  // The colours of the vertices, which follow all that is done to vertices.
+  // The colours of the vertices, kept up to date by all edits of vertices.
   const VertexColours& colours() const;
   VertexColours& colours();
 
-  // Appends every other live face that shares an edge with f, including over rings; a face that shares two
-  // edges appears twice. Precondition: f is live. Linear in the degrees of the rings.
+  // Appends every other live face that shares an edge with f, including over rings; twice if it shares two
+  // edges. Precondition: f is live. Linear in the degrees of the rings.
   void append_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
-  // Appends those neighbours, but of each ring only the two faces next to f. They suffice for a traversal of
-  // connected faces and for finding what f connects, because the other faces of the ring are reached from
-  // them. Constant time.
+  // Appends these neighbours, but of each ring only the two faces next to f. They suffice for traversing
+  // connected faces and for connectivity tests, because they lead to the other faces of the ring. Constant
+  // time.
   void append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
-  // A face and one of its edges in the face's counter-clockwise direction, in the vertices of its own sheet.
+  // A face and one of its edges in the face's counter-clockwise direction, by vertices of its own sheet.
   struct Side {
     FaceId face;
     VertexId from;
@@ -116,8 +116,8 @@ class Mesh {
   // Appends the sides of all other live faces on the edge of f from corner `from` to its next corner `to`.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
 
-  // Appends the sides of live faces that no other face shares: those of all faces, O(edges); of one face,
-  // which is live; and those along the edges in slots first .. end - 1, which may exceed edge_slots().
+  // Append the sides of live faces that no other face shares: those of all faces, O(edges); of one live face;
+  // and those along the edges in slots first .. end - 1, which may exceed edge_slots().
   void append_open_sides(std::vector<Side>& out) const { append_open_sides_in(0, edge_slots(), out); }
   void append_open_sides_of(FaceId f, std::vector<Side>& out) const;
   void append_open_sides_in(uint32_t first, uint32_t end, std::vector<Side>& out) const;
@@ -129,15 +129,15 @@ class Mesh {
     std::vector<VertexId> rim;
     bool alone = true;
   };
-  // Linear in the degree of the vertex.
+  // Finds the star of a vertex. Linear in its degree.
   void star(VertexId v, Star& out) const;
 
   // Moves a vertex of one sheet. Structures that depend on positions, e.g. a tree, must be updated for its
   // faces.
   void move_vertex(VertexId v, const Vec3& to);
 
-  // One face that a split of an edge has split: `kept` is its old slot, now the half at `kept_end`, and
-  // `added` is the new slot with the other half.
+  // One face that was split at an edge: `kept` is its old slot, now the half at `kept_end`, and `added` is
+  // the new slot with the other half.
   struct FaceSplit {
     FaceId kept;
     FaceId added;
@@ -152,37 +152,37 @@ class Mesh {
   // Precondition: f is live and has this edge. Linear in the degree of the ring.
   void split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out);
 
-  // Splits the edge like split_edge, but at any point of it. Precondition: `at` is neither of its ends.
+  // Like split_edge, but splits at any point of the edge. Precondition: `at` is neither of its ends.
   void split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<FaceSplit>& out);
 
   // Flips the edge (from, to) between f and its neighbour, i.e. replaces it by the other diagonal of their
   // quadrilateral. Face data stay with their slots. Precondition: can_flip_edge(). Constant time, or linear
-  // in the degree of a ring if faces coincide with these.
+  // in the degree of a ring if other faces coincide with these.
   void flip_edge(FaceId f, VertexId from, VertexId to);
 
-  // Whether the edge has two faces and is in no ring, and its opposite corners are not connected by an edge.
+  // Returns true if the edge has two faces and is in no ring, and its opposite corners share no edge.
   bool can_flip_edge(FaceId f, VertexId from, VertexId to) const;
 
   // Adds a vertex without faces.
   VertexId add_vertex(const Vec3& position);
-  // Adds faces with these corners, counter-clockwise, and returns their slots. Each is its own base face; its
-  // other data are those given. The sides that two of them have in common are one edge, and a side along a
-  // boundary closes it; columns and colours of what is new are zero. A vertex at which the faces no longer
-  // hang together over edges gives way to several at its position. Preconditions: the mesh stays orientable:
-  // no side occurs twice in one direction, or along a live face that has it already. New edges are in no
-  // ring, even if they lie on edges of other sheets. O(n log n) in the new faces and those around their
-  // corners. See also FaceAddition.
+  // Adds faces with these corners, counter-clockwise, and returns their slots. Each is its own base face with
+  // the given other data. Common sides of two of them become one edge, and a side along a boundary closes it;
+  // columns and colours of new items are zero. A vertex whose faces are no longer connected over edges is
+  // replaced by several at its position. Precondition: the mesh stays orientable, i.e. no side occurs twice
+  // in one direction, or along a live face that already has it. New edges are in no ring, even if they
+  // coincide with edges of other sheets. O(n log n) in the new faces and those around their corners. See also
+  // FaceAddition.
   std::vector<FaceId> add_faces(std::span<const std::array<VertexId, 3>> corners,
                                 std::span<const FaceData> data);
 
-  // Removes a face; its slot stays and is marked dead. Precondition: f is live.
+  // Removes a face; its slot remains and is marked dead. Precondition: f is live.
   void remove_face(FaceId f);
 
   // Memory allocated, in bytes.
   size_t bytes() const;
 
-  // The mesh as it was before a command or, once exchanged, after it (see ChangeOf). Every function costs
-  // what was changed, not what is there.
+  // The mesh before a command or, after exchange(), after it (see ChangeOf). The cost of every function
+  // depends on the size of the change, not of the mesh.
   class Change {
    public:
     Change();
@@ -195,8 +195,8 @@ class Mesh {
     void exchange(Mesh& mesh);
     void restore(Mesh& mesh) const;
     size_t bytes() const;
-    // Appends every face that is not the same before and after the change: dead in one of the two states, or
-    // with other corners. Lists others as well, faces that do not exist, and repeats.
+    // Appends every face that differs before and after the change: dead in one of the two states, or with
+    // other corners. May also list unchanged or non-existent faces, and repeat faces.
     void append_faces(const Mesh& mesh, std::vector<FaceId>& out) const;
 
    private:
@@ -215,24 +215,23 @@ class Mesh {
 
 using HalfEdgeId = Id<struct HalfEdgeTag>;
 
-// New faces that come into a mesh in parts (see Mesh::add_faces, which adds them at once). Between the parts
-// the mesh is one that can be asked for everything, but the star of a vertex lacks faces that do not hang
-// together with the others yet: nothing else may edit the mesh until the addition is over.
+// Adds new faces to a mesh in parts (Mesh::add_faces adds them at once). Between the parts all queries of the
+// mesh work, except that the star of a vertex lacks faces that are not connected to the others yet; nothing
+// else may edit the mesh until the addition is complete.
 class FaceAddition {
  public:
-  // Corners are indices of `vertices`, each of which is there once. For the rest see Mesh::add_faces.
+  // Corners are indices of `vertices`, which are distinct. Otherwise as Mesh::add_faces.
   FaceAddition(std::vector<VertexId> vertices, std::vector<std::array<uint32_t, 3>> corners);
 
   size_t faces() const { return corners_.size(); }
-  // The number of faces that were added.
   size_t added() const { return added_; }
 
-  // Adds the next faces, as many as there are data, and returns their slots. Precondition: there are so many.
+  // Adds the next data.size() faces and returns their slots. Precondition: at least that number remains.
   std::vector<FaceId> add(Mesh& mesh, std::span<const FaceData> data);
 
-  // Lets each of the next `most` vertices give way to several where the faces around it do not hang together
-  // over edges. Appends the faces whose corners are others by that. Returns whether the addition is over.
-  // Precondition: all faces were added.
+  // Replaces each of the next `most` vertices by several if the faces around it are not connected over edges.
+  // Appends the faces whose corners change by that. Returns true if the addition is complete. Precondition:
+  // all faces were added.
   bool part_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed);
 
  private:
@@ -266,11 +265,11 @@ class FaceAddition {
   size_t added_ = 0, parted_ = 0;  // faces, vertices
 };
 
-// Copies some faces of a mesh into a mesh of their own. Positions, orientation, the order of faces around
-// vertices, rings, face data, columns and colours are preserved to the bit, except for references to other
-// faces: green pairs are dropped, and the base of a face becomes the face itself if it was never split, else
-// the first of the extracted faces that share the base. Slots have the order of `faces`. Parts that touch in
-// a vertex get a vertex each.
+// Copies some faces of a mesh into a new mesh. Positions, orientation, the order of faces around vertices,
+// rings, face data, columns and colours are preserved to the bit, except for references to other faces: green
+// pairs are dropped, and the base of a face becomes the face itself if it was never split, otherwise the
+// first of the extracted faces with the same base. Slots have the order of `faces`. Parts that touch in a
+// vertex get a vertex each.
 //
 // Preconditions: `faces` are live, ascending and not empty, and contain with each face all faces connected to
 // it over edges. O(n log n).

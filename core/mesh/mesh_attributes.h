@@ -15,8 +15,8 @@
 
 namespace kerf {
 
-// Identifies one column of FaceColumns, i.e. one value of type T per face of a mesh. It is also valid for
-// copies of the mesh and for meshes extracted from it.
+// Identifies one column of FaceColumns, i.e. one value of type T per face of a mesh. Also valid for copies of
+// the mesh and for meshes extracted from it.
 template <typename T>
 class FaceColumn {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(uint64_t));
@@ -32,18 +32,18 @@ class FaceColumn {
   uint32_t index_ = kNone;
 };
 
-// Values of the faces of a mesh that whoever attaches them needs and the mesh itself does not (FaceData holds
-// what every mesh needs). The mesh takes the columns along with all that it does to faces:
+// Values of the faces of a mesh that its clients attach (FaceData holds the data that every mesh needs). All
+// edits of the mesh keep them up to date:
 //
-//   split    the parts of a face copy its value, or share it by their areas, so that the sum stays;
-//   turn     two faces whose common edge is turned keep their values, or share their sum by their areas;
+//   split    the parts of a face copy its value, or share it by area, so that the sum is preserved;
+//   flip     two faces whose common edge is flipped keep their values, or share their sum by area;
 //   move     values stay with the faces when a vertex moves;
 //   remove   the value of a removed face becomes T();
 //   copy     extract_mesh and copies of the mesh have the same columns with the same values;
 //   undo     the columns are a part of Mesh::Change.
 //
-// A value is T(), all bits zero, until it is set. A mesh in which no value was ever set pays nothing, and a
-// column takes memory up to the last face whose value was set.
+// A value is T(), all bits zero, until it is set. A mesh without any set value has no overhead, and a column
+// takes memory up to the last face whose value was set.
 class FaceColumns {
  public:
   // Attaches a column whose values are copied to the parts of a split face. Precondition: no change of the
@@ -56,7 +56,7 @@ class FaceColumns {
   // Same precondition.
   FaceColumn<double> attach_shared_by_area() { return FaceColumn<double>(attach(Rule::kShareByArea)); }
 
-  // Whether no value of any column was ever set.
+  // Returns true if no value of any column was ever set.
   bool blank() const;
 
   template <typename T>
@@ -71,7 +71,7 @@ class FaceColumns {
   }
 
   // Calls visit(f) for the faces whose value in the column is not T(), ascending; `visit` may set their
-  // values. O(these faces + faces / kBlock), but up to kBlock times the faces found where they are scattered.
+  // values. O(these faces + faces / kBlock), but up to kBlock times the faces found if they are scattered.
   template <typename T, typename Visit>
   void for_each_set(FaceColumn<T> column, Visit visit) const {
     assert(column.index_ < columns_.size());
@@ -85,7 +85,7 @@ class FaceColumns {
     }
   }
 
-  // Whether any face has a value that is not T(). O(faces / kBlock).
+  // Returns true if any face has a value that is not T(). O(faces / kBlock).
   template <typename T>
   bool any_set(FaceColumn<T> column) const {
     assert(column.index_ < columns_.size());
@@ -96,7 +96,7 @@ class FaceColumns {
     return false;
   }
 
-  // The columns for a mesh that consists of these faces, in their order.
+  // Returns the columns for a mesh that consists of these faces, in their order.
   FaceColumns extract(std::span<const FaceId> faces) const;
 
   size_t bytes() const;
@@ -114,7 +114,7 @@ class FaceColumns {
   struct Column {
     Rule rule;
     Records<uint64_t> cells;
-    Records<uint32_t> filled;  // by block of kBlock faces: how many of their cells are not zero
+    Records<uint32_t> filled;  // by block of kBlock faces: the number of its non-zero cells
 
     uint64_t get(FaceId f) const { return f.index < cells.size() ? cells[f.index] : 0; }
     void set(FaceId f, uint64_t cell);
@@ -163,13 +163,13 @@ class FaceColumns::Change {
   std::vector<ChangeOfParts<Column>> changes_;  // by column
 };
 
-// The colours of the vertices of a mesh, which the mesh takes along: the vertex that splits an edge gets the
-// colour between those of its ends, a vertex that moves keeps its own, and copies, extracts and Mesh::Change
-// include them. They are no part of the state of a world (see state_hash). A mesh in which no colour was set
-// pays nothing; in any other, vertices whose colour was not set are white and opaque.
+// The colours of the vertices of a mesh, kept up to date by its edits: a vertex that splits an edge gets the
+// interpolated colour of its ends, a moved vertex keeps its own, and copies, extracts and Mesh::Change
+// include colours. They are not part of the state of a world (see state_hash). A mesh without colours has no
+// overhead; otherwise vertices whose colour was not set are white and opaque.
 class VertexColours {
  public:
-  // Whether no colour was ever set.
+  // Returns true if no colour was ever set.
   bool blank() const { return cells_.empty(); }
   VertexColour get(VertexId v) const { return v.index < cells_.size() ? cells_[v.index] : VertexColour(); }
   void set(VertexId v, const VertexColour& colour);

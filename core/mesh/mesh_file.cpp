@@ -32,7 +32,7 @@ constexpr double kLoadingShare = 0.2;  // of the progress; the rest is parsing
 
 class OpenFile {
  public:
-  // Does not wait for a pipe that nobody writes to.
+  // Does not wait for a pipe without a writer.
   explicit OpenFile(const std::filesystem::path& path)
       : descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
   ~OpenFile() {
@@ -47,7 +47,7 @@ class OpenFile {
   int descriptor_;
 };
 
-// The bytes are read, not mapped: a mapped file that another program cuts short ends the process.
+// The bytes are read, not mapped: if another program truncates a mapped file, the process crashes.
 struct FileBytes {
   std::unique_ptr<char[]> data;
   size_t size = 0;
@@ -55,7 +55,7 @@ struct FileBytes {
   std::string_view view() const { return {data.get(), size}; }
 };
 
-// The size of an open regular file.
+// Returns the size of an open regular file.
 Result<size_t> readable_size(int file, const std::string& name) {
   struct stat info {};
   if (::fstat(file, &info) != 0) return failed(name + ": " + std::generic_category().message(errno) + ".");
@@ -102,7 +102,7 @@ Result<Soup> parse(std::string_view bytes, const std::string& name, const std::f
                    const Progress* progress) {
   const std::optional<MeshFormat> by_content = recognise_format(bytes, {});
   if (!by_content) {
-    // What is no other kind of file may be a damaged one of the format that its name says.
+    // A file of no other kind may be a damaged one of the format of its extension.
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
       return bad_input(name + ": this is UTF-16 text; save it as UTF-8.");
     const std::string_view kind = kind_of_file(bytes);
@@ -163,7 +163,7 @@ Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* p
 
 namespace {
 
-// A sentence about a number of things, in the singular and the plural, both without the number.
+// A sentence about a count, in the singular and the plural, both without the number.
 struct Wording {
   const char* one;
   const char* many;
@@ -222,7 +222,7 @@ bool fits_float(const Vec3& p) {
 }
 
 std::string obstacle_to_gltf(const MeshView& mesh) {
-  // Half of the range, because positions are told from the middle.
+  // Half of the range, because positions are relative to the middle.
   const auto fits = [](const Vec3& p) { return fits_float(2.0 * p); };
   if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
     return "glTF cannot hold coordinates beyond 1.7e38";
@@ -231,7 +231,7 @@ std::string obstacle_to_gltf(const MeshView& mesh) {
   return {};
 }
 
-// Why the format cannot hold the mesh; empty when it can.
+// Returns why the format cannot store the mesh; empty if it can.
 std::string obstacle(const MeshView& mesh, MeshFormat format) {
   if (format == MeshFormat::kStl && !std::all_of(mesh.positions.begin(), mesh.positions.end(), fits_float)) {
     return "STL cannot hold coordinates beyond 3.4e38";

@@ -13,23 +13,23 @@
 
 namespace kerf {
 
-// Reads an OBJ, PLY, STL, OFF or glTF file. The content decides which format it is; the extension of the name
-// is only a hint. Fails for anything but a regular file, for files of more than 4 GiB, and for errors of the
+// Reads an OBJ, PLY, STL, OFF or glTF file. The content determines the format; the extension of the name is
+// only a hint. Fails for anything but a regular file, for files of more than 4 GiB, and for errors of the
 // format's reader, with one sentence that names the file and the line or byte; fails with cancelled() when
-// stopped. `progress` may be null. Files may be read concurrently. The whole file is held in memory beside
-// the result. Linear in its size.
+// stopped. `progress` may be null. Files may be read concurrently. Holds the whole file in memory in addition
+// to the result. Linear in its size.
 Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress = nullptr);
 
 // Reads a mesh file with read_mesh and builds its mesh with build_mesh. The message of every failure but
 // cancelled() names the file. `progress` may be null.
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress);
 
-// Sentences for the user about the faces of a file, the most important first: what was dropped, what was
-// changed, what it means for cuts, and then the reader's warnings. Empty for a file without faults. Welding
-// and dropped vertices are not mentioned, because they change no face.
+// Returns notes for the user about the faces of a file, the most important first: dropped faces, changed
+// faces, consequences for cuts, and then the reader's warnings. Empty for a file without faults. Omits
+// welding and dropped vertices, because they change no face.
 std::vector<std::string> load_notes(const MeshReport& report);
 
-// Only the sentences about dropped faces.
+// Returns only the notes about dropped faces.
 std::vector<std::string> dropped_notes(const Repairs& repairs);
 
 // Writes a mesh: OBJ and OFF as text, PLY, STL and GLB in binary. Positions are read back to the bit and
@@ -37,30 +37,30 @@ std::vector<std::string> dropped_notes(const Repairs& repairs);
 // and glTF positions in single precision relative to the middle of the mesh and triangles by material; OBJ
 // and glTF store the names of materials. The file is written whole or not at all (see write_file_atomically).
 // Fails with one sentence if it cannot be written or if the format cannot represent the mesh, e.g.
-// coordinates beyond the range of float in STL. All bytes are held in memory before they are written. Linear
-// time.
+// coordinates beyond the range of float in STL. Holds all bytes in memory before writing. Linear time.
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format);
 
-// The loss of a mesh in a format that holds positions in single precision.
+// The loss of a mesh in a single-precision format.
 struct PrecisionLoss {
   double largest_move = 0;   // of a vertex, m
-  double shortest_edge = 0;  // of those longer than zero, before the rounding, m; 0 if there is none
-  size_t merged = 0;         // vertices that fall together with another one that was elsewhere
+  double shortest_edge = 0;  // non-zero, before rounding, m; 0 if there is none
+  size_t merged = 0;         // vertices that coincide with one that had another position
   size_t vertices = 0;
 
-  // Whether the loss can be seen: vertices fall together, or move by more than a tenth of the shortest edge.
+  // Returns true if the loss is visible: vertices coincide, or move by more than a tenth of the shortest
+  // edge.
   bool matters() const { return merged > 0 || largest_move > 0.1 * shortest_edge; }
-  // The loss of two meshes in one.
+  // Adds the loss of another mesh.
   PrecisionLoss& operator+=(const PrecisionLoss& other);
 };
 
-// Measures the positions as encode() writes them: about the origin in STL, about the middle of the mesh in
-// glTF. The other formats hold doubles and lose nothing. Precondition: the coordinates fit the format (see
-// write_mesh). Expected linear time.
+// Measures the loss for positions as encode() writes them: relative to the origin in STL, to the middle of
+// the mesh in glTF. The other formats store doubles without loss. Precondition: the coordinates fit the
+// format (see write_mesh). Expected linear time.
 PrecisionLoss precision_loss(const MeshView& mesh, MeshFormat format);
 
-// A sentence for the user about meshes that were written in this format: "STL holds single precision: …".
-// Nothing if the loss does not matter. `advice` says what to do instead.
+// Formats a note for the user about meshes written in this format: "STL stores single precision: …". Returns
+// nullopt if the loss does not matter. `advice` tells the user what to do instead.
 std::optional<std::string> precision_note(const PrecisionLoss& loss, MeshFormat format,
                                           const std::string& advice);
 

@@ -24,7 +24,7 @@ struct Box {
   }
 };
 
-// Points of a plane by cells of equal size, about as many as there are points.
+// Points of a plane in square cells, about as many as there are points.
 class Grid {
  public:
   explicit Grid(std::span<const Vec2> points) {
@@ -42,7 +42,7 @@ class Grid {
     for (uint32_t i = 0; i < points.size(); ++i) items_[next[cell(points[i])]++] = i;
   }
 
-  // Calls visit(i) for each point in the cells that a rectangle meets.
+  // Calls visit(i) for each point in the cells that meet a rectangle.
   template <typename Visit>
   void visit(const Vec2& low, const Vec2& high, Visit&& visit) const {
     if (high.x < low_.x || high.y < low_.y || high_.x < low.x || high_.y < low.y) return;
@@ -53,7 +53,7 @@ class Grid {
   }
 
  private:
-  // Column (axis 0) or row (axis 1) of the cell that is nearest to a point.
+  // Returns the column (axis 0) or row (axis 1) of the cell nearest to a point.
   uint32_t place(const Vec2& p, int axis) const {
     const double extent = high_[axis] - low_[axis];
     if (!(extent > 0)) return 0;
@@ -62,7 +62,7 @@ class Grid {
   }
   size_t cell(const Vec2& p) const { return size_t{place(p, 1)} * side_ + place(p, 0); }
 
-  uint32_t side_ = 1;  // cells in a row and in a column
+  uint32_t side_ = 1;  // cells per row and per column
   Vec2 low_, high_;
   std::vector<uint32_t> first_, items_;  // cell c holds items_[first_[c]] .. items_[first_[c + 1] - 1]
 };
@@ -92,7 +92,7 @@ class EnclosureTest {
   }
 
  private:
-  // The origin of a ray. Those of one patch are corners of triangles spread over it.
+  // Returns the origin of a ray: for one patch, corners of triangles spread over it.
   const Vec3& origin(size_t ray) const {
     const auto triangles = patches_.triangles_of(asked_[ray / rays_]);
     const size_t k = ray % rays_;
@@ -152,8 +152,8 @@ class EnclosureTest {
 
   const Vec3& corner(uint32_t triangle, int i) const { return positions_[triangles_[triangle][i]]; }
 
-  // Whether the ray from p in the direction of +w crosses a triangle. Triangles on a common edge agree on
-  // which side of the edge the ray passes.
+  // Returns true if the ray from p in the direction of +w crosses a triangle. Triangles on a common edge
+  // agree on which side of the edge the ray passes.
   bool ray_crosses(const Vec3& p, uint32_t triangle) const {
     bool within = false;
     for (int i = 0; i < 3; ++i) {
@@ -167,8 +167,8 @@ class EnclosureTest {
     return area > 0 ? height > 0 : height < 0;
   }
 
-  // Whether the half-line from the origin in the direction of +u crosses the segment from a to b, of whose
-  // ends one with v = 0 counts as below.
+  // Returns true if the half-line from the origin in the direction of +u crosses the segment from a to b; an
+  // end with v = 0 counts as below.
   static bool passes_right_of(const Vec2& a, const Vec2& b) {
     if ((a.y > 0) == (b.y > 0)) return false;
     return (cross2(a, b) > 0) == (b.y > a.y);
@@ -178,13 +178,13 @@ class EnclosureTest {
   const std::vector<std::array<uint32_t, 3>>& triangles_;
   const Patches& patches_;
   std::span<const uint32_t> asked_;
-  std::vector<Box> boxes_;  // one per entry of asked_
-  uint32_t rays_;           // for each entry of asked_: ray r is of the entry r / rays_
+  std::vector<Box> boxes_;  // by entry of asked_
+  uint32_t rays_;           // per entry of asked_: ray r belongs to entry r / rays_
   // By ray: whether it crosses the patch being tested an odd number of times.
   std::vector<bool> odd_;
   std::vector<uint32_t> enclosing_;  // by entry of asked_
   std::vector<uint32_t> crossed_;    // rays that cross the patch being tested
-  int u_ = 0, v_ = 1, w_ = 2;        // axes; the rays go along w
+  int u_ = 0, v_ = 1, w_ = 2;        // axes; rays run along w
 };
 
 }  // namespace
@@ -208,9 +208,9 @@ namespace {
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 
-// Whether the two triangles on every edge of exactly two traverse it in opposite directions.
+// Returns true if the two triangles on every edge of exactly two traverse it in opposite directions.
 bool is_consistent(const Triangles& triangles, const SoupEdges& edges) {
-  constexpr size_t kEdges = 1 << 16;  // a range
+  constexpr size_t kEdges = 1 << 16;  // per range
   std::vector<uint8_t> differs(range_count(edges.count(), kEdges));
   const auto tail = [&](uint32_t side) { return triangles[side / 3][side % 3]; };
   for_each_range(edges.count(), kEdges, [&](size_t e, size_t end) {
@@ -241,7 +241,7 @@ class Orienter {
   }
 
  private:
-  // Returns false if it was stopped.
+  // Returns false if stopped.
   bool orient_from(uint32_t seed) {
     front_.assign(1, seed);
     seen_[seed] = true;
@@ -290,11 +290,11 @@ struct Volume {
   }
 };
 
-// The sign of the signed volume of a closed patch. The terms are bounded by the edges that enter, so that a
-// patch without volume, whose sum is nothing but rounding, has the sign 0.
+// Returns the sign of the signed volume of a closed patch. The terms are bounded by the lengths of their
+// edges, so that a patch without volume, whose sum is only rounding, has the sign 0.
 int sign_of_volume(std::span<const Vec3> positions, const Triangles& triangles,
                    std::span<const uint32_t> patch) {
-  constexpr size_t kTriangles = 1 << 16;  // a range
+  constexpr size_t kTriangles = 1 << 16;  // per range
   const Vec3& apex = positions[triangles[patch[0]][0]];
   std::vector<Volume> parts(range_count(patch.size(), kTriangles));
   for_each_range(patch.size(), kTriangles, [&](size_t i, size_t end) {
@@ -339,7 +339,7 @@ std::vector<bool> inward_triangles(std::span<const Vec3> positions, const Triang
 
 std::vector<uint32_t> overlapping_patches(std::span<const Vec3> positions, const Triangles& triangles,
                                           const Patches& patches) {
-  constexpr uint32_t kRays = 4;  // so that parts that touch the wall of a hole do not count as being in it
+  constexpr uint32_t kRays = 4;  // so that parts that touch the wall of a hole do not count as inside it
   std::vector<uint32_t> shells, overlapping;
   for (uint32_t p = 0; p < patches.count(); ++p) {
     if (patches.closed[p]) shells.push_back(p);

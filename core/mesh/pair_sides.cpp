@@ -16,17 +16,17 @@ namespace kerf {
 
 namespace {
 
-// Triangles around an edge whose directions differ by less than this part of a right angle lie on one
-// another: by the rounding of coordinates in single precision.
+// Triangles around an edge whose directions differ by less than this fraction of a right angle coincide,
+// within the rounding of single-precision coordinates.
 constexpr double kSameDirection = 1e-6;
-// A corner whose distance from the line of the edge is less than this share of that from its end has no
-// direction.
+// A triangle has no direction if the distance of its corner from the line of the edge is less than this
+// fraction of the distance from the edge's end.
 constexpr double kMinHeight = 1e-12;
 
-// A side as seen along its edge from the lower to the higher end.
+// A side seen along its edge from the lower to the higher end.
 struct AroundEdge {
-  double turn;  // 0 <= turn < 4, grows counter-clockwise; 1 is about a right angle
-  bool begins;  // the inside lies counter-clockwise from the triangle
+  double turn;  // 0 <= turn < 4, counter-clockwise; 1 is about a right angle
+  bool begins;  // the inside is counter-clockwise from the triangle
   uint32_t side, patch;
 };
 
@@ -47,7 +47,7 @@ class ShellPairing {
     return triangles_[side / 3][(side % 3 + after) % 3];
   }
 
-  // The sides of an edge in their order around it; empty where a triangle has no direction.
+  // Returns the sides of an edge in their order around it; empty if a triangle has no direction.
   std::vector<AroundEdge> sides_around(uint32_t edge) const {
     const auto sides = edges_.sides_of(edge);
     const auto [low, high] = std::minmax({corner(sides[0], 0), corner(sides[0], 1)});
@@ -70,8 +70,8 @@ class ShellPairing {
     return around;
   }
 
-  // Sorts the sides counter-clockwise, those that end before those that begin in the same direction. The
-  // first one follows a gap, if there is one.
+  // Sorts the sides counter-clockwise; of sides in the same direction, those that end a shell precede those
+  // that begin one. The first one follows a gap, if there is one.
   static void sort(std::vector<AroundEdge>& around) {
     const size_t n = around.size();
     std::sort(around.begin(), around.end(), [](const AroundEdge& a, const AroundEdge& b) {
@@ -98,7 +98,7 @@ class ShellPairing {
     }
   }
 
-  // Begins where the fewest shells overlap.
+  // Rotates the sides to begin where the fewest shells overlap.
   static void rotate_to_outside(std::vector<AroundEdge>& around) {
     int depth = 0, least = 0;
     size_t first = 0;
@@ -122,7 +122,7 @@ class ShellPairing {
     if (around.empty()) return;
     sort(around);
     if (balance_of(around) == 0) return pair_balanced(std::move(around));
-    // A shell that is one patch here has its pairs whatever else ends at the edge.
+    // A shell that is one patch here is paired regardless of the other sides on the edge.
     std::map<uint32_t, std::vector<AroundEdge>> by_patch;
     for (const AroundEdge& a : around) by_patch[a.patch].push_back(a);
     for (auto& [patch, own] : by_patch) {
@@ -132,7 +132,7 @@ class ShellPairing {
 
   void pair_balanced(std::vector<AroundEdge> around) {
     rotate_to_outside(around);
-    std::deque<uint32_t> begun;                              // those of any patch, some of them paired
+    std::deque<uint32_t> begun;                              // of any patch, some already paired
     std::unordered_map<uint32_t, std::deque<uint32_t>> own;  // by patch
     std::unordered_set<uint32_t> paired;
     for (const AroundEdge& a : around) {
@@ -148,7 +148,7 @@ class ShellPairing {
       }
       const uint32_t side = first->front();
       paired.insert(side);
-      // Copies of one triangle stay apart (see Mesh).
+      // Copies of one triangle stay separate (see Mesh).
       if (corner(side, 2) != corner(a.side, 2)) pair(a.side, side);
     }
   }

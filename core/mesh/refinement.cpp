@@ -55,7 +55,7 @@ void OneToFour::split(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
   while (!pending_.empty()) {
     const FaceId next_face = pending_.back();
     pending_.pop_back();
-    // The element may be red already because a finer neighbour demanded it.
+    // The element may be red already because a finer neighbour required it.
     if (mesh.data(next_face).element != FaceData::kNoElement) make_red(mesh, next_face, out);
   }
   report_green(out);
@@ -105,8 +105,8 @@ void OneToFour::make_red(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
   finish_red(mesh, index, out);
 }
 
-// A neighbour of which the element's whole edge is only one half of an edge is coarser by one level, so that
-// this recursion ends.
+// Ends, because a neighbour is coarser by one level if the element's whole edge is only half of an edge of
+// it.
 void OneToFour::refine_coarser_neighbours(Mesh& mesh, uint32_t index, std::vector<Replacement>& out) {
   for (int edge = 0; edge < 3; ++edge) {
     while (!elements_[index].midpoints[edge].valid() && refine_coarser_across(mesh, index, edge, out)) {
@@ -114,7 +114,7 @@ void OneToFour::refine_coarser_neighbours(Mesh& mesh, uint32_t index, std::vecto
   }
 }
 
-// Splits the coarser neighbours on an edge of the element. Returns whether there were any; as splitting one
+// Splits the coarser neighbours on an edge of the element. Returns true if there were any; as splitting one
 // may change the others, the caller repeats the call until there are none.
 bool OneToFour::refine_coarser_across(Mesh& mesh, uint32_t index, int edge, std::vector<Replacement>& out) {
   const VertexId from = elements_[index].corners[edge], to = elements_[index].corners[next(edge)];
@@ -181,7 +181,7 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
     int corner = 0;
     while (corner < 3 && !has_corner(mesh, f, e.corners[corner])) ++corner;
     KERF_ASSERT(!r.born[corner].valid());
-    r.born[corner] = f;  // the face at each corner, then the one in the middle
+    r.born[corner] = f;  // the faces at the corners, then the middle one
     FaceData& data = mesh.edit_data(f);
     data.element = FaceData::kNoElement;
     data.halvings = static_cast<uint8_t>(e.halvings + 2);
@@ -283,9 +283,9 @@ class Propagation {
   }
 
  private:
-  // A face of the path, its longest edge, and where the other faces on that edge begin in `sides_`; those of
-  // the last step reach to its end. Those before index `looked_at` have no longer edge, so that each face of
-  // a ring is examined once.
+  // A face of the path, its longest edge, and the first index of the other faces on that edge in `sides_`,
+  // which extend to the next step or to its end. Those before index `looked_at` have no longer edge, so that
+  // each face of a ring is examined once.
   struct Step {
     FaceId face;
     LongestEdge edge;
@@ -298,8 +298,8 @@ class Propagation {
     path_.push_back(step);
   }
 
-  // The rank of the longest edge of the face examined next. If that face was bisected further along the path
-  // in the meantime, one of its parts has the edge, as a rule one of the latest.
+  // Returns the rank of the longest edge of the face examined next. If that face was bisected further along
+  // the path in the meantime, one of its parts has the side, usually one of the latest.
   EdgeRank rank_at(Mesh::Side& side) {
     if (!has(side.face, side)) side.face = latest_part_with(side);
     KERF_ASSERT(side.face.valid());
@@ -318,7 +318,7 @@ class Propagation {
     return part_with(side, side.face);
   }
 
-  // The part of a face, whose slot one of them has, that has the side; none if no part has it.
+  // Returns the part of a face that has the side, given the slot of a part; invalid if none has it.
   FaceId part_with(const Mesh::Side& side, FaceId f) {
     if (has(f, side)) return f;
     index_splits();
@@ -330,7 +330,7 @@ class Propagation {
     return FaceId();
   }
 
-  // Numbers what was split since the path began, so that in a ring of many faces each part is found at once.
+  // Numbers the splits since the path began, so that each part is found at once even in a ring of many faces.
   void index_splits() {
     if (indexed_ == first_) {
       latest_.clear();
@@ -361,9 +361,9 @@ class Propagation {
   std::vector<Step> path_;
   std::vector<Mesh::Side> sides_;
   std::vector<Mesh::FaceSplit> splits_;
-  size_t first_ = 0, indexed_ = 0;  // of out_: since the path began, and up to where they are numbered
+  size_t first_ = 0, indexed_ = 0;  // in out_: the start of the path, and the end of the numbered splits
   std::unordered_map<uint32_t, size_t> latest_;  // by slot: the number of its latest split; never iterated
-  std::vector<size_t> before_;  // by number, from 1: that of the split of the slot before it; 0 if none
+  std::vector<size_t> before_;  // by split, from 1: the previous split of the same slot; 0 if none
 };
 
 }  // namespace

@@ -10,10 +10,9 @@
 
 namespace kerf {
 
-// The replacement of split faces by their parts: the first `gone_count` faces of `gone` are replaced by the
-// first `born_count` faces of `born`, which cover the same area. Slots are reused, so that a face may be in
-// both lists. A sequence of replacements has the order in which they happened; a tree can follow them in this
-// order.
+// The replacement of split faces by their parts: the first `gone_count` faces of `gone` by the first
+// `born_count` faces of `born`, which cover the same area. Slots are reused, so that a face may be in both
+// lists. A sequence of replacements is in chronological order; a tree can apply them in this order.
 struct Replacement {
   std::array<FaceId, 2> gone;
   std::array<FaceId, 4> born;
@@ -26,8 +25,8 @@ struct Replacement {
 //
 // The mesh is regarded as a set of *elements*, i.e. red triangles. An element without a bisected edge is one
 // face. An element with one bisected edge is a green pair of faces; the two halves are removed together, and
-// they are joined to the element again before it is split. An element with two bisected edges, or with a
-// neighbour that has to bisect one half of its bisected edge, is split red into four elements of the next
+// they are merged into the element before it is split. An element with two bisected edges, or with a
+// neighbour that must bisect one half of its bisected edge, is split red into four elements of the next
 // level. Therefore no face descends from a green one, and every face has the angles of its base face or of
 // one green bisection of it.
 class OneToFour {
@@ -41,21 +40,21 @@ class OneToFour {
   Element element(const Mesh& mesh, FaceId f) const;
   Triangle triangle(const Mesh& mesh, FaceId f) const;
 
-  // Whether the midpoints of all edges of f's element differ from their ends, i.e. the element is not too
-  // small to split.
+  // Returns true if the midpoints of all edges of f's element differ from their ends, i.e. the element is
+  // large enough to split.
   bool can_split(const Mesh& mesh, FaceId f) const;
 
   // Splits the element of f into four and closes the mesh on its neighbours, so that it is conforming.
-  // Appends the replacement of every element that changed: one face or a green pair by a green pair or four
-  // red faces. Precondition: f is live and can_split(). The cost is proportional to the number of elements
-  // that change.
+  // Appends the replacement of every changed element: one face or a green pair by a green pair or four red
+  // faces. Precondition: f is live and can_split(). The cost is proportional to the number of changed
+  // elements.
   void split(Mesh& mesh, FaceId f, std::vector<Replacement>& out);
 
-  // Dissolves the green pair of a face, so that its halves become ordinary faces, before the face is removed
-  // or split by another scheme. Does nothing for a face in no pair.
+  // Dissolves the green pair of a face into ordinary faces, before the face is removed or split by another
+  // scheme. No-op for a face in no pair.
   void forget(Mesh& mesh, FaceId f);
 
-  // The elements as they were before a command (see ChangeOf).
+  // The elements before a command (see ChangeOf).
   class Change;
   size_t bytes() const;
 
@@ -72,8 +71,8 @@ class OneToFour {
     std::array<VertexId, 3> midpoints;
     std::array<FaceId, 4> faces;
     uint8_t face_count = 1;
-    uint8_t faces_in_tree = 1;  // 1: the other faces are new in this call; 2: a green pair from before it
-    uint8_t first_edge = 0;     // the edge that was bisected first; its bisector is flipped at the end
+    uint8_t faces_in_tree = 1;  // 1: the other faces are new in this call; 2: an earlier green pair
+    uint8_t first_edge = 0;     // the edge bisected first; its bisector is flipped at the end
     uint8_t halvings = 0;       // of the element
     bool wanted_red = false;
   };
@@ -88,7 +87,7 @@ class OneToFour {
   void finish_red(Mesh& mesh, uint32_t element, std::vector<Replacement>& out);
   void report_green(std::vector<Replacement>& out);
   static int edge_of(const Split& e, VertexId from,
-                     VertexId to);  // 3 if it is no edge of the element
+                     VertexId to);  // 3 if the element has no such edge
   FaceId face_at(const Mesh& mesh, const Split& e, VertexId from, VertexId to) const;
 
   Records<Split> elements_;
@@ -106,7 +105,7 @@ class OneToFour::Change : public ChangeOfParts<OneToFour> {};
 // bisected first, and so on, so that every bisection splits a whole ring at the longest edge of all its
 // faces. The mesh is conforming after each bisection, and no descendant has an angle smaller than half the
 // smallest angle of its base face. Edges are ordered by length and then by the positions of their ends, so
-// that equal lengths cause no cycle and all sheets of a ring see the same order.
+// that equal lengths cause no cycle and all sheets of a ring have the same order.
 //
 // Green pairs on the path become ordinary faces. Appends a replacement for every face that was split. Returns
 // false if an edge on the path is so short that its midpoint rounds to one of its ends; f itself is then

@@ -10,9 +10,9 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kVertices = 1 << 14;  // a range
+constexpr size_t kVertices = 1 << 14;  // per range
 
-// Groups sides by a counting sort by the lesser vertex, then each bucket by the greater one.
+// Groups sides by a counting sort by the lower vertex, then sorts each bucket by the higher one.
 class SideGrouping {
  public:
   SideGrouping(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices)
@@ -44,11 +44,11 @@ class SideGrouping {
   size_t vertices() const { return begin_.size() - 1; }
   uint32_t side_count() const { return static_cast<uint32_t>(3 * triangles_.size()); }
 
-  // Calls work(low) for every part of the vertices, low being its first vertex. Each call passes over all
-  // triangles for the sides whose lesser vertex is in its part, so that no two calls write to one place.
+  // Calls work(low) for every part of the vertices, where low is its first vertex. Each call scans all
+  // triangles for the sides whose lower vertex is in its part, so that no two calls write to one place.
   template <typename Work>
   void for_each_part(Work work) {
-    constexpr size_t kMost = 4;  // parts, because each passes over everything
+    constexpr size_t kMost = 4;  // parts, because each scans all triangles
     part_ =
         static_cast<uint32_t>(std::max<size_t>(1, range_count(vertices(), std::min(kMost, thread_count()))));
     for_each_range(vertices(), part_, [&](size_t low, size_t) { work(static_cast<uint32_t>(low)); });
@@ -78,8 +78,8 @@ class SideGrouping {
     return std::max(corners[i], corners[i == 2 ? 0 : i + 1]);
   }
 
-  // Sorts the buckets of these vertices by the greater vertex and then by side, and marks where a new edge
-  // begins. Returns the number of edges.
+  // Sorts the buckets of these vertices by the higher vertex and then by side, and marks the beginnings of
+  // edges. Returns the number of edges.
   uint32_t sort_buckets(size_t first, size_t last) {
     struct Side {
       uint32_t greater, side;
@@ -111,9 +111,9 @@ class SideGrouping {
   }
 
   std::span<const std::array<uint32_t, 3>> triangles_;
-  uint32_t part_ = 0;              // vertices a part
-  std::vector<uint32_t> begin_;    // by lesser vertex: the first of its sides; while counting one further on
-  std::vector<uint32_t> next_;     // by lesser vertex: the place of its next side
+  uint32_t part_ = 0;              // vertices per part
+  std::vector<uint32_t> begin_;    // by lower vertex: the first of its sides; while counting one further on
+  std::vector<uint32_t> next_;     // by lower vertex: the place of its next side
   std::vector<uint8_t> is_first_;  // by place: whether an edge begins there
   std::vector<uint32_t> edges_before_;  // by range of vertices
   SoupEdges edges_;
@@ -158,7 +158,7 @@ class PatchFinder {
   }
 
  private:
-  // This and find_closed return false if the search was stopped.
+  // This and find_closed return false if stopped.
   bool number_patches(const Progress& progress) {
     Pace pace(&progress, edges_.count() + triangles_.size());
     UnionFind sets(triangles_.size());
@@ -185,7 +185,7 @@ class PatchFinder {
   }
 
   bool find_closed(const Progress& progress) {
-    constexpr size_t kEdges = 1 << 16;  // a range
+    constexpr size_t kEdges = 1 << 16;  // per range
     std::vector<std::vector<uint32_t>> open(range_count(edges_.count(), kEdges));
     const auto look = [&](size_t e, size_t end) {
       std::vector<uint32_t>& found = open[e / kEdges];

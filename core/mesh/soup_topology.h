@@ -19,7 +19,7 @@ struct SoupEdges {
 
   size_t count() const { return first.size() - 1; }
   size_t triangles() const { return sides.size() / 3; }
-  // The sides on an edge. Precondition: edge < count().
+  // Returns the sides on an edge. Precondition: edge < count().
   std::span<const uint32_t> sides_of(uint32_t edge) const {
     assert(edge < count());
     return {sides.data() + first[edge], sides.data() + first[edge + 1]};
@@ -27,23 +27,23 @@ struct SoupEdges {
 };
 
 // Groups the sides of triangles. Precondition: the corners are vertex numbers below `vertices`, and the three
-// corners of a triangle differ. O(n log d) for vertices with at most d edges, on several threads.
+// corners of a triangle differ. O(n log d) for vertices with at most d edges, multithreaded.
 SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices);
-// Groups the sides, or fails with cancelled() when stopped. `progress` may be null.
+// Likewise, or fails with cancelled() when stopped. `progress` may be null.
 Result<SoupEdges> group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices,
                               const Progress* progress);
 
-// The group of each side. Linear time.
+// Returns the group of each side. Linear time.
 std::vector<uint32_t> edges_of_sides(const SoupEdges& edges);
 
 // The triangles of a mesh by patch. A patch is a set of triangles that are connected over edges of exactly
-// two triangles, i.e. one on which an orientation can be propagated.
+// two triangles, across which an orientation can be propagated.
 struct Patches {
   std::vector<uint32_t> first;  // patch p is triangles[first[p]] .. triangles[first[p + 1] - 1], ascending
-  std::vector<uint32_t> triangles;  // the patches in the order of their lowest triangles
+  std::vector<uint32_t> triangles;  // sorted by patch; patches have the order of their lowest triangles
   std::vector<uint32_t> patch_of;   // by triangle
-  // Whether the patch is the boundary of a volume: on each of its edges it has as many triangles that
-  // traverse the edge one way as triangles that traverse it the other way.
+  // By patch: whether it bounds a volume, i.e. its triangles traverse each of its edges equally often in both
+  // directions.
   std::vector<bool> closed;
 
   size_t count() const { return closed.size(); }
@@ -57,8 +57,8 @@ struct Patches {
 Result<Patches> find_patches(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
                              const Progress* progress);
 
-// The number of sets of triangles that are connected over edges with any number of triangles. Preconditions
-// as above. O(n log n), less where every edge has two triangles at most.
+// Returns the number of sets of triangles connected over edges with any number of triangles. Preconditions as
+// above. O(n log n), less if every edge has at most two triangles.
 size_t count_components(const Patches& patches, const SoupEdges& edges);
 
 }  // namespace kerf

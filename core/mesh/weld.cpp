@@ -17,8 +17,7 @@ uint64_t position_hash(const Vec3& p) {
   return hash_combine(hash_combine(mix64(number_bits(p.x)), number_bits(p.y)), number_bits(p.z));
 }
 
-// The slots of a hash table in which the next positions are looked up first. They are prefetched, because
-// nearly every one of them is a cache miss.
+// Prefetches the hash table slots of the next positions, because nearly every one of them is a cache miss.
 class SlotsAhead {
  public:
   SlotsAhead(std::span<const Vec3> positions, const std::vector<uint32_t>& table)
@@ -148,7 +147,7 @@ class Choice {
     }
   }
 
-  // The number of usable triangles before triangle t of the soup.
+  // Returns the number of usable triangles before triangle t of the soup.
   uint32_t usable_before(uint32_t t) const {
     if (counts_.back().usable == soup_.triangles.size()) return t;
     const size_t range = t / kTrianglesOfRange;
@@ -167,7 +166,7 @@ class Choice {
   const Soup& soup_;
   std::span<const uint32_t> welded_;
   bool all_finite_;
-  std::vector<Counts> counts_;  // by range, from 1 on; `usable` is then the number in all ranges before
+  std::vector<Counts> counts_;  // by range, from 1 on; later `usable` is the total of all ranges before
   UsableTriangles usable_;
 };
 

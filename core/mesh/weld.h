@@ -13,35 +13,35 @@
 
 namespace kerf {
 
-// For each position, the lowest index of an equal position. -0.0 equals +0.0, and a position with a NaN
-// equals only itself. Expected linear time, by hashing.
+// Returns for each position the lowest index of an equal position. -0.0 equals +0.0, and a position with a
+// NaN equals only itself. Expected linear time, by hashing.
 std::vector<uint32_t> weld_positions(std::span<const Vec3> positions);
-// Finds these indices, or fails with cancelled() when stopped. `progress` may be null.
+// Likewise, or fails with cancelled() when stopped. `progress` may be null.
 Result<std::vector<uint32_t>> weld_positions(std::span<const Vec3> positions, const Progress* progress);
 
-// The triangles of a soup of which a mesh can be built, in its order.
+// The triangles of a soup that can form a mesh, in its order.
 struct UsableTriangles {
   std::vector<Soup::Triangle> triangles;  // of welded positions
-  std::vector<uint16_t> materials;        // one per triangle; empty if the soup's are
-  std::vector<MeshPart> parts;            // of these triangles; those without any are left out
-  size_t degenerate = 0;                  // left out: two corners at the same position
-  size_t non_finite = 0;                  // left out: a corner that is not a finite number
+  std::vector<uint16_t> materials;        // one per triangle, or empty like the soup's
+  std::vector<MeshPart> parts;            // of these triangles; empty ones are dropped
+  size_t degenerate = 0;                  // dropped: two corners at the same position
+  size_t non_finite = 0;                  // dropped: a corner that is not finite
 };
 
-// Chooses the usable triangles, or fails with cancelled() when stopped. `welded` is what weld_positions()
-// makes of the soup's positions. `progress` may be null. Linear time, on several threads.
+// Selects the usable triangles, or fails with cancelled() when stopped. `welded` is the result of
+// weld_positions() for the soup. `progress` may be null. Linear time, multithreaded.
 Result<UsableTriangles> usable_triangles(const Soup& soup, std::span<const uint32_t> welded,
                                          const Progress* progress);
 
-// Collects triangles over welded positions: those with two corners at one position are left out, and
-// positions are numbered in the order in which triangles use them.
+// Collects triangles over welded positions: drops those with two corners at one position, and numbers
+// positions in the order in which triangles use them.
 class WeldedTriangles {
  public:
   // The positions must outlive the collection. Expected linear time.
   explicit WeldedTriangles(std::span<const Vec3> from)
       : from_(from), first_(weld_positions(from)), number_(from.size(), kNoIndex) {}
 
-  // Adds a triangle of these positions. Returns whether it has three different corners.
+  // Adds a triangle of these positions. Returns false if two of its corners coincide.
   bool add(std::array<uint32_t, 3> corners) {
     for (uint32_t& v : corners) v = first_[v];
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return false;

@@ -45,7 +45,7 @@ std::string encoded(const MeshView& mesh, MeshFormat format) {
 
 bool emit_ranges(size_t items, const ByteSink& sink,
                  const std::function<void(size_t first, size_t end, std::string& part)>& encode) {
-  constexpr size_t kItems = 1 << 13;  // a range
+  constexpr size_t kItems = 1 << 13;  // per range
   std::array<std::string, 8> parts;
   const size_t most = parts.size() * kItems;  // at a time
   for (size_t done = 0; done < items; done += most) {
@@ -82,7 +82,7 @@ void append_three(const Three& numbers, std::string& text) {
   text += '\n';
 }
 
-// Appends parts of a colour to the line that has just ended.
+// Appends components of a colour to the last line.
 void append_colour(const VertexColour& colour, size_t parts, std::string& text) {
   text.pop_back();
   for (size_t k = 0; k < parts; ++k) {
@@ -92,7 +92,7 @@ void append_colour(const VertexColour& colour, size_t parts, std::string& text) 
   text += '\n';
 }
 
-// Hands the lines of items to the sink; line(i, text) appends that of item i, about `likely` bytes long.
+// Writes one line per item to the sink; line(i, text) appends that of item i, of about `likely` bytes.
 template <typename Line>
 bool emit_lines(size_t items, size_t likely, const ByteSink& sink, Line line) {
   return emit_ranges(items, sink, [&](size_t i, size_t end, std::string& part) {
@@ -102,7 +102,7 @@ bool emit_lines(size_t items, size_t likely, const ByteSink& sink, Line line) {
 }
 constexpr size_t kPositionLine = 64, kTriangleLine = 28;
 
-// OBJ cannot return to the unnamed material, so that it is given a name.
+// OBJ cannot return to the unnamed material, so it gets a name.
 void append_material(const char* keyword, const std::string& name, std::string& text) {
   text += keyword;
   text += name.empty() ? "default" : name;
@@ -177,7 +177,7 @@ void append_floats(const Vec3& v, std::string& bytes) {
   for (int i = 0; i < 3; ++i) append_little(static_cast<float>(v[i]), bytes);
 }
 
-// The unit normal, zero for a degenerate triangle. The edges are scaled so that their product neither
+// Returns the unit normal, zero for a degenerate triangle. The edges are scaled so that their product neither
 // overflows nor underflows.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;

@@ -14,56 +14,56 @@
 
 namespace kerf {
 
-// A view of a triangle mesh that is to be written. The viewed arrays must outlive it.
+// A view of a triangle mesh to be written. The viewed arrays must outlive it.
 struct MeshView {
   std::span<const Vec3> positions;                     // finite, metres
   std::span<const std::array<uint32_t, 3>> triangles;  // indices of positions, counter-clockwise
   std::span<const uint16_t> materials;                 // one per triangle, or empty
-  std::span<const std::string> material_names;  // by material; covers every material that a triangle has
-  std::string_view mtl{};   // name of the MTL file beside it, on one line; empty: none. Only for OBJ
+  std::span<const std::string> material_names;         // by material; covers every material of a triangle
+  std::string_view mtl{};   // name of the MTL file in the same folder, on one line; empty: none. Only for OBJ
   std::string_view name{};  // of the node in glTF; empty: none
   std::span<const VertexColour> colours{};  // one per position, or empty. Not for STL
 
-  // Whether the opacities of the colours have to be written.
+  // Returns true if the opacities of the colours must be written.
   bool any_translucent() const;
 };
 
-// A part of a colour in the eight bits of PLY and OFF, rounded.
+// Returns a component of a colour in the eight bits of PLY and OFF, rounded.
 inline uint8_t eight_bits(uint16_t part) { return static_cast<uint8_t>((part + 128u) / 257u); }
 
 // Encodes a mesh as the bytes of a file. Positions and triangles keep their order and are read back to the
 // bit, except from STL, which stores three positions in single precision per triangle, and from glTF.
 // Precondition: the mesh satisfies the requirements stated at MeshView and at its format below. Linear time;
-// holds a few megabytes.
+// uses a few megabytes.
 void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink);
-// Encodes a mesh as one string, with the preconditions of encode().
+// Likewise as one string.
 std::string encoded(const MeshView& mesh, MeshFormat format);
 
 // OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has an MTL file, and
-// a usemtl wherever the material changes. Colours follow the coordinates as three fractions, and a fourth if
+// a usemtl at each change of the material. Colours follow the coordinates as three fractions, and a fourth if
 // any is not opaque.
 void encode_obj(const MeshView& mesh, const ByteSink& sink);
-// OFF with numbers of the same kind, or COFF with colours and opacities of eight bits; without materials.
+// OFF with numbers likewise, or COFF with colours and opacities of eight bits; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);
 // Little-endian binary PLY with positions in double precision and colours of eight bits, with opacity if any
-// is not opaque; without materials. Precondition: there are at
-// most 2^31 positions.
+// is not opaque; without materials. Precondition: there are at most 2^31 positions.
 void encode_ply(const MeshView& mesh, const ByteSink& sink);
 // Binary STL with positions rounded to single precision and unit normals computed from the corners; without
 // materials. Preconditions: positions are within the range of float, and there are fewer than 2^32 triangles.
 void encode_stl(const MeshView& mesh, const ByteSink& sink);
 
-// Binary glTF 2.0: one node with the name, with a primitive for each material that triangles have, and the
-// triangles of the primitives one after the other. Positions are rounded to single precision relative to the
-// middle of the mesh, and colours to 16 bits of linear light. Preconditions: the extent is within the range
-// of float, and the bytes are fewer than 2^32.
+// Binary glTF 2.0: one node with the name, with a primitive for each material in use; the triangles of the
+// primitives follow one another. Positions are rounded to single precision relative to the middle of the
+// mesh, and colours to 16 bits of linear light. Preconditions: the extent is within the range of float, and
+// the file has fewer than 2^32 bytes.
 void encode_glb(const MeshView& mesh, const ByteSink& sink);
-// The same as text, with the numbers in base 64. Same preconditions.
+// Text glTF with the numbers in base 64. Same preconditions.
 void encode_gltf(const MeshView& mesh, const ByteSink& sink);
-// The middle of the bounding box of positions, about which glTF holds them; zero if there are none.
+// Returns the middle of the bounding box of positions, relative to which glTF stores them; zero if there are
+// none.
 Vec3 gltf_middle(std::span<const Vec3> positions);
 
-// A material of an OBJ file as its library (MTL) describes it.
+// A material of an OBJ file, as described by its library (MTL).
 struct MaterialLook {
   std::string name;  // as in usemtl; empty: the unnamed material, which OBJ calls "default"
   Vec3 colour{0};    // sRGB, 0 .. 1
@@ -74,9 +74,9 @@ struct MaterialLook {
 // Numbers are the shortest that are read back exactly. Linear time.
 std::string encode_mtl(std::span<const MaterialLook> materials);
 
-// Hands the bytes of many items to a sink in order. encode(first, end, part) appends those of a range of
-// items; several ranges are encoded at a time, on several threads, and only so many are held. Returns false
-// if the sink did.
+// Passes the bytes of many items to a sink in order. encode(first, end, part) appends those of a range of
+// items; a limited number of ranges is encoded concurrently and held in memory. Returns false if the sink
+// did.
 bool emit_ranges(size_t items, const ByteSink& sink,
                  const std::function<void(size_t first, size_t end, std::string& part)>& encode);
 

@@ -29,8 +29,8 @@ Box box_of(std::span<const Vec3> positions) {
   return box;
 }
 
-// Positions are floats relative to the middle of the mesh, which is the translation of the node: so their
-// rounding is relative to the size of the mesh, wherever it lies.
+// Positions are floats relative to the middle of the mesh, which is the translation of the node, so that
+// rounding is relative to the size of the mesh, wherever it is.
 struct Floats {
   Vec3 middle{0};
   glm::vec3 low{0}, high{0};
@@ -45,7 +45,7 @@ struct Floats {
   glm::vec3 of(const Vec3& p) const { return glm::vec3(p - middle); }
 };
 
-// The numbers of the triangles of each material that has some, in their order.
+// The triangle numbers of each material in use, in their order.
 struct Group {
   uint16_t material;
   std::vector<uint32_t> triangles;
@@ -129,7 +129,7 @@ OrderedJson describe(const MeshView& mesh, const Floats& floats, const std::vect
   return json;
 }
 
-// The bytes of the buffer: positions, colours, then the indices of each group.
+// Writes the bytes of the buffer: positions, colours, then the indices of each group.
 bool emit_buffer(const MeshView& mesh, const Floats& floats, const std::vector<Group>& groups,
                  const ByteSink& sink) {
   const auto append_positions = [&](size_t i, size_t end, std::string& part) {

@@ -71,7 +71,7 @@ uint32_t word_at(std::string_view bytes, size_t at) {
   return load<uint32_t>(bytes.data() + at, std::endian::little);
 }
 
-// Extensions that change how a mesh looks and not where it is.
+// Returns true for extensions that change the look of a mesh but not its geometry.
 bool changes_looks_only(std::string_view extension) {
   constexpr std::array<std::string_view, 6> kPrefixes{"KHR_materials_", "KHR_texture_", "KHR_lights_",
                                                       "EXT_texture_",   "KHR_xmp",      "EXT_lights_"};
@@ -79,7 +79,7 @@ bool changes_looks_only(std::string_view extension) {
                      [&](std::string_view prefix) { return extension.starts_with(prefix); });
 }
 
-// A path of an URI, with %20 and the like decoded; nothing if these are damaged or it has a zero byte.
+// Returns the path of a URI with percent-encoding decoded; nullopt if it is malformed or has a zero byte.
 std::optional<std::string> decoded_path(std::string_view uri) {
   std::string path;
   for (size_t i = 0; i < uri.size(); ++i) {
@@ -100,7 +100,7 @@ std::optional<std::string> decoded_path(std::string_view uri) {
   return path;
 }
 
-// Whether a path stays in the folder from which it starts.
+// Returns true if a path stays in the folder from which it starts.
 bool stays_inside(const fs::path& path) {
   return !path.is_absolute() &&
          std::none_of(path.begin(), path.end(), [](const fs::path& p) { return p == ".."; });
@@ -193,7 +193,7 @@ std::optional<Error> GltfFile::check_version() const {
   };
   const bool has_least = !text("minVersion").empty();
   const std::string version = has_least ? text("minVersion") : text("version");
-  // Before 2.0 the accessors and so on had names, and the version could be left out.
+  // Before 2.0 the accessors and other elements had names, and the version was optional.
   const bool named = std::any_of(kLists.begin(), kLists.end(), [&](const char* list) {
     return json_.contains(list) && json_[list].is_object();
   });
@@ -250,7 +250,7 @@ Result<std::optional<uint32_t>> GltfFile::index(const nlohmann::json& of, const 
 }
 
 std::optional<Error> GltfFile::find_buffers(const fs::path& folder) {
-  owned_.reserve(count("buffers"));  // the views into them stay
+  owned_.reserve(count("buffers"));  // keeps the views into its elements valid
   for (size_t i = 0; i < count("buffers"); ++i) {
     const std::string where = "/buffers/" + std::to_string(i);
     const auto length = whole(element("buffers", i), "byteLength", 0, where);

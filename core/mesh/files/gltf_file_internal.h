@@ -14,46 +14,46 @@
 
 namespace kerf {
 
-// The head of a binary glTF file and the kinds of its chunks, as little-endian words.
+// Magic number and version of a binary glTF file and the types of its chunks, as little-endian words.
 inline constexpr uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2, kGlbJson = 0x4E4F534A,
                           kGlbBinary = 0x004E4942;
 
-// The types of the numbers of accessors.
-inline constexpr uint64_t kGltfByte = 5121, kGltfShort = 5123, kGltfInt = 5125,
-                          kGltfFloat = 5126;  // unsigned, and float
+// The component types of accessors: unsigned integers and float.
+inline constexpr uint64_t kGltfByte = 5121, kGltfShort = 5123, kGltfInt = 5125, kGltfFloat = 5126;
 
-// Bytes as text in base 64 (RFC 4648), with padding.
+// Encodes bytes in base 64 (RFC 4648), with padding.
 std::string to_base64(std::string_view bytes);
 
-// The bytes of such a text, whose padding may be missing; nothing if it is none.
+// Decodes such a text, whose padding may be missing; nullopt if it is malformed.
 std::optional<std::string> from_base64(std::string_view text);
 
-// The JSON of a glTF 2.0 file and the bytes of its buffers, with access that checks what it reads.
+// The JSON of a glTF 2.0 file and the bytes of its buffers, with validating access.
 class GltfFile {
  public:
-  // Whether the bytes begin like a binary glTF file.
+  // Returns true if the bytes begin like a binary glTF file.
   static bool is_binary(std::string_view bytes);
 
-  // Takes a .glb or a .gltf apart. Buffers in other files are read if these lie in `folder` or below; without
-  // a folder there are none. Fails with one sentence that names the file for what is no glTF 2.0, what ends
-  // too early, and extensions without which the geometry would be wrong. `bytes` must outlive the result.
+  // Parses a .glb or .gltf. Buffers in other files are read only if these are in `folder` or below; if
+  // `folder` is empty, none are read. Fails with one sentence that names the file if this is no glTF 2.0
+  // file, ends too early, or requires unsupported extensions that affect geometry. `bytes` must outlive the
+  // result.
   static Result<GltfFile> open(std::string_view bytes, const std::string& name,
                                const std::filesystem::path& folder);
 
   const nlohmann::json& root() const { return json_; }
-  // The elements of a list of the root; none if it is missing.
+  // Returns the length of a list of the root, 0 if it is missing.
   size_t count(const char* list) const;
-  // An element. Precondition: i < count(list).
+  // Returns an element. Precondition: i < count(list).
   const nlohmann::json& element(const char* list, size_t i) const { return json_[list][i]; }
 
-  // A member that is an index of an element of `list`; nothing if there is no such member.
+  // Reads a member that is an index of an element of `list`; nullopt if there is no such member.
   Result<std::optional<uint32_t>> index(const nlohmann::json& of, const char* key, const char* list,
                                         const std::string& where) const;
-  // A member that is a whole number, at most 2^53; `missing` if there is none.
+  // Reads a member that is a whole number, at most 2^53; `missing` if there is none.
   Result<uint64_t> whole(const nlohmann::json& of, const char* key, uint64_t missing,
                          const std::string& where) const;
 
-  // The bytes of a buffer view, and the distance of its elements, 0 if it says none.
+  // The bytes of a buffer view, and the stride of its elements, 0 if it has none.
   struct View {
     std::string_view bytes;
     uint64_t stride = 0;
@@ -85,7 +85,7 @@ class GltfFile {
 // The elements of an accessor of a glTF file: rows of numbers in a buffer.
 class GltfAccessor {
  public:
-  // Positions: three floats each. Fails for sparse and quantised ones, and where the buffer ends too early.
+  // Positions: three floats each. Fails for sparse and quantised ones, and if the buffer ends too early.
   static Result<GltfAccessor> positions(const GltfFile& file, uint32_t accessor);
   // Indices: one unsigned whole number each. Fails likewise.
   static Result<GltfAccessor> indices(const GltfFile& file, uint32_t accessor);
@@ -94,9 +94,9 @@ class GltfAccessor {
   static Result<GltfAccessor> colours(const GltfFile& file, uint32_t accessor);
 
   size_t size() const { return size_; }
-  // Precondition of each: i < size(), and it is an accessor of this kind.
+  // Precondition of each: i < size(), and the accessor is of this kind.
   Vec3 position(size_t i) const;
-  VertexColour colour(size_t i) const;  // brought from linear light to sRGB
+  VertexColour colour(size_t i) const;  // converted from linear light to sRGB
   uint32_t index(size_t i) const;
 
  private:

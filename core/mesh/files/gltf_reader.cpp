@@ -53,7 +53,7 @@ class GltfReader {
     Matrix to_scene;  // of its parent
   };
 
-  // A list of indices of nodes. The first comes to lie on top of those that are open.
+  // Pushes a list of node indices onto the stack, with the first on top.
   Problem push_nodes(const nlohmann::json& of, const char* key, const std::string& where,
                      const Matrix& to_scene) {
     const auto list = of.find(key);
@@ -72,7 +72,7 @@ class GltfReader {
     return std::nullopt;
   }
 
-  // The nodes of the default scene; without scenes, those that are no other's children.
+  // Pushes the nodes of the default scene; without scenes, those that are no other's children.
   Problem push_roots() {
     if (file_.count("scenes") > 0) {
       const auto scene = file_.index(file_.root(), "scene", "scenes", "");
@@ -99,7 +99,7 @@ class GltfReader {
     return std::nullopt;
   }
 
-  // So many finite numbers; `missing` if there is no such member.
+  // Reads kCount finite numbers; `missing` if there is no such member.
   template <size_t kCount>
   Result<std::array<double, kCount>> numbers(const nlohmann::json& of, const char* key,
                                              const std::string& where,
@@ -208,7 +208,7 @@ class GltfReader {
     return read_triangles(primitive, where, *mode, {*first, *material, mirrors});
   }
 
-  // Where the positions of an accessor begin, which primitives of a mesh with the same colours may share.
+  // The positions of an accessor; primitives of a mesh with the same colours may share them.
   struct Placed {
     size_t first, count;
   };
@@ -246,7 +246,7 @@ class GltfReader {
     return std::nullopt;
   }
 
-  // The number of the primitive's material among those that faces have; what has none is unnamed.
+  // Returns the index of the primitive's material in material_names_; the unnamed one if it has none.
   Result<uint16_t> material_of(const nlohmann::json& primitive, const std::string& where) {
     const auto index = file_.index(primitive, "material", "materials", where);
     if (!index) return index.error();
@@ -308,9 +308,9 @@ class GltfReader {
   std::vector<bool> seen_;  // by node
   std::vector<Open> open_;
   std::vector<Vec3> positions_;
-  std::vector<VertexColour> colours_;  // by position, up to the last one that has a colour
+  std::vector<VertexColour> colours_;  // by position, up to the last coloured one
   PolygonList polygons_;
-  std::map<VertexAccessors, Placed> placed_;      // of the mesh that is being read
+  std::map<VertexAccessors, Placed> placed_;      // of the current mesh
   std::map<int64_t, uint16_t> material_numbers_;  // by material of the file, or -1
   std::vector<std::string> material_names_, warnings_;
   bool skinned_ = false, morphed_ = false, lines_ = false, uncoloured_ = false;

@@ -26,7 +26,7 @@ static_assert(are_in_order());
 constexpr std::array<std::string_view, 13> kObjKeywords{"v", "vt",     "vn",     "vp", "f", "g", "o",
                                                         "s", "usemtl", "mtllib", "l",  "p", "mg"};
 
-// Comments and blanks before the first word of a text file are searched up to this many bytes.
+// Maximum length of comments and blanks searched before the first word of a text file [bytes].
 constexpr size_t kLongestPreface = 1 << 20;
 
 std::string lower(std::string_view text) {
@@ -48,14 +48,14 @@ std::optional<MeshFormat> format_of_first_word(std::string_view bytes) {
   return std::nullopt;
 }
 
-// An object of JSON with the member that every glTF file has.
+// Returns true for a JSON object with the member that every glTF file has.
 bool is_gltf_text(std::string_view bytes) {
   const size_t first = bytes.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && bytes[first] == '{' &&
          bytes.find("\"asset\"") != std::string_view::npos;
 }
 
-// A kind of file that begins with `start`, at the byte `at`, and holds `word` if there is one.
+// A kind of file that begins with `start`, at the byte `at`, and contains `word` unless that is empty.
 struct Signature {
   std::string_view start;
   std::string_view kind;
@@ -63,8 +63,8 @@ struct Signature {
   size_t at = 0;
 };
 
-// Bytes that no text has at its start, and lines that are no statement of a format that is read. The first
-// that fits counts.
+// Bytes that never begin a text, and lines that are no statement of a supported format. The first match
+// applies.
 constexpr std::array kSignatures{
     Signature{"\x89PNG", "a PNG image"},
     Signature{"\xff\xd8\xff", "a JPEG image"},
@@ -102,7 +102,7 @@ constexpr std::array kSignatures{
     Signature{"MM", "a 3DS file", "\x3d\x3d"},
 };
 
-// The same for text after blanks.
+// Likewise for text, after leading blanks.
 constexpr std::array kTextSignatures{
     Signature{"0", "a DXF drawing", "SECTION"},
     Signature{"<", "a Collada file", "<COLLADA"},
@@ -177,12 +177,12 @@ std::string_view kind_of_file(std::string_view bytes) {
 
 namespace {
 
-// Lengths in the numbers of the file.
+// Lengths in the units of the file.
 constexpr double kLargestModelInMetres = 50;         // a lorry, a house, an airliner's fuselage
-constexpr double kLargestModelInCentimetres = 1000;  // a car has 450, and 4,500 in millimetres
+constexpr double kLargestModelInCentimetres = 1000;  // a car is 450 long, and 4,500 in millimetres
 constexpr double kSmallestPart = 2.5;  // in millimetres; smaller STL files are models of about unit size
 
-// How far from a plane, relative to its height, a mesh may begin that stands on it.
+// Maximum distance of a standing mesh from the ground plane, relative to its height.
 constexpr double kStandingSlack = 0.01;
 
 bool stands_at_zero(double low, double high) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 8> kPassedOver{"vt", "vn", "vp", "s", "mg", "mtllib", "lod", "maplib"};
 
-// The vertex index of a corner as written in the file: 1 is the first vertex, -1 the last one so far, and 0
-// means that it is missing. Nothing if the word is no corner.
+// Parses the vertex index of a corner as written in the file: 1 is the first vertex, -1 the last one so far,
+// and 0 marks a missing vertex. Returns nullopt if the word is no corner.
 std::optional<int64_t> parse_corner(std::string_view word) {
   const size_t slash = std::min(word.find('/'), word.size());
   if (word.find_first_not_of("/0123456789+-", slash) != std::string_view::npos) return std::nullopt;
@@ -75,7 +75,7 @@ class ObjReader {
       position[i] = *number;
     }
     positions_.push_back(position);
-    // A weight or a colour may follow. Anything that is not a number indicates a lost line break.
+    // A weight or a colour may follow. Anything but a number indicates a lost line break.
     ColourNumbers::Parts further;
     further.fill(ColourNumbers::kFull);
     size_t count = 0;
@@ -107,7 +107,7 @@ class ObjReader {
     polygons_.begin_parts(PolygonList::Level::kGroup, names);
   }
 
-  // The index of the current material. Faces before the first usemtl have an unnamed material.
+  // Returns the index of the current material. Faces before the first usemtl have an unnamed material.
   uint16_t material() {
     if (material_) return *material_;
     constexpr size_t kMost = std::numeric_limits<uint16_t>::max();

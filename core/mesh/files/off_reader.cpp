@@ -14,7 +14,7 @@ namespace {
 struct Keyword {
   size_t length = 0;       // of the keyword, including "OFF"; 0 if the word is none
   bool flat_space = true;  // three coordinates
-  // What follows the coordinates of a vertex, in this order.
+  // Values after the coordinates of a vertex, in this order.
   bool normals = false, colours = false, texture = false;
 };
 
@@ -79,7 +79,7 @@ class OffReader {
     return scanner_.refuse_binary("OFF");
   }
 
-  // Reads the number of items, each of which takes at least `bytes_each` bytes.
+  // Reads a count of items, each of which takes at least `bytes_each` bytes.
   Problem read_count(const char* of_what, size_t bytes_each, size_t& count) {
     scanner_.at_end();
     const std::optional<int64_t> number = scanner_.integer();
@@ -92,7 +92,7 @@ class OffReader {
     return std::nullopt;
   }
 
-  // Reads the counts. The number of edges is not needed, and some programs do not write it.
+  // Reads the counts. The number of edges is not needed, and some programs omit it.
   Problem read_counts() {
     constexpr size_t kVertexBytes = 6, kFaceBytes = 2;  // "0 0 0\n" and "0\n"
     if (auto problem = read_count("vertices", kVertexBytes, vertices_)) return problem;
@@ -121,7 +121,7 @@ class OffReader {
     return std::nullopt;
   }
 
-  // Reads the colour of the next vertex in the rest of its line, if there is one.
+  // Reads the colour of the next vertex from the rest of its line, if there is one.
   void read_colour() {
     std::array<double, 9> numbers;
     size_t count = 0;

@@ -143,7 +143,7 @@ class HeaderReader {
     return std::nullopt;
   }
 
-  // Whether a byte of the line in which the scanner is cannot be text. The scanner stays where it is.
+  // Returns true if the current line contains a byte that cannot be text. Does not move the scanner.
   bool line_has_binary() {
     const size_t here = scanner_.position();
     scanner_.skip_line();
@@ -153,8 +153,8 @@ class HeaderReader {
     return std::any_of(line.begin(), line.end(), is_binary);
   }
 
-  // Blender 2.4x wrote "Created by ..." without the keyword "comment". Such lines cannot be mistaken for data
-  // only before the first element, and bytes that are not text come from no writer of headers.
+  // Blender 2.4x wrote "Created by ..." without the keyword "comment". Only before the first element such
+  // lines cannot be mistaken for data; no writer of headers emits bytes that are not text.
   Problem pass_over_stray_line() {
     const bool refused = !header_.elements.empty() || line_has_binary();
     if (!refused && stray_lines_++ > 0) return std::nullopt;
@@ -165,7 +165,7 @@ class HeaderReader {
     return std::nullopt;
   }
 
-  // Every element takes some bytes, so that no more than the rest of the file can hold are announced.
+  // Rejects counts that the rest of the file cannot hold; every element takes at least one byte.
   Problem check_counts() const {
     for (const PlyElement& element : header_.elements) {
       uint64_t least = 0;  // bytes of one element
@@ -196,10 +196,10 @@ class HeaderReader {
   Scanner& scanner_;
   PlyHeader header_;
   bool has_format_ = false;
-  size_t line_begin_ = 0;  // of the line that is being read
+  size_t line_begin_ = 0;  // of the current line
   size_t stray_lines_ = 0;
   size_t first_stray_line_ = 0;       // its number, from 1
-  std::optional<Error> stray_error_;  // about the first one, where no element follows
+  std::optional<Error> stray_error_;  // about the first one, if no element follows
 };
 
 }  // namespace
@@ -215,12 +215,12 @@ Result<PlyHeader> read_ply_header(Scanner& scanner) { return HeaderReader(scanne
 
 namespace {
 
-constexpr size_t kRows = 1 << 14;  // a range
+constexpr size_t kRows = 1 << 14;  // per range
 constexpr auto kLittle = std::endian::little;
 
 bool is_scalar(const PlyProperty& p) { return !p.count_type; }
 
-// Where the scalars x, y and z lie in a row.
+// The offsets of the scalars x, y and z in a row.
 struct PositionRow {
   std::array<size_t, 3> at{};
   size_t bytes = 0;
@@ -275,7 +275,7 @@ void load_colours(const PlyElement& element, const std::array<size_t, 4>& proper
   });
 }
 
-// Where the list of corners lies in a row in which it has three entries.
+// The offset of the list of corners in a row in which it has three entries.
 struct TriangleRow {
   size_t list_at = 0, bytes = 0;
 };

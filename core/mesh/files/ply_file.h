@@ -28,7 +28,7 @@ struct PlyProperty {
 
 struct PlyElement {
   std::string name;
-  uint64_t count = 0;  // as announced; no more than the bytes after the header can hold
+  uint64_t count = 0;  // as declared; no more than the bytes after the header can hold
   std::vector<PlyProperty> properties;
 };
 
@@ -36,35 +36,33 @@ enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
-  std::vector<PlyElement> elements;   // in the order of the data, each name once
+  std::vector<PlyElement> elements;   // in the order of the data, with distinct names
   std::vector<std::string> warnings;  // a sentence each, for the load report
 };
 
 // Reads the header of a PLY file (G. Turk, The PLY polygon file format, 1994) and leaves the scanner at the
-// first byte of the data. Comments and obj_info are passed over, and so are lines of text before the first
-// element that the format does not know, with a warning. Any other line that the format does not know is an
-// error, and the scanner is then left within the header.
+// first byte of the data. Skips comments and obj_info, and also, with a warning, unknown lines of text before
+// the first element. Any other unknown line is an error, which leaves the scanner within the header.
 Result<PlyHeader> read_ply_header(Scanner& scanner);
 
-// A fast way through large binary PLY files, for elements of the usual kind whose rows all have the same
-// number of bytes. Where the rows are of another kind, nothing is returned and the general reader must be
-// used.
+// Fast readers of large binary PLY files, for elements of the usual layout whose rows all have the same
+// number of bytes. They return nullopt for other layouts, which the general reader must handle.
 
-// A column of values and the number of bytes that it takes.
+// A column of values, and its size in bytes.
 template <typename T>
 struct PlyRows {
   std::vector<T> values;
   size_t bytes = 0;
 };
 
-// The places of red, green, blue and opacity among the properties of a vertex. Nothing if one of the first
-// three is missing; the last one may be, and is kNoProperty then. Opacity is called alpha, and a name may
+// Returns the indices of red, green, blue and opacity among the properties of a vertex. Returns nullopt if
+// one of the first three is missing; a missing opacity is kNoProperty. Opacity is named alpha, and names may
 // start with "diffuse_".
 inline constexpr size_t kNoProperty = ~size_t{0};
 std::optional<std::array<size_t, 4>> colour_properties_of(const PlyElement& element);
 
-// Positions from little-endian rows of scalars; `bytes` starts at the first row. x, y and z must all be
-// floats or all doubles, and colours numbers of eight bits. On several threads.
+// Positions from little-endian rows of scalars; `bytes` starts at the first row. x, y and z must be all
+// floats or all doubles, and colours numbers of eight bits. Multithreaded.
 struct PlyVertices {
   std::vector<Vec3> positions;
   std::vector<VertexColour> colours;  // one per position, or empty if there are none
@@ -75,13 +73,12 @@ struct PlyVertexRows {
 };
 std::optional<PlyVertexRows> read_vertex_rows(const PlyElement& element, std::string_view bytes);
 
-// Triangles from little-endian rows with one list, whose length is a uchar and is 3 in every row and whose
-// corners are ints. A corner that is no index becomes one that is out of range. On several threads.
+// Reads triangles from little-endian rows with one list, whose length is a uchar and is 3 in every row and
+// whose corners are ints. A corner that is no index becomes one that is out of range. Multithreaded.
 std::optional<PlyRows<Soup::Triangle>> read_triangle_rows(const PlyElement& element, std::string_view bytes);
 
-// Readers for the values of a PLY file, one for text and one for binary data, with the same interface.
-// number, integer and skip return false if a value is missing or is not a number; missing() then makes the
-// error.
+// Readers of the values of a PLY file, one for text and one for binary data, with the same interface. number,
+// integer and skip return false if a value is missing or is not a number; missing() then creates the error.
 
 // Values as text.
 class PlyTextValues {
@@ -91,12 +88,12 @@ class PlyTextValues {
   bool number(PlyType type, double& value);
   bool integer(PlyType type, int64_t& value);
   bool skip(PlyType type, uint64_t count);
-  // Whether the rest of the file is long enough for `count` values.
+  // Returns true if the rest of the file is long enough for `count` values.
   bool can_hold(PlyType, uint64_t count) const { return count <= scanner_.left(); }
-  // All vertices or triangles of an element whose rows are of the usual binary kind; see ply_rows.h.
+  // All vertices or triangles of an element in the usual binary layout; none in text.
   std::optional<PlyVertices> vertices(const PlyElement&) { return std::nullopt; }
   std::optional<std::vector<Soup::Triangle>> triangles(const PlyElement&) { return std::nullopt; }
-  // Ends an element. Returns false if its line holds further values.
+  // Ends an element. Returns false if its line has further values.
   bool end_element();
   Error error(const std::string& what) const { return scanner_.line_error(what); }
   Error missing(const std::string& what) const { return scanner_.expected(what); }

@@ -124,12 +124,13 @@ using Problem = std::optional<Error>;
 enum class Role { kX, kY, kZ, kRed, kGreen, kBlue, kOpacity, kCorners, kNone };
 
 struct ElementPlan {
-  std::vector<Role> roles;  // one a property
+  std::vector<Role> roles;  // one per property
   bool positions = false;   // an element gives a position
   bool faces = false;       // an element gives a polygon
   bool strips = false;      // an element gives triangle strips
   bool colours = false;     // an element gives a colour with its position
-  bool fractions = false;   // the colour is not in whole numbers, so that its type does not say what is full
+  bool fractions =
+      false;  // the colour is not in whole numbers, so that its type does not determine the maximum
 };
 
 bool is_corner_list(const PlyProperty& property) {
@@ -145,7 +146,7 @@ Role role_of(const PlyElement& element, const PlyProperty& property) {
   return property.name == "z" ? Role::kZ : Role::kNone;
 }
 
-// The number that stands for a full part of a colour: the largest of a whole number, else one.
+// Returns the maximum of a colour component: the largest value of an integer type, otherwise one.
 double largest_of(PlyType type) {
   if (!is_integer(type)) return 1;
   const bool has_sign =
@@ -166,7 +167,7 @@ ElementPlan plan_for(const PlyElement& element) {
   return plan;
 }
 
-// Why the properties of an element are not enough to read it, or twice what is needed.
+// Returns an error if properties needed to read an element are missing or occur twice.
 Problem check_plan(const Scanner& scanner, const PlyElement& element, const ElementPlan& plan) {
   const auto need_one = [&](Role role, const std::string& what) -> Problem {
     if (std::count(plan.roles.begin(), plan.roles.end(), role) == 1) return std::nullopt;
@@ -190,7 +191,7 @@ class BodyReader {
     for (const PlyElement& element : header.elements) {
       const ElementPlan plan = plan_for(element);
       if (auto problem = check_plan(scanner_, element, plan)) return problem;
-      // Elements without properties leave no trace in the data, however many are announced.
+      // Elements without properties have no data, regardless of their count.
       if (element.properties.empty()) continue;
       if (auto problem = read_elements(element, plan)) return problem;
     }
@@ -198,7 +199,7 @@ class BodyReader {
   }
 
   PlyVertices vertices;
-  ColourNumbers numbers;  // the colours, where they are not in whole numbers
+  ColourNumbers numbers;  // colours that are not in whole numbers
   PolygonList polygons;
 
  private:
@@ -221,7 +222,7 @@ class BodyReader {
     return std::nullopt;
   }
 
-  // Reads a whole element at once if its rows are of the usual kind. Returns whether it did.
+  // Reads a whole element at once if its rows have the usual layout. Returns false otherwise.
   bool read_rows(const PlyElement& element, const ElementPlan& plan) {
     if (plan.positions) {
       auto rows = values_.vertices(element);
@@ -292,7 +293,7 @@ class BodyReader {
     polygons.close();
   }
 
-  // Every second triangle of a strip is turned, so that all face the same way.
+  // Every second triangle of a strip is reversed, so that all face the same way.
   void add_strips() {
     size_t begin = 0;
     for (size_t i = 0; i < corners_.size(); ++i) {
@@ -308,8 +309,8 @@ class BodyReader {
 
   Scanner& scanner_;
   Values values_;
-  const PlyElement* element_ = nullptr;  // that is being read
-  uint64_t number_ = 0;                  // of them read before
+  const PlyElement* element_ = nullptr;  // the current one
+  uint64_t number_ = 0;                  // of elements read before
   Vec3 position_{0, 0, 0};
   VertexColour colour_;
   ColourNumbers::Parts numbers_{1, 1, 1, ColourNumbers::kFull};  // of colour_

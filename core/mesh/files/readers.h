@@ -13,38 +13,37 @@ namespace kerf {
 // Reads a Wavefront OBJ file: the statements v, f and usemtl, with indices that count from the first vertex
 // or, if negative, back from the last one. Objects and groups become parts. Normals, texture coordinates and
 // material libraries are ignored; points, lines and free-form geometry are ignored with a warning. As in
-// common readers, '#' begins a comment at the start of a line and after numbers, but belongs to the names of
-// o, g and usemtl, which end with their line. Colours of vertices are numbers to 1 or to 255 (see
-// ColourNumbers). A face that refers to a missing vertex is dropped and counted.
-// Anything but a number where one is required is an error. Linear in the number of bytes, except for large
-// polygons (see Triangulator). `progress` may be null.
+// common readers, '#' begins a comment at the start of a line and after numbers, but is part of the names of
+// o, g and usemtl, which extend to the end of the line. Vertex colours range to 1 or to 255 (see
+// ColourNumbers). A face that refers to a missing vertex is dropped and counted. Anything but a number where
+// one is required is an error. Linear in the number of bytes, except for large polygons (see Triangulator).
+// `progress` may be null.
 Result<Soup> read_obj(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
-// Whether the first word of a file is a keyword of Geomview's OFF family, from OFF and COFF to STCN4nOFF. A
-// digit may follow it directly, because files that lack the line break there are common.
+// Returns true if the first word of a file is a keyword of Geomview's OFF family, from OFF and COFF to
+// STCN4nOFF. A digit may follow it directly, because files without the line break there are common.
 bool is_off_keyword(std::string_view word);
 
 // Reads OFF, COFF, NOFF, STOFF and their combinations in text form, with comments, and with the counts on the
-// line of the keyword or on the next one. Positions, colours of vertices (see ColourNumbers) and faces are
-// read; colours of faces, normals and texture coordinates are ignored. Binary OFF and OFF in four or n
-// dimensions are refused. A face that refers to a missing vertex is dropped and counted. Linear in the number
-// of bytes, except for large polygons (see Triangulator). `progress` may be null.
+// line of the keyword or on the next one. Reads positions, vertex colours (see ColourNumbers) and faces;
+// ignores face colours, normals and texture coordinates. Rejects binary OFF and OFF in four or n dimensions.
+// A face that refers to a missing vertex is dropped and counted. Linear in the number of bytes, except for
+// large polygons (see Triangulator). `progress` may be null.
 Result<Soup> read_off(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
-// Whether the bytes are exactly as long as a binary STL file with the number of triangles that they announce.
+// Returns true if the bytes are exactly as long as a binary STL file with the declared number of triangles.
 // No text of less than 8 GiB satisfies this.
 bool is_exact_binary_stl(std::string_view bytes);
 
 // Reads an STL file, binary or text: it is text if it starts with "solid" or "facet" and contains no zero
 // byte. The result has three positions per triangle, which are not welded. Normals and attributes are
-// ignored, and several solids are joined into one soup. Keywords may be in upper or lower case. With a
-// warning, text may have "end loop" or "end facet", solids that are not ended or ended twice, "endsolidNAME",
-// and further lines between facets; a facet itself must be whole. A binary file whose number of triangles is
-// wrong is read by its size, with a warning, if that is a number of whole triangles whose corners are finite;
-// other bytes after the last triangle are passed over with a warning. Linear in the number of bytes.
-// `progress` may be null.
+// ignored, and several solids are joined into one soup. Keywords are case-insensitive. Accepted with a
+// warning: in text, "end loop" or "end facet", solids that are not ended or ended twice, "endsolidNAME", and
+// further lines between facets, although a facet itself must be complete; in binary, a wrong number of
+// triangles, if the size of the file is that of whole triangles whose corners are finite, and other bytes
+// after the last triangle. Linear in the number of bytes. `progress` may be null.
 Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
@@ -58,12 +57,12 @@ Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
 // Reads the triangles of the default scene of a glTF 2.0 file, binary or text (Khronos Group, 2.0.1, 2021):
-// all its nodes with their transforms, each a part of its name; strips and fans, too. Materials are told by
-// name. Points and lines, images, normals and animations are passed over, and meshes with a skin or with
-// morph targets are read as they were modelled, with a warning. Sparse and quantised positions, Draco and
-// meshopt are refused by name. Buffers are data URIs or files in `folder` and below, the folder of the file;
-// without one, none in other files are read. An index that is out of range is an invalid face. Linear in the
-// number of bytes and of triangles of all nodes, of which there may be 10^8. `progress` may be null.
+// all its nodes with their transforms, each a part with the name of the node; also strips and fans. Materials
+// are identified by name. Ignores images, normals and animations; with a warning, skips points and lines and
+// reads meshes with a skin or morph targets in their rest pose. Rejects sparse and quantised positions, Draco
+// and meshopt by name. Buffers are data URIs or files in `folder`, the folder of the file, and below; if it
+// is empty, no other files are read. An index that is out of range makes an invalid face. Linear in the
+// number of bytes and of triangles of all nodes, at most 10^8. `progress` may be null.
 Result<Soup> read_gltf(std::string_view bytes, const std::string& file_name,
                        const Progress* progress = nullptr, const std::filesystem::path& folder = {});
 

@@ -17,14 +17,14 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// std::from_chars takes no '+'.
+// std::from_chars does not accept '+'.
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
   return word;
 }
 
-// The value of a number outside the range of double: infinity or zero, decided by the decimal exponent of its
-// first significant digit.
+// Returns the value of a number outside the range of double: infinity or zero, determined by the decimal
+// exponent of its first significant digit.
 double out_of_range_value(std::string_view word) {
   const bool negative = word.starts_with('-');
   if (negative) word.remove_prefix(1);

@@ -11,26 +11,25 @@
 
 namespace kerf {
 
-// Parsing of numbers in mesh files, independent of the locale.
+// Locale-independent parsing of numbers in mesh files.
 
-// The value of a word that is expected to be a number. A leading '+' and all spellings of nan and inf,
-// including 1.#IND, are accepted; numbers too large for a double give infinity, numbers too small give zero.
-// A word that consists of digits, signs, points and exponent letters but is no number ("3.1+e2") is a garbled
-// number and gives NaN. Returns nothing for any other word.
+// Parses a number. Accepts a leading '+' and all spellings of nan and inf, including 1.#IND; numbers too
+// large for a double give infinity, numbers too small give zero. A word that consists of digits, signs,
+// points and exponent letters but is no number ("3.1+e2") is a garbled number and gives NaN. Returns nullopt
+// for any other word.
 std::optional<double> parse_number(std::string_view word);
 
-// The value of a word that is expected to be an integer, clamped to 64 bits. Returns nothing for any other
-// word.
+// Parses an integer, clamped to 64 bits. Returns nullopt for any other word.
 std::optional<int64_t> parse_integer(std::string_view word);
 
-// Whether the text starts like the rest of "1.#IND", "1.#INF", "1.#QNAN" or "1.#SNAN" from the '#' on:
-// Microsoft's C library printed non-finite numbers in this form before 2015.
+// Returns true if the text starts like the rest of "1.#IND", "1.#INF", "1.#QNAN" or "1.#SNAN" from the '#'
+// on: Microsoft's C library printed non-finite numbers in this form before 2015.
 bool continues_microsoft_nan(std::string_view text);
 
-// Reads the bytes of one mesh file and never reads past their end. It is independent of the locale and of
-// other scanners, so that files can be read concurrently. A line ends with LF, CRLF or a lone CR; every other
-// control character counts as a blank. Errors name the file and the line or the byte offset of what was read
-// last.
+// Reads the bytes of one mesh file and never reads past their end. Scanners are independent of the locale and
+// of each other, so that files can be read concurrently. A line ends with LF, CRLF or a lone CR; every other
+// control character counts as a blank. Errors name the file and the line or the byte offset of the last item
+// read.
 class Scanner {
  public:
   struct Syntax {
@@ -41,37 +40,37 @@ class Scanner {
   // The bytes must outlive the scanner. A UTF-8 byte order mark is skipped. `progress` may be null.
   Scanner(std::string_view bytes, std::string_view file_name, Syntax syntax, const Progress* progress);
 
-  // The offset of the next byte to be read, and the number of bytes left. Precondition of seek: position is
-  // at most the number of bytes.
+  // The offset of the next byte, and the number of bytes left. Precondition of seek: position is at most the
+  // number of bytes.
   size_t position() const { return position_; }
   size_t left() const { return bytes_.size() - position_; }
   void seek(size_t position) {
     assert(position <= bytes_.size());
     position_ = position;
   }
-  // The bytes from one position to another. Precondition: begin <= end <= the number of bytes.
+  // Returns the bytes between two positions. Precondition: begin <= end <= the number of bytes.
   std::string_view between(size_t begin, size_t end) const {
     assert(begin <= end && end <= bytes_.size());
     return bytes_.substr(begin, end - begin);
   }
-  // The line, counted from 1, in which the word or the bytes read last start. Linear in the position.
+  // Returns the line, counted from 1, in which the last word or bytes read start. Linear in the position.
   size_t line() const { return line_of(last_); }
 
   // Text. A word ends at a blank, at the end of the line or at a comment; at the end of the file it is empty.
 
-  // Skips blanks. Returns whether the line or the file ends there.
+  // Skips blanks. Returns true if the line or the file ends there.
   bool at_line_end();
-  // Skips blanks, line ends and comments. Returns whether the file ends there.
+  // Skips blanks, line ends and comments. Returns true if the file ends there.
   bool at_end();
-  // The next word in this line, empty if there is none.
+  // Reads the next word in this line, empty if there is none.
   std::string_view word();
-  // The rest of the line, including comments, without surrounding blanks.
+  // Reads the rest of the line, including comments, without surrounding blanks.
   std::string_view rest_of_line();
-  // The next word in this line, in which '#' is a character like others; empty if there is none.
+  // Reads the next word in this line, treating '#' as an ordinary character; empty if there is none.
   std::string_view name();
   // Advances to the start of the next line.
   void skip_line();
-  // The next word in this line as a number; see number.h. Garbled numbers are counted.
+  // Reads the next word in this line as a number (see parse_number). Counts garbled numbers.
   std::optional<double> number();
   std::optional<int64_t> integer();
 
@@ -80,7 +79,7 @@ class Scanner {
   // Consumes the next n bytes. Precondition: n <= left().
   const char* take(size_t n);
 
-  // Reports progress. Returns whether the user wants reading to stop. Cheap; to be called every few values.
+  // Reports progress. Returns true if the user cancelled. Cheap; call every few values.
   bool cancelled();
 
   size_t garbled_numbers() const { return garbled_numbers_; }
@@ -93,11 +92,11 @@ class Scanner {
   Error byte_error(const std::string& what) const;
   // "FILE: WHAT."
   Error file_error(const std::string& what) const;
-  // "FILE, line 3: expected WHAT, found 'WORD'", or that the line or the file ends there. It refers to the
-  // word read last.
+  // "FILE, line 3: expected WHAT, found 'WORD'", or that the line or the file ends there. Refers to the last
+  // word read.
   Error expected(const std::string& what) const;
 
-  // An error if the file contains a zero byte and therefore is not text in the given format.
+  // Returns an error if the file contains a zero byte and therefore is not text in the given format.
   std::optional<Error> refuse_binary(std::string_view format) const;
 
  private:
@@ -110,16 +109,16 @@ class Scanner {
   Syntax syntax_;
   const Progress* progress_;
   size_t position_ = 0;
-  size_t last_ = 0;         // the start of the word or the bytes read last
-  size_t next_report_ = 0;  // the position at which progress is reported next
+  size_t last_ = 0;         // start of the last word or bytes read
+  size_t next_report_ = 0;  // position of the next progress report
   size_t garbled_numbers_ = 0;
   size_t first_garbled_ = 0;
 };
 
-// A word of a file for an error message: quoted, shortened, on one line.
+// Formats a word of a file for an error message: quoted, shortened, on one line.
 std::string in_quotes(std::string_view word);
 
-// A name for an error message: on one line, at full length and without quotes.
+// Formats a name for an error message: on one line, at full length and without quotes.
 std::string one_line(std::string_view name);
 
 }  // namespace kerf

@@ -68,7 +68,7 @@ std::vector<MeshPart> PolygonList::parts_of_triangles(const std::vector<uint32_t
 
 namespace {
 
-// Removes the triangles that name missing vertices, and counts them.
+// Removes and counts the triangles that refer to missing vertices.
 void drop_invalid(Soup& soup) {
   const auto invalid = [&](const Soup::Triangle& t) {
     return std::max({t[0], t[1], t[2]}) >= soup.positions.size();
@@ -81,7 +81,7 @@ void drop_invalid(Soup& soup) {
 void PolygonList::triangulate(std::span<const Vec3> positions, Soup& soup) const {
   soup.triangles.reserve(size());
   Triangulator triangulator;
-  std::vector<uint32_t> before;  // by polygon: the triangles before it
+  std::vector<uint32_t> before;  // by polygon: the number of triangles before it
   uint32_t begin = 0;
   for (size_t i = 0; i < size(); ++i) {
     const std::span<const uint32_t> polygon(corners_.data() + begin, corners_.data() + ends_[i]);

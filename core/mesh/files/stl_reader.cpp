@@ -64,11 +64,11 @@ std::array<Vec3, 3> load_corners(const char* bytes) {
   return corners;
 }
 
-// The number of whole triangles that a binary file is long enough for.
+// Returns the number of whole triangles that fit a binary file.
 size_t room_for_triangles(std::string_view bytes) { return (bytes.size() - kHeaderBytes) / kTriangleBytes; }
 
-// Whether the bytes after the header are whole triangles, whatever number the header announces. Programs that
-// write while they compute leave it at 0. Text and most other data are told apart by the coordinates.
+// Returns true if the bytes after the header are whole triangles, regardless of the count in the header.
+// Programs that write while they compute leave it at 0. The coordinates distinguish text and most other data.
 bool are_whole_triangles(std::string_view bytes) {
   if ((bytes.size() - kHeaderBytes) % kTriangleBytes != 0 || bytes.find('\0') == std::string_view::npos)
     return false;
@@ -116,8 +116,8 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
   return finished(std::move(soup), file_name);
 }
 
-// Reads text as programs write it. Where it strays from the format and no facet is in doubt, it is read as
-// other readers do, with a warning.
+// Reads text as programs write it. Deviations from the format that leave no facet in doubt are read as other
+// readers do, with a warning.
 class TextReader {
  public:
   TextReader(std::string_view bytes, const std::string& file_name, const Progress* progress)
@@ -165,7 +165,7 @@ class TextReader {
                        [&](std::string_view part) { return equal_ignoring_case(word, part); });
   }
 
-  // Whether nothing follows the line of the last word.
+  // Returns true if the line of the last word is the last one.
   bool is_last_line() {
     const size_t before = scanner_.position();
     scanner_.skip_line();
@@ -209,7 +209,7 @@ class TextReader {
     return scanner_.expected(in_quotes(keyword));
   }
 
-  // Consumes a keyword whose two parts a writer may have split.
+  // Consumes a keyword whose two parts may be separate words.
   Problem need_one(std::string_view first, std::string_view second) {
     const std::string keyword = std::string(first) + std::string(second);
     if (!next_is(first)) return need(keyword);
@@ -227,7 +227,7 @@ class TextReader {
     return std::nullopt;
   }
 
-  // Counts a place where the file strays from the format, in the line of the last word.
+  // Counts a deviation from the format, in the line of the last word.
   void stray(const std::string& how) {
     if (strays_++ == 0) first_stray_ = "line " + std::to_string(scanner_.line()) + ": " + how;
   }

@@ -34,8 +34,8 @@ void PointTree::build_node(size_t node, Range range, std::span<const Vec2> point
   build_node(2 * node + 2, {range.middle(), range.end}, points);
 }
 
-// For each edge the corner of the box that is farthest on its inner side is tested with the same operations
-// as a point; since rounding is monotonic, no point of the box can yield a larger value.
+// Tests for each edge the corner of the box that is farthest on its inner side, with the same operations as a
+// point; since rounding is monotonic, no point of the box can yield a larger value.
 bool PointTree::touches(const Node& node, const std::array<Vec2, 3>& triangle) {
   const auto [low_x, high_x] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
   const auto [low_y, high_y] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
@@ -50,7 +50,7 @@ bool PointTree::touches(const Node& node, const std::array<Vec2, 3>& triangle) {
 
 namespace {
 
-// Limits of the number of boxes and points tested for a polygon, beyond which any corner counts as an ear.
+// Maximum number of boxes and points tested per corner of a polygon; beyond it any corner counts as an ear.
 // The worst simple polygons tried, of a hundred thousand corners, need 500 tests per corner.
 constexpr uint64_t kWorkPerCorner = 2000;
 constexpr uint64_t kMaxWork = 400'000'000;
@@ -104,8 +104,8 @@ void EarClipper::enqueue_all() {
   }
 }
 
-// Whether the edges at q, which coincides with the tip of the ear, lead into the ear: one of them into its
-// interior, or both along its sides.
+// Returns true if the edges at q, which coincides with the tip of the ear, lead into the ear: one of them
+// into its interior, or both along its sides.
 bool EarClipper::enters_wedge(uint32_t q, uint32_t ear) const {
   const Vec2 tip = points_[ear], out = points_[next_[ear]] - tip, back = points_[previous_[ear]] - tip;
   bool along = true;
@@ -160,7 +160,7 @@ void EarClipper::remove(uint32_t i) {
   enqueue(after);
 }
 
-// No candidate is left: returns to the strict rule if a looser one found an ear, else loosens the rule.
+// No candidate is left: returns to the strict rule if a looser one found an ear, otherwise loosens the rule.
 void EarClipper::change_rule() {
   if (rule_ != Rule::kAny) rule_ = loosened_ ? Rule::kStrict : static_cast<Rule>(static_cast<int>(rule_) + 1);
   loosened_ = false;
@@ -168,7 +168,7 @@ void EarClipper::change_rule() {
 }
 
 // Ears are clipped in rounds, and no two neighbours in the same round: clipping neighbours one after the
-// other would make fans of long triangles, whose tests visit many boxes. Postponed candidates come first in
+// other would create fans of long triangles, whose tests visit many boxes. Postponed candidates come first in
 // the next round.
 bool EarClipper::start_round() {
   queue_.assign(waiting_.begin(), waiting_.end());
@@ -205,7 +205,7 @@ void EarClipper::clip(std::span<const Vec2> points, std::vector<std::array<uint3
 
 namespace {
 
-// Twice the signed area of the triangle that a polygon's corner i makes with its two neighbours.
+// Returns twice the signed area of the triangle of a polygon's corner i and its two neighbours.
 double turn_at(std::span<const Vec2> points, size_t i) {
   const size_t n = points.size();
   const Vec2 before = points[(i + n - 1) % n], after = points[(i + 1) % n];
@@ -224,8 +224,8 @@ bool all_finite(std::span<const Vec3> points) {
   });
 }
 
-// Scales the coordinates by a power of two, which is exact, to a magnitude near 1, so that no product of them
-// overflows or underflows.
+// Scales the coordinates by a power of two, which is exact, to a magnitude near 1, so that none of their
+// products overflows or underflows.
 void scale_to_one(std::span<Vec3> points) {
   const double largest = largest_coordinate(points);
   if (largest == 0) return;
@@ -254,7 +254,7 @@ void flatten(std::span<const Vec3> points, const Vec3& normal, std::vector<Vec2>
   for (const Vec3& p : points) flat.emplace_back(p[u], p[v]);
 }
 
-// Whether every corner is strictly convex and the boundary winds around once.
+// Returns true if every corner is strictly convex and the boundary winds around once.
 bool is_strictly_convex(std::span<const Vec2> points) {
   int changes = 0;  // of the direction along x, a vertical edge counting as rightwards
   for (size_t i = 0; i < points.size(); ++i) {

@@ -10,22 +10,21 @@
 
 namespace kerf {
 
-// A balanced tree of bounding boxes over points of the plane, for queries by triangle. A query can remove
-// points.
+// A balanced tree of bounding boxes over points of the plane, for queries by triangle that can remove points.
 class PointTree {
  public:
-  // The decision of the visitor of a query about a point: go on, end the query, or remove the point and go
-  // on.
+  // The decision of a query's visitor about a point: continue, stop the query, or remove the point and
+  // continue.
   enum class Verdict { kPass, kStop, kForget };
 
-  // Builds the tree over points[i] for each index i in `chosen`; the spans are not kept. Precondition: all
+  // Builds the tree over points[i] for each index i in `chosen`; does not keep the spans. Precondition: all
   // indices are in range. O(n log n).
   void build(std::span<const Vec2> points, std::span<const uint32_t> chosen);
 
   // Calls judge(index) for the points of every leaf whose box meets the triangle, until it returns kStop;
-  // kForget removes the point. Returns whether it was stopped. Adds the number of boxes and points tested to
-  // `work`. No point is missed for which kerf::cross2 is not negative at any edge. Precondition: the triangle
-  // is counter-clockwise.
+  // kForget removes the point. Returns true if stopped. Adds the number of boxes and points tested to `work`.
+  // Misses no point for which kerf::cross2 is not negative at any edge. Precondition: the triangle is
+  // counter-clockwise.
   template <typename Judge>
   bool visit(const std::array<Vec2, 3>& triangle, uint64_t& work, Judge&& judge) {
     return !nodes_.empty() && visit_node(0, {0, static_cast<uint32_t>(items_.size())}, triangle, work, judge);
@@ -92,8 +91,8 @@ bool PointTree::visit_node(size_t node, Range range, const std::array<Vec2, 3>& 
 // it.
 //
 // Polygons of mesh files are not always simple. Straight corners, repeated corners and seams that join a hole
-// to the outer boundary are triangulated correctly. For a boundary that intersects itself any n - 2 triangles
-// are accepted, and the work is bounded.
+// to the outer boundary are triangulated correctly. For a self-intersecting boundary any n - 2 triangles are
+// accepted, and the work is bounded.
 class EarClipper {
  public:
   // Appends n - 2 triangles, as indices into the n points of a closed counter-clockwise polygon.
@@ -101,7 +100,7 @@ class EarClipper {
   void clip(std::span<const Vec2> points, std::vector<std::array<uint32_t, 3>>& ears);
 
  private:
-  // The rule by which a corner is accepted as an ear, from strict to anything.
+  // The rule by which a corner is accepted as an ear, from the strictest to the loosest.
   enum class Rule {
     kStrict,    // positive area, no other corner inside it or on its boundary
     kFlat,      // zero area: a straight or repeated corner, or a spike
@@ -134,22 +133,22 @@ class EarClipper {
   uint32_t round_ = 0;
   PointTree tree_;
   Rule rule_ = Rule::kStrict;
-  bool loosened_ = false;  // whether a rule other than kStrict found an ear since the last change of rule
+  bool loosened_ = false;  // a rule other than kStrict found an ear since the last change of rule
   uint32_t left_ = 0;
   uint64_t work_ = 0;
   uint64_t most_work_ = 0;
 };
 
 // Triangulates polygons of a mesh; the triangles have the orientation of their polygon. The polygon is
-// projected along the coordinate axis nearest to its Newell normal. A quadrangle is cut along a diagonal that
-// lies inside it, a convex polygon becomes a fan, and any other polygon is triangulated by ear clipping. The
+// projected along the coordinate axis nearest to its Newell normal. A quadrangle is split along a diagonal
+// inside it, a convex polygon becomes a fan, and any other polygon is triangulated by ear clipping. The
 // object keeps scratch memory between polygons and must not be shared between threads.
 class Triangulator {
  public:
   // Appends exactly n - 2 triangles for a polygon of n corners, none for n < 3. A planar simple polygon is
-  // covered without overlap, and without degenerate triangles where possible. Corners may repeat, and
-  // positions need not be finite. Precondition: all corners are indices of positions. O(n) for convex
-  // polygons, about O(n log n) for those that occur in files.
+  // covered without overlap, and without degenerate triangles if possible. Corners may repeat, and positions
+  // need not be finite. Precondition: all corners are indices of positions. O(n) for convex polygons, about
+  // O(n log n) for those that occur in files.
   void append(std::span<const Vec3> positions, std::span<const uint32_t> polygon,
               std::vector<Soup::Triangle>& triangles);
 

@@ -39,7 +39,7 @@ VertexColour mix(const std::array<VertexColour, 3>& colours, const std::array<do
 namespace {
 
 constexpr double kLargestByte = 255;
-constexpr double kLargestLight = 16;  // of fractions; light brighter than white stays far below it
+constexpr double kLargestLight = 16;  // maximum fraction; light brighter than white is far below it
 
 }  // namespace
 

@@ -76,7 +76,7 @@ SurfaceSamples::SurfaceSamples(const FlatSurface& surface) : first_(surface.face
     const auto& [a, b, c] = surface.corners(f);
     add(f, (surface.point(a) + surface.point(b) + surface.point(c)) / 3.0);
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      if (from < to)  // on boundaries, which stay, it does not matter whether there is one
+      if (from < to)  // on boundaries, which stay, the sample is optional
         add(f, 0.5 * (surface.point(from) + surface.point(to)));
     }
   }
@@ -89,7 +89,7 @@ void SurfaceSamples::add(uint32_t face, const Vec3& p) {
 
 bool SurfaceSamples::are_near(std::span<const uint32_t> before, const Vec3& gone,
                               std::span<const FollowedFaces::Changed> changed) const {
-  // Beginning with the face that was near enough to the sample before.
+  // Starts with the face that was near enough to the previous sample.
   size_t last = 0;
   const auto near = [&](const Vec3& p) {
     for (size_t tried = 0; tried < changed.size(); ++tried) {
@@ -153,7 +153,7 @@ bool CollapseRules::keeps_topology(uint32_t v, uint32_t to, const Ring& ring) {
   if (between != 2 || left_ == kNoIndex || right_ == kNoIndex || left_ == right_) return false;
   if (ring.sides.size() < 3) return false;
   if (is_hub(to)) return keeps_topology_of_hub(to, ring);
-  // No other vertex is beside both ends, and no face with the same corners as a changed one is there.
+  // No other vertex is a neighbour of both ends, and no face has the same corners as a changed one.
   const auto is_third = [&](uint32_t w) { return mark_[w] == stamp_ && w != left_ && w != right_; };
   bool kept = true;
   surface_.for_each_face(to, [&](const FlatSurface::Opposite& side) {
@@ -183,7 +183,7 @@ bool CollapseRules::keeps_topology_of_hub(uint32_t to, const Ring& ring) const {
   return !has_face(a, [&](const auto& side) { return has(side, to) && has(side, b); });
 }
 
-// A new edge between two vertices that other sheets share could coincide with an edge of those.
+// A new edge between two vertices shared by other sheets could coincide with an edge of those.
 bool CollapseRules::joins_sheets(uint32_t to, const Ring& ring) const {
   return sheets_.shared[to] && std::any_of(ring.vertices.begin(), ring.vertices.end(), [&](uint32_t w) {
            return w != to && w != left_ && w != right_ && sheets_.shared[w];
@@ -209,11 +209,11 @@ std::vector<Vec3> points_of(const Mesh& mesh, const FlatSheets& sheets) {
   return points;
 }
 
-// Where the mean square of the distance from the planes is so many times the bound, the samples are not
-// asked: few would be near, and looking for that takes half of the time.
+// If the mean square of the distance from the planes is this many times the bound, the samples are not
+// tested: few would be near, and testing takes half of the time.
 constexpr double kMaxOverBound2 = 4;
 
-// Reports in a whole simplification, beside one a round.
+// Progress reports of a whole simplification, in addition to one per round.
 constexpr size_t kReports = 64;
 
 }  // namespace
@@ -268,7 +268,7 @@ bool Collapser::run_round(const Limits& limits) {
   while (left_ > limits.faces && !queue_.empty()) {
     const Queued next = queue_.top();
     queue_.pop();
-    if (next.error != queued_[next.vertex]) continue;  // it was queued again since
+    if (next.error != queued_[next.vertex]) continue;  // it has been queued again since
     queued_[next.vertex] = kNever;
     if (!may_go(next.vertex)) continue;  // it became a hub
     rules_.look_at(next.vertex, ring_);
@@ -314,14 +314,15 @@ double Collapser::error_of(uint32_t v, uint32_t to) const {
   return sum.at(surface_.point(to));
 }
 
-// The least error of all collapses of the vertex, allowed or not. Precondition: ring_ is its.
+// Returns the minimum error of all collapses of the vertex, allowed or not. Precondition: ring_ is the
+// vertex's.
 double Collapser::least_error(uint32_t v) const {
   double least = kNever;
   for (const uint32_t w : ring_.vertices) least = std::min(least, error_of(v, w));
   return least;
 }
 
-// The best collapse of the vertex among those that are allowed. Precondition: ring_ is its.
+// Returns the best allowed collapse of the vertex. Precondition: ring_ is the vertex's.
 Collapser::Choice Collapser::best_choice(uint32_t v) {
   choices_.clear();
   for (const uint32_t w : ring_.vertices) choices_.push_back({error_of(v, w), w});
@@ -342,7 +343,7 @@ bool Collapser::stays_near(uint32_t v, const Choice& choice) {
   return samples_->are_near(around_, surface_.point(v), changed_);
 }
 
-// Finds the faces in ring_, and those of them that stay as they will be.
+// Finds the faces in ring_, and the remaining ones in their new shape.
 void Collapser::find_changed(uint32_t to) {
   around_.clear();
   changed_.clear();

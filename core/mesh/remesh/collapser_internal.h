@@ -21,9 +21,9 @@ struct Quadric {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   Vec3 linear{0};
   double constant = 0;
-  double weight = 0;  // the sum of the areas
+  double weight = 0;  // sum of the areas
 
-  // That of the plane of a triangle, weighted by its area; 0 for one without area.
+  // Returns the quadric of the plane of a triangle, weighted by its area; 0 if it has no area.
   static Quadric of(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 cross = glm::cross(b - a, c - a);
     const double twice = glm::length(cross);
@@ -43,7 +43,7 @@ struct Quadric {
     return *this;
   }
 
-  // The sum for a point, at least 0.
+  // Returns the sum for a point, at least 0.
   double at(const Vec3& p) const {
     const double x = xx * p.x + xy * p.y + xz * p.z, y = xy * p.x + yy * p.y + yz * p.z,
                  z = xz * p.x + yz * p.y + zz * p.z;
@@ -52,29 +52,30 @@ struct Quadric {
   }
 };
 
-// Where the quarters of some faces of a mesh lie while its sheets are simplified. A quarter lies on the face
-// that is nearest to its middle among those that took the place of the face on which it lay. So it never goes
-// on to another sheet, and the cost of a collapse depends on the quarters around the removed vertex alone.
+// Locates the quarters of some faces of a mesh while its sheets are simplified. A quarter lies on the face
+// nearest to its middle among those that replaced its previous face. So it never moves to another sheet, and
+// the cost of a collapse depends only on the quarters around the removed vertex.
 class FollowedFaces {
  public:
-  // A face that a collapse changes, by its number, as it will be, in the frame of the sheets.
+  // A face changed by a collapse: its number and its new shape, in the frame of the sheets.
   struct Changed {
     uint32_t face;
     Triangle corners;
   };
 
-  // Each quarter lies on its own face. `numbers` has the faces of the mesh by their number on the sheets,
+  // Puts each quarter on its own face. `numbers` has the faces of the mesh by their number on the sheets,
   // ascending, and `frame` is that of the sheets. Precondition: the faces are live.
   FollowedFaces(const Mesh& mesh, const FloatFrame& frame, std::span<const FaceId> numbers,
                 std::span<const FaceId> faces);
 
-  // Whether any quarter lies on the face.
+  // Returns true if any quarter lies on the face.
   bool lie_on(uint32_t f) const { return !lying_.empty() && first_on(f) != kNone; }
-  // Hands on what lies on `before`, the faces around a vertex that goes, to the changed ones among them.
+  // Moves the quarters on `before`, the faces around a removed vertex, to the changed ones among them.
   // Precondition: neither is empty.
   void hand_on(std::span<const uint32_t> before, std::span<const Changed> changed);
 
-  // The places of the quarters, in the order of the faces; `numbers` as for the constructor. O(faces).
+  // Returns the places of the quarters, in the order of the faces; `numbers` as for the constructor.
+  // O(faces).
   std::vector<FollowedFace> places(std::span<const FaceId> numbers) const;
 
  private:
@@ -83,28 +84,27 @@ class FollowedFaces {
   uint32_t first_on(uint32_t f) const { return lying_[f]; }
 
   std::vector<FaceId> faces_;
-  std::vector<Vec3> middles_;  // of quarter i % 4 of face i / 4
-  std::vector<uint32_t>
-      lying_;  // by number of the face: the first quarter of its list; empty if none is followed
-  std::vector<uint32_t> next_;  // by quarter: the next one in the same list
+  std::vector<Vec3> middles_;    // of quarter i % 4 of face i / 4
+  std::vector<uint32_t> lying_;  // by face number: the first quarter of its list; empty if none is followed
+  std::vector<uint32_t> next_;   // by quarter: the next one in the same list
 };
 
-// Bounds the distance of the surface that was from the surface that is, at samples: vertices, edge midpoints
-// and face centroids. Looking at removed vertices alone, as OpenMesh's ModHausdorffT does, left points
-// between them up to five times as far away.
+// Bounds the distance of the original surface from the current one, at samples: vertices, edge midpoints and
+// face centroids. Testing removed vertices only, as OpenMesh's ModHausdorffT does, left points between them
+// up to five times as far away.
 class SurfaceSamples {
  public:
-  // Takes samples of the surface as it is. O(faces).
+  // Takes samples of the current surface. O(faces).
   explicit SurfaceSamples(const FlatSurface& surface);
 
-  // The greatest distance at which a sample is near, in the frame of the surface.
+  // Sets the maximum distance of samples, in the frame of the surface.
   void set_most(double most) { most2_ = most * most; }
 
-  // Whether the samples on the faces `before`, and a vertex `gone`, are near enough to any of the changed
-  // faces.
+  // Returns true if the samples on the faces `before`, and a removed vertex, are near enough to any of the
+  // changed faces.
   bool are_near(std::span<const uint32_t> before, const Vec3& gone,
                 std::span<const FollowedFaces::Changed> changed) const;
-  // Hands on what lies on `before`, and a vertex that is gone, to the nearest of the changed faces.
+  // Moves the samples on `before`, and a removed vertex as a new sample, to the nearest of the changed faces.
   // Precondition: there are changed faces.
   void hand_on(std::span<const uint32_t> before, const Vec3& gone,
                std::span<const FollowedFaces::Changed> changed);
@@ -131,22 +131,23 @@ class CollapseRules {
   CollapseRules(const FlatSheets& sheets, const FlatSurface& surface)
       : sheets_(sheets), surface_(surface), mark_(surface.vertices(), 0) {}
 
-  // The least cosine, squared, of the angle by which a collapse may turn a face; 0 or more.
+  // Sets the minimum squared cosine of the angle by which a collapse may turn a face; 0 or more.
   void set_least_cosine2(double cosine2) { least_cosine2_ = cosine2; }
 
-  // A vertex with more faces is a hub and does not collapse before its neighbours have: to look at its ring
-  // after each of their collapses would take quadratic time. Collapses onto it look at no other hub either.
+  // A vertex with more faces is a hub and does not collapse until its neighbours have: inspecting its ring
+  // after each of their collapses would take quadratic time. Collapses onto it inspect no other hub either.
   static constexpr uint32_t kMaxFaces = 256;
 
   bool is_hub(uint32_t v) const { return surface_.faces_at(v) > kMaxFaces; }
 
-  // Finds what is around a vertex, and remembers it for allows(). Precondition: it is in use.
+  // Collects the faces and vertices around a vertex, and stores them for allows(). Precondition: it is in
+  // use.
   void look_at(uint32_t v, Ring& ring);
 
-  // Whether the vertex of the last look_at, which has this ring, may collapse onto `to`: the surface stays a
-  // manifold of the same topology (the link condition of T. Dey et al., 1999), no sheets are joined, and no
-  // face turns too far or loses its area. Two hubs beside the vertex may forbid it, too. Preconditions: `to`
-  // is in the ring, and the vertex is neither locked nor a hub.
+  // Returns true if the vertex of the last look_at, which has this ring, may collapse onto `to`: the surface
+  // stays a manifold of the same topology (the link condition of T. Dey et al., 1999), no sheets are joined,
+  // and no face turns too far or loses its area. Two neighbouring hubs may prevent it, too. Preconditions:
+  // `to` is in the ring, and the vertex is neither locked nor a hub.
   bool allows(uint32_t v, uint32_t to, const Ring& ring);
 
  private:
@@ -159,22 +160,22 @@ class CollapseRules {
   const FlatSurface& surface_;
   double least_cosine2_ = 0;
   uint32_t stamp_ = 0;
-  std::vector<uint32_t> mark_;                   // by vertex: the stamp of the ring in which it was last
-  uint32_t left_ = kNoIndex, right_ = kNoIndex;  // the two vertices that have a face with both ends
+  std::vector<uint32_t> mark_;                   // by vertex: the stamp of its latest ring
+  uint32_t left_ = kNoIndex, right_ = kNoIndex;  // the two vertices that share a face with both ends
 };
 
 // Collapses the vertices of sheets in rounds, each in the order of the quadric error, until a number of faces
 // is left or a round finds no more.
 class Collapser {
  public:
-  // What a round allows.
+  // The limits of a round.
   struct Limits {
-    size_t faces = 0;          // the round ends when so many are left
+    size_t faces = 0;          // ends the round when reached
     double least_cosine2 = 0;  // of the angle by which one collapse may turn a face, squared
   };
 
-  // `sheets` must outlive the collapser, and `progress`, which may be null, too; it is told how far the way
-  // to `faces` faces is gone.
+  // `sheets` must outlive the collapser, and so must `progress`, which may be null. Progress is the fraction
+  // of the faces to be removed to reach `faces`.
   Collapser(const Mesh& mesh, const FlatSheets& sheets, size_t faces, std::span<const FaceId> followed,
             const Progress* progress);
 
@@ -183,17 +184,17 @@ class Collapser {
   double area() const;                   // in the frame of the sheets; O(faces)
   std::vector<FollowedFace> followed() const { return followed_.places(sheets_.faces); }
 
-  // From now on no collapse takes samples of the surface as it is at the first call farther than `most` from
-  // it, in the frame of the sheets; or, with none, there is no such bound.
+  // From now on collapses keep samples of the surface, as of the first call, within `most` of it, in the
+  // frame of the sheets; nullopt removes the bound.
   void bound_distance(std::optional<double> most);
 
-  // Returns false if it was stopped.
+  // Returns false if stopped.
   bool run_round(const Limits& limits);
 
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  // Where a vertex goes, and the quadric error of that.
+  // The target of a collapse, and its quadric error.
   struct Choice {
     double error = kNever;
     uint32_t to = kNoIndex;
@@ -224,15 +225,15 @@ class Collapser {
   FlatSurface surface_;
   CollapseRules rules_;
   std::vector<Quadric> quadrics_;  // by vertex
-  std::vector<double> queued_;     // by vertex: the error with which it is in the queue
+  std::vector<double> queued_;     // by vertex: its error in the queue
   std::priority_queue<Queued, std::vector<Queued>, std::greater<>> queue_;
   FollowedFaces followed_;
   std::optional<SurfaceSamples> samples_;
-  std::optional<double> most2_;  // the bound of the distance of samples, squared
+  std::optional<double> most2_;  // squared bound of the distance of samples
   size_t begin_, left_, target_;
   const Progress* progress_;
-  size_t reported_;  // faces that were left at the last report
-  Ring ring_;        // of the vertex at which the rules look
+  size_t reported_;  // faces left at the last report
+  Ring ring_;        // of the vertex inspected by the rules
   std::vector<uint32_t> changed_vertices_, around_;
   std::vector<FollowedFaces::Changed> changed_;
   std::vector<Choice> choices_;

@@ -18,18 +18,18 @@ namespace kerf {
 // that no vertex joins two sheets. Faces and vertices are numbered in the order of their slots in the mesh.
 //
 // An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ. Locked
-// are the ends of features, vertices at whose position there is another vertex, and those of faces that are
-// to be kept.
+// are the ends of features, vertices that share their position with another vertex, and the vertices of kept
+// faces.
 struct FlatSheets {
-  FloatFrame frame;                              // in which OpenMesh and the quadrics compute
-  std::vector<VertexId> vertices;                // by vertex; one of the mesh with several fans comes again
+  FloatFrame frame;                              // for OpenMesh and the quadrics
+  std::vector<VertexId> vertices;                // by vertex; repeats a vertex of the mesh with several fans
   std::vector<FaceId> faces;                     // by face, ascending
   std::vector<std::array<uint32_t, 3>> corners;  // by face: vertices, counter-clockwise
-  std::vector<bool> feature;  // side 3 f + i of face f, which runs from corner i to the next one
-  std::vector<bool> locked;   // by vertex
-  std::vector<bool> shared;   // by vertex: another vertex has the same position
+  std::vector<bool> feature;                     // side 3 f + i of face f, from corner i to the next one
+  std::vector<bool> locked;                      // by vertex
+  std::vector<bool> shared;                      // by vertex: another vertex has the same position
 
-  // The position of a vertex in the frame of the sheets. Precondition: they were made of `mesh`.
+  // Returns the position of a vertex in the frame of the sheets. Precondition: they were made of `mesh`.
   Vec3 point(const Mesh& mesh, uint32_t v) const { return frame.scaled(mesh.position(vertices[v])); }
 };
 
@@ -37,12 +37,12 @@ struct FlatSheets {
 // the faces in `kept` are live. O(n log n).
 Result<FlatSheets> to_flat_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
 
-// Triangles over vertices in flat arrays, from which half-edge collapses take vertices. Corner 3 f + i is
-// corner i of face f; the corners at one vertex are a ring of links in no particular order, so that two rings
-// are joined, and a corner leaves its ring, in constant time.
+// Triangles over vertices in flat arrays, for removing vertices by half-edge collapses. Corner 3 f + i is
+// corner i of face f; the corners at one vertex are a ring of links in no particular order, so that joining
+// two rings and removing a corner take constant time.
 class FlatSurface {
  public:
-  // A side of a face that lies opposite to a vertex; from, to and the vertex are counter-clockwise.
+  // The side of a face opposite to a vertex; from, to and the vertex are counter-clockwise.
   struct Opposite {
     uint32_t face, from, to;
   };
@@ -52,7 +52,7 @@ class FlatSurface {
   const Vec3& point(uint32_t v) const { return points_[v]; }
   uint32_t vertices() const { return static_cast<uint32_t>(points_.size()); }
   uint32_t faces() const { return static_cast<uint32_t>(corners_.size()); }
-  // Precondition: the face is there.
+  // Precondition: has(f).
   const std::array<uint32_t, 3>& corners(uint32_t f) const { return corners_[f]; }
   bool has(uint32_t f) const { return corners_[f][0] != kNoIndex; }
   bool in_use(uint32_t v) const { return first_[v] != kNoIndex; }
@@ -71,8 +71,8 @@ class FlatSurface {
     } while (c != first);
   }
 
-  // Moves all faces at `from` to `to`, but for the two that have both as corners, which go. Precondition:
-  // there are two such faces and more at `from`. Linear in the faces at `from`.
+  // Moves all faces at `from` to `to`, but removes the two that have both as corners. Precondition: there are
+  // exactly two such faces, and further ones at `from`. Linear in the faces at `from`.
   void collapse(uint32_t from, uint32_t to);
 
  private:
@@ -80,9 +80,9 @@ class FlatSurface {
   void unlink(uint32_t corner);
 
   std::vector<Vec3> points_;
-  std::vector<std::array<uint32_t, 3>> corners_;  // by face; kNoIndex where it is gone
-  std::vector<uint32_t> next_, previous_;         // by corner: the one after and before it at its vertex
-  std::vector<uint32_t> first_;                   // by vertex: any corner; kNoIndex where there is none
+  std::vector<std::array<uint32_t, 3>> corners_;  // by face; kNoIndex if removed
+  std::vector<uint32_t> next_, previous_;         // by corner: the next and previous one at its vertex
+  std::vector<uint32_t> first_;                   // by vertex: any corner; kNoIndex if there is none
   std::vector<uint32_t> valence_;                 // by vertex: faces
 };
 

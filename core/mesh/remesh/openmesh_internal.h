@@ -10,8 +10,8 @@
 #include "core/mesh/remesh/flat_sheets_internal.h"
 #include "core/mesh/remesh/remeshed.h"
 
-// core/mesh/openmesh alone includes OpenMesh's headers. They are system headers, so that Kerf's warnings do
-// not apply to them.
+// Only core/mesh/remesh includes OpenMesh's headers. They are system headers, so that Kerf's warnings do not
+// apply to them.
 #ifndef _USE_MATH_DEFINES
 #define _USE_MATH_DEFINES  // OpenMesh uses M_PI
 #endif
@@ -31,13 +31,13 @@ using OpenMeshKernel = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
 // The flat sheets of a mesh as a mesh of OpenMesh, which is manifold, with their features, locked and shared
 // vertices. Positions are scaled to about [-1, 1] around the middle of the mesh, because OpenMesh compares
-// with absolute bounds.
+// with absolute tolerances.
 struct Sheets {
   using Kernel = OpenMeshKernel;
 
   Kernel mesh;
   FloatFrame frame;
-  std::vector<VertexId> vertices;  // by vertex handle; a vertex with several fans comes several times
+  std::vector<VertexId> vertices;  // by vertex handle; repeats a vertex with several fans
   std::vector<FaceId> faces;       // by face handle, ascending
   std::vector<bool> shared;        // by vertex handle: another vertex has the same position
   size_t detached = 0;             // faces that OpenMesh could not connect
@@ -46,15 +46,15 @@ struct Sheets {
   Kernel::FaceHandle face(size_t i) const { return Kernel::FaceHandle(static_cast<int>(i)); }
 };
 
-// Copies the live faces of a mesh by way of to_flat_sheets. OpenMesh has at most one edge between two
-// vertices, and two faces on it; a sheet that touches itself along a ring may need more, and a face for which
-// there is none left gets vertices of its own, which are locked. Fails with cancelled() when stopped;
-// `progress` may be null. Precondition: the faces in `kept` are live. O(n log n).
+// Copies the live faces of a mesh via to_flat_sheets. OpenMesh allows at most one edge between two vertices,
+// with two faces; a sheet that touches itself along a ring may need more, and a face without a free edge gets
+// locked vertices of its own. Fails with cancelled() when stopped; `progress` may be null. Precondition: the
+// faces in `kept` are live. O(n log n).
 Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
 
-// Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which has the
-// face of `mesh` from which each face handle stems. Vertices that still have the position that to_sheets gave
-// them get their position in `mesh`. Triangles with two corners at the same position are left out.
+// Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which maps each
+// face handle to the face of `mesh` from which it derives. Vertices that did not move since to_sheets get
+// their position in `mesh`. Drops triangles with two corners at the same position.
 Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const Mesh& mesh);
 
 }  // namespace kerf

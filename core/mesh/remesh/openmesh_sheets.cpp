@@ -69,7 +69,7 @@ class Copier {
     (void)added;
   }
 
-  // Whether OpenMesh can connect the face; otherwise it would also say so on standard error.
+  // Returns true if OpenMesh can connect the face; otherwise it would report that on standard error.
   bool fits(const std::array<Kernel::VertexHandle, 3>& corners) const {
     for (uint32_t i = 0; i < 3; ++i) {
       if (!out_.mesh.is_boundary(corners[i])) return false;
@@ -79,7 +79,7 @@ class Copier {
     return true;
   }
 
-  // Another vertex at the position of `v`, so that both are shared.
+  // Adds another vertex at the position of `v`, so that both are shared.
   Kernel::VertexHandle add_own_vertex(uint32_t v) {
     const auto own = out_.mesh.new_vertex(out_.mesh.point(out_.vertex(v)));
     out_.vertices.push_back(out_.vertices[v]);

@@ -19,8 +19,8 @@ namespace {
 using Kernel = OpenMeshKernel;
 using Point = Kernel::Point;
 
-// cos(2 pi / n) by the power series, whose terms beyond the 30th are below the rounding. Precondition: n
-// >= 2.
+// Returns cos(2 pi / n) by the power series, whose terms beyond the 30th are below the rounding.
+// Precondition: n >= 2.
 double cosine_of_nth_turn(size_t n) {
   constexpr double kTurn = 2 * kPi;
   const double x2 = (kTurn / static_cast<double>(n)) * (kTurn / static_cast<double>(n));
@@ -32,14 +32,14 @@ double cosine_of_nth_turn(size_t n) {
   return sum;
 }
 
-// How far an inner vertex goes towards the mean of its neighbours.
+// Returns the fraction by which an inner vertex moves towards the mean of its neighbours.
 double loop_share(size_t valence) {
   const double t = 3 + 2 * cosine_of_nth_turn(valence);
   return (40 - t * t) / 64;
 }
 double sqrt3_share(size_t valence) { return (4 - 2 * cosine_of_nth_turn(valence)) / 9; }
 
-// The vertices of the mesh as the scheme moves them, in the order of their handles.
+// Returns the vertices of the mesh as moved by the scheme, in the order of their handles.
 template <typename Share>
 std::vector<Point> moved_vertices(const Kernel& mesh, Share share_for) {
   std::vector<double> share(2, 0);
@@ -75,7 +75,7 @@ void append_edge_points(const Kernel& mesh, std::vector<Point>& points) {
   }
 }
 
-// Appends the new vertices of the scheme by the square root of 3, in the order of the faces.
+// Appends the new vertices of the sqrt(3) scheme, in the order of the faces.
 void append_face_points(const Kernel& mesh, std::vector<Point>& points) {
   for (const auto f : mesh.faces()) {
     Point sum(0);
@@ -111,9 +111,9 @@ void split_in_three(Kernel& mesh) {
   size_t most = 0;
   for (const auto v : mesh.vertices()) most = std::max<size_t>(most, mesh.valence(v));
   OpenMesh::Subdivider::Uniform::Sqrt3T<Kernel> sqrt3;
-  sqrt3.init_weights(most + 1);  // it looks them up without a bound
+  sqrt3.init_weights(most + 1);  // OpenMesh accesses the table without a bounds check
   sqrt3(mesh, 1);
-  // Features are not turned: after four turns an edge and both its faces are where they were.
+  // Features are not flipped: after four flips an edge and both its faces are unchanged.
   for (const auto e : stay) {
     for (int turn = 1; turn < 4; ++turn) mesh.flip(e);
   }
@@ -156,7 +156,7 @@ Result<Remeshed> smooth(const Mesh& mesh, size_t times, std::span<const FaceId> 
   auto sheets = to_sheets(mesh, kept, &copying);
   if (!sheets) return sheets.error();
   {
-    // It leaves locked vertices and those on boundaries where they are.
+    // It does not move locked vertices and those on boundaries.
     using Smoother = OpenMesh::Smoother::JacobiLaplaceSmootherT<OpenMeshKernel>;
     Smoother smoother(sheets->mesh);
     smoother.initialize(Smoother::Tangential_and_Normal, Smoother::C0);

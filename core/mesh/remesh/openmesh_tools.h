@@ -8,38 +8,38 @@
 
 namespace kerf {
 
-// How faces are subdivided.
+// Subdivision schemes.
 enum class Subdivision {
   kLoop,  // each into four, and vertices move (C. Loop: Smooth subdivision surfaces based on triangles, 1987)
-  kSqrt3,     // each into three, edges are turned, and vertices move (L. Kobbelt: Sqrt(3) subdivision, 2000)
-  kMidpoint,  // each into four, at the midpoints of its edges; the surface stays
+  kSqrt3,     // each into three, edges are flipped, and vertices move (L. Kobbelt: Sqrt(3) subdivision, 2000)
+  kMidpoint,  // each into four, at the midpoints of its edges; the surface is unchanged
 };
 
-// Their names for users and files, in the order of the enumerators.
+// Names for users and files, in the order of the enumerators.
 inline constexpr std::array kSubdivisionNames{"loop", "sqrt3", "midpoint"};
 
 // The number of parts of a face.
 constexpr size_t parts_of_face(Subdivision scheme) { return scheme == Subdivision::kSqrt3 ? 3 : 4; }
 
-// Subdivides every face once, as OpenMesh's subdividers connect them. Features (see Sheets) and the vertices
-// of the faces in `kept` stay where they are: a feature edge is split at its midpoint, or not at all by
+// Subdivides every face once, with the connectivity of OpenMesh's subdividers. Features (see Sheets) and the
+// vertices of the faces in `kept` do not move: a feature edge is split at its midpoint, or not at all by
 // kSqrt3. Vertices move by the stencils of the papers, which OpenMesh computes without regard to features and
-// with a cosine that differs from machine to machine.
+// with a cosine that differs between machines.
 //
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the scheme
-// alone. Preconditions: the mesh has live faces, at most kMaxToSubdivide, and `kept` are live. O(n log n).
+// only. Preconditions: the mesh has live faces, at most kMaxToSubdivide, and `kept` are live. O(n log n).
 inline constexpr size_t kMaxToSubdivide = size_t{1} << 28;
 Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const FaceId> kept,
                            const Progress* progress);
 
-// Moves every vertex half the way to the middle of its neighbours, all at once, `times` times (the umbrella
-// operator; L. Kobbelt et al.: Interactive multi-resolution modeling on arbitrary meshes, 1998), as
-// OpenMesh's JacobiLaplaceSmoother does it. Features (see Sheets) and the vertices of the faces in `kept`
-// stay. Closed surfaces shrink.
+// Moves every vertex half way to the middle of its neighbours, all at once, `times` times (the umbrella
+// operator; L. Kobbelt et al.: Interactive multi-resolution modeling on arbitrary meshes, 1998), like
+// OpenMesh's JacobiLaplaceSmoother. Features (see Sheets) and the vertices of the faces in `kept` do not
+// move. Closed surfaces shrink.
 //
-// Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the number
-// alone. Preconditions: the mesh has live faces, `kept` are live, and it is
-// at most kMaxSmoothing times. O(n times + n log n).
+// Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and `times`
+// only. Preconditions: the mesh has live faces, `kept` are live, and times <= kMaxSmoothing.
+// O(n times + n log n).
 inline constexpr size_t kMaxSmoothing = 1000;
 Result<Remeshed> smooth(const Mesh& mesh, size_t times, std::span<const FaceId> kept,
                         const Progress* progress);

@@ -18,7 +18,8 @@ std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh) {
 
 namespace {
 
-// The weights of the corners of a triangle at a point of it; the first corner's where it has no area.
+// Returns the weights of the corners of a triangle at a point of it; the first corner has weight 1 if it has
+// no area.
 std::array<double, 3> corner_weights(const Vec3& p, const Triangle& t) {
   const double a = triangle_area({p, t[1], t[2]}), b = triangle_area({p, t[2], t[0]}),
                c = triangle_area({p, t[0], t[1]});
@@ -63,8 +64,8 @@ Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, con
 
 namespace {
 
-// The faces over welded positions; those with two corners at one position, which a cut may leave, are left
-// out.
+// Copies the faces over welded positions; drops those with two corners at one position, which a cut may
+// leave.
 Remeshed copy_faces(const Mesh& mesh) {
   std::vector<Vec3> positions(mesh.vertex_slots(), Vec3(0));
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {

@@ -13,24 +13,24 @@ namespace {
 
 // The squared cosines of 15, 30, 60 and 90 degrees, by which one collapse may turn a face.
 constexpr std::array kMinCosine2 = {0.93301270189221932, 0.75, 0.25, 0.0};
-// Down to so many times the wanted faces the quadrics alone decide.
+// Down to this multiple of the target number of faces only the quadrics are used.
 constexpr size_t kFacesForSamples = 5;
-// The bounds of the distance of samples, over the edge of an equilateral face of those that are wanted, begin
-// with this one and double.
+// The first bound of the distance of samples, relative to the edge of an equilateral face of the target size;
+// the following bounds double.
 constexpr double kFirstBound = 1 / 2048.0;
 constexpr double kLastBound = 1;
-constexpr size_t kFirstTurns = 2;  // the turns that the first bounded rounds allow
+constexpr size_t kFirstTurns = 2;  // maximum turns of the first bounded rounds
 
-// The edge of an equilateral triangle of the area.
+// Returns the edge of an equilateral triangle of this area.
 double edge_of(double area) { return std::sqrt(4 / std::sqrt(3.0) * area); }
 
-// Returns false if it was stopped.
+// Returns false if stopped.
 bool collapse_to_error(Collapser& collapser, double error) {
   collapser.bound_distance(kShareForSamples * error);
   return collapser.run_round({.faces = 0, .least_cosine2 = kMinCosine2.front()});
 }
 
-// Returns false if it was stopped.
+// Returns false if stopped.
 bool collapse_to_faces(Collapser& collapser, size_t faces) {
   const auto round = [&](size_t until, double cosine2) {
     return collapser.left() <= until || collapser.run_round({.faces = until, .least_cosine2 = cosine2});
@@ -51,7 +51,7 @@ bool collapse_to_faces(Collapser& collapser, size_t faces) {
                      [&](double cosine2) { return round(faces, cosine2); });
 }
 
-// The faces that are left, with welded positions in the order in which they come.
+// Returns the remaining faces, with welded positions in the order of their first use.
 Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurface& surface) {
   std::vector<uint32_t> number(surface.vertices(), kNoIndex);
   std::vector<Vec3> positions;

@@ -65,7 +65,7 @@ class Builder {
     materials_ = std::move(usable->materials);
     parts_ = std::move(usable->parts);
     if (!triangles_.empty()) return Done{};
-    return bad_input("no face is left: every face is degenerate, not finite or invalid");
+    return bad_input("no face is usable: every face is degenerate, not finite or invalid");
   }
 
   Status group(const Progress& progress) {
@@ -110,11 +110,11 @@ class Builder {
     report_.warnings.push_back(
         grouped(shells) +
         (shells == 1
-             ? " closed part lies in another one and faces the same way: its volume counts twice unless "
+             ? " closed part is inside another one and faces the same way: its volume counts twice unless "
                "it is turned"
-             : " closed parts lie in others and face the same way: their volumes count twice unless they "
+             : " closed parts are inside others and face the same way: their volumes count twice unless they "
                "are turned") +
-        " (--turn-shells, or Turn inner shells in the editor).");
+        " (--turn-shells, or Turn Inner Shells in the editor).");
   }
 
   void turn(const std::vector<bool>& chosen) {
@@ -203,11 +203,11 @@ class Builder {
 
   void record_doubled(size_t faces) {
     if (faces == 0) return;
-    report_.warnings.push_back(grouped(faces) +
-                               (faces == 1 ? " face lies on another one and faces the same way: the volume "
-                                             "that it bounds counts twice."
-                                           : " faces lie on others and face the same way: the volume that "
-                                             "they bound counts twice."));
+    report_.warnings.push_back(
+        grouped(faces) + (faces == 1 ? " face coincides with another one and faces the same way: the volume "
+                                       "that it bounds counts twice."
+                                     : " faces coincide with others and face the same way: the volume that "
+                                       "they bound counts twice."));
   }
 
   Status find_vertices(const Progress& progress) {
@@ -236,11 +236,11 @@ class Builder {
     size_t others = 0;
     for (size_t p = 0; p < soup_.colours.size(); ++p) others += soup_.colours[p] != soup_.colours[welded_[p]];
     if (others == 0) return;
-    report_.warnings.push_back(grouped(others) +
-                               (others == 1
-                                    ? " vertex has another colour than an earlier one at its place, "
-                                    : " vertices have other colours than earlier ones at their places, ") +
-                               "whose colour was kept.");
+    report_.warnings.push_back(
+        grouped(others) +
+        (others == 1 ? " vertex has a different colour from an earlier one at its position, "
+                     : " vertices have different colours from earlier ones at their positions, ") +
+        "whose colour was kept.");
   }
 
   void colour_vertices() {

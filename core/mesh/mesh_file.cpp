@@ -63,8 +63,7 @@ Result<size_t> readable_size(int file, const std::string& name) {
   if (!S_ISREG(info.st_mode)) return bad_input(name + ": this is a device or a pipe, not a mesh file.");
   const auto size = static_cast<size_t>(info.st_size);
   if (size == 0) return bad_input(name + ": the file is empty.");
-  if (size > kLargestFile)
-    return bad_input(name + ": the file is larger than 4 GiB, which is the most that is read.");
+  if (size > kLargestFile) return bad_input(name + ": the file exceeds the limit of 4 GiB.");
   return size;
 }
 
@@ -93,8 +92,8 @@ Result<FileBytes> read_bytes(const std::filesystem::path& path, const std::strin
 }
 
 Error not_a_mesh(const std::string& name, std::string_view kind) {
-  const std::string what = kind.empty() ? "" : std::string(kind) + ", which is ";
-  return bad_input(name + ": this is " + what + "no mesh that Kerf reads; it reads " +
+  const std::string what = kind.empty() ? "" : std::string(kind) + ", ";
+  return bad_input(name + ": this is " + what + "not a supported mesh format; Kerf reads " +
                    list_mesh_titles(" and ") + ".");
 }
 
@@ -141,7 +140,7 @@ Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progre
   try {
     return load_and_parse(path, name, progress);
   } catch (const std::bad_alloc&) {
-    return failed(name + ": there is not enough memory to read it.");
+    return failed(name + ": not enough memory to read it.");
   }
 }
 
@@ -157,7 +156,7 @@ Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* p
       return bad_input(name + ": " + built.error().message);
     return built;
   } catch (const std::bad_alloc&) {
-    return failed(name + ": there is not enough memory to build its mesh.");
+    return failed(name + ": not enough memory to build its mesh.");
   }
 }
 
@@ -179,16 +178,16 @@ void add(size_t count, const Wording& wording, std::vector<std::string>& notes) 
 std::vector<std::string> dropped_notes(const Repairs& r) {
   std::vector<std::string> notes;
   add(r.invalid_faces_dropped,
-      {" triangle names a vertex that is not there and was dropped.",
-       " triangles name vertices that are not there and were dropped."},
+      {" triangle refers to a missing vertex and was dropped.",
+       " triangles refer to missing vertices and were dropped."},
       notes);
   add(r.non_finite_faces_dropped,
       {" triangle has a corner that is not a finite number and was dropped.",
        " triangles have corners that are not finite numbers and were dropped."},
       notes);
   add(r.degenerate_faces_dropped,
-      {" triangle has two corners at the same place and was dropped.",
-       " triangles have two corners at the same place and were dropped."},
+      {" triangle has two corners at the same position and was dropped.",
+       " triangles have two corners at the same position and were dropped."},
       notes);
   return notes;
 }
@@ -196,19 +195,20 @@ std::vector<std::string> dropped_notes(const Repairs& r) {
 std::vector<std::string> load_notes(const MeshReport& report) {
   std::vector<std::string> notes = dropped_notes(report.repairs);
   add(report.repairs.reoriented_faces,
-      {" face was turned round, so that neighbours agree and closed parts face outward.",
-       " faces were turned round, so that neighbours agree and closed parts face outward."},
+      {" face was flipped, so that neighbours agree and closed parts face outward.",
+       " faces were flipped, so that neighbours agree and closed parts face outward."},
       notes);
   add(report.repairs.zero_area_faces,
-      {" face had no area and holds others together.", " faces had no area and hold the others together."},
+      {" face has no area and was kept, because it connects others.",
+       " faces have no area and were kept, because they connect others."},
       notes);
   add(report.non_manifold_edges,
-      {" edge has three faces or more: closed parts that touch there are cut one by one, open ones together.",
-       " edges have three faces or more: closed parts that touch there are cut one by one, open ones "
+      {" edge has three or more faces: closed parts that touch there are cut separately, open ones together.",
+       " edges have three or more faces: closed parts that touch there are cut separately, open ones "
        "together."},
       notes);
   add(report.repairs.isolated_vertices_dropped,
-      {" vertex was used by no face and was left out.", " vertices were used by no face and were left out."},
+      {" vertex is used by no face and was dropped.", " vertices are used by no face and were dropped."},
       notes);
   notes.insert(notes.end(), report.warnings.begin(), report.warnings.end());
   return notes;
@@ -225,22 +225,22 @@ std::string obstacle_to_gltf(const MeshView& mesh) {
   // Half of the range, because positions are relative to the middle.
   const auto fits = [](const Vec3& p) { return fits_float(2.0 * p); };
   if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
-    return "glTF cannot hold coordinates beyond 1.7e38";
+    return "glTF cannot store coordinates beyond 1.7e38";
   if (mesh.positions.size() + mesh.triangles.size() > (size_t{1} << 28))
-    return "glTF cannot hold more than 268435456 vertices and triangles";
+    return "glTF cannot store more than 268435456 vertices and triangles";
   return {};
 }
 
 // Returns why the format cannot store the mesh; empty if it can.
 std::string obstacle(const MeshView& mesh, MeshFormat format) {
   if (format == MeshFormat::kStl && !std::all_of(mesh.positions.begin(), mesh.positions.end(), fits_float)) {
-    return "STL cannot hold coordinates beyond 3.4e38";
+    return "STL cannot store coordinates beyond 3.4e38";
   }
   if (format == MeshFormat::kStl && mesh.triangles.size() > std::numeric_limits<uint32_t>::max()) {
-    return "STL cannot hold more than 4294967295 triangles";
+    return "STL cannot store more than 4294967295 triangles";
   }
   if (format == MeshFormat::kPly && mesh.positions.size() > size_t{std::numeric_limits<int32_t>::max()} + 1) {
-    return "PLY cannot hold more than 2147483648 vertices";
+    return "PLY cannot store more than 2147483648 vertices";
   }
   if (format == MeshFormat::kGlb || format == MeshFormat::kGltf) return obstacle_to_gltf(mesh);
   return {};
@@ -251,11 +251,11 @@ std::string obstacle(const MeshView& mesh, MeshFormat format) {
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format) {
   const std::string reason = obstacle(mesh, format);
   if (!reason.empty())
-    return failed("cannot write " + path.string() + ": " + reason + "; choose another format.");
+    return failed("cannot write " + path.string() + ": " + reason + "; select another format.");
   try {
     return write_file_atomically(path, [&](const ByteSink& sink) { encode(mesh, format, sink); });
   } catch (const std::bad_alloc&) {
-    return failed("cannot write " + path.string() + ": there is not enough memory.");
+    return failed("cannot write " + path.string() + ": not enough memory.");
   }
 }
 
@@ -317,11 +317,11 @@ std::optional<std::string> precision_note(const PrecisionLoss& loss, MeshFormat 
                                           const std::string& advice) {
   if (!loss.matters()) return std::nullopt;
   std::string text(format_row(format).title);
-  text += " holds single precision: vertices move by up to " + length_text(loss.largest_move) +
-          ", where the shortest edge has " + length_text(loss.shortest_edge);
+  text += " stores single precision: vertices move by up to " + length_text(loss.largest_move) +
+          ", while the shortest edge is " + length_text(loss.shortest_edge);
   if (loss.merged > 0) {
     text += ", and " + grouped(loss.merged) + " of " + grouped(loss.vertices) + " vertices" +
-            (loss.merged == 1 ? " falls" : " fall") + " together with others";
+            (loss.merged == 1 ? " coincides" : " coincide") + " with others";
   }
   return text + "; " + advice;
 }

@@ -182,7 +182,7 @@ class CommandLine(unittest.TestCase):
         far = self.far_cube()
         done = self.run_here(*far, "--format", "stl")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("kerf: warning: STL holds single precision: vertices move by up to", done.stderr)
+        self.assertIn("kerf: warning: STL stores single precision: vertices move by up to", done.stderr)
         report = json.loads(self.read("out/report.json"))
         self.assertIn("single precision", report["notes"][0])
         self.assertEqual(report["origin"], [0, 0, 0])
@@ -215,7 +215,7 @@ class CommandLine(unittest.TestCase):
                        re.sub(r"v (\d) (\d) (\d)", lambda v: "v " + " ".join(str(1 + int(i)) for i in v.groups()), CUBE))
         self.write("shells.obj", re.sub(r"v (\d) (\d) (\d)", lambda v: "v " + " ".join(str(3 * int(i)) for i in v.groups()),
                                         CUBE) + inner)
-        note = "1 closed part lies in another one and faces the same way"
+        note = "1 closed part is inside another one and faces the same way"
         done = self.run_here("info", "shells.obj")
         self.assertIn(note, done.stderr)
         self.assertIn(note, json.loads(done.stdout)["notes"][0])
@@ -515,7 +515,7 @@ class CommandLine(unittest.TestCase):
     def test_what_was_dropped_is_said(self):
         self.write("odd.obj", PLATE + "f 1 2 9\nf 1 1 2\nf 4 1 2 2 3\n")
         notes = json.loads(self.run_here("info", "odd.obj").stdout)["notes"]
-        self.assertEqual(notes[0], "1 triangle names a vertex that is not there and was dropped.")
+        self.assertEqual(notes[0], "1 triangle refers to a missing vertex and was dropped.")
         done = self.run_here("cut", "odd.obj", "--out", "out")
         said = done.stderr.splitlines()
         self.assertEqual(said[0], "kerf: note: " + notes[0])

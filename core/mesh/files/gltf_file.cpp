@@ -134,7 +134,7 @@ std::optional<Error> GltfFile::take_chunks(std::string_view bytes) {
   if (word_at(bytes, 4) != kGlbVersion) return other_version("byte 4", std::to_string(word_at(bytes, 4)));
   const size_t length = word_at(bytes, 8);
   if (length > bytes.size() || length < kHead + kChunkHead) {
-    return wrong("byte 8", "announces " + std::to_string(length) + " bytes, but the file has " +
+    return wrong("byte 8", "declares " + std::to_string(length) + " bytes, but the file has " +
                                std::to_string(bytes.size()));
   }
   std::string_view text;
@@ -142,7 +142,7 @@ std::optional<Error> GltfFile::take_chunks(std::string_view bytes) {
     const size_t size = word_at(bytes, at);
     const uint32_t kind = word_at(bytes, at + 4);
     if (size > length - at - kChunkHead) {
-      return wrong("byte " + std::to_string(at), "announces a chunk of " + std::to_string(size) +
+      return wrong("byte " + std::to_string(at), "declares a chunk of " + std::to_string(size) +
                                                      " bytes, but only " +
                                                      std::to_string(length - at - kChunkHead) + " follow");
     }
@@ -160,9 +160,9 @@ std::optional<Error> GltfFile::parse(std::string_view text) {
   try {
     json_ = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& fault) {
-    return wrong("byte " + std::to_string(fault.byte) + " of the JSON", "it is damaged there");
+    return wrong("byte " + std::to_string(fault.byte) + " of the JSON", "syntax error");
   } catch (const nlohmann::json::exception&) {
-    return wrong("JSON", "it holds a number that is too large");
+    return wrong("JSON", "it has a number that is too large");
   }
   if (!json_.is_object()) return wrong("JSON", "must be an object");
   return std::nullopt;
@@ -180,7 +180,7 @@ std::optional<Error> GltfFile::check_lists() const {
 }
 
 Error GltfFile::other_version(const std::string& where, const std::string& version) const {
-  return wrong(where, "this is glTF " + version + ", and only glTF 2.0 is read; convert it to 2.0");
+  return wrong(where, "this is glTF " + version + ", but only glTF 2.0 is supported; convert it to 2.0");
 }
 
 std::optional<Error> GltfFile::check_version() const {
@@ -198,7 +198,7 @@ std::optional<Error> GltfFile::check_version() const {
     return json_.contains(list) && json_[list].is_object();
   });
   if (version.empty() && named) return other_version("/accessors", "1.0");
-  if (version.empty()) return wrong("/asset/version", "is missing, so that this is no glTF file");
+  if (version.empty()) return wrong("/asset/version", "is missing; this is not a glTF file");
   if (!(has_least ? version == "2.0" : version.starts_with("2.")) && version != "2")
     return other_version(has_least ? "/asset/minVersion" : "/asset/version", version);
   return std::nullopt;
@@ -212,7 +212,7 @@ std::optional<Error> GltfFile::check_extensions() const {
     if (!extension.is_string()) return wrong("/extensionsRequired", "must be a list of names");
     const auto name = extension.get<std::string>();
     if (changes_looks_only(name)) continue;
-    return wrong("/extensionsRequired", in_quotes(name) + " is not read; export the file without it");
+    return wrong("/extensionsRequired", in_quotes(name) + " is not supported; export the file without it");
   }
   return std::nullopt;
 }
@@ -243,7 +243,7 @@ Result<std::optional<uint32_t>> GltfFile::index(const nlohmann::json& of, const 
   const auto number = whole(of, key, 0, where);
   if (!number) return number.error();
   if (*number >= count(list)) {
-    return wrong(where + "/" + key, "names number " + std::to_string(*number) + " of /" + list +
+    return wrong(where + "/" + key, "refers to element " + std::to_string(*number) + " of /" + list +
                                         ", which has " + std::to_string(count(list)));
   }
   return std::optional(static_cast<uint32_t>(*number));
@@ -258,7 +258,7 @@ std::optional<Error> GltfFile::find_buffers(const fs::path& folder) {
     const auto bytes = buffer_bytes(i, folder);
     if (!bytes) return bytes.error();
     if (*length > bytes->size()) {
-      return wrong(where + "/byteLength", "announces " + std::to_string(*length) + " bytes, but there are " +
+      return wrong(where + "/byteLength", "declares " + std::to_string(*length) + " bytes, but there are " +
                                               std::to_string(bytes->size()));
     }
     buffers_.push_back(bytes->substr(0, *length));
@@ -274,27 +274,26 @@ Result<std::string_view> GltfFile::buffer_bytes(size_t i, const fs::path& folder
     if (i == 0) return binary_;
     return wrong("/buffers/" + std::to_string(i), "has no uri");
   }
-  if (!at->is_string()) return wrong(where, "must be a text");
+  if (!at->is_string()) return wrong(where, "must be a string");
   const auto& uri = at->get_ref<const std::string&>();
   if (uri.starts_with("data:")) {
     const size_t comma = uri.find(";base64,");
     auto bytes =
         comma == std::string::npos ? std::nullopt : from_base64(std::string_view(uri).substr(comma + 8));
-    if (!bytes) return wrong(where, "is no data in base 64");
+    if (!bytes) return wrong(where, "is not base64 data");
     return std::string_view(owned_.emplace_back(std::move(*bytes)));
   }
   const auto path = decoded_path(uri);
   if (uri.find("://") != std::string::npos || !path || path->empty())
-    return wrong(where, in_quotes(uri) + " is no file beside this one, and nothing else is fetched");
+    return wrong(where, in_quotes(uri) + " is not a file path; buffers must be in the folder of this file");
   if (folder.empty() || !stays_inside(*path))
-    return wrong(where,
-                 in_quotes(uri) + " does not lie in the folder of this file or below, and is not read");
+    return wrong(where, in_quotes(uri) + " is outside the folder of this file and is not read");
   const fs::path file = folder / *path;
   std::error_code fault;
   if (!fs::is_regular_file(file, fault))
-    return wrong(where, "there is no file " + in_quotes(*path) + " beside this one");
+    return wrong(where, "there is no file " + in_quotes(*path) + " in the folder of this file");
   if (fs::file_size(file, fault) > kLargestBuffer)
-    return wrong(where, in_quotes(*path) + " is larger than 4 GiB");
+    return wrong(where, in_quotes(*path) + " exceeds the limit of 4 GiB");
   std::ifstream in(file, std::ios::binary);
   owned_.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
   if (!in.good() && !in.eof()) return wrong(where, in_quotes(*path) + " cannot be read");
@@ -332,12 +331,12 @@ Result<GltfAccessor> GltfAccessor::rows(const GltfFile& file, uint32_t accessor,
                                         uint64_t row) {
   const nlohmann::json& json = file.element("accessors", accessor);
   const std::string where = accessor_place(accessor);
-  if (json.contains("sparse")) return file.wrong(where, "is sparse, which is not read; export it dense");
+  if (json.contains("sparse")) return file.wrong(where, "is sparse, which is not supported; export it dense");
   if (!json.contains("type") || json["type"] != type)
     return file.wrong(where + "/type", std::string("must be ") + type);
   const auto view_index = file.index(json, "bufferView", "bufferViews", where);
   if (!view_index) return view_index.error();
-  if (!*view_index) return file.wrong(where + "/bufferView", "is missing, so that there are no data");
+  if (!*view_index) return file.wrong(where + "/bufferView", "is missing; the accessor has no data");
   const auto view = file.view(**view_index);
   if (!view) return view.error();
   const auto offset = file.whole(json, "byteOffset", 0, where), count = file.whole(json, "count", 0, where);
@@ -351,7 +350,7 @@ Result<GltfAccessor> GltfAccessor::rows(const GltfFile& file, uint32_t accessor,
   if (*count == 0) return rows;
   const uint64_t room = *offset < view->bytes.size() ? view->bytes.size() - *offset : 0;
   if (room < row || (room - row) / stride < *count - 1) {
-    return file.wrong(where, "announces " + std::to_string(*count) + " elements, but the " +
+    return file.wrong(where, "declares " + std::to_string(*count) + " elements, but the " +
                                  std::to_string(view->bytes.size()) + " bytes of its view cannot hold them");
   }
   rows.bytes_ = view->bytes.substr(*offset);
@@ -367,7 +366,7 @@ Result<GltfAccessor> GltfAccessor::positions(const GltfFile& file, uint32_t acce
   if (!kind) return kind.error();
   if (*kind != kGltfFloat)
     return file.wrong(accessor_place(accessor),
-                      "holds quantised positions, which are not read; export them as floats");
+                      "has quantised positions, which are not supported; export them as floats");
   return rows(file, accessor, "VEC3", 3 * sizeof(float));
 }
 

@@ -62,7 +62,7 @@ class GltfReader {
     const size_t first = open_.size();
     for (const nlohmann::json& item : *list) {
       if (!item.is_number_unsigned() || item.get<uint64_t>() >= seen_.size())
-        return file_.wrong(where + "/" + key, "names a node that is not there");
+        return file_.wrong(where + "/" + key, "refers to a missing node");
       const auto node = item.get<uint32_t>();
       if (seen_[node]) return file_.wrong(node_place(node), "has two parents, or is its own ancestor");
       seen_[node] = true;
@@ -148,8 +148,7 @@ class GltfReader {
     const auto mesh = file_.index(node, "mesh", "meshes", where);
     if (!mesh) return mesh.error();
     if (!*mesh) return std::nullopt;
-    if (node.contains("skin"))
-      record_once(skinned_, "Meshes with a skin are read in the pose in which they were modelled.");
+    if (node.contains("skin")) record_once(skinned_, "Meshes with a skin were read in their rest pose.");
     polygons_.begin_parts(PolygonList::Level::kObject, {name_of(node, file_.element("meshes", **mesh))});
     return read_mesh(**mesh, to_scene);
   }
@@ -187,11 +186,10 @@ class GltfReader {
     if (!mode) return mode.error();
     if (*mode >= kModes) return file_.wrong(where + "/mode", "must be from 0 to 6");
     if (*mode < kTriangles) {
-      record_once(lines_, "Points and lines were passed over.");
+      record_once(lines_, "Points and lines were skipped.");
       return std::nullopt;
     }
-    if (primitive.contains("targets"))
-      record_once(morphed_, "Meshes with morph targets are read without them.");
+    if (primitive.contains("targets")) record_once(morphed_, "Morph targets were ignored.");
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end() || !attributes->is_object())
       return file_.wrong(where + "/attributes", "is missing");
@@ -219,7 +217,7 @@ class GltfReader {
     if (!rows) return rows.error();
     if (rows->size() > kMaxPositions - positions_.size())
       return file_.wrong("/accessors/" + std::to_string(accessors.first),
-                         "brings more positions than Kerf reads from a glTF file");
+                         "exceeds the maximum number of positions per glTF file");
     const Placed placed{positions_.size(), rows->size()};
     for (size_t i = 0; i < rows->size(); ++i) {
       if (i % kBetweenReports == 0 && progress_ && !progress_->report(0)) return cancelled();
@@ -235,7 +233,7 @@ class GltfReader {
   Problem place_colours(uint32_t accessor, const Placed& positions) {
     const auto rows = GltfAccessor::colours(file_, accessor);
     if (!rows || rows->size() != positions.count) {
-      record_once(uncoloured_, "Vertex colours that could not be read were passed over.");
+      record_once(uncoloured_, "Unreadable vertex colours were ignored.");
       return std::nullopt;
     }
     colours_.resize(positions.first);
@@ -283,7 +281,7 @@ class GltfReader {
     const size_t corners = indices ? indices->size() : target.positions.count;
     const size_t triangles = mode == kTriangles ? corners / 3 : corners < 3 ? 0 : corners - 2;
     if (triangles > kMaxTriangles - polygons_.size())
-      return file_.wrong(where, "brings more faces than Kerf reads from a glTF file");
+      return file_.wrong(where, "exceeds the maximum number of faces per glTF file");
     const auto corner = [&](size_t i) -> int64_t {
       const size_t v = indices ? indices->index(i) : i;
       return v < target.positions.count ? static_cast<int64_t>(target.positions.first + v) : -1;

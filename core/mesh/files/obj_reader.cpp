@@ -130,14 +130,14 @@ class ObjReader {
   void add_warnings(Soup& soup) const {
     if (skipped_ > 0) {
       soup.warnings.push_back(skipped_ == 1
-                                  ? "1 statement that makes no face was passed over, " + first_skipped_ + "."
+                                  ? "1 statement that defines no face was skipped, " + first_skipped_ + "."
                                   : std::to_string(skipped_) +
-                                        " statements that make no face were passed over, the first " +
+                                        " statements that define no face were skipped, the first " +
                                         first_skipped_ + ".");
     }
     if (too_many_materials_) {
       soup.warnings.push_back(
-          "There are more than 65536 materials; faces of those beyond have the last one.");
+          "There are more than 65536 materials; faces of further ones have the last one.");
     }
     if (scanner_.garbled_numbers() > 0) soup.warnings.push_back(scanner_.garbled_numbers_warning());
   }

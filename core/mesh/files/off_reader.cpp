@@ -56,7 +56,7 @@ class OffReader {
     soup->format = "off";
     soup->colours = colours_.take(soup->positions.size(), soup->warnings);
     if (!scanner_.at_end())
-      soup->warnings.push_back("What follows the last face that the file announces was passed over.");
+      soup->warnings.push_back("Data after the last face that the header declares were ignored.");
     if (scanner_.garbled_numbers() > 0) soup->warnings.push_back(scanner_.garbled_numbers_warning());
     return soup;
   }
@@ -70,11 +70,12 @@ class OffReader {
     const size_t begin = scanner_.position() - word.size();
     keyword_ = parse_keyword(word);
     if (keyword_.length == 0) return scanner_.expected("the keyword OFF");
-    if (!keyword_.flat_space) return scanner_.line_error("OFF with other than three coordinates is not read");
+    if (!keyword_.flat_space)
+      return scanner_.line_error("OFF with other than three coordinates is not supported");
     scanner_.seek(begin + keyword_.length);
     const size_t after = scanner_.position();
     if (scanner_.word() == "BINARY")
-      return scanner_.line_error("binary OFF is not read; save it as text, or as PLY");
+      return scanner_.line_error("binary OFF is not supported; save it as text, or as PLY");
     scanner_.seek(after);
     return scanner_.refuse_binary("OFF");
   }
@@ -85,7 +86,7 @@ class OffReader {
     const std::optional<int64_t> number = scanner_.integer();
     if (!number) return scanner_.expected(std::string("the number of ") + of_what);
     if (*number < 0 || static_cast<uint64_t>(*number) > scanner_.left() / bytes_each + 1) {
-      return scanner_.line_error("announces " + std::to_string(*number) + " " + of_what + ", but the " +
+      return scanner_.line_error("declares " + std::to_string(*number) + " " + of_what + ", but the " +
                                  std::to_string(scanner_.left()) + " bytes that follow cannot hold them");
     }
     count = static_cast<size_t>(*number);
@@ -146,7 +147,7 @@ class OffReader {
     const std::optional<int64_t> corners = scanner_.integer();
     if (!corners) return scanner_.expected("the number of corners of " + which());
     if (*corners < 0 || static_cast<uint64_t>(*corners) > scanner_.left()) {
-      return scanner_.line_error(which() + " announces " + std::to_string(*corners) + " corners, but only " +
+      return scanner_.line_error(which() + " declares " + std::to_string(*corners) + " corners, but only " +
                                  std::to_string(scanner_.left()) + " bytes follow");
     }
     for (int64_t i = 0; i < *corners; ++i) {

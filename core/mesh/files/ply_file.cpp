@@ -57,7 +57,7 @@ class HeaderReader {
     for (;;) {
       if (scanner_.at_end()) {
         if (header_.elements.empty() && stray_error_) return *stray_error_;
-        return scanner_.file_error("the header has no 'end_header'; the file is cut short");
+        return scanner_.file_error("the header has no 'end_header'; the file is truncated");
       }
       line_begin_ = scanner_.position();
       const std::string_view keyword = scanner_.word();
@@ -106,10 +106,10 @@ class HeaderReader {
     if (name.empty()) return scanner_.expected("the name of an element");
     const bool twice = std::any_of(header_.elements.begin(), header_.elements.end(),
                                    [&](const PlyElement& element) { return element.name == name; });
-    if (twice) return scanner_.line_error("announces the element " + in_quotes(name) + " a second time");
+    if (twice) return scanner_.line_error("declares the element " + in_quotes(name) + " twice");
     const std::optional<int64_t> count = scanner_.integer();
     if (!count) return scanner_.expected("the number of elements");
-    if (*count < 0) return scanner_.line_error("announces " + std::to_string(*count) + " elements");
+    if (*count < 0) return scanner_.line_error("declares " + std::to_string(*count) + " elements");
     header_.elements.push_back({std::string(name), static_cast<uint64_t>(*count), {}});
     return std::nullopt;
   }
@@ -153,8 +153,8 @@ class HeaderReader {
     return std::any_of(line.begin(), line.end(), is_binary);
   }
 
-  // Blender 2.4x wrote "Created by ..." without the keyword "comment". Only before the first element such
-  // lines cannot be mistaken for data; no writer of headers emits bytes that are not text.
+  // Blender 2.4x wrote "Created by ..." without the keyword "comment". Such lines
+  // cannot be mistaken for data only before the first element; no writer emits bytes that are not text.
   Problem pass_over_stray_line() {
     const bool refused = !header_.elements.empty() || line_has_binary();
     if (!refused && stray_lines_++ > 0) return std::nullopt;
@@ -176,7 +176,7 @@ class HeaderReader {
       }
       const size_t left = scanner_.left() + (header_.encoding == PlyEncoding::kText);
       if (least == 0 || element.count <= left / least) continue;
-      return scanner_.file_error("announces " + std::to_string(element.count) + " times " +
+      return scanner_.file_error("declares " + std::to_string(element.count) + " times " +
                                  in_quotes(element.name) + ", but the " + std::to_string(scanner_.left()) +
                                  " bytes after the header cannot hold them");
     }
@@ -186,11 +186,11 @@ class HeaderReader {
   void record_stray_lines() {
     if (stray_lines_ == 0) return;
     const std::string line = std::to_string(first_stray_line_);
-    header_.warnings.push_back(
-        stray_lines_ == 1
-            ? "1 stray line before the first element, line " + line + ", was passed over."
-            : std::to_string(stray_lines_) + " stray lines before the first element, the first in line " +
-                  line + ", were passed over.");
+    header_.warnings.push_back(stray_lines_ == 1
+                                   ? "1 stray line before the first element, line " + line + ", was skipped."
+                                   : std::to_string(stray_lines_) +
+                                         " stray lines before the first element, the first in line " + line +
+                                         ", were skipped.");
   }
 
   Scanner& scanner_;

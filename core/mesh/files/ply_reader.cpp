@@ -113,7 +113,7 @@ std::optional<std::vector<Soup::Triangle>> PlyBinaryValues::triangles(const PlyE
 }
 
 Error PlyBinaryValues::missing(const std::string& what) const {
-  return scanner_.byte_error("the file ends where " + what + " must be; it is cut short");
+  return scanner_.byte_error("the file ends where " + what + " is expected; it is truncated");
 }
 
 namespace {
@@ -249,8 +249,8 @@ class BodyReader {
       }
     }
     if (!values_.end_element()) {
-      return values_.error("the line goes on after the properties of " + in_quotes(element.name) + " " +
-                           std::to_string(number_) + "; one before it may be missing");
+      return values_.error("the line continues after the properties of " + in_quotes(element.name) + " " +
+                           std::to_string(number_) + "; a property before may be missing");
     }
     return std::nullopt;
   }
@@ -269,7 +269,7 @@ class BodyReader {
     int64_t count = 0;
     if (!values_.integer(*property.count_type, count)) return missing(property);
     if (count < 0 || !values_.can_hold(property.type, static_cast<uint64_t>(count))) {
-      return values_.error("the list " + in_quotes(property.name) + " announces " + std::to_string(count) +
+      return values_.error("the list " + in_quotes(property.name) + " declares " + std::to_string(count) +
                            " values, but only " + std::to_string(scanner_.left()) + " bytes follow");
     }
     if (role != Role::kCorners) {
@@ -329,8 +329,7 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
   soup->format = "ply";
   soup->warnings.insert(soup->warnings.end(), header.warnings.begin(), header.warnings.end());
   const bool rest = header.encoding == PlyEncoding::kText ? !scanner.at_end() : scanner.left() > 0;
-  if (rest)
-    soup->warnings.push_back("What follows the last element that the file announces was passed over.");
+  if (rest) soup->warnings.push_back("Data after the last element that the header declares were ignored.");
   if (scanner.garbled_numbers() > 0) soup->warnings.push_back(scanner.garbled_numbers_warning());
   return soup;
 }

@@ -243,9 +243,9 @@ Error Scanner::expected(const std::string& what) const {
   while (!is_word_end(end)) ++end;
   const std::string_view text = bytes_.substr(last_, end - last_);
   if (text.empty() && last_ == bytes_.size()) {
-    return line_error("the file ends where " + what + " must be; it is cut short");
+    return line_error("the file ends where " + what + " is expected; it is truncated");
   }
-  if (text.empty()) return line_error("the line ends where " + what + " must be");
+  if (text.empty()) return line_error("the line ends where " + what + " is expected");
   const bool comma = text.find(',') != std::string_view::npos && text.find_first_of("0123456789") == 0;
   return line_error("expected " + what + ", found " + in_quotes(text) +
                     (comma ? "; write decimal points, not commas" : ""));

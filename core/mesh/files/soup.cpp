@@ -122,14 +122,13 @@ Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string
 Error no_face_left(const Soup& soup, const std::string& file_name) {
   assert(soup.triangles.empty());
   const std::string name = one_line(file_name);
-  if (soup.faces_in_file == 0)
-    return bad_input(name + ": there is no face in it, so there is nothing to cut.");
+  if (soup.faces_in_file == 0) return bad_input(name + ": the file has no faces.");
   if (soup.triangles_in_file == 0) {
-    return bad_input(name + ": no face is left, all " + std::to_string(soup.faces_in_file) +
+    return bad_input(name + ": no face is usable: all " + std::to_string(soup.faces_in_file) +
                      " have fewer than three corners.");
   }
-  return bad_input(name + ": no face is left, all " + std::to_string(soup.faces_in_file) +
-                   " name vertices that are not there.");
+  return bad_input(name + ": no face is usable: all " + std::to_string(soup.faces_in_file) +
+                   " refer to missing vertices.");
 }
 
 }  // namespace kerf

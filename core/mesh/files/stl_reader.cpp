@@ -84,21 +84,21 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
   Scanner scanner(bytes, file_name, {}, progress);
   scanner.seek(0);
   if (bytes.size() < kHeaderBytes) {
-    return scanner.file_error("with " + std::to_string(bytes.size()) +
-                              " bytes it is too short for an STL file");
+    return scanner.file_error("the file has " + std::to_string(bytes.size()) +
+                              " bytes, too few for an STL file");
   }
   scanner.take(kCountAt);
   const uint32_t announced = load<uint32_t>(scanner.take(sizeof(uint32_t)), std::endian::little);
   const size_t room = room_for_triangles(bytes);
   const bool wrong_count = room > 0 && announced != room && are_whole_triangles(bytes);
   if (announced > room && !wrong_count) {
-    return scanner.byte_error("announces " + std::to_string(announced) +
+    return scanner.byte_error("declares " + std::to_string(announced) +
                               " triangles, but the file holds only " + std::to_string(room) +
-                              "; it is cut short or no STL");
+                              "; it is truncated or not an STL file");
   }
   Soup soup;
   if (wrong_count) {
-    soup.warnings.push_back("The header announces " + count_text(announced, "triangle") +
+    soup.warnings.push_back("The header declares " + count_text(announced, "triangle") +
                             ", but the file is as long as " + grouped(room) + "; all of them were read.");
   }
   const size_t count = wrong_count ? room : announced;
@@ -110,8 +110,8 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
   }
   if (scanner.left() > 0) {
     soup.warnings.push_back(std::to_string(scanner.left()) +
-                            (scanner.left() == 1 ? " byte after the last triangle was passed over."
-                                                 : " bytes after the last triangle were passed over."));
+                            (scanner.left() == 1 ? " byte after the last triangle was ignored."
+                                                 : " bytes after the last triangle were ignored."));
   }
   return finished(std::move(soup), file_name);
 }
@@ -129,7 +129,7 @@ class TextReader {
       if (auto problem = read_statement()) return *problem;
     }
     scanner_.word();
-    if (in_solid_) stray("the file ends without 'endsolid', so that it may be cut short");
+    if (in_solid_) stray("the file ends without 'endsolid'; it may be truncated");
     if (strays_ > 0) add_warning();
     if (scanner_.garbled_numbers() > 0) soup_.warnings.push_back(scanner_.garbled_numbers_warning());
     return finished(std::move(soup_), file_name_);
@@ -145,14 +145,14 @@ class TextReader {
     const bool split_end = equal_ignoring_case(word, "end");
     if (starts_ignoring_case(word, "endsolid") || (split_end && next_is("solid"))) {
       if (split_end || word.size() > std::string_view("endsolid").size())
-        stray("it is not 'endsolid' followed by a blank and the name");
+        stray("expected 'endsolid', a blank and the name");
       if (!std::exchange(in_solid_, false)) stray("'endsolid' without 'solid'");
     } else if (starts_ignoring_case(word, "solid")) {
       if (std::exchange(in_solid_, true)) stray("'solid' before the 'endsolid' of the last one");
     } else if (is_part_of_facet(word) || (in_solid_ && is_last_line())) {
       return scanner_.expected("'facet' or 'endsolid'");
     } else {
-      stray(in_quotes(word) + " is passed over");
+      stray(in_quotes(word) + " was skipped");
     }
     scanner_.skip_line();
     return std::nullopt;
@@ -213,7 +213,7 @@ class TextReader {
   Problem need_one(std::string_view first, std::string_view second) {
     const std::string keyword = std::string(first) + std::string(second);
     if (!next_is(first)) return need(keyword);
-    stray("'" + std::string(first) + " " + std::string(second) + "' stands for " + in_quotes(keyword));
+    stray("'" + std::string(first) + " " + std::string(second) + "' was read as " + in_quotes(keyword));
     return need(second);
   }
 
@@ -234,10 +234,9 @@ class TextReader {
 
   void add_warning() {
     const size_t facets = soup_.triangles.size();
-    soup_.warnings.push_back("This is not quite STL, in " +
-                             (strays_ == 1 ? std::string() : grouped(strays_) + " places, the first in ") +
-                             first_stray_ + ". " + count_text(facets, "facet") +
-                             (facets == 1 ? " was read." : " were read."));
+    soup_.warnings.push_back(
+        "Invalid STL in " + (strays_ == 1 ? std::string() : grouped(strays_) + " places, the first in ") +
+        first_stray_ + ". " + count_text(facets, "facet") + (facets == 1 ? " was read." : " were read."));
   }
 
   Scanner scanner_;

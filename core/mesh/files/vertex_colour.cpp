@@ -64,11 +64,9 @@ std::vector<VertexColour> ColourNumbers::take(size_t vertices, std::vector<std::
   const bool opacity_bytes = opacities_.are_bytes(),
              bytes = colours_.are_bytes() || (opacity_bytes && colours_.whole);
   if (bytes || opacity_bytes) {
-    warnings.push_back(
-        "Colours of vertices were taken for numbers from 0 to 255, because some are greater than 1.");
+    warnings.push_back("Vertex colours were read as numbers from 0 to 255, because some exceed 1.");
   } else if (std::max(colours_.largest, opacities_.largest) > 1) {
-    warnings.push_back(
-        "Colours of vertices were taken for numbers from 0 to 1; those that are greater count as 1.");
+    warnings.push_back("Vertex colours were read as numbers from 0 to 1; greater ones count as 1.");
   }
   Parts full;
   full.fill(bytes ? kLargestByte : 1);

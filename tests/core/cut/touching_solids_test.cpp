@@ -258,7 +258,7 @@ TEST(PartlyClosedSolid, names_the_place_where_a_solid_touches_itself) {
 TEST(DoubledFaces, are_mentioned_when_they_are_loaded) {
   const std::vector<std::string> notes = load_notes(build(both(unit_box(), unit_box())).report);
   EXPECT_TRUE(std::ranges::any_of(notes, [](const std::string& note) {
-    return note.starts_with("12 faces lie on others and face the same way");
+    return note.starts_with("12 faces coincide with others and face the same way");
   }));
 }
 

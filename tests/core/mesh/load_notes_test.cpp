@@ -19,9 +19,9 @@ TEST(LoadNotes, says_nothing_of_a_file_without_fault) {
 TEST(LoadNotes, counts_in_the_singular_and_the_plural) {
   MeshReport report;
   report.repairs.zero_area_faces = 1;
-  EXPECT_EQ(load_notes(report), Notes{"1 face had no area and holds others together."});
+  EXPECT_EQ(load_notes(report), Notes{"1 face has no area and was kept, because it connects others."});
   report.repairs.zero_area_faces = 3;
-  EXPECT_EQ(load_notes(report), Notes{"3 faces had no area and hold the others together."});
+  EXPECT_EQ(load_notes(report), Notes{"3 faces have no area and were kept, because they connect others."});
 }
 
 TEST(LoadNotes, begins_with_what_was_dropped_and_ends_with_what_the_reader_warned_of) {
@@ -29,11 +29,11 @@ TEST(LoadNotes, begins_with_what_was_dropped_and_ends_with_what_the_reader_warne
   report.repairs.reoriented_faces = 12;
   report.repairs.invalid_faces_dropped = 2;
   report.non_manifold_edges = 1;
-  report.warnings = {"7 bytes after the last triangle were passed over."};
+  report.warnings = {"7 bytes after the last triangle were ignored."};
   const Notes notes = load_notes(report);
   ASSERT_EQ(notes.size(), 4u);
-  EXPECT_EQ(notes[0], "2 triangles name vertices that are not there and were dropped.");
-  EXPECT_EQ(notes[1], "12 faces were turned round, so that neighbours agree and closed parts face outward.");
+  EXPECT_EQ(notes[0], "2 triangles refer to missing vertices and were dropped.");
+  EXPECT_EQ(notes[1], "12 faces were flipped, so that neighbours agree and closed parts face outward.");
   EXPECT_EQ(notes[3], report.warnings[0]);
 }
 

@@ -43,7 +43,7 @@ TEST(ReadMesh, refuses_what_is_no_regular_file) {
   EXPECT_EQ(refusal(folder / "e.ply"), ": the file is empty.");
   EXPECT_EQ(refusal(folder / "none.off"), ": cannot be opened: No such file or directory.");
   EXPECT_EQ(refusal(folder / "g.txt"),
-            ": this is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
+            ": this is not a supported mesh format; Kerf reads OBJ, PLY, STL, OFF and glTF.");
 }
 
 TEST(ReadMesh, says_what_a_file_is_that_is_no_mesh_whatever_its_ending) {
@@ -69,7 +69,7 @@ TEST(ReadMesh, says_what_a_file_is_that_is_no_mesh_whatever_its_ending) {
       test::write_text(folder / (std::string("mesh") + ending), bytes);
       EXPECT_EQ(
           refusal(folder / (std::string("mesh") + ending)),
-          ": this is " + kind + ", which is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
+          ": this is " + kind + ", not a supported mesh format; Kerf reads OBJ, PLY, STL, OFF and glTF.");
     }
   }
   test::write_text(folder / "wide.stl", std::string("\xff\xfes\0o\0", 6));
@@ -82,7 +82,7 @@ TEST(ReadMesh, refuses_more_than_four_gibibytes) {
   std::error_code unsupported;
   std::filesystem::resize_file(folder / "big.stl", (uintmax_t{1} << 32) + 1, unsupported);
   if (unsupported) GTEST_SKIP() << "no sparse files here";
-  EXPECT_EQ(refusal(folder / "big.stl"), ": the file is larger than 4 GiB, which is the most that is read.");
+  EXPECT_EQ(refusal(folder / "big.stl"), ": the file exceeds the limit of 4 GiB.");
 }
 
 TEST(ReadMesh, reports_progress_that_never_goes_back_and_stops_when_asked) {

@@ -60,12 +60,12 @@ TEST(SinglePrecision, is_told_with_the_numbers_of_all_files) {
   PrecisionLoss loss{.largest_move = 0.25, .shortest_edge = 3.1e-5, .merged = 2000, .vertices = 9000};
   loss += {.largest_move = 1e-8, .shortest_edge = 0.5, .merged = 0, .vertices = 100};
   EXPECT_EQ(precision_note(loss, MeshFormat::kStl, "write OBJ"),
-            "STL holds single precision: vertices move by up to 250 mm, where the shortest edge has 31 "
+            "STL stores single precision: vertices move by up to 250 mm, while the shortest edge is 31 "
             "\xc2\xb5m, and "
-            "2 000 of 9 100 vertices fall together with others; write OBJ");
+            "2 000 of 9 100 vertices coincide with others; write OBJ");
   EXPECT_EQ(
       precision_note({.largest_move = 0.25, .shortest_edge = 0.5, .vertices = 3}, MeshFormat::kGlb, "go"),
-      "glTF holds single precision: vertices move by up to 250 mm, where the shortest edge has 500 mm; go");
+      "glTF stores single precision: vertices move by up to 250 mm, while the shortest edge is 500 mm; go");
 }
 
 }  // namespace

@@ -228,7 +228,7 @@ TEST(VertexColours, of_welded_vertices_are_those_of_the_first_and_a_note_says_so
   }
   ASSERT_EQ(built.report.warnings.size(), 1u);
   EXPECT_EQ(built.report.warnings[0],
-            "1 vertex has another colour than an earlier one at its place, whose colour was kept.");
+            "1 vertex has a different colour from an earlier one at its position, whose colour was kept.");
 }
 
 TEST(VertexColours, linear_light_and_back_is_the_same_colour) {

@@ -11,10 +11,8 @@ using Colours = std::vector<VertexColour>;
 
 constexpr uint16_t kFull = VertexColour::kFull;
 constexpr uint16_t byte(int value) { return static_cast<uint16_t>(257 * value); }
-const std::string kBytes =
-    "Colours of vertices were taken for numbers from 0 to 255, because some are greater than 1.";
-const std::string kFractions =
-    "Colours of vertices were taken for numbers from 0 to 1; those that are greater count as 1.";
+const std::string kBytes = "Vertex colours were read as numbers from 0 to 255, because some exceed 1.";
+const std::string kFractions = "Vertex colours were read as numbers from 0 to 1; greater ones count as 1.";
 
 // The soup of a triangle whose vertices have the given words behind their coordinates.
 using Words = std::array<std::string, 3>;

@@ -154,7 +154,7 @@ TEST(Gltf, what_is_not_read_is_named) {
   says(with("/extensionsRequired", {"KHR_draco_mesh_compression"}), "KHR_draco_mesh_compression");
   says(with("/accessors/0/sparse", json::object()), "sparse");
   says(with("/accessors/0/componentType", 5122), "quantised");
-  says(with("/asset/version", "1.0"), "this is glTF 1.0, and only glTF 2.0 is read; convert it to 2.0");
+  says(with("/asset/version", "1.0"), "this is glTF 1.0, but only glTF 2.0 is supported; convert it to 2.0");
   says(with("/asset/version", 1), "this is glTF 1,");
   says(with("/asset/minVersion", "2.1"), "this is glTF 2.1,");
   const json named = {{"a", json::object()}};
@@ -165,7 +165,7 @@ TEST(Gltf, what_is_not_read_is_named) {
   says(with("/accessors/1/count", uint64_t{1} << 52), "cannot hold");
   says(with("/bufferViews/0/byteLength", 61), "reaches to byte 61");
   says(with("/bufferViews/0/byteStride", 4), "byteStride");
-  says(with("/buffers/0/byteLength", 61), "announces 61 bytes");
+  says(with("/buffers/0/byteLength", 61), "declares 61 bytes");
   says(with("/nodes/0/mesh", 1), "which has 1");
   says(with("/nodes/0/scale", {1, 1}), "3 finite numbers");
   json skinned = square();

@@ -107,19 +107,19 @@ TEST(ObjReader, keeps_materials_beside_the_triangles_when_polygons_are_dropped) 
 TEST(ObjReader, names_the_line_and_the_word_of_what_is_wrong) {
   EXPECT_EQ(obj_refusal("v 0 0 0\nv 1 zero 0\n"), "t.obj, line 2: expected the y coordinate, found 'zero'.");
   EXPECT_EQ(obj_refusal("v 0 0 0\r\nv 1 0\r\n"),
-            "t.obj, line 2: the line ends where the z coordinate must be.");
+            "t.obj, line 2: the line ends where the z coordinate is expected.");
   EXPECT_EQ(obj_refusal("v 0,5 0 0\n"),
             "t.obj, line 1: expected the x coordinate, found '0,5'; write decimal points, not commas.");
   EXPECT_EQ(obj_refusal(kTriangle + "f 1 2 3f 1 2 3\n"),
             "t.obj, line 4: expected a corner of a face, like 7 or 7/7/7, found '3f'.");
   EXPECT_EQ(obj_refusal("v 0 0"),
-            "t.obj, line 1: the file ends where the z coordinate must be; it is cut short.");
+            "t.obj, line 1: the file ends where the z coordinate is expected; it is truncated.");
 }
 
 TEST(ObjReader, refuses_a_file_of_which_no_face_is_left) {
-  EXPECT_EQ(obj_refusal(kTriangle), "t.obj: there is no face in it, so there is nothing to cut.");
+  EXPECT_EQ(obj_refusal(kTriangle), "t.obj: the file has no faces.");
   EXPECT_EQ(obj_refusal(kTriangle + "f 7 8 9\n"),
-            "t.obj: no face is left, all 1 name vertices that are not there.");
+            "t.obj: no face is usable: all 1 refer to missing vertices.");
 }
 
 TEST(ObjReader, refuses_binary_bytes_and_other_encodings) {
@@ -130,7 +130,7 @@ TEST(ObjReader, refuses_binary_bytes_and_other_encodings) {
 TEST(ObjReader, says_what_it_passed_over) {
   const Soup soup = read(kTriangle + "l 1 2\nblah\nf 1 2 3\n");
   ASSERT_EQ(soup.warnings.size(), 1u);
-  EXPECT_EQ(soup.warnings[0], "2 statements that make no face were passed over, the first 'l'.");
+  EXPECT_EQ(soup.warnings[0], "2 statements that define no face were skipped, the first 'l'.");
 }
 
 TEST(ObjReader, stops_when_it_is_asked_to) {

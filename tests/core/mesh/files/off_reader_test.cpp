@@ -42,22 +42,22 @@ TEST(OffReader, counts_faces_with_indices_that_are_not_there) {
 
 TEST(OffReader, refuses_counts_that_the_file_cannot_hold) {
   EXPECT_EQ(off_refusal("OFF\n3 2000000000 0\n0 0 0\n"),
-            "t.off, line 2: announces 2000000000 faces, but the 9 bytes that follow cannot hold them.");
+            "t.off, line 2: declares 2000000000 faces, but the 9 bytes that follow cannot hold them.");
   EXPECT_EQ(off_refusal("OFF\n-1 1 0\n0 0 0\n"),
-            "t.off, line 2: announces -1 vertices, but the 11 bytes that follow cannot hold them.");
+            "t.off, line 2: declares -1 vertices, but the 11 bytes that follow cannot hold them.");
   EXPECT_NE(off_refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"), "");
 }
 
 TEST(OffReader, refuses_data_that_end_early) {
-  EXPECT_EQ(
-      off_refusal("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
-      "t.off, line 7: the file ends where the number of corners of face 1 of 2 must be; it is cut short.");
+  EXPECT_EQ(off_refusal("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+            "t.off, line 7: the file ends where the number of corners of face 1 of 2 is expected; it is "
+            "truncated.");
 }
 
 TEST(OffReader, refuses_binary_and_other_dimensions) {
   EXPECT_EQ(off_refusal("OFF BINARY\n"),
-            "t.off, line 1: binary OFF is not read; save it as text, or as PLY.");
-  EXPECT_EQ(off_refusal("4OFF\n"), "t.off, line 1: OFF with other than three coordinates is not read.");
+            "t.off, line 1: binary OFF is not supported; save it as text, or as PLY.");
+  EXPECT_EQ(off_refusal("4OFF\n"), "t.off, line 1: OFF with other than three coordinates is not supported.");
   EXPECT_EQ(off_refusal("OFFICE\n"), "t.off, line 1: expected the keyword OFF, found 'OFFICE'.");
 }
 

@@ -60,9 +60,9 @@ TEST(PlyReader, does_not_take_a_line_feed_of_the_data_for_the_end_of_the_header)
 }
 
 TEST(PlyReader, finds_a_line_of_text_that_lacks_a_value_or_has_one_too_many) {
-  EXPECT_EQ(
-      ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n")),
-      "t.ply, line 12: the line goes on after the properties of 'vertex' 1; one before it may be missing.");
+  EXPECT_EQ(ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n")),
+            "t.ply, line 12: the line continues after the properties of 'vertex' 1; a property before may be "
+            "missing.");
   EXPECT_NE(ply_refusal(file(kVertices + kFaces, "0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), "");
 }
 
@@ -70,12 +70,12 @@ TEST(PlyReader, refuses_counts_that_the_file_cannot_hold) {
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const std::string huge =
         "element vertex 4294967295\nproperty float x\nproperty float y\nproperty float z\n";
-    EXPECT_NE(ply_refusal(file(huge + kFaces, kData, format)).find("announces 4294967295 times 'vertex'"),
+    EXPECT_NE(ply_refusal(file(huge + kFaces, kData, format)).find("declares 4294967295 times 'vertex'"),
               std::string::npos);
   }
   EXPECT_NE(ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n")), "");
   EXPECT_NE(ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n")), "");
-  EXPECT_EQ(ply_refusal(file("element vertex -3\n", "")), "t.ply, line 3: announces -3 elements.");
+  EXPECT_EQ(ply_refusal(file("element vertex -3\n", "")), "t.ply, line 3: declares -3 elements.");
 }
 
 TEST(PlyReader, is_not_held_up_by_countless_elements_without_properties) {
@@ -84,7 +84,7 @@ TEST(PlyReader, is_not_held_up_by_countless_elements_without_properties) {
 
 TEST(PlyReader, refuses_a_header_that_is_none) {
   EXPECT_EQ(ply_refusal("ply\nformat ascii 1.0\n"),
-            "t.ply: the header has no 'end_header'; the file is cut short.");
+            "t.ply: the header has no 'end_header'; the file is truncated.");
   EXPECT_EQ(ply_refusal(file("property float x\n", "")),
             "t.ply, line 3: a property comes before the first element.");
   EXPECT_EQ(ply_refusal(file("element vertex 1\nproperty list float int x\n", "")),
@@ -92,7 +92,7 @@ TEST(PlyReader, refuses_a_header_that_is_none) {
   EXPECT_EQ(ply_refusal(file("element vertex 1\nproperty quad x\n", "")),
             "t.ply, line 4: expected a type, found 'quad'.");
   EXPECT_EQ(ply_refusal(file(kVertices + kVertices, "")),
-            "t.ply, line 7: announces the element 'vertex' a second time.");
+            "t.ply, line 7: declares the element 'vertex' twice.");
   EXPECT_EQ(
       ply_refusal(file("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 1 2\n")),
       "t.ply: the element 'vertex' must have one property 'z'.");
@@ -109,15 +109,15 @@ TEST(PlyReader, passes_over_stray_lines_before_the_first_element_and_notes_them)
     ASSERT_TRUE(soup) << soup.error().message;
     EXPECT_EQ(soup->triangles, (std::vector<Soup::Triangle>{{0, 1, 2}}));
     EXPECT_EQ(soup->warnings,
-              std::vector<std::string>{"1 stray line before the first element, line 3, was passed over."});
+              std::vector<std::string>{"1 stray line before the first element, line 3, was skipped."});
   }
   const Result<Soup> soup = read_ply("ply\n" + blender + "\nformat ascii 1.0\ncomment c\n" + blender +
                                          kVertices + kFaces + "end_header\n" + kData,
                                      "t.ply");
   ASSERT_TRUE(soup) << soup.error().message;
-  EXPECT_EQ(soup->warnings,
-            std::vector<std::string>{
-                "2 stray lines before the first element, the first in line 2, were passed over."});
+  EXPECT_EQ(
+      soup->warnings,
+      std::vector<std::string>{"2 stray lines before the first element, the first in line 2, were skipped."});
 }
 
 TEST(PlyReader, refuses_stray_lines_where_no_element_follows_or_one_came_before) {

@@ -18,14 +18,15 @@ TEST(StlReader, warns_of_bytes_after_the_last_triangle) {
   const Result<Soup> soup = read_stl(binary_sample() + "\n", "t.stl");
   ASSERT_TRUE(soup);
   EXPECT_EQ(soup->triangles.size(), 2u);
-  EXPECT_EQ(soup->warnings, (std::vector<std::string>{"1 byte after the last triangle was passed over."}));
+  EXPECT_EQ(soup->warnings, (std::vector<std::string>{"1 byte after the last triangle was ignored."}));
 }
 
 TEST(StlReader, refuses_a_binary_file_that_is_cut_short) {
   std::string bytes = binary_sample();
   bytes.pop_back();
-  EXPECT_EQ(stl_refusal(bytes),
-            "t.stl, byte 80: announces 2 triangles, but the file holds only 1; it is cut short or no STL.");
+  EXPECT_EQ(
+      stl_refusal(bytes),
+      "t.stl, byte 80: declares 2 triangles, but the file holds only 1; it is truncated or not an STL file.");
 }
 
 TEST(StlReader, takes_a_binary_file_that_says_solid) {
@@ -78,22 +79,18 @@ TEST(StlReader, reads_text_as_sloppy_programs_write_it_and_says_where_it_strays)
     std::string text, warning;
   } files[] = {
       {"solid x\n" + split + "endsolid x\n",
-       "This is not quite STL, in 2 places, the first in line 7: 'end loop' stands for 'endloop'."},
+       "Invalid STL in 2 places, the first in line 7: 'end loop' was read as 'endloop'."},
       {"solid A\nsolid A\n" + facet + "endsolid A\nendsolid A\n",
-       "This is not quite STL, in 2 places, the first in line 2: 'solid' before the 'endsolid' of the last "
+       "Invalid STL in 2 places, the first in line 2: 'solid' before the 'endsolid' of the last "
        "one."},
       {"solid\n" + facet + "ENDSOLIDtwo\n",
-       "This is not quite STL, in line 9: it is not 'endsolid' followed by a blank and the name."},
+       "Invalid STL in line 9: expected 'endsolid', a blank and the name."},
       {"solid\n" + facet + "end solid two\n",
-       "This is not quite STL, in line 9: it is not 'endsolid' followed by a blank and the name."},
-      {"solid x\ncolor 0.1 0.2 0.3\n" + facet + "endsolid\n",
-       "This is not quite STL, in line 2: 'color' is passed over."},
-      {"solid x\n" + facet,
-       "This is not quite STL, in line 9: the file ends without 'endsolid', so that it may be cut short."},
-      {facet + "endsolid\n",
-       "This is not quite STL, in 2 places, the first in line 1: 'facet' without 'solid'."},
-      {"solid x\n" + facet + "endsolid\nwritten by hand\n",
-       "This is not quite STL, in line 10: 'written' is passed over."},
+       "Invalid STL in line 9: expected 'endsolid', a blank and the name."},
+      {"solid x\ncolor 0.1 0.2 0.3\n" + facet + "endsolid\n", "Invalid STL in line 2: 'color' was skipped."},
+      {"solid x\n" + facet, "Invalid STL in line 9: the file ends without 'endsolid'; it may be truncated."},
+      {facet + "endsolid\n", "Invalid STL in 2 places, the first in line 1: 'facet' without 'solid'."},
+      {"solid x\n" + facet + "endsolid\nwritten by hand\n", "Invalid STL in line 10: 'written' was skipped."},
   };
   for (const auto& file : files) {
     const Result<Soup> soup = read_stl(file.text, "t.stl");
@@ -124,12 +121,12 @@ TEST(StlReader, names_the_line_where_text_is_wrong) {
   EXPECT_EQ(stl_refusal(start + "endloop\n"), "t.stl, line 5: expected 'vertex', found 'endloop'.");
   EXPECT_EQ(stl_refusal(start + "vertex 0 one 0\n"), "t.stl, line 5: expected a number, found 'one'.");
   EXPECT_EQ(stl_refusal(start + "vertex 0 1"),
-            "t.stl, line 5: the file ends where a number must be; it is cut short.");
+            "t.stl, line 5: the file ends where a number is expected; it is truncated.");
   EXPECT_EQ(stl_refusal(std::string("solid x\n") + kFacet + "fac"),
             "t.stl, line 9: expected 'facet' or 'endsolid', found 'fac'.");
   EXPECT_EQ(stl_refusal("solid x\nouter loop\n"),
             "t.stl, line 2: expected 'facet' or 'endsolid', found 'outer'.");
-  EXPECT_EQ(stl_refusal("solid x\nendsolid"), "t.stl: there is no face in it, so there is nothing to cut.");
+  EXPECT_EQ(stl_refusal("solid x\nendsolid"), "t.stl: the file has no faces.");
 }
 
 }  // namespace

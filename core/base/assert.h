@@ -2,8 +2,7 @@
 
 namespace kerf {
 
-// Returns true if a failed assertion ends the program: the environment has KERF_ASSERTS=fatal, as the tests
-// set.
+// Returns true if a failed assertion ends the program: KERF_ASSERTS=fatal is set, as in tests.
 bool asserts_are_fatal();
 
 // Reports a failed assertion on standard error, once for consecutive failures of the same one. Aborts if

@@ -63,8 +63,7 @@ class KeyTable {
     return next;
   }
 
-  // Returns the index of the item whose hash is `hash` and for which same(index) holds; kNone if there is
-  // none.
+  // Returns the index of the item with this hash for which same(index) holds; kNone if there is none.
   template <typename Same>
   uint32_t find(uint64_t hash, const Same& same) const {
     if (slots_.empty()) return kNone;
@@ -80,7 +79,6 @@ class KeyTable {
     slots_.assign(kLeast + items / 3 * 5, kNone);
   }
 
-  // Memory allocated, in bytes.
   size_t bytes() const { return slots_.capacity() * sizeof(uint32_t); }
 
  private:
@@ -106,8 +104,7 @@ class KeyTable {
   size_t count_ = 0;
 };
 
-// A sparse array: an item that was never written reads as T(), and only written pages take memory. Growing
-// moves no item.
+// A sparse array: unwritten items read as T(), and only written pages take memory. Growing moves no item.
 template <typename T>
 class PagedArray {
  public:
@@ -148,7 +145,6 @@ class PagedArray {
   }
 
   void clear() { pages_.clear(); }
-  // Memory allocated, in bytes.
   size_t bytes() const {
     size_t bytes = pages_.capacity() * sizeof(pages_[0]);
     for (const auto& page : pages_) bytes += page ? sizeof(Page) : 0;

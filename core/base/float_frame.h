@@ -10,14 +10,14 @@
 namespace kerf {
 
 // Maps coordinates of a body from doubles to floats, for the GPU and for shadows: (x - origin) * scale, which
-// is within about [-1, 1]. Precision therefore depends neither on the size of a mesh, 1e-6 m or 1e39 m, nor
-// on its position.
+// is within about [-1, 1]. Precision does not depend on the size of a mesh, 1e-6 m or 1e39 m, or its
+// position.
 struct FloatFrame {
   Vec3 origin{0};    // metres, in the frame of the body
   double scale = 1;  // a power of two
 
-  // Returns the frame for points within a box; a box without extent keeps scale 1. Precondition: min <= max
-  // in each component.
+  // Returns the frame for points in a box; scale 1 for an empty extent. Precondition: min <= max in each
+  // component.
   static FloatFrame around(const Vec3& min, const Vec3& max) {
     KERF_ASSERT(min.x <= max.x && min.y <= max.y && min.z <= max.z);
     const Vec3 half = (max - min) * 0.5;

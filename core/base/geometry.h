@@ -10,13 +10,11 @@
 namespace kerf {
 
 // Positions and directions in double precision; lengths are in metres. glm evaluates operations on these
-// types as plain sums, products and square roots in the order written, so that results are bit-identical on
-// every machine.
+// types as plain sums, products and square roots in the order written, bit-identical on every machine.
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 
-// Returns the z component of the cross product of two plane vectors; cross2(a, b) == -cross2(b, a) to the
-// bit.
+// Returns the z component of the cross product; cross2(a, b) == -cross2(b, a) to the bit.
 inline double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 // The lexicographic order of positions.

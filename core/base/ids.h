@@ -8,9 +8,8 @@ namespace kerf {
 // The index or label of no element.
 inline constexpr uint32_t kNoIndex = 0xffffffffu;
 
-// The index of a slot in an array of items of one kind. Such an array only grows while a document is open:
-// the slot of a removed item is not reused, except after undo removes the slot itself. Tag keeps ids of
-// different kinds apart.
+// The index of a slot in an array of items of one kind. Such an array only grows while a document is open: a
+// slot is reused only after undo removes it. Tag separates ids of different kinds.
 template <typename Tag>
 struct Id {
   static constexpr uint32_t kNone = kNoIndex;

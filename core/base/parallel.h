@@ -13,8 +13,7 @@ namespace kerf {
 
 // Progress reports of a long computation, and its cancellation. `report` is called on the thread of the
 // computation, at most a thousand times per mesh, with a non-decreasing fraction of the work from 0 to 1.
-// Once it returns false, it is not called again, and the computation stops as soon as it can with the error
-// cancelled().
+// Once it returns false, it is not called again, and the computation soon fails with cancelled().
 struct Progress {
   std::function<bool(double fraction)> report;
 };
@@ -30,8 +29,8 @@ inline Progress share_of(const Progress* whole, double low, double high) {
 // The error of a computation that the user cancelled: ErrorCode::kFailed, "cancelled".
 inline Error cancelled() { return failed("cancelled"); }
 
-// Reports the progress of a loop over `items` items, at most kReports times; costs one decrement per item.
-// `progress` may be null.
+// Reports the progress of a loop, at most kReports times; costs one decrement per item. `progress` may be
+// null.
 class Pace {
  public:
   static constexpr size_t kReports = 32;
@@ -74,9 +73,8 @@ class ProgressShares {
 };
 
 // Multithreading by oneTBB. Used by loading, building, measuring, hashing, saving, simulation ticks and the
-// heat of a cut, but not by finding, splitting, removing and separating faces. The division of the work never
-// depends on the number of threads, so that results combined range by range are bit-identical with any
-// number.
+// heat of a cut, but not by finding, splitting, removing and separating faces. The division of the work does
+// not depend on the number of threads, so that results combined by range are bit-identical.
 
 // Calls work(begin, end) for the ranges [0, grain), [grain, 2 grain), ... of `items` items concurrently, and
 // returns when all are done. Rethrows the first exception of `work`. Preconditions: grain > 0, and calls for
@@ -101,8 +99,7 @@ void with_threads(size_t threads, const std::function<void()>& work);
 // Returns the maximum number of concurrent threads.
 size_t thread_count();
 
-// Limits the number of threads during its lifetime; the lowest of several limits applies. Precondition:
-// threads > 0.
+// Limits the number of threads in its lifetime; the lowest limit applies. Precondition: threads > 0.
 class ThreadLimit {
  public:
   explicit ThreadLimit(size_t threads);

@@ -92,8 +92,8 @@ Result<AtomicFile> AtomicFile::open(const std::filesystem::path& path) {
   if (descriptor < 0) return write_error(path, errno);
   file.beside_ = beside;
   file.descriptor_ = descriptor;
-  // A user who may write a file but does not own it cannot copy its permissions; writing continues without
-  // them.
+  // Fails if the user may write the file but does not own it; the file is then written without its
+  // permissions.
   if (exists) std::ignore = ::fchmod(descriptor, there.st_mode & 07777);
   return file;
 }

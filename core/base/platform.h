@@ -28,8 +28,7 @@ class AtomicFile {
   ~AtomicFile();
 
   Status append(std::string_view bytes);
-  // Must be called once, after the last append(). If the directory cannot be flushed, the file is written
-  // nevertheless.
+  // Must be called once, after the last append(). The file is written even if flushing the directory fails.
   Status commit();
 
  private:

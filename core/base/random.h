@@ -30,7 +30,6 @@ class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
 
-  // 64 random bits.
   uint64_t bits() {
     const uint64_t word = mix64(state_);
     state_ += 0x9e3779b97f4a7c15u;

@@ -55,14 +55,13 @@ class Records {
   // The pages and the size of the array before a command; after exchange(), those after it.
   class Change {
    public:
-    // Memory allocated, in bytes.
     size_t bytes() const { return pages_.size() * (sizeof(Page) + sizeof(Page*)); }
     // Returns true if the command changed anything.
     bool any() const { return resized_ || !pages_.empty(); }
     // The size of the array in its other state.
     uint32_t size() const { return size_; }
-    // Calls visit(first, records) for each page that may have changed: the records from index `first` on in
-    // their other state.
+    // Calls visit(first, records) for each page that may have changed, in its other state from index `first`
+    // on.
     template <typename Visit>
     void for_each_page(Visit visit) const {
       for (const auto& page : pages_) visit(page->index * kPage, std::span<const T>(page->records));
@@ -114,8 +113,7 @@ class Records {
   uint32_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  // The start of each chunk: record i is chunks()[i >> kShift][i & (kChunk - 1)]. Valid until the array
-  // grows.
+  // Record i is chunks()[i >> kShift][i & (kChunk - 1)]. Valid until the array grows.
   const T* const* chunks() const { return chunks_.data(); }
 
   // Grows the array to `size` records; new ones are zero. No-op for a smaller size.
@@ -134,7 +132,6 @@ class Records {
     used_ = std::max(used_, size_);
   }
 
-  // Allocates memory for `size` records.
   void reserve(uint32_t size) {
     if (size <= capacity()) return;
     if (size <= kSmall) return make_small(std::min(kSmall, std::max(size, 2 * small_)));
@@ -304,8 +301,7 @@ class Records {
 // the same functions, uses that instead.
 //
 // Call order: begin, the edits of the command, end, and then any number of exchange and restore. Precondition
-// of these two: the value is in the state that the change was recorded for, i.e. later changes were undone
-// before.
+// of these two: the value is as the change left it, i.e. later changes were undone.
 template <typename T>
 class ChangeOf {
  public:
@@ -318,7 +314,6 @@ class ChangeOf {
   void exchange(T& value) { std::swap(value, other_); }
   // Sets `value` to the recorded state, as an edit that another open change records.
   void restore(T& value) const { value = other_; }
-  // Memory allocated by the change, in bytes.
   size_t bytes() const { return 0; }
 
  private:
@@ -383,7 +378,6 @@ class ChangeOfParts {
     return std::get<index>(changes_);
   }
 
-  // Memory allocated by the members of the owner, in bytes.
   static size_t bytes_of(const Owner& owner) {
     return std::apply([](const auto&... part) { return (bytes_of_part(part) + ...); }, Owner::parts(owner));
   }

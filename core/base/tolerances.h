@@ -37,8 +37,7 @@ inline constexpr double kBoxSlack = 1e-14;
 inline constexpr float kFloatSlack = 0x1p-22f;
 inline constexpr float kFloatLeast = 0x1p-126f;
 
-// Rounding errors of single precision, relative to the extent of the inputs, as multiples of the error 2^-24
-// of one operation.
+// Rounding errors of single precision, relative to the extent of the inputs, in multiples of 2^-24.
 inline constexpr double kProjectionRoundings = 0x1p-19;  // projection of a box: fewer than 32 operations
 inline constexpr double kPlaneRoundings =
     0x1p-19;  // intersection of a ray and a plane: fewer than 24 operations
@@ -74,16 +73,14 @@ inline constexpr double kEqualArea = 1e-9;
 
 // Largest distance of a chord of the rim from the boundary: that of a regular polygon with 64 sides.
 inline constexpr double kRimChord = 0.0012;
-// Largest distance of a chord after a vertex was moved onto the boundary. A longer chord is acceptable here,
-// because a face that is cut off close to a vertex would be a sliver; the value stays below the bound of
-// 0.005.
+// Largest distance of a chord after a vertex was moved onto the boundary. A longer chord is acceptable,
+// because a face cut off close to a vertex would be a sliver; the value is below the bound.
 inline constexpr double kRimMovedChord = 0.0045;
 // A face that reaches across the boundary by less than this between its corners is not split for it. It is
 // slightly larger than kRimChord, so that the faces on the other side of an accepted chord are not split for
 // it. Also applies after a vertex was moved twice.
 inline constexpr double kRimGraze = 0.0015;
-// A vertex this near the boundary lies on it. It is smaller than kRimChord, so that both errors together stay
-// below the bound.
+// A vertex this near the boundary lies on it. Smaller than kRimChord, so that the sum is below the bound.
 inline constexpr double kRimOn = 0.001;
 // A vertex this near the boundary that must not move counts as lying on it: the bound itself.
 inline constexpr double kRimNear = 0.005;
@@ -98,8 +95,7 @@ inline constexpr double kRimLeastEdge = 1.0 / 64;
 inline constexpr double kRimSnap = 0.25;
 inline constexpr double kRimSliver = 0.12;
 
-// Cosine of one degree: moving a vertex must not tilt a face by more, so that the cut surface keeps its
-// shape.
+// Cosine of one degree: moving a vertex must not tilt a face by more, to keep the shape of the surface.
 inline constexpr double kRimLargestTurn = 0.99984769515639127;
 
 // Cosine of ten degrees: moving a vertex may always leave a face whose smallest angle is larger. Smaller

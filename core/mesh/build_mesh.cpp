@@ -156,8 +156,7 @@ class Builder {
     return true;
   }
 
-  // Sets partner_[side] to the only other side of its edge, in the opposite direction, or to kNoSide at
-  // boundaries and in rings.
+  // Sets partner_[side] to the opposite side of its edge, or to kNoSide at boundaries and in rings.
   Status find_partners(const Progress& progress) {
     struct Found {
       size_t boundary = 0;

@@ -101,8 +101,7 @@ class FaceWalk {
   void visit(std::span<const ReachedFace> faces);
   // Returns the nearest neighbours of all these faces, in the order of Mesh::append_nearest_neighbours.
   std::span<const ReachedFace> neighbours() const { return neighbours_; }
-  // Liveness and area (m^2) of face i of the batch; the area of a live face is bit-equal to that of
-  // triangle_area().
+  // Liveness and area (m^2) of face i of the batch; the area is bit-equal to triangle_area().
   bool is_live(size_t i) const { return corners_[i][0].valid(); }
   double area(size_t i) const { return areas_[i]; }
 

@@ -106,8 +106,7 @@ void HalfEdges::remove_edge(EdgeId e) {
   leave(to(o), h, after_o);
 }
 
-// Unlinks a half-edge from its start vertex. `other` starts there, too, or is the same half-edge if it was
-// the last one.
+// Unlinks a half-edge from its start vertex. `other` also starts there; both are equal if it is the last.
 void HalfEdges::leave(VertexId v, HalfEdgeId gone, HalfEdgeId other) {
   if (outgoing(v) == gone) set_outgoing(v, other == gone ? HalfEdgeId() : other);
 }

@@ -25,16 +25,14 @@ inline HalfEdgeId half_edge(EdgeId e, uint32_t side) { return HalfEdgeId(2 * e.i
 // curved-surface environments, 1985), in arrays that grow by chunks and record the changes of a command. A
 // half-edge without a face is a boundary; the boundary half-edges of one hole form a cycle. Slots only grow.
 //
-// An edge has at most two faces, and a vertex one cycle of half-edges; rings represent non-manifold edges
-// (see below).
+// An edge has at most two faces, and a vertex one cycle of half-edges; rings represent other meshes.
 class HalfEdges {
  public:
   uint32_t vertices() const { return positions_.size(); }
   uint32_t edges() const { return links_.size() / 2; }
   uint32_t faces() const { return first_.size(); }
 
-  // Accessors. Precondition: the id is in range; `to`, `next`, `previous` and `face` also require an edge in
-  // use.
+  // Accessors. Precondition: the id is in range; to(), next(), previous() and face() need an edge in use.
   const Vec3& position(VertexId v) const { return positions_[v.index]; }
   const Vec3* const* position_chunks() const { return positions_.chunks(); }
   VertexId to(HalfEdgeId h) const { return links_[h.index].to; }
@@ -69,8 +67,7 @@ class HalfEdges {
     links_.edit(h.index).next = after;
     links_.edit(after.index).previous = h;
   }
-  // Makes three half-edges the sides of a face and links them in a cycle. Precondition: each ends at the
-  // start of the next.
+  // Links three half-edges as the sides of a face. Precondition: each ends at the start of the next.
   void close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c);
   void set_face(HalfEdgeId h, FaceId f) { links_.edit(h.index).face = f; }
 
@@ -83,8 +80,8 @@ class HalfEdges {
   // Removes a face and the edges that no other face uses. Precondition: the face is live.
   void remove(FaceId f);
 
-  // Prefetches a face, its sides and two of its corners in kTurns turns, each of which reads the data that
-  // the previous one prefetched.
+  // Prefetches a face, its sides and two of its corners in kTurns turns, each of which reads data of the
+  // previous one.
   static constexpr int kTurns = 3;
   void prefetch(FaceId f, int turn) const;
   // Prefetch one record each. GCC drops calls of functions that only prefetch, because they have no effect,
@@ -146,8 +143,7 @@ class HalfEdges::Change : public ChangeOfParts<HalfEdges> {
   void append_faces(const HalfEdges& mesh, std::vector<FaceId>& out) const;
 };
 
-// The next and the previous half-edge of an edge's ring, both in the direction of its half-edge 0. An edge in
-// no ring links to itself.
+// The next and previous half-edge in a ring, in the direction of half-edge 0; the edge itself if in no ring.
 struct RingLink {
   HalfEdgeId next;
   HalfEdgeId previous;
@@ -171,8 +167,7 @@ struct Mesh::Change::Parts : ChangeOfParts<Mesh::Kernel> {};
 
 // A ring links the coincident edges of a mesh (see Mesh); a mesh without rings stores no links.
 
-// Return the next and the previous half-edge in the ring of h, in the direction of h; h itself if its edge is
-// in no ring.
+// Return the next and the previous half-edge in the ring of h, in its direction; h if in no ring.
 HalfEdgeId next_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 HalfEdgeId previous_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 

@@ -96,8 +96,7 @@ class TriangleBoxes {
     build(0, static_cast<uint32_t>(triangles_.size()));
   }
 
-  // Returns the squared distance from a point, or any value up to `enough` if the distance is not larger than
-  // that.
+  // Returns the squared distance from a point, or any value up to `enough` if it is at most that.
   double squared_distance_above(const Vec3& p, double enough) {
     double nearest = std::numeric_limits<double>::infinity();
     waiting_.assign(1, {nodes_[0].squared_distance(p), 0});
@@ -175,8 +174,7 @@ std::array<Vec3, 7> samples_of(const Triangle& t) {
           (t[0] + t[1] + t[2]) / 3.0};
 }
 
-// Raises `most`, a squared distance, to that of the sample of `from` that is farthest from `to`. Returns
-// false if stopped.
+// Raises `most` to the squared distance of the sample of `from` farthest from `to`. Returns false if stopped.
 bool raise(std::span<const Triangle> from, TriangleBoxes& to, const Progress& progress, double& most) {
   const size_t sampled = std::min(from.size(), kMaxSampled);
   Pace pace(&progress, sampled);

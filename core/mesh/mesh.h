@@ -101,9 +101,8 @@ class Mesh {
   // edges. Precondition: f is live. Linear in the degrees of the rings.
   void append_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
-  // Appends these neighbours, but of each ring only the two faces next to f. They suffice for traversing
-  // connected faces and for connectivity tests, because they lead to the other faces of the ring. Constant
-  // time.
+  // Appends these neighbours, but of each ring only the two faces next to f. They suffice for traversal and
+  // connectivity, because they lead to the other faces. Constant time.
   void append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
   // A face and one of its edges in the face's counter-clockwise direction, by vertices of its own sheet.
@@ -132,8 +131,7 @@ class Mesh {
   // Finds the star of a vertex. Linear in its degree.
   void star(VertexId v, Star& out) const;
 
-  // Moves a vertex of one sheet. Structures that depend on positions, e.g. a tree, must be updated for its
-  // faces.
+  // Moves a vertex of one sheet. Structures that depend on positions, e.g. a tree, need an update.
   void move_vertex(VertexId v, const Vec3& to);
 
   // One face that was split at an edge: `kept` is its old slot, now the half at `kept_end`, and `added` is
@@ -170,15 +168,13 @@ class Mesh {
   // columns and colours of new items are zero. A vertex whose faces are no longer connected over edges is
   // replaced by several at its position. Precondition: the mesh stays orientable, i.e. no side occurs twice
   // in one direction, or along a live face that already has it. New edges are in no ring, even if they
-  // coincide with edges of other sheets. O(n log n) in the new faces and those around their corners. See also
-  // FaceAddition.
+  // coincide with edges of other sheets. O(n log n) in the new faces and those around them.
   std::vector<FaceId> add_faces(std::span<const std::array<VertexId, 3>> corners,
                                 std::span<const FaceData> data);
 
   // Removes a face; its slot remains and is marked dead. Precondition: f is live.
   void remove_face(FaceId f);
 
-  // Memory allocated, in bytes.
   size_t bytes() const;
 
   // The mesh before a command or, after exchange(), after it (see ChangeOf). The cost of every function
@@ -229,9 +225,9 @@ class FaceAddition {
   // Adds the next data.size() faces and returns their slots. Precondition: at least that number remains.
   std::vector<FaceId> add(Mesh& mesh, std::span<const FaceData> data);
 
-  // Replaces each of the next `most` vertices by several if the faces around it are not connected over edges.
-  // Appends the faces whose corners change by that. Returns true if the addition is complete. Precondition:
-  // all faces were added.
+  // Replaces each of the next `most` vertices by several if its faces are not connected over edges. Appends
+  // the faces whose corners change. Returns true if the addition is complete. Precondition: all faces were
+  // added.
   bool part_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed);
 
  private:

@@ -46,14 +46,12 @@ class FaceColumn {
 // takes memory up to the last face whose value was set.
 class FaceColumns {
  public:
-  // Attaches a column whose values are copied to the parts of a split face. Precondition: no change of the
-  // mesh is open. Constant time.
+  // Attaches a column whose values are copied to the parts of a split face. Precondition: no change is open.
   template <typename T>
   FaceColumn<T> attach_copied() {
     return FaceColumn<T>(attach(Rule::kCopy));
   }
-  // Attaches a column for a quantity that the parts of a face share by area, such as an energy in joules.
-  // Same precondition.
+  // Attaches a column for a quantity shared by area, such as an energy in joules. Same precondition.
   FaceColumn<double> attach_shared_by_area() { return FaceColumn<double>(attach(Rule::kShareByArea)); }
 
   // Returns true if no value of any column was ever set.

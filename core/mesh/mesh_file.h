@@ -47,8 +47,7 @@ struct PrecisionLoss {
   size_t merged = 0;         // vertices that coincide with one that had another position
   size_t vertices = 0;
 
-  // Returns true if the loss is visible: vertices coincide, or move by more than a tenth of the shortest
-  // edge.
+  // Returns true if vertices coincide, or move by more than a tenth of the shortest edge.
   bool matters() const { return merged > 0 || largest_move > 0.1 * shortest_edge; }
   // Adds the loss of another mesh.
   PrecisionLoss& operator+=(const PrecisionLoss& other);

@@ -18,14 +18,13 @@ namespace kerf {
 //
 // The rays are parallel to the shortest side of the mesh's bounding box, and their origins are sorted into
 // the cells of a grid in the plane of the other two. Linear in the number of triangles of closed patches
-// unless many of the origins are on one line. Preconditions: `asked` are patches, all corners are finite, and
+// unless many of the origins are on one line. Preconditions: `asked` are patches, corners are finite, and
 // `rays` > 0.
 std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
                                       const std::vector<std::array<uint32_t, 3>>& triangles,
                                       const Patches& patches, std::span<const uint32_t> asked, uint32_t rays);
 
-// Returns for each of some patches whether it is inside another closed one, by one ray. Otherwise as
-// count_enclosing().
+// Returns for each of some patches whether it is inside another closed one. As count_enclosing(), one ray.
 std::vector<bool> find_enclosed(std::span<const Vec3> positions,
                                 const std::vector<std::array<uint32_t, 3>>& triangles, const Patches& patches,
                                 std::span<const uint32_t> asked);

@@ -29,8 +29,7 @@ std::vector<uint32_t> pair_sides_of_shells(std::span<const Vec3> positions,
                                            std::span<const uint32_t> patch_of,
                                            std::vector<uint32_t>& partner);
 
-// Merges the patches of each shell into one closed patch. `pairs` is the result of pair_sides_of_shells().
-// O(triangles).
+// Merges the patches of each shell into a closed one. `pairs`: from pair_sides_of_shells(). O(triangles).
 void join_patches(Patches& patches, std::span<const uint32_t> partner, std::span<const uint32_t> pairs);
 
 }  // namespace kerf

@@ -105,8 +105,7 @@ void OneToFour::make_red(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
   finish_red(mesh, index, out);
 }
 
-// Ends, because a neighbour is coarser by one level if the element's whole edge is only half of an edge of
-// it.
+// Ends, because a neighbour is one level coarser if the element's edge is half of an edge of it.
 void OneToFour::refine_coarser_neighbours(Mesh& mesh, uint32_t index, std::vector<Replacement>& out) {
   for (int edge = 0; edge < 3; ++edge) {
     while (!elements_[index].midpoints[edge].valid() && refine_coarser_across(mesh, index, edge, out)) {

@@ -10,9 +10,8 @@
 
 namespace kerf {
 
-// The replacement of split faces by their parts: the first `gone_count` faces of `gone` by the first
-// `born_count` faces of `born`, which cover the same area. Slots are reused, so that a face may be in both
-// lists. A sequence of replacements is in chronological order; a tree can apply them in this order.
+// The replacement of split faces by their parts, which cover the same area. A reused slot is in both lists.
+// Replacements are in chronological order, in which a tree can apply them.
 struct Replacement {
   std::array<FaceId, 2> gone;
   std::array<FaceId, 4> born;
@@ -40,14 +39,12 @@ class OneToFour {
   Element element(const Mesh& mesh, FaceId f) const;
   Triangle triangle(const Mesh& mesh, FaceId f) const;
 
-  // Returns true if the midpoints of all edges of f's element differ from their ends, i.e. the element is
-  // large enough to split.
+  // Returns true if the element of f is large enough: the midpoints of its edges differ from their ends.
   bool can_split(const Mesh& mesh, FaceId f) const;
 
   // Splits the element of f into four and closes the mesh on its neighbours, so that it is conforming.
   // Appends the replacement of every changed element: one face or a green pair by a green pair or four red
-  // faces. Precondition: f is live and can_split(). The cost is proportional to the number of changed
-  // elements.
+  // faces. Precondition: f is live and can_split(). Linear in the changed elements.
   void split(Mesh& mesh, FaceId f, std::vector<Replacement>& out);
 
   // Dissolves the green pair of a face into ordinary faces, before the face is removed or split by another
@@ -109,8 +106,7 @@ class OneToFour::Change : public ChangeOfParts<OneToFour> {};
 //
 // Green pairs on the path become ordinary faces. Appends a replacement for every face that was split. Returns
 // false if an edge on the path is so short that its midpoint rounds to one of its ends; f itself is then
-// unchanged. Precondition: f is live. The cost is proportional to the length of the path, which is short in
-// practice.
+// unchanged. Precondition: f is live. Linear in the length of the path, which is short in practice.
 bool bisect_longest_edge(Mesh& mesh, OneToFour& greens, FaceId f, std::vector<Replacement>& out);
 
 }  // namespace kerf

@@ -42,8 +42,7 @@ struct Patches {
   std::vector<uint32_t> first;  // patch p is triangles[first[p]] .. triangles[first[p + 1] - 1], ascending
   std::vector<uint32_t> triangles;  // sorted by patch; patches have the order of their lowest triangles
   std::vector<uint32_t> patch_of;   // by triangle
-  // By patch: whether it bounds a volume, i.e. its triangles traverse each of its edges equally often in both
-  // directions.
+  // By patch: whether it bounds a volume, i.e. traverses each of its edges equally often both ways.
   std::vector<bool> closed;
 
   size_t count() const { return closed.size(); }

@@ -10,8 +10,7 @@ namespace kerf {
 
 // Numbers in the bytes of a file.
 
-// Reads a number stored in the given byte order at any address, aligned or not. Precondition: sizeof(T) bytes
-// are readable there.
+// Reads a number in the given byte order, aligned or not. Precondition: sizeof(T) bytes are readable there.
 template <typename T>
 T load(const char* bytes, std::endian order) {
   std::array<char, sizeof(T)> raw;
@@ -20,8 +19,7 @@ T load(const char* bytes, std::endian order) {
   return std::bit_cast<T>(raw);
 }
 
-// Stores a number in little-endian order and returns the address after it. Precondition: sizeof(T) bytes are
-// writable there.
+// Stores a number in little-endian order; returns its end. Precondition: sizeof(T) bytes are writable there.
 template <typename T>
 char* store_little(T value, char* to) {
   auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);

@@ -177,8 +177,7 @@ void append_floats(const Vec3& v, std::string& bytes) {
   for (int i = 0; i < 3; ++i) append_little(static_cast<float>(v[i]), bytes);
 }
 
-// Returns the unit normal, zero for a degenerate triangle. The edges are scaled so that their product neither
-// overflows nor underflows.
+// Returns the unit normal, zero for a degenerate triangle. Scaling the edges avoids overflow and underflow.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;
   const double size =

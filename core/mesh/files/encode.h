@@ -33,15 +33,15 @@ inline uint8_t eight_bits(uint16_t part) { return static_cast<uint8_t>((part + 1
 
 // Encodes a mesh as the bytes of a file. Positions and triangles keep their order and are read back to the
 // bit, except from STL, which stores three positions in single precision per triangle, and from glTF.
-// Precondition: the mesh satisfies the requirements stated at MeshView and at its format below. Linear time;
-// uses a few megabytes.
+// Precondition: the mesh satisfies the requirements of MeshView and its format. Linear time; uses a few
+// megabytes.
 void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink);
 // Likewise as one string.
 std::string encoded(const MeshView& mesh, MeshFormat format);
 
 // OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has an MTL file, and
-// a usemtl at each change of the material. Colours follow the coordinates as three fractions, and a fourth if
-// any is not opaque.
+// a usemtl at each change of the material. Colours follow the coordinates as three fractions, four if any is
+// not opaque.
 void encode_obj(const MeshView& mesh, const ByteSink& sink);
 // OFF with numbers likewise, or COFF with colours and opacities of eight bits; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);
@@ -59,8 +59,7 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 void encode_glb(const MeshView& mesh, const ByteSink& sink);
 // Text glTF with the numbers in base 64. Same preconditions.
 void encode_gltf(const MeshView& mesh, const ByteSink& sink);
-// Returns the middle of the bounding box of positions, relative to which glTF stores them; zero if there are
-// none.
+// Returns the middle of the bounding box, relative to which glTF stores positions; zero without any.
 Vec3 gltf_middle(std::span<const Vec3> positions);
 
 // A material of an OBJ file, as described by its library (MTL).

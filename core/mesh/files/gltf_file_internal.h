@@ -35,8 +35,7 @@ class GltfFile {
 
   // Parses a .glb or .gltf. Buffers in other files are read only if these are in `folder` or below; if
   // `folder` is empty, none are read. Fails with one sentence that names the file if this is no glTF 2.0
-  // file, ends too early, or requires unsupported extensions that affect geometry. `bytes` must outlive the
-  // result.
+  // file, ends too early, or requires unsupported extensions for geometry. `bytes` must outlive the result.
   static Result<GltfFile> open(std::string_view bytes, const std::string& name,
                                const std::filesystem::path& folder);
 

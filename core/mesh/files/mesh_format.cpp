@@ -63,8 +63,7 @@ struct Signature {
   size_t at = 0;
 };
 
-// Bytes that never begin a text, and lines that are no statement of a supported format. The first match
-// applies.
+// Bytes that never begin a text, and lines that are invalid in supported formats. The first match applies.
 constexpr std::array kSignatures{
     Signature{"\x89PNG", "a PNG image"},
     Signature{"\xff\xd8\xff", "a JPEG image"},

@@ -40,8 +40,7 @@ constexpr const MeshFormatRow& format_row(MeshFormat format) {
 std::string list_mesh_endings(std::string_view before = ".", std::string_view last = " or ");
 std::string list_mesh_titles(std::string_view last = " or ");
 
-// Returns the format of a file name extension, in upper or lower case, with or without a leading dot; nullopt
-// for any other name.
+// Returns the format of a file name extension, in any case and with or without a dot; nullopt if unknown.
 std::optional<MeshFormat> mesh_format(std::string_view name);
 
 // Recognises the format of a file by its bytes. Only if they fit no format (a damaged file), `ending`, the
@@ -73,8 +72,7 @@ struct FileFrame {
 // units. STL files usually come from CAD and 3D printing, in millimetres with +Z upwards; other formats from
 // modelling tools, games and research, in metres with +Y upwards, or in centimetres or millimetres if the
 // mesh would otherwise be larger than a lorry. If the mesh stands on exactly one of the planes y = 0 and z =
-// 0, that axis points upwards regardless of the format. Precondition: min <= max, and both are finite.
-// Constant time.
+// 0, that axis points upwards regardless of the format. Precondition: min <= max, both finite.
 FileFrame guess_frame(MeshFormat format, const Vec3& min, const Vec3& max);
 
 double metres_per_unit(FileUnit unit);

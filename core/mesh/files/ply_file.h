@@ -56,8 +56,8 @@ struct PlyRows {
 };
 
 // Returns the indices of red, green, blue and opacity among the properties of a vertex. Returns nullopt if
-// one of the first three is missing; a missing opacity is kNoProperty. Opacity is named alpha, and names may
-// start with "diffuse_".
+// one of the first three is missing; a missing opacity is kNoProperty. Opacity is "alpha"; names may start
+// with "diffuse_".
 inline constexpr size_t kNoProperty = ~size_t{0};
 std::optional<std::array<size_t, 4>> colour_properties_of(const PlyElement& element);
 

@@ -15,9 +15,9 @@ namespace kerf {
 // material libraries are ignored; points, lines and free-form geometry are ignored with a warning. As in
 // common readers, '#' begins a comment at the start of a line and after numbers, but is part of the names of
 // o, g and usemtl, which extend to the end of the line. Vertex colours range to 1 or to 255 (see
-// ColourNumbers). A face that refers to a missing vertex is dropped and counted. Anything but a number where
-// one is required is an error. Linear in the number of bytes, except for large polygons (see Triangulator).
-// `progress` may be null.
+// ColourNumbers). A face that refers to a missing vertex is dropped and counted. A word in place of a number
+// is an error. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
+// null.
 Result<Soup> read_obj(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
@@ -47,9 +47,9 @@ bool is_exact_binary_stl(std::string_view bytes);
 Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
-// Reads a PLY file, as text or binary in either byte order, with elements and properties in any order and of
-// any type. The properties x, y and z of "vertex" give positions. The list vertex_indices (or vertex_index)
-// of "face" gives a polygon; that of "tristrips" gives triangle strips, each ended by an index of -1, whose
+// Reads a PLY file, as text or binary in either byte order, with elements and properties of any type in any
+// order. The properties x, y and z of "vertex" give positions. The list vertex_indices (or vertex_index) of
+// "face" gives a polygon; that of "tristrips" gives triangle strips, each ended by an index of -1, whose
 // triangles count as faces. Everything else is ignored. A face that refers to a missing vertex is dropped and
 // counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
 // null.

@@ -28,8 +28,7 @@ bool continues_microsoft_nan(std::string_view text);
 
 // Reads the bytes of one mesh file and never reads past their end. Scanners are independent of the locale and
 // of each other, so that files can be read concurrently. A line ends with LF, CRLF or a lone CR; every other
-// control character counts as a blank. Errors name the file and the line or the byte offset of the last item
-// read.
+// control character counts as a blank. Errors name the file and the line or byte of the last item read.
 class Scanner {
  public:
   struct Syntax {
@@ -40,8 +39,7 @@ class Scanner {
   // The bytes must outlive the scanner. A UTF-8 byte order mark is skipped. `progress` may be null.
   Scanner(std::string_view bytes, std::string_view file_name, Syntax syntax, const Progress* progress);
 
-  // The offset of the next byte, and the number of bytes left. Precondition of seek: position is at most the
-  // number of bytes.
+  // The offset of the next byte, and the number of bytes left. Precondition of seek: position <= size.
   size_t position() const { return position_; }
   size_t left() const { return bytes_.size() - position_; }
   void seek(size_t position) {
@@ -92,8 +90,7 @@ class Scanner {
   Error byte_error(const std::string& what) const;
   // "FILE: WHAT."
   Error file_error(const std::string& what) const;
-  // "FILE, line 3: expected WHAT, found 'WORD'", or that the line or the file ends there. Refers to the last
-  // word read.
+  // "FILE, line 3: expected WHAT, found 'WORD'", for the last word; or that the line or the file ends.
   Error expected(const std::string& what) const;
 
   // Returns an error if the file contains a zero byte and therefore is not text in the given format.

@@ -38,8 +38,7 @@ struct Soup {
   std::vector<std::string> warnings;  // one sentence each, for the user
 };
 
-// Collects the polygons of a file in order until all positions are known, because faces may precede their
-// vertices.
+// Collects the polygons of a file until all positions are known, because faces may precede vertices.
 class PolygonList {
  public:
   void reserve(size_t polygons);
@@ -52,15 +51,13 @@ class PolygonList {
   // Adds polygons of three corners each, with material 0.
   void add_triangles(std::vector<Soup::Triangle> triangles);
 
-  // Ends the parts of a level, and starts one for each name, for the polygons from here on. Levels are
-  // independent of each other.
+  // Ends the parts of a level, and starts one for each name with the next polygon. Levels are independent.
   enum class Level : uint8_t { kObject, kGroup };
   void begin_parts(Level level, const std::vector<std::string>& names);
 
   size_t size() const { return triangles_.size() + ends_.size(); }
 
-  // Triangulates all valid polygons; drops and counts the invalid ones. Fails if no triangle remains. Empties
-  // the list.
+  // Triangulates valid polygons; drops and counts invalid ones. Fails if none remains. Empties the list.
   Result<Soup> to_soup(std::vector<Vec3> positions, const std::string& file_name);
 
  private:

@@ -116,8 +116,8 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
   return finished(std::move(soup), file_name);
 }
 
-// Reads text as programs write it. Deviations from the format that leave no facet in doubt are read as other
-// readers do, with a warning.
+// Reads text STL. Accepts, with a warning, deviations that other readers accept and that leave no facet in
+// doubt.
 class TextReader {
  public:
   TextReader(std::string_view bytes, const std::string& file_name, const Progress* progress)

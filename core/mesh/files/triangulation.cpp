@@ -167,9 +167,9 @@ void EarClipper::change_rule() {
   enqueue_all();
 }
 
-// Ears are clipped in rounds, and no two neighbours in the same round: clipping neighbours one after the
-// other would create fans of long triangles, whose tests visit many boxes. Postponed candidates come first in
-// the next round.
+// Ears are clipped in rounds, and no two neighbours in the same round: clipping neighbours in turn would
+// create fans of long triangles, whose tests visit many boxes. Postponed candidates come first in the next
+// round.
 bool EarClipper::start_round() {
   queue_.assign(waiting_.begin(), waiting_.end());
   queue_.insert(queue_.end(), fresh_.begin(), fresh_.end());
@@ -233,8 +233,7 @@ void scale_to_one(std::span<Vec3> points) {
   for (Vec3& p : points) p *= factor;
 }
 
-// Newell's normal: its components are twice the areas of the polygon's projections onto the coordinate
-// planes.
+// Newell's normal: the components are twice the areas of the projections onto the coordinate planes.
 Vec3 newell_normal(std::span<const Vec3> points) {
   Vec3 normal(0);
   for (size_t i = 1; i + 1 < points.size(); ++i) {

@@ -13,18 +13,16 @@ namespace kerf {
 // A balanced tree of bounding boxes over points of the plane, for queries by triangle that can remove points.
 class PointTree {
  public:
-  // The decision of a query's visitor about a point: continue, stop the query, or remove the point and
-  // continue.
+  // A visitor's decision about a point: continue, stop, or remove the point and continue.
   enum class Verdict { kPass, kStop, kForget };
 
-  // Builds the tree over points[i] for each index i in `chosen`; does not keep the spans. Precondition: all
-  // indices are in range. O(n log n).
+  // Builds the tree over the points with these indices; keeps no spans. Precondition: indices are in range.
+  // O(n log n).
   void build(std::span<const Vec2> points, std::span<const uint32_t> chosen);
 
   // Calls judge(index) for the points of every leaf whose box meets the triangle, until it returns kStop;
-  // kForget removes the point. Returns true if stopped. Adds the number of boxes and points tested to `work`.
-  // Misses no point for which kerf::cross2 is not negative at any edge. Precondition: the triangle is
-  // counter-clockwise.
+  // kForget removes the point. Returns true if stopped. Adds the boxes and points tested to `work`. Misses no
+  // point for which cross2 is not negative at any edge. Precondition: the triangle is counter-clockwise.
   template <typename Judge>
   bool visit(const std::array<Vec2, 3>& triangle, uint64_t& work, Judge&& judge) {
     return !nodes_.empty() && visit_node(0, {0, static_cast<uint32_t>(items_.size())}, triangle, work, judge);

@@ -43,8 +43,7 @@ class ColourNumbers {
   // The maximum of a component, whatever number that is.
   static constexpr double kFull = std::numeric_limits<double>::infinity();
 
-  // Sets the colour of a vertex. Omitted vertices are opaque white. Precondition: `vertex` is larger than
-  // that of the last call.
+  // Sets the colour of a vertex. Others are opaque white. Precondition: `vertex` increases with each call.
   void set(size_t vertex, const Parts& parts);
 
   // Returns the colours of all vertices, or none if none is set. If there are numbers greater than 1, adds a

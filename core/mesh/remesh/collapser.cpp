@@ -314,8 +314,7 @@ double Collapser::error_of(uint32_t v, uint32_t to) const {
   return sum.at(surface_.point(to));
 }
 
-// Returns the minimum error of all collapses of the vertex, allowed or not. Precondition: ring_ is the
-// vertex's.
+// Returns the minimum error of all collapses, allowed or not. Precondition: ring_ is the vertex's.
 double Collapser::least_error(uint32_t v) const {
   double least = kNever;
   for (const uint32_t w : ring_.vertices) least = std::min(least, error_of(v, w));

@@ -74,8 +74,7 @@ class FollowedFaces {
   // Precondition: neither is empty.
   void hand_on(std::span<const uint32_t> before, std::span<const Changed> changed);
 
-  // Returns the places of the quarters, in the order of the faces; `numbers` as for the constructor.
-  // O(faces).
+  // Returns the places of the quarters, by face; `numbers` as for the constructor. O(faces).
   std::vector<FollowedFace> places(std::span<const FaceId> numbers) const;
 
  private:
@@ -100,8 +99,7 @@ class SurfaceSamples {
   // Sets the maximum distance of samples, in the frame of the surface.
   void set_most(double most) { most2_ = most * most; }
 
-  // Returns true if the samples on the faces `before`, and a removed vertex, are near enough to any of the
-  // changed faces.
+  // Returns true if the samples on `before`, and a removed vertex, are near enough to the changed faces.
   bool are_near(std::span<const uint32_t> before, const Vec3& gone,
                 std::span<const FollowedFaces::Changed> changed) const;
   // Moves the samples on `before`, and a removed vertex as a new sample, to the nearest of the changed faces.
@@ -140,8 +138,7 @@ class CollapseRules {
 
   bool is_hub(uint32_t v) const { return surface_.faces_at(v) > kMaxFaces; }
 
-  // Collects the faces and vertices around a vertex, and stores them for allows(). Precondition: it is in
-  // use.
+  // Collects the ring of a vertex, and stores it for allows(). Precondition: the vertex is in use.
   void look_at(uint32_t v, Ring& ring);
 
   // Returns true if the vertex of the last look_at, which has this ring, may collapse onto `to`: the surface

@@ -18,8 +18,7 @@ namespace kerf {
 // that no vertex joins two sheets. Faces and vertices are numbered in the order of their slots in the mesh.
 //
 // An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ. Locked
-// are the ends of features, vertices that share their position with another vertex, and the vertices of kept
-// faces.
+// are the ends of features, vertices at a shared position, and the vertices of kept faces.
 struct FlatSheets {
   FloatFrame frame;                              // for OpenMesh and the quadrics
   std::vector<VertexId> vertices;                // by vertex; repeats a vertex of the mesh with several fans

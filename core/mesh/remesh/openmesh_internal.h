@@ -10,8 +10,7 @@
 #include "core/mesh/remesh/flat_sheets_internal.h"
 #include "core/mesh/remesh/remeshed.h"
 
-// Only core/mesh/remesh includes OpenMesh's headers. They are system headers, so that Kerf's warnings do not
-// apply to them.
+// Only core/mesh/remesh includes OpenMesh's headers. As system headers they cause no warnings.
 #ifndef _USE_MATH_DEFINES
 #define _USE_MATH_DEFINES  // OpenMesh uses M_PI
 #endif
@@ -30,8 +29,8 @@ struct OpenMeshTraits : OpenMesh::DefaultTraits {
 using OpenMeshKernel = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
 // The flat sheets of a mesh as a mesh of OpenMesh, which is manifold, with their features, locked and shared
-// vertices. Positions are scaled to about [-1, 1] around the middle of the mesh, because OpenMesh compares
-// with absolute tolerances.
+// vertices. Positions are scaled to about [-1, 1] around the middle of the mesh, because OpenMesh has
+// absolute tolerances.
 struct Sheets {
   using Kernel = OpenMeshKernel;
 

@@ -19,8 +19,7 @@ namespace {
 using Kernel = OpenMeshKernel;
 using Point = Kernel::Point;
 
-// Returns cos(2 pi / n) by the power series, whose terms beyond the 30th are below the rounding.
-// Precondition: n >= 2.
+// Returns cos(2 pi / n) by 30 terms of the power series; the rest is below rounding. Precondition: n >= 2.
 double cosine_of_nth_turn(size_t n) {
   constexpr double kTurn = 2 * kPi;
   const double x2 = (kTurn / static_cast<double>(n)) * (kTurn / static_cast<double>(n));

@@ -18,8 +18,7 @@ std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh) {
 
 namespace {
 
-// Returns the weights of the corners of a triangle at a point of it; the first corner has weight 1 if it has
-// no area.
+// Returns the barycentric weights of a point of a triangle; 1 for the first corner if it has no area.
 std::array<double, 3> corner_weights(const Vec3& p, const Triangle& t) {
   const double a = triangle_area({p, t[1], t[2]}), b = triangle_area({p, t[2], t[0]}),
                c = triangle_area({p, t[0], t[1]});
@@ -64,8 +63,7 @@ Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, con
 
 namespace {
 
-// Copies the faces over welded positions; drops those with two corners at one position, which a cut may
-// leave.
+// Copies the faces over welded positions; drops degenerate ones, which a cut may leave.
 Remeshed copy_faces(const Mesh& mesh) {
   std::vector<Vec3> positions(mesh.vertex_slots(), Vec3(0));
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {

@@ -12,8 +12,7 @@
 
 namespace kerf {
 
-// The new place of a face of the mesh: for each of its quarters the origin of the triangle on which it lies
-// now.
+// The new place of a face: for each of its quarters the origin of the triangle on which it lies.
 struct FollowedFace {
   FaceId face;
   std::array<FaceId, 4> quarters;
@@ -29,8 +28,8 @@ struct Remeshed {
   std::vector<FollowedFace> followed;
 };
 
-// Returns the materials of the triangles, those of the faces from which they derive. Precondition: `remeshed`
-// was made of `mesh`.
+// Returns the materials of the triangles, those of their origins. Precondition: `remeshed` was made of
+// `mesh`.
 std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh);
 
 // Returns the colours of the positions: that of the nearest surface point on the face from which a triangle

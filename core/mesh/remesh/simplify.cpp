@@ -16,7 +16,7 @@ constexpr std::array kMinCosine2 = {0.93301270189221932, 0.75, 0.25, 0.0};
 // Down to this multiple of the target number of faces only the quadrics are used.
 constexpr size_t kFacesForSamples = 5;
 // The first bound of the distance of samples, relative to the edge of an equilateral face of the target size;
-// the following bounds double.
+// later ones double.
 constexpr double kFirstBound = 1 / 2048.0;
 constexpr double kLastBound = 1;
 constexpr size_t kFirstTurns = 2;  // maximum turns of the first bounded rounds

@@ -16,8 +16,8 @@ struct SimplifyTarget {
   double error = std::numeric_limits<double>::infinity();
 };
 
-// The fraction of the error available to samples, because between them the surface was up to 1.6 times as far
-// away, measured both ways.
+// The fraction of the error available to samples, because between them the surface was up to 1.6 times as
+// far, both ways.
 inline constexpr double kShareForSamples = 0.6;
 
 // Removes vertices by half-edge collapses over flat arrays, in the order of the quadric error (M. Garland, P.

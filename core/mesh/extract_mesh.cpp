@@ -34,7 +34,6 @@ class Extraction {
     return {h, m.next(h), m.previous(h)};
   }
 
-  // Returns the copy of a half-edge.
   HalfEdgeId named(HalfEdgeId h) const {
     const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge_of(h));
     assert(at != edges_.end() && *at == edge_of(h));

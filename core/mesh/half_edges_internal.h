@@ -97,7 +97,6 @@ class HalfEdges {
     links_.prefetch(previous(side).index);
   }
 
-  // Calls visit(h) for every half-edge that starts at v.
   template <typename Visit>
   void for_each_outgoing(VertexId v, Visit visit) const {
     const HalfEdgeId first = outgoing(v);

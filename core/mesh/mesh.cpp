@@ -80,7 +80,6 @@ VertexColours& Mesh::colours() { return kernel_->colours; }
 
 namespace {
 
-// Returns the half-edge of face f that starts at vertex `from`.
 HalfEdgeId half_edge_from(const HalfEdges& m, FaceId f, VertexId from) {
   HalfEdgeId h = m.first(f);
   for (int i = 0; i < 2 && m.from(h) != from; ++i) h = m.next(h);
@@ -162,7 +161,6 @@ FaceId hand_down(Mesh::Kernel& k, FaceId parent) {
   return FaceId(k.faces.size() - 1);
 }
 
-// Interpolates the colour of the new vertex on an edge.
 void colour_middle(Mesh::Kernel& k, VertexId middle, VertexId tail, VertexId head) {
   const HalfEdges& m = k.half_edges;
   const double whole = glm::distance(m.position(tail), m.position(head));

@@ -161,7 +161,6 @@ class Mesh {
   // Returns true if the edge has two faces and is in no ring, and its opposite corners share no edge.
   bool can_flip_edge(FaceId f, VertexId from, VertexId to) const;
 
-  // Adds a vertex without faces.
   VertexId add_vertex(const Vec3& position);
   // Adds faces with these corners, counter-clockwise, and returns their slots. Each is its own base face with
   // the given other data. Common sides of two of them become one edge, and a side along a boundary closes it;

@@ -55,7 +55,6 @@ struct FileBytes {
   std::string_view view() const { return {data.get(), size}; }
 };
 
-// Returns the size of an open regular file.
 Result<size_t> readable_size(int file, const std::string& name) {
   struct stat info {};
   if (::fstat(file, &info) != 0) return failed(name + ": " + std::generic_category().message(errno) + ".");

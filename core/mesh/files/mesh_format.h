@@ -12,7 +12,6 @@ namespace kerf {
 
 enum class MeshFormat { kObj, kPly, kStl, kOff, kGlb, kGltf };
 
-// Names and properties of a format.
 struct MeshFormatRow {
   MeshFormat format;
   std::string_view ending;  // file name extension, without a dot

@@ -14,7 +14,7 @@ namespace {
 struct Keyword {
   size_t length = 0;       // of the keyword, including "OFF"; 0 if the word is none
   bool flat_space = true;  // three coordinates
-  // Values after the coordinates of a vertex, in this order.
+  // Values after the coordinates, in this order.
   bool normals = false, colours = false, texture = false;
 };
 

@@ -45,7 +45,6 @@ class PolygonList {
 
   // Adds a corner to the current polygon. A number that is no index of a position makes the polygon invalid.
   void add_corner(int64_t vertex);
-  // Ends the current polygon and starts the next one.
   void close(uint16_t material = 0);
 
   // Adds polygons of three corners each, with material 0.

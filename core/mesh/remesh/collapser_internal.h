@@ -165,7 +165,6 @@ class CollapseRules {
 // is left or a round finds no more.
 class Collapser {
  public:
-  // The limits of a round.
   struct Limits {
     size_t faces = 0;          // ends the round when reached
     double least_cosine2 = 0;  // of the angle by which one collapse may turn a face, squared

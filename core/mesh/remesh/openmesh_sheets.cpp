@@ -16,7 +16,6 @@ OpenMesh::Vec3d scaled(const FloatFrame& frame, const Vec3& p) {
   return {q.x, q.y, q.z};
 }
 
-// Copies flat sheets into a mesh of OpenMesh.
 class Copier {
  public:
   Copier(const Mesh& mesh, FlatSheets flat, const Progress* progress)

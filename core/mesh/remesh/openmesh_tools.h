@@ -8,7 +8,6 @@
 
 namespace kerf {
 
-// Subdivision schemes.
 enum class Subdivision {
   kLoop,  // each into four, and vertices move (C. Loop: Smooth subdivision surfaces based on triangles, 1987)
   kSqrt3,     // each into three, edges are flipped, and vertices move (L. Kobbelt: Sqrt(3) subdivision, 2000)
@@ -18,7 +17,6 @@ enum class Subdivision {
 // Names for users and files, in the order of the enumerators.
 inline constexpr std::array kSubdivisionNames{"loop", "sqrt3", "midpoint"};
 
-// The number of parts of a face.
 constexpr size_t parts_of_face(Subdivision scheme) { return scheme == Subdivision::kSqrt3 ? 3 : 4; }
 
 // Subdivides every face once, with the connectivity of OpenMesh's subdividers. Features (see Sheets) and the

@@ -14,7 +14,7 @@
 
 namespace {
 
-// What this program asked of the disk while it is recorded: "sync NAME" and "name NAME".
+// Disk operations of this program while they are recorded: "sync NAME" and "name NAME".
 std::vector<std::string>* recorded = nullptr;
 
 std::string name_of(const std::filesystem::path& path) { return path.filename().string(); }
@@ -26,7 +26,7 @@ int done(const char* what, const std::string& name, long result) {
 
 }  // namespace
 
-// They take the places of those of the C library in this program.
+// Replace those of the C library in this program.
 extern "C" int fsync(int file) {
   std::error_code error;
   const auto path = std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file), error);
@@ -51,8 +51,8 @@ std::vector<std::string> record(const Work& work) {
   return calls;
 }
 
-// A file is on the disk before it gets its name, and the name is before it is said to be saved. A loss of
-// power in between leaves the old file or the new one, each whole.
+// A file is on the disk before it gets its name, and the name is before saving is reported. A power failure
+// in between leaves the old file or the new one, each whole.
 TEST(DiskOrder, of_a_saved_file_is_bytes_then_name_then_folder) {
   const test::TemporaryFolder folder;
   const std::string name = name_of(folder.path());

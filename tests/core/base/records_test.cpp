@@ -20,7 +20,7 @@ std::vector<Record> content(const Records<Record>& records) {
   return all;
 }
 
-// Edits, additions and growth as a command makes them.
+// Edits, additions and growth as in a command.
 void change_at_random(Records<Record>& records, Random& random) {
   const size_t edits = random.below(200);
   for (size_t i = 0; i < edits; ++i) {

@@ -21,7 +21,7 @@ std::vector<Mesh::Side> open_sides(const Mesh& mesh) {
   return sides;
 }
 
-// Every live face as its corners' positions, of which the least comes first.
+// Every live face by the positions of its corners, the lowest one first.
 std::vector<Triangle> sorted_triangles(const Mesh& mesh) {
   const auto less = [](const Vec3& a, const Vec3& b) { return precedes(a, b); };
   std::vector<Triangle> all;
@@ -37,7 +37,7 @@ std::vector<Triangle> sorted_triangles(const Mesh& mesh) {
   return all;
 }
 
-// Whether the meshes are equal to the bit in all that can be asked.
+// Returns true if all queries of the meshes are equal to the bit.
 void expect_same_mesh(const Mesh& a, const Mesh& b) {
   ASSERT_EQ(a.face_slots(), b.face_slots());
   ASSERT_EQ(a.vertex_slots(), b.vertex_slots());
@@ -67,7 +67,7 @@ void expect_same_mesh(const Mesh& a, const Mesh& b) {
   }
 }
 
-// Some connected faces around a random one, or faces anywhere.
+// Some connected faces around a random one, or arbitrary faces.
 std::vector<FaceId> random_patch(const Mesh& mesh, size_t size, Random& random) {
   std::vector<FaceId> patch;
   std::set<FaceId> taken;
@@ -104,7 +104,7 @@ Mesh random_closed_mesh(Random& random) {
   }
 }
 
-// A face of the patch with its corners turned, so that any may be the first.
+// A face of the patch with its corners rotated, so that any may be the first.
 CornerIds turned(CornerIds c, Random& random) {
   std::rotate(c.begin(), c.begin() + random.below(3), c.end());
   return c;
@@ -138,7 +138,7 @@ TEST(AddFaces, closes_what_was_removed_in_any_order_and_is_undone_to_the_bit) {
 
     ASSERT_EQ(find_fault(mesh), "");
     ASSERT_TRUE(open_sides(mesh).empty());
-    ASSERT_EQ(mesh.vertex_slots(), vertices) << "a vertex gave way though the faces around it hang together";
+    ASSERT_EQ(mesh.vertex_slots(), vertices) << "a vertex was split although its faces are connected";
     expect_same(numbers, count_numbers(mesh));
     EXPECT_EQ(sorted_triangles(mesh), triangles);
     ASSERT_EQ(added.size(), removed.size());
@@ -155,7 +155,7 @@ TEST(AddFaces, closes_what_was_removed_in_any_order_and_is_undone_to_the_bit) {
   EXPECT_GT(pinched, runs(1200) / 10) << "vertices at which holes touch";
 }
 
-// Removes connected faces, or faces anywhere, and returns the corners of some of them in random order.
+// Removes connected or arbitrary faces, and returns the corners of some of them in random order.
 std::vector<CornerIds> remove_patch(Mesh& mesh, Random& random) {
   std::vector<CornerIds> removed;
   for (const FaceId f : random_patch(mesh, 2 + random.below(mesh.live_faces() / 2), random)) {
@@ -167,7 +167,7 @@ std::vector<CornerIds> remove_patch(Mesh& mesh, Random& random) {
   return removed;
 }
 
-// A part of the removed faces comes back, in parts. In between each vertex leads to live faces.
+// Part of the removed faces is added again, in parts. In between each vertex leads to live faces.
 TEST(AddFaces, in_parts_leads_to_the_same_mesh_to_the_bit_as_at_once) {
   for (uint64_t seed = 1; seed <= runs(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -209,8 +209,8 @@ TEST(AddFaces, in_parts_leads_to_the_same_mesh_to_the_bit_as_at_once) {
   }
 }
 
-// A part of the removed faces comes back, the rest stays open. Faces around a vertex that do not hang
-// together over edges have a vertex each; only what is beside the added faces may part.
+// Part of the removed faces is added again, the rest stays open. Faces around a vertex that are not connected
+// over edges have a vertex each; only vertices of the added faces may split.
 TEST(AddFaces, parts_vertices_at_which_faces_do_not_hang_together) {
   size_t parted = 0;
   for (uint64_t seed = 1; seed <= runs(1200); ++seed) {
@@ -308,7 +308,7 @@ TEST(AddFaces, gives_faces_their_data_and_nothing_else) {
   EXPECT_EQ(mesh.columns().get(tag, FaceId(10)), 11u);
 }
 
-// Sheets that three share an edge elsewhere stay linked, and take part in splits afterwards.
+// Three sheets that share an edge elsewhere stay linked, and take part in later splits.
 TEST(AddFaces, leaves_a_mesh_whose_edges_split_as_before) {
   for (uint64_t seed = 1; seed <= runs(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -10,7 +10,7 @@
 namespace kerf::test {
 namespace {
 
-// How many others each of the patches of a soup lies in.
+// The number of other patches around each patch of a soup.
 std::vector<uint32_t> enclosing(const Soup& soup, uint32_t rays) {
   const std::vector<uint32_t> first = weld_positions(soup.positions);
   std::vector<Soup::Triangle> triangles;
@@ -21,7 +21,7 @@ std::vector<uint32_t> enclosing(const Soup& soup, uint32_t rays) {
   return count_enclosing(soup.positions, triangles, *patches, asked, rays);
 }
 
-// Whether they lie in another one.
+// Whether each is inside another one.
 std::vector<bool> enclosed(const Soup& soup) {
   const std::vector<uint32_t> around = enclosing(soup, 1);
   return {around.begin(), around.end()};
@@ -59,8 +59,8 @@ TEST(EnclosedPatches, may_lie_in_each_other) {
   EXPECT_EQ(enclosing(three, 4), (std::vector<uint32_t>{0, 1, 2}));
 }
 
-// A cube that passes through the wall of another one and whose box lies in that of both: some of its vertices
-// are inside, others are not.
+// A cube that passes through the wall of another one, with a bounding box inside that of both: some of its
+// vertices are inside, others are not.
 TEST(EnclosedPatches, have_all_their_rays_inside) {
   const Soup ball = sphere(8, 12, 1), through = moved(ball, {0.6, 0.6, 0.1}, 0.35);
   EXPECT_EQ(enclosing(both(ball, through), 8), (std::vector<uint32_t>{0, 0}));

@@ -11,7 +11,7 @@
 namespace kerf::test {
 namespace {
 
-// Of triangles as they stand: building a mesh would turn them outward.
+// Of unmodified triangles: building a mesh would flip them outward.
 EnclosedVolume volume_of_soup(const Soup& soup, const Vec3& origin = Vec3(0)) {
   const std::vector<uint32_t> first = weld_positions(soup.positions);
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -50,7 +50,7 @@ TEST(EnclosedVolume, a_box_that_lacks_any_face_or_has_one_turned_is_open) {
   EXPECT_FALSE(volume_of_soup({}).closed);
 }
 
-// An inscribed mesh falls short by the square of the angle of a sector.
+// The error of an inscribed mesh is proportional to the square of the angle of a sector.
 TEST(EnclosedVolume, of_ever_finer_balls_converges_to_that_of_the_ball) {
   const double ball = 4.0 / 3 * std::numbers::pi * 0.125;
   double before = 0;
@@ -81,7 +81,8 @@ TEST(EnclosedVolume, a_cavity_counts_negative_and_one_open_part_leaves_the_whole
   EXPECT_FALSE(volume_of_soup(both(hollow, plate(1))).closed);
 }
 
-// Four faces meet in the common edge of two boxes: there each has vertices of its own at equal positions.
+// Four faces meet in the common edge of two boxes, which have vertices of their own there, at equal
+// positions.
 TEST(EnclosedVolume, sheets_with_vertices_of_their_own_at_equal_positions_are_closed) {
   const Soup boxes = both(brick({1, 1, 1}), moved(brick({1, 1, 1}), {1, 1, 0}, 1));
   const BuiltMesh built = build(boxes);

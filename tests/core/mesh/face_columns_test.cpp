@@ -11,7 +11,7 @@
 namespace kerf::test {
 namespace {
 
-// A column of each kind: heat in joules, and the number of the face as loaded and one.
+// A column of each kind: heat in joules, and the number of the loaded face plus one.
 struct Columns {
   FaceColumn<double> heat;
   FaceColumn<uint32_t> tag;
@@ -23,7 +23,7 @@ struct Columns {
   uint32_t tag_of(const Mesh& mesh, FaceId f) const { return mesh.columns().get(tag, f); }
 };
 
-// Gives each face as loaded a random heat and its tag.
+// Gives each loaded face a random heat and its tag.
 std::vector<double> fill(Mesh& mesh, const Columns& columns, Random& random) {
   std::vector<double> heat(mesh.face_slots());
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
@@ -43,8 +43,8 @@ void draw(World& world, Random& random, Scheme scheme, Rim rim) {
   while (!is_settled(world)) go_on_separating(world, 1000);
 }
 
-// Faces as loaded of which no part was removed have their heat yet, others have no more than that; copies are
-// equal, and removed faces have nothing.
+// Loaded faces without removed parts still have their heat, others at most that; copies are equal, and
+// removed faces have none.
 void expect_heat_of_base_faces(const Mesh& mesh, const Columns& columns, const std::vector<double>& heat) {
   std::vector<double> left(heat.size());
   std::vector<bool> lost(heat.size());

@@ -8,7 +8,7 @@
 namespace kerf::test {
 namespace {
 
-// What the mesh itself says of the same faces, one by one.
+// The results of the mesh itself for the same faces, one by one.
 void expect_as_one_by_one(const Mesh& mesh, FaceWalk& walk, const std::vector<ReachedFace>& batch) {
   walk.visit(batch);
   std::vector<FaceId> neighbours;

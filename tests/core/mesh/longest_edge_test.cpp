@@ -21,7 +21,7 @@ std::vector<double> base_angles(const Mesh& mesh) {
   return angles;
 }
 
-// Rivara's bound; the arithmetic of coordinates and of an angle near zero is allowed for.
+// Rivara's bound, with a margin for the rounding of coordinates and of angles near zero.
 void expect_angles_above_half_of_their_base(const Mesh& mesh, const std::vector<double>& base) {
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!mesh.is_live(FaceId(f))) continue;
@@ -106,8 +106,7 @@ TEST(LongestEdge, splits_each_face_at_its_longest_edge) {
   }
 }
 
-// All edges of the grid's squares are equally long, so only the order of ties keeps paths from going in
-// circles.
+// All edges of the grid's squares have equal lengths, so only the order of ties prevents cycles.
 TEST(LongestEdge, ends_where_all_edges_are_equal) {
   Soup soup;
   const double h = std::sqrt(3.0) / 2;

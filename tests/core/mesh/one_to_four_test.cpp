@@ -50,8 +50,8 @@ TEST(OneToFour, splitting_leaves_real_meshes_as_they_were) {
   }
 }
 
-// Four red children of equal area a level and nothing below a green face: so the area of a face follows from
-// its halvings, and a green half has half of its element's.
+// A level has four red children of equal area, and no face descends from a green one: so the halvings of a
+// face determine its area, and a green half has half of its element's.
 TEST(OneToFour, restores_the_parent_of_a_green_pair_before_it_is_split_again) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

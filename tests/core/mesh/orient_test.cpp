@@ -17,7 +17,7 @@ Soup turned(Soup soup) {
   return soup;
 }
 
-// The signed volume of the faces first .. last - 1, relative to a corner of theirs.
+// The signed volume of the faces first .. last - 1, relative to one of their corners.
 double volume(const Mesh& mesh, uint32_t first, uint32_t last) {
   const Vec3 apex = mesh.triangle(FaceId(first))[0];
   double sum = 0;
@@ -33,7 +33,7 @@ double volume(const Soup& soup) {
   return volume(mesh, 0, mesh.face_slots());
 }
 
-// A prism over an L: its bounding box contains more than the prism.
+// A prism over an L; its bounding box contains more than the prism.
 Soup angle() {
   const std::vector<Vec2> outline = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}};
   Soup soup = plate(1);
@@ -86,7 +86,7 @@ Soup random_closed(Random& random) {
   return random.below(2) == 0 ? sphere(rings, sectors, 0.4) : torus(rings, sectors, 0.3, 0.1);
 }
 
-// Closed parts side by side, some with a smaller one inside; which of them face inward is random.
+// Closed parts next to each other, some with a smaller one inside; a random subset faces inward.
 struct Scene {
   Soup soup;
   struct Part {
@@ -122,7 +122,7 @@ Scene random_scene(Random& random) {
 
 using Corners = std::array<double, 9>;
 
-// The faces of a mesh, each from its least corner on, sorted.
+// The faces of a mesh, each from its lowest corner on, sorted.
 std::vector<Corners> oriented_faces(const Mesh& mesh) {
   std::vector<Corners> faces;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {

@@ -14,7 +14,7 @@ Vec3 random_point(Random& random) {
   return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
 }
 
-// The least distance from so many points of a triangle.
+// The minimum distance from a grid of samples of a triangle.
 double sampled_distance(const Vec3& p, const Triangle& t) {
   double least = 1e9;
   constexpr int kSamples = 60;

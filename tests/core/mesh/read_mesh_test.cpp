@@ -120,7 +120,7 @@ TEST(ReadMesh, reads_on_many_threads_at_once) {
   EXPECT_EQ(wrong, std::vector<int>(4, 0));
 }
 
-// The meshes from outside that tests may use, or nothing.
+// External meshes that tests may use, or none.
 std::optional<std::filesystem::path> outside_meshes(const char* folder) {
   const char* const root = std::getenv("KERF_TEST_MESHES");
   if (!root || !std::filesystem::is_directory(std::filesystem::path(root) / folder)) return std::nullopt;
@@ -159,7 +159,7 @@ TEST(ReadMesh, counts_what_an_independent_reader_counts_in_real_files) {
 TEST(ReadMesh, keeps_the_area_of_concave_polygons_in_real_files) {
   const auto root = outside_meshes("real");
   if (!root) GTEST_SKIP() << "KERF_TEST_MESHES names no folder with real meshes";
-  // Newell areas of the polygons, summed by another program.
+  // Newell areas of the polygons, computed by another program.
   for (const auto& [name, area] : {std::pair("path/L.off", 3.0),
                                    {"path/concave_polygon.obj", 0.2454966872},
                                    {"cad/wallhole.obj", 721.4213562373097},
@@ -180,7 +180,7 @@ TEST(ReadMesh, tells_what_is_wrong_with_malformed_files) {
     } else {
       EXPECT_TRUE(test::is_one_line_about(soup.error(), path.string())) << soup.error().message;
     }
-    // What the list of the folder calls valid reads.
+    // Files with VALID in their names must load.
     const bool valid = path.filename().string().find("VALID") != std::string::npos;
     EXPECT_TRUE(soup.ok() || !valid) << path;
   }

@@ -29,8 +29,8 @@ TEST(SinglePrecision, loses_nothing_that_matters_near_the_origin) {
   }
 }
 
-// Floats at 5.4e6 are half a metre apart: of five columns of vertices a tenth apart, those that lie in one
-// half metre fall together.
+// Floats at 5.4e6 are half a metre apart: of five columns of vertices a tenth apart, those within the same
+// half metre coincide.
 TEST(SinglePrecision, merges_vertices_of_an_stl_far_from_the_origin) {
   const Plate sheet{test::moved(test::grid(4, 0.4), {5.4e6, 0, 0}, 1)};
   const PrecisionLoss loss = sheet.loss(MeshFormat::kStl);

@@ -34,7 +34,7 @@ TEST(SurfaceDistance, is_measured_both_ways) {
   EXPECT_DOUBLE_EQ(distance(large, small), 3);
 }
 
-// Against all triangles for each corner, with which spheres of few faces meet a sphere of many.
+// Compared with a search of all triangles for each corner, for spheres of few and of many faces.
 TEST(SurfaceDistance, is_that_of_a_search_of_all_triangles) {
   const std::vector<Triangle> coarse = triangles_of(build(sphere(6, 8, 1)).mesh);
   const std::vector<Triangle> fine = triangles_of(build(sphere(20, 30, 1)).mesh);

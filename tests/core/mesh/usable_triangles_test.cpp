@@ -11,7 +11,7 @@ UsableTriangles usable(const Soup& soup) {
   return std::move(*usable_triangles(soup, weld_positions(soup.positions), nullptr));
 }
 
-// A square of which one corner is there twice, and a point that is no number.
+// A square with one corner repeated, and a point that is not a number.
 Soup square() {
   Soup soup;
   soup.positions = {

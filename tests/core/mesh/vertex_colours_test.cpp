@@ -70,8 +70,8 @@ void draw(Document& document, const RandomStroke& stroke, const CutSettings& set
   ASSERT_TRUE(run_all(document).ok());
 }
 
-// A colour that is linear in the position stays so wherever edges are split, which is an oracle for every
-// split: only rounding adds up. A vertex that moves onto a smooth rim takes its colour along.
+// A colour that is linear in the position stays so wherever edges are split, which checks every split up to
+// accumulated rounding. A vertex that moves onto a smooth rim keeps its colour.
 TEST(VertexColours, are_interpolated_in_every_cut_and_come_back_with_undo) {
   uint64_t seed = 0;
   for (const NamedSoup& made : mesh_classes()) {
@@ -123,7 +123,7 @@ TEST(VertexColours, of_a_simplified_mesh_are_those_of_the_surface) {
   EXPECT_TRUE(colours_of(*made, build(sphere(4, 6, 1)).mesh).empty());
 }
 
-// One of the colours that eight bits can hold.
+// A random colour of eight bits.
 VertexColour any_colour(Random& random) {
   VertexColour colour;
   for (uint16_t& part : colour.part) part = static_cast<uint16_t>(257 * random.below(256));
@@ -149,9 +149,9 @@ TEST(VertexColours, are_read_back_as_they_were_written) {
       const Result<Soup> read = read_mesh(path);
       ASSERT_TRUE(read) << read.error().message;
       EXPECT_EQ(read->warnings.empty(),
-                format != MeshFormat::kOff);  // whose colours may be bytes or fractions
+                format != MeshFormat::kOff);  // colours may be bytes or fractions
       ASSERT_EQ(read->colours.size(), soup.colours.size());
-      // glTF holds linear light to 16 bits, so that dark colours lose some.
+      // glTF stores linear light in 16 bits, so that dark colours lose precision.
       const int most = format == MeshFormat::kGlb || format == MeshFormat::kGltf ? 8 : 0;
       for (size_t i = 0; i < soup.colours.size(); ++i) {
         for (size_t k = 0; k < 4; ++k)

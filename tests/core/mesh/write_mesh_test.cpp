@@ -29,7 +29,7 @@ struct RandomMesh {
   MeshView view() const { return {positions, triangles, materials, names}; }
 };
 
-// Any finite double there is: bits at random.
+// An arbitrary finite double: random bits.
 double any_double(Random& random) {
   for (;;) {
     const double x = std::bit_cast<double>(random.bits());
@@ -154,7 +154,7 @@ TEST(WriteFileAtomically, says_in_one_sentence_that_a_device_is_full) {
   EXPECT_EQ(status.error().message, "cannot write /dev/full: No space left on device.");
 }
 
-// A limit on the size of files stands for a full disk: the write fails half-way.
+// A limit on the size of files simulates a full disk: the write fails half-way.
 TEST(WriteFileAtomically, leaves_what_was_there_when_the_disk_is_full) {
   const test::TemporaryFolder folder;
   test::write_text(folder / "a", "old");

@@ -14,7 +14,7 @@ constexpr uint16_t byte(int value) { return static_cast<uint16_t>(257 * value); 
 const std::string kBytes = "Vertex colours were read as numbers from 0 to 255, because some exceed 1.";
 const std::string kFractions = "Vertex colours were read as numbers from 0 to 1; greater ones count as 1.";
 
-// The soup of a triangle whose vertices have the given words behind their coordinates.
+// The soup of a triangle whose vertices have these words after their coordinates.
 using Words = std::array<std::string, 3>;
 Soup obj(const Words& words) {
   const Result<Soup> soup = read_obj(

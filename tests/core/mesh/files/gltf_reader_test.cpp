@@ -72,7 +72,7 @@ TEST(Gltf, nodes_place_their_meshes) {
   EXPECT_EQ(soup.triangles.size(), 6u);
   EXPECT_NEAR(area(soup), 1 + 9 + 9, 1e-12);
   EXPECT_EQ(soup.positions[0].z, 2);
-  // The third square is turned by a quarter about its corner at (15, 0).
+  // The third square is rotated by a quarter turn about its corner at (15, 0).
   EXPECT_NEAR(glm::length(soup.positions[9] - Vec3(15, 3, 0)), 0, 1e-12);
   ASSERT_EQ(soup.parts.size(), 3u);
   EXPECT_EQ(soup.parts[2].name, "c");
@@ -111,7 +111,7 @@ TEST(Gltf, materials_have_names_and_points_are_passed_over) {
   const Soup soup = soup_of(file);
   EXPECT_EQ(soup.material_names, (std::vector<std::string>{"material 1", "red"}));
   EXPECT_EQ(soup.materials, (std::vector<uint16_t>{0, 0, 1, 1}));
-  EXPECT_EQ(soup.positions.size(), 4u);  // which the primitives share
+  EXPECT_EQ(soup.positions.size(), 4u);  // shared by the primitives
   EXPECT_EQ(soup.warnings.size(), 1u);
 }
 
@@ -138,7 +138,7 @@ TEST(Gltf, buffers_lie_beside_the_file_or_below) {
         is_one_line_about(Error{ErrorCode::kBadInput, refusal_of(square(uri), folder.path())}, "a.gltf: "))
         << uri;
   }
-  refusal_of(square("in%20a/x.bin"));  // without a folder nothing is read
+  refusal_of(square("in%20a/x.bin"));  // without a folder no file is read
 }
 
 TEST(Gltf, what_is_not_read_is_named) {

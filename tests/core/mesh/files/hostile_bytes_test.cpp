@@ -1,4 +1,4 @@
-// Damaged files of every format end with a mesh or with one line that says what is wrong.
+// Damaged files of every format give a mesh or a one-line error.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using test::Sample;
 
 void expect_result_or_one_line(const Sample& sample, const std::string& bytes, const std::string& what) {
-  // A copy without anything behind it, so that the sanitizers see a read past the end.
+  // A copy with nothing after it, so that the sanitizers detect a read past the end.
   const std::vector<char> exact(bytes.begin(), bytes.end());
   const Result<Soup> soup =
       test::reader_of(sample.format)({exact.data(), exact.size()}, sample.name, nullptr);
@@ -69,11 +69,11 @@ TEST(HostileBytes, a_file_cut_at_any_byte_ends_well) {
 TEST(HostileBytes, a_counted_format_that_is_cut_is_never_taken_for_whole) {
   for (const Sample& sample : test::sample_files()) {
     if (sample.format == MeshFormat::kObj) continue;
-    // The last line end, and of text the digits before it, may go.
+    // The last line end, and in text the digits before it, may be missing.
     for (size_t n = 0; n + 20 < sample.bytes.size(); ++n) {
       const auto soup = test::reader_of(sample.format)(sample.bytes.substr(0, n), sample.name, nullptr);
       if (!soup) continue;
-      // An STL may end after a facet, but says so.
+      // An STL may end after a facet, with a warning.
       EXPECT_EQ(sample.format, MeshFormat::kStl) << sample.name << " cut at " << n;
       EXPECT_EQ(soup->warnings.size(), 1u) << sample.name << " cut at " << n;
     }

@@ -18,7 +18,7 @@ using Reader = Result<Soup> (*)(std::string_view, const std::string&, const Prog
 
 Reader reader_of(MeshFormat format);
 
-// A small valid file of each kind: a square of two triangles, with whatever extras the format has.
+// A small valid file of each kind: a square of two triangles, with the extras of the format.
 struct Sample {
   const char* name;
   MeshFormat format;
@@ -29,7 +29,7 @@ std::vector<Sample> sample_files();
 // Sum of the areas of the triangles whose corners are finite.
 double area(const Soup& soup);
 
-// Whether an error is one nonempty line that begins with the name of the file.
+// Returns true if an error is one nonempty line that begins with the name of the file.
 bool is_one_line_about(const Error& error, const std::string& file_name);
 
 }  // namespace kerf::test

@@ -26,7 +26,7 @@ Vec3 area_vector(const Polygon& p, uint32_t a, uint32_t b, uint32_t c) {
   return 0.5 * glm::cross(p[b] - p[a], p[c] - p[a]);
 }
 
-// Exactly n - 2 triangles, none turned over, which have the polygon's area between them.
+// Exactly n - 2 triangles, none flipped, which add up to the polygon's area.
 void expect_covered(const Polygon& polygon, const std::string& name) {
   const auto triangles = triangulate(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2) << name;
@@ -60,7 +60,7 @@ Polygon stairs(int steps) {
   return polygon;
 }
 
-// A square with square holes in a row, each joined to the one before by a seam that is walked twice.
+// A square with square holes in a row, each joined to the previous one by a seam.
 Polygon square_with_holes(int holes) {
   const double width = 4.0 * holes + 2;
   Polygon polygon{{0, 0, 0}, {width, 0, 0}, {width, 4, 0}, {0, 4, 0}};

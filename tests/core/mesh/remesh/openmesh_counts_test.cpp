@@ -1,4 +1,5 @@
-// OpenMesh as an oracle: what its circulators count in a mesh that was cut is what Kerf's own structure says.
+// OpenMesh as the reference implementation: its circulators agree with Kerf's own structure in meshes that
+// were cut.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,16 +26,16 @@ struct Counts {
   size_t glued = 0;       // edges that OpenMesh has once and Kerf twice
 };
 
-// Whether Kerf has an edge with one face between two vertices of a sheet.
+// Returns true if Kerf has an edge with one face between two vertices of a sheet.
 bool is_rim(const Mesh& mesh, VertexId from, VertexId to) {
   Mesh::Star star;
   mesh.star(from, star);
   return std::find(star.rim.begin(), star.rim.end(), to) != star.rim.end();
 }
 
-// Whether the two faces on an inner edge of OpenMesh are on two edges of Kerf. A ring that ends inside a
-// sheet is a slit in it; where the slit is one edge long, its two sides have the same ends, between which
-// OpenMesh has only one edge.
+// Returns true if the two faces on an inner edge of OpenMesh are on two edges of Kerf. A ring that ends
+// inside a sheet is a slit in it; if the slit is one edge long, its two sides have the same ends, between
+// which OpenMesh has only one edge.
 bool is_glued(const Sheets& sheets, const Mesh& mesh, OpenMeshKernel::EdgeHandle e) {
   const OpenMeshKernel& m = sheets.mesh;
   const auto h = m.halfedge_handle(e, 0);
@@ -44,7 +45,7 @@ bool is_glued(const Sheets& sheets, const Mesh& mesh, OpenMeshKernel::EdgeHandle
   return is_rim(mesh, vertex(m.from_vertex_handle(h)), vertex(m.to_vertex_handle(h)));
 }
 
-// By OpenMesh's circulators. A vertex of Kerf may have several fans, of which each is one vertex here.
+// By OpenMesh's circulators. A vertex of Kerf may have several fans, each of which is one vertex here.
 Counts circulated(const Sheets& sheets, const Mesh& mesh) {
   Counts n;
   const OpenMeshKernel& m = sheets.mesh;
@@ -77,7 +78,7 @@ Counts circulated(const Sheets& sheets, const Mesh& mesh) {
   }
   UnionFind together(m.n_faces());
   n.components = m.n_faces();
-  std::map<std::pair<Place, Place>, uint32_t> face_on;  // where sheets meet
+  std::map<std::pair<Place, Place>, uint32_t> face_on;  // at rings
   for (const auto f : m.faces()) {
     const auto own = static_cast<uint32_t>(f.idx());
     for (const auto other : m.ff_range(f))
@@ -94,7 +95,7 @@ Counts circulated(const Sheets& sheets, const Mesh& mesh) {
   return n;
 }
 
-// The same of the half-edges and rings of Kerf.
+// Likewise by the half-edges and rings of Kerf.
 class Counter {
  public:
   explicit Counter(const Mesh& mesh) : mesh_(mesh), seen_(3 * size_t{mesh.face_slots()}) {}
@@ -106,7 +107,8 @@ class Counter {
       for (uint32_t i = 0; i < 3; ++i) walk_boundary({f, i});
       for (const VertexId v : mesh_.corners(FaceId(f))) look_at(v);
     }
-    // Every face has three corners, and an edge has two ends: it is at as many corners, or one more on a rim.
+    // A face has three corners, and an edge two ends: a fan has as many edges as corners, or one more on a
+    // rim.
     const size_t edges = (corners_ + rims_ / 2) / 2;
     n_.euler = static_cast<long>(fans_) - static_cast<long>(edges) + static_cast<long>(mesh_.live_faces());
     std::vector<uint32_t> labels;
@@ -132,7 +134,7 @@ class Counter {
     rims_ += rim;
   }
 
-  // The side on the other side of the same sheet.
+  // The opposite side on the same sheet.
   std::optional<Side> beside(Side s) const {
     const auto c = mesh_.corners(FaceId(s.face));
     const VertexId from = c[s.corner], to = c[s.next().corner];
@@ -167,14 +169,14 @@ class Counter {
 void expect_same_counts(const Mesh& mesh, bool chance_allowed = false) {
   const auto sheets = to_sheets(mesh, {}, nullptr);
   ASSERT_TRUE(sheets.ok());
-  if (sheets->detached > 0) return;  // a sheet that touches itself: OpenMesh cannot hold it
+  if (sheets->detached > 0) return;  // OpenMesh cannot represent a sheet that touches itself
   const Counts a = Counter(mesh).count(), b = circulated(*sheets, mesh);
   EXPECT_TRUE(a.valences == b.valences);
   if (b.glued == 0) {  // gluing closes and divides loops
     EXPECT_EQ(a.boundary_loops, b.boundary_loops);
     EXPECT_EQ(a.euler, b.euler);
   }
-  // In real meshes an edge may come to lie on one that it has nothing to do with.
+  // In real meshes an edge may coincide with an unrelated one.
   if (chance_allowed) {
     EXPECT_GE(a.components, b.components);
   } else {
@@ -182,7 +184,7 @@ void expect_same_counts(const Mesh& mesh, bool chance_allowed = false) {
   }
 }
 
-// Three strokes, each counted after.
+// Three strokes, with counts after each.
 void cut_and_count(World world, uint64_t seed, bool chance_allowed) {
   Random random(seed);
   for (int i = 0; i < 3; ++i) {

@@ -19,7 +19,7 @@ Sheets sheets_of(const Mesh& mesh) {
   return std::move(*sheets);
 }
 
-// The corners from the least one on, which may be another one in a copy.
+// The corners from the lowest one on, which may be another one in a copy.
 Triangle from_least(Triangle t) {
   const auto least =
       std::min_element(t.begin(), t.end(), [](const Vec3& a, const Vec3& b) { return place(a) < place(b); });

@@ -57,7 +57,7 @@ TEST(Smooth, a_rough_sheet_becomes_flatter_each_time) {
   EXPECT_NEAR(before, 1, 1e-9);
 }
 
-// Half the way to the mean of the neighbours, computed from positions alone.
+// Half way to the mean of the neighbours, computed from positions alone.
 TEST(Smooth, vertices_move_half_the_way_to_the_mean_of_their_neighbours) {
   const Mesh mesh = build(torus(20, 12, 1, 0.3)).mesh;
   std::map<Place, std::set<Place>> neighbours;

@@ -62,7 +62,7 @@ TEST(Subdivide, makes_three_or_four_faces_of_one_and_leaves_the_topology) {
   }
 }
 
-// Otherwise sheets that meet would come apart.
+// Otherwise sheets that touch would separate.
 TEST(Subdivide, features_are_split_at_their_midpoints_or_not_at_all) {
   for (const auto& [name, soup] : mesh_classes()) {
     // Which edges close the strip depends on the order of its faces; inner edges of copies of a face
@@ -108,7 +108,7 @@ TEST(Subdivide, midpoints_leave_the_surface) {
 }
 
 // Loop: a corner of an octahedron has four neighbours and moves by 1 - (40 - 3^2) / 64; the middle of an edge
-// of length sqrt 2 becomes 3/8 of its ends and 1/8 of the two corners beside it.
+// of length sqrt 2 becomes 3/8 of its ends and 1/8 of the two opposite corners.
 TEST(Subdivide, vertices_move_by_the_stencils_of_the_papers) {
   const Mesh mesh = build(octahedron()).mesh;
   const double corner = 1 - (40 - 9) / 64.0, middle = 3.0 / 8;

@@ -63,7 +63,7 @@ TEST_P(Simplify, reaches_the_number_of_faces_of_a_smooth_surface) {
   }
 }
 
-// Where all errors are 0 or, by rounding, less.
+// All errors are 0 or, by rounding, less.
 TEST_P(Simplify, leaves_little_of_a_flat_sheet) {
   const Mesh mesh = build(moved(grid(20, 1), {0.1, 0.7, 0.3}, 1 / 3.0)).mesh;
   const Mesh made = mesh_of(simplified(mesh, {.faces = 1}), mesh);
@@ -97,7 +97,7 @@ TEST_P(Simplify, features_and_components_of_random_soups_stay) {
   }
 }
 
-// Two roofs that meet at the ends of their ridges alone. Without the vertices on the ridges, these would
+// Two roofs that meet only at the ends of their ridges. Without the vertices on the ridges, these would
 // coincide.
 TEST_P(Simplify, sheets_that_touch_at_corners_are_not_joined) {
   Soup roofs;
@@ -142,8 +142,8 @@ TEST_P(Simplify, faces_that_must_stay_do) {
   }
 }
 
-// Two cones on one base, and the same flat, whose rim is a boundary. What is around the vertices of many
-// faces goes before them.
+// Two cones on one base, and the same flat, whose rim is a boundary. The neighbours of vertices with many
+// faces are removed before these.
 TEST_P(Simplify, vertices_of_many_faces_do_not_hold_up_those_around_them) {
   if (GetParam() != &simplify) GTEST_SKIP() << "OpenMesh takes quadratic time there";
   const int around = 3000;
@@ -184,7 +184,7 @@ std::vector<FaceId> all_faces(const Mesh& mesh) {
   return faces;
 }
 
-// On a sheet that stays flat the parts of the area lie where they lay, but for the size of the quarters.
+// On a sheet that stays flat the parts of the area keep their places, within the size of the quarters.
 TEST_P(Simplify, says_which_triangles_lie_where_the_followed_faces_did) {
   const Mesh mesh = build(grid(24, 1)).mesh;
   const std::vector<FaceId> all = all_faces(mesh);
@@ -206,7 +206,7 @@ TEST_P(Simplify, says_which_triangles_lie_where_the_followed_faces_did) {
   }
 }
 
-// Two sheets that are nearer to each other than their faces are large.
+// Two sheets that are nearer to each other than the size of their faces.
 TEST_P(Simplify, never_hands_on_a_followed_face_to_another_sheet) {
   const Soup low = grid(24, 1);
   const Mesh mesh = build(both(low, moved(low, {0, 0.002, 0}, 1))).mesh;
@@ -256,14 +256,14 @@ TEST_P(Simplify, stays_within_the_error_both_ways) {
   }
 }
 
-// The largest distance between the surfaces, both ways.
+// The maximum distance between the surfaces, in both directions.
 double error_of(const Mesh& mesh, const Remeshed& made) {
   const Mesh other = mesh_of(made, mesh);
   Random random(7);
   return std::max(SurfaceDistance(mesh).of(other, 4, random), SurfaceDistance(other).of(mesh, 2, random));
 }
 
-// The error of simplify() over that of simplify_by_openmesh(), with so many times fewer faces.
+// The error of simplify() over that of simplify_by_openmesh(), for 1 / divisor of the faces.
 double beside_openmesh(const Mesh& mesh, size_t divisor) {
   const SimplifyTarget target{.faces = mesh.live_faces() / divisor};
   return error_of(mesh, *simplify(mesh, target, {}, nullptr)) /

@@ -12,8 +12,8 @@ namespace kerf {
 
 namespace {
 
-// A step of which this is the first command. The bodies that it creates get the number of the command in the
-// journal as their generation, which is the same when the journal is replayed.
+// Creates a step with its first command. Bodies that it creates get the number of the command in the
+// journal as their generation, which is the same in a replay of the journal.
 HistoryStep step_begun_by(const Command& first, const World& world, size_t number) {
   HistoryStep step(first);
   step.generation = static_cast<uint32_t>(number);
@@ -138,7 +138,7 @@ Result<StepResult> Document::execute(size_t most, bool one_stage, const Progress
   return some;
 }
 
-// A stroke that was stopped is undone, with all that waits behind it.
+// Undoes a stopped stroke and everything queued behind it.
 void Document::give_up(size_t step, bool stopped) {
   if (execution_.in_stroke() && stopped) end_stroke();
   ++revision_;
@@ -181,8 +181,8 @@ Outcome Document::run_whole(std::span<const Command> commands, const Progress* p
   return all;
 }
 
-// The undone steps are executed again when they are redone: their images belong to a world that no other step
-// has changed meanwhile.
+// Undone steps are executed again on redo: their images belong to a world that no other step has changed
+// since.
 Status Document::take_back_to(size_t position, size_t journal_size,
                               std::vector<std::unique_ptr<HistoryStep>> undone) {
   for (const auto& step : undone) step->forget();
@@ -198,8 +198,8 @@ using Kind = HistoryStep::Kind;
 
 namespace {
 
-// Whether bodies move in these commands of a step, so that pieces become bodies and take slots of the world.
-// Slots are not used again, and ids name them: they must not depend on how far a step was executed.
+// Returns true if bodies move in these commands of a step, so that pieces become bodies and take slots of
+// the world. Slots are never reused, and ids name them: they must not depend on the progress of a step.
 bool bodies_move_in(const std::vector<Command>& commands) {
   return std::any_of(commands.begin(), commands.end(), [](const Command& command) {
     const auto* advance = std::get_if<AdvanceTime>(&command);
@@ -215,7 +215,7 @@ bool Document::can_recut() const {
          history().holds_images(history().base_of(*stroke), history().position());
 }
 
-// Where the beam has come further than to there, as in a replay, the stroke is cut again up to there.
+// If the beam has already passed the place, as in a replay, the stroke is recut up to it.
 Outcome Document::stop(const StopStroke& command, const Progress* progress) {
   end_stroke();
   Outcome outcome;
@@ -286,8 +286,8 @@ Delta Document::go_back_to(const Mark& mark) {
   return execution_.go_back_to(mark.reached);
 }
 
-// The queue is executed first if it is only a little time: a step that is done when it is undone can be
-// done again by its images.
+// Executes a queue of only a few ticks first: a step that is done when it is undone can be redone by its
+// images.
 Outcome Document::undo(const Progress* progress) {
   end_stroke();
   Outcome passed = execution_.only_a_few_ticks_wait() ? finish(nullptr) : Outcome();
@@ -295,7 +295,7 @@ Outcome Document::undo(const Progress* progress) {
   if (steps.position() == 0) return Outcome();
   const size_t at = steps.position() - 1;
   HistoryStep& step = steps.step(at);
-  // The step before was taken back for good where it was cut again.
+  // A recut may have undone the step before it without keeping its images.
   const bool again = at > 0 && steps.step(at - 1).waiting() && !execution_.waits_for(at - 1);
   if (step.images() == Images::kLetGo || (again && !execution_.can_run_again(at - 1)))
     return replay(at, progress);
@@ -348,11 +348,11 @@ Outcome Document::travel(size_t position, const Progress* progress) {
   return all;
 }
 
-// Starts again from the origin. Where that cannot be had, nothing has changed.
+// Replays from the origin. If the origin is not available, nothing changes.
 Outcome Document::replay(size_t position, const Progress* progress) {
   Outcome outcome;
   if (!origin_) {
-    outcome.fail(failed("what the world was then is no longer remembered"));
+    outcome.fail(failed("the earlier state of the world is no longer stored"));
     return outcome;
   }
   const Progress loading = share_of(progress, 0, 0.3), running = share_of(progress, 0.3, 1);
@@ -372,8 +372,8 @@ Outcome Document::replay(size_t position, const Progress* progress) {
   return outcome;
 }
 
-// A stroke that is cut again right away need not be cut first, unless bodies move under it. Then it is cut,
-// and its before-images are kept until it has been cut again.
+// Skips a stroke that is recut immediately, unless bodies move under it. Then the stroke is cut, and its
+// before-images are kept until the recut is done.
 Status Document::replay_steps(size_t position, const Progress* progress) {
   History& steps = execution_.history();
   const size_t window = steps.window();

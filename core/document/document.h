@@ -16,8 +16,8 @@
 
 namespace kerf {
 
-// The result of a command: what changed in the world, and the error if the command failed. The delta may be
-// non-empty also on failure, because the queue of the document is executed before the command.
+// The result of a command: the changes to the world, and the error if the command failed. The delta may be
+// non-empty on failure, because the queue of the document is executed before the command.
 class Outcome {
  public:
   Outcome() = default;
@@ -34,7 +34,7 @@ class Outcome {
   }
   void fail(Error error) { error_ = std::move(error); }
 
-  // Makes this the outcome of this command and the next one together. Precondition: ok().
+  // Merges the outcome of the next command into this one. Precondition: ok().
   void append(Outcome later) {
     KERF_ASSERT(ok());
     delta.append(std::move(later.delta));
@@ -45,23 +45,22 @@ class Outcome {
   std::optional<Error> error_;
 };
 
-// A world and the commands that led to it.
+// A world and the commands that produced it.
 //
-// The commands of a stroke, and AdvanceTime, only append moves of the beam and ticks of time to a queue, of
-// which step() executes a bounded part (see Execution). All other commands are executed at once, after
-// everything in the queue.
+// The commands of a stroke, and AdvanceTime, append beam moves and ticks to a queue, of which step()
+// executes a bounded part (see Execution). All other commands execute immediately, after the whole queue.
 //
-// Time passes only by AdvanceTime commands. In the history, time belongs to the stroke before it: it is
-// undone with the stroke, and passes again when the stroke is cut again. After an edit it is a step of its
-// own unless it says that it joins the edit (see AdvanceTime), and so are time with nothing before it and
-// what Play begins.
+// Time advances only by AdvanceTime commands. In the history, time belongs to the stroke before it: it is
+// undone with the stroke and advances again when the stroke is recut. After an edit, after Play, or at the
+// start of the history it is a step of its own, unless the command states that it joins the edit (see
+// AdvanceTime).
 //
-// Undo and redo exchange before-images of what each step of the history changed. They are exact to the bit,
-// and their cost is proportional to the change. If the before-images of a step were discarded to save memory,
-// the document is replayed from its origin.
+// Undo and redo exchange the before-images that each history step recorded. They are exact to the bit and
+// cost time proportional to the change. If the before-images of a step were discarded to save memory, the
+// document is replayed from its origin.
 class Document {
  public:
-  // Creates the world that the document started with again.
+  // Recreates the initial world of the document.
   using Origin = std::function<Result<World>(const Progress*)>;
 
   Document() = default;
@@ -69,113 +68,112 @@ class Document {
       : execution_(std::move(world)), origin_(std::move(origin)) {}
 
   const World& world() const { return execution_.world(); }
-  // The queue of commands that wait, and how far it has been executed.
+  // The queued commands and the progress of their execution.
   const Execution& execution() const { return execution_; }
   // The steps that can be undone and redone.
   const History& history() const { return execution_.history(); }
-  // The limit for their before-images (see History::set_window).
+  // Sets the memory limit of their before-images (see History::set_window).
   void set_window(size_t bytes) { execution_.history().set_window(bytes); }
 
-  // The number of face slots, i.e. of faces that live or were removed, that the memory of this machine is
-  // enough for (see usual_face_budget); by itself there is no limit. A stroke that makes more fails like one
-  // that `progress` stopped: it is undone, in the journal too, so that the limit does not decide what a
-  // replay leads to.
+  // Limits the number of face slots, i.e. of live and removed faces, to what the memory of this machine
+  // holds (see usual_face_budget); unlimited by default. A stroke that exceeds the limit fails as if
+  // `progress` had stopped it: it is undone, in the journal too, so that the result of a replay does not
+  // depend on the limit.
   void set_face_budget(size_t slots) { execution_.set_face_budget(slots); }
 
   // Applies the command and appends it to the journal. Every command except those of a stroke, AdvanceTime,
-  // DragBody and ReleaseBody ends a running stroke. A move without a running stroke, and a command that has
-  // no effect, are ignored and not written to the journal.
+  // DragBody and ReleaseBody ends a running stroke. A move without a running stroke, and a command without
+  // effect, are ignored and not written to the journal.
   //
-  // A command that is executed at once first executes the whole queue. The outcome lists all changes of both.
-  // If the command fails, it has changed nothing itself, but the queue has been executed, and the outcome
-  // lists these changes.
+  // A command that executes immediately first executes the whole queue; the outcome lists the changes of
+  // both. On failure the command itself has changed nothing, but the queue has been executed.
   Outcome apply(const Command& command, const Progress* progress = nullptr);
-  // Applies the commands of strokes and AdvanceTime commands and executes them to the end, all or nothing. On
-  // failure, also if `progress` stopped it, the world, the journal and the history with its undone steps are
-  // as before. The queue is executed first, which `progress` does not stop. The outcome lists all changes.
+  // Applies stroke and AdvanceTime commands and executes them completely, all or nothing. On failure, also
+  // if `progress` stops it, the world, the journal and the history including its undone steps are restored.
+  // The queue is executed first, which `progress` does not stop. The outcome lists all changes.
   Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);
 
   // The length of the queue (see Execution::waiting).
   size_t waiting() const { return execution_.waiting(); }
 
-  // Executes a bounded part of the queue, which is one of these:
-  // - up to `most` moves of one stroke, limited to CutSettings::bite faces, so that the last move may be left
-  //   unfinished for the next step;
-  // - a part of the end of a stroke with a smooth rim, limited in the same way;
-  // - a part of the search for separated pieces, which must be finished before the next stroke or tick;
-  // - up to `most` ticks, or one tick in which bodies move;
-  // - a change of the spring.
+  // Executes a bounded part of the queue, one of:
+  // - up to `most` moves of one stroke, limited to CutSettings::bite faces, so that the last move may be
+  //   left unfinished for the next step
+  // - a part of the end of a stroke with a smooth rim, limited in the same way
+  // - a part of the search for separated pieces, which must finish before the next stroke or tick
+  // - up to `most` ticks, or one tick in which bodies move
+  // - a change of the spring
   // Calling it while waiting() > 0 executes the whole queue.
   //
-  // On failure the stroke is taken back, and so is the one that it cuts again; whatever follows the world
-  // must read all of it again. If `progress` stopped the step, the stroke is also undone in the journal,
+  // On failure the stroke is undone, and so is the stroke that it recuts; observers of the world must
+  // reload it completely. If `progress` stopped the step, the stroke is also undone in the journal,
   // together with the queue behind it. If no before-images are recorded (see set_window), the stroke ends
   // where it was stopped instead.
   Result<StepResult> step(size_t most, const Progress* progress = nullptr) {
     return execute(most, false, progress);
   }
 
-  // Executes a part like step(), but only the next stage of a move through one body (see cut_stage), a part
-  // of the end of a stroke or of the search, or one tick. The result of the stroke is the same.
+  // Like step(), but executes only the next stage of a move through one body (see cut_stage), a part of the
+  // end of a stroke or of the search, or one tick. The result of the stroke is the same.
   Result<StepResult> step_stage(const Progress* progress = nullptr) { return execute(1, true, progress); }
 
-  // Takes the last step of the history, a stroke or a recut, back, and appends its work to the queue again,
-  // as if it had just been applied; a stroke may still be running. The history and the journal stay as they
-  // are, and executing the queue again leads to the same world, to the bit. Returns what changed.
-  // Precondition: can_start_again(), i.e. there is such a step and its before-images are kept.
+  // Undoes the last history step, a stroke or a recut, and queues its work again as if it had just been
+  // applied; a stroke may still be running. The history and the journal are unchanged, and executing the
+  // queue leads to the same world, to the bit. Returns the changes. Precondition: can_start_again(), i.e.
+  // there is such a step and its before-images are kept.
   bool can_start_again() const;
   Delta start_again();
 
-  // A place in the execution of the last step of the history.
+  // A save point in the execution of the last history step.
   struct Mark {
     size_t revision = 0, position = 0;
     Execution::Mark reached;
   };
-  // The place that the execution has reached. Nothing if no part of the step has been executed, if a stroke
-  // is being drawn, or if before-images are not recorded. Splits the before-images of the step in two, so
-  // that its undo takes more memory.
+  // Returns a save point of the current state; nullopt if no part of the step has been executed, a stroke
+  // is being drawn, or before-images are not recorded. Splits the before-images of the step in two, so that
+  // its undo needs more memory.
   std::optional<Mark> mark();
-  // Goes back to a place. The history and the journal stay as they are, and executing the queue again leads
-  // to the same world, to the bit. Returns what changed. Precondition: can_go_back_to(mark), i.e. since then
-  // the queue has only been executed. Costs as much as undoing what was executed since then.
+  // Restores a save point. The history and the journal are unchanged, and executing the queue again leads
+  // to the same world, to the bit. Returns the changes. Precondition: can_go_back_to(mark), i.e. since then
+  // the queue has only been executed. Costs as much as undoing that execution.
   bool can_go_back_to(const Mark& mark) const;
   Delta go_back_to(const Mark& mark);
 
-  // Whether the last step of the history before the position is a stroke that Recut can cut again.
+  // Returns true if the last history step before the position is a stroke that Recut can cut again.
   bool can_recut() const;
 
-  // A copy of the world as it was before the last stroke that was not undone. Nothing if its before-images
-  // were discarded, or if the world has more faces than can be copied between two frames.
+  // Returns a copy of the world before the last stroke that was not undone; nullopt if its before-images
+  // were discarded or the world has more faces than can be copied between two frames.
   static constexpr size_t kMaxFacesToCopy = 400'000;
   std::optional<World> before_last_stroke();
 
-  // A number that increases whenever a stroke is begun, stopped, cut again, undone or redone.
+  // A counter that increases when a stroke is begun, stopped, recut, undone or redone.
   size_t revision() const { return revision_; }
 
-  // Puts bodies, as far as they exist, where a journal says that they came, and lets them move on as they did
-  // there. It belongs to the last step of the history and is no command. Precondition: nothing waits, and
-  // there is such a step.
+  // Sets existing bodies to the states that a journal recorded, so that they continue as they did there.
+  // Belongs to the last history step and is not a command. Preconditions: the queue is empty, and there is
+  // such a step.
   StepResult take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
     return execution_.take_states(states, pairs);
   }
-  // Puts bodies like take_states() where ticks and changes of the spring wait, which pass without bodies
-  // being moved. Preconditions: nothing else waits, no beam is on, and the last step executed was a tick of
-  // the same step of the history.
+  // Like take_states(), but skips the queued ticks and spring changes without simulating bodies.
+  // Preconditions: nothing else is queued, no beam is on, and the last executed step was a tick of the same
+  // history step.
   StepResult skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs) {
     return execution_.skip_to(states, pairs);
   }
 
-  // Whether the before-images that lead to a position are kept. Otherwise travel() has to replay.
+  // Returns true if the before-images that lead to a position are kept. Otherwise travel() replays.
   bool remembers_way_to(size_t position) const;
   // Goes to a position of the history by undo and redo. The outcome lists all changes, also on failure.
   Outcome travel(size_t position, const Progress* progress = nullptr);
 
   // All commands that were applied, including Undo and Redo.
   const std::vector<Command>& journal() const { return journal_.commands(); }
-  // The number of commands that do not change any more. The last one may be an AdvanceTime of less than a
-  // second, to which further time is added.
+  // The number of commands that no longer change. The last one may be an AdvanceTime of less than a second,
+  // which further time extends.
   size_t final_commands() const { return journal_.final_size(); }
-  // Makes all of them final, so that they can be written to a file.
+  // Makes all commands final, so that they can be written to a file.
   void seal_journal() { journal_.seal(); }
 
  private:
@@ -209,21 +207,21 @@ class Document {
 
 // How the queue of a document is executed.
 struct QueueRun {
-  size_t moves_a_step = 64;  // the limit that Document::step is given
-  size_t leave = 0;          // execution ends when the queue is not longer than this
-  // Called after each step with its result, also if the step failed. Execution ends with the error that it
-  // returns, if any. Without this function, execution ends with the first step that fails.
+  size_t moves_a_step = 64;  // passed to Document::step
+  size_t leave = 0;          // execution ends when the queue is this short
+  // Called after each step with its result, also on failure. Execution ends with the error that it returns,
+  // if any. Without this function, execution ends at the first step that fails.
   std::function<Status(const Result<StepResult>&)> told;
   const Progress* progress = nullptr;  // may stop execution before and within each step
 };
 
 // Executes the queue of a document step by step. Fails with the error of `told`, or with cancelled() if
-// `progress` stopped it; a stroke that was stopped within a step is undone by the document.
+// `progress` stops it; the document undoes a stroke that is stopped within a step.
 Status run_queue(Document& document, const QueueRun& how);
 
-// Stops what the beam is at: the stroke that is being executed ends where it is, and those that wait behind
-// it are undone, so that they can be redone. Also undoes a stroke of which nothing was executed. Does nothing
-// if no moves wait.
+// Stops the beam: the stroke being executed ends at its current place, and the strokes queued behind it are
+// undone, so that they can be redone. Also undoes a stroke of which nothing was executed. No-op if no moves
+// are queued.
 Outcome stop_strokes(Document& document);
 
 }  // namespace kerf

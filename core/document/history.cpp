@@ -13,7 +13,6 @@ namespace kerf {
 
 namespace {
 
-// See history_step_kind().
 struct BegunStep {
   using Kind = HistoryStep::Kind;
   std::optional<Kind> last;
@@ -22,7 +21,7 @@ struct BegunStep {
   std::optional<Kind> operator()(const Recut&) const { return Kind::kRecut; }
   std::optional<Kind> operator()(const Play&) const { return Kind::kTime; }
   std::optional<Kind> operator()(const ImmediateCommand auto&) const { return Kind::kEdit; }
-  // Bodies move in steps that are begun for it, or in those of strokes (see Document).
+  // Bodies move in steps begun by Play, or in those of strokes (see Document).
   std::optional<Kind> operator()(const AdvanceTime& c) const { return time(c.joins && !c.bodies); }
   std::optional<Kind> operator()(const TimedCommand auto&) const { return time(false); }
   std::optional<Kind> operator()(const MoveBeam&) const { return std::nullopt; }
@@ -62,7 +61,7 @@ std::vector<FaceId>::const_iterator at(const std::vector<FaceId>& faces, size_t 
   return faces.begin() + static_cast<std::ptrdiff_t>(i);
 }
 
-// Of the stroke or recut that begins with this command.
+// The beam radius of the stroke or recut that begins with this command.
 std::optional<double> beam_radius(const Command& first) {
   if (const auto* stroke = std::get_if<BeginStroke>(&first)) return stroke->settings.laser.radius;
   if (const auto* recut = std::get_if<Recut>(&first)) return recut->settings.laser.radius;
@@ -123,8 +122,7 @@ void HistoryStep::touch(const Delta& delta) {
   }
 }
 
-// Notes that are kept by the ids of bodies are carried over to the ids that the bodies have after this part
-// of the step.
+// Moves records keyed by body id to the ids that the bodies have after this part of the step.
 void HistoryStep::follow_bodies(const Delta& delta) {
   const auto follow = [&](auto& by_body) {
     std::remove_reference_t<decltype(by_body)> after;
@@ -161,8 +159,8 @@ void HistoryStep::drop_cut_faces() {
 
 PieceId HistoryStep::piece_after_step(PieceId before) const { return piece_after(bodies_, before); }
 
-// The latest removals are looked at first, because the last of those that separate a piece is beside it. What
-// was beside it then may have been removed later, with the label of the new piece.
+// Visits the latest removals first, because the last removal that separates a piece is next to it. Faces
+// next to it at that time may have been removed later, with the label of the new piece.
 void HistoryStep::record_new_pieces(const World& world, const Delta& delta) {
   constexpr size_t kMaxLookedAt = 20'000;
   if (const std::optional<double> radius = beam_radius(commands_.front()))
@@ -260,7 +258,7 @@ std::optional<size_t> HistoryStep::slots_before() const {
   return changes_.front().slots_before();
 }
 
-// Tells what the step touched; faces are told apart by what the world has become.
+// Lists the changes of the step; faces are classified by the present state of the world.
 Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const {
   Delta all = back ? bodies_taken_back(bodies_) : bodies_;
   all.removed_faces = 0;
@@ -270,7 +268,7 @@ Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const
   all.left_open.clear();
   for (const auto& [after, touched] : touched_) {
     const BodyId id = back ? id_before(bodies_, after) : after;
-    // A body that came in the step is looked at as a whole, or has gone.
+    // A body created in the step is listed as a whole, or no longer exists.
     if (lists(bodies_.came, after) || !world.contains(id)) continue;
     const Mesh& mesh = world.body(id).mesh;
     BodyDelta body;

@@ -14,7 +14,7 @@ BeamMove in_body(const Placement& placement, const BeamMove& move) {
   return {placement.to_body(move.from), placement.to_body(move.to), move.seconds};
 }
 
-// The distance of a point from the half-line of a beam.
+// Distance of a point from the half-line of a beam [m].
 double distance(const Pose& beam, const Vec3& p) {
   const Vec3 way = p - beam.origin;
   const double along = std::max(0.0, glm::dot(way, beam.direction));
@@ -58,7 +58,7 @@ std::vector<BeamMove> Stroke::move_body(BodyId id, const Body& body, const Place
     for (const BeamMove& move : path) at->second.push_back(in_body(from, move));
   }
   const BeamMove whole{from.to_body(still), body.placement.to_body(still), 0};
-  // The body lies in a sphere around the middle of what was loaded.
+  // The loaded bounds of the body lie in a sphere around their middle.
   const Vec3 middle = body.middle();
   const double size = 0.5 * glm::length(body.loaded.max - body.loaded.min);
   const double reach = glm::distance(whole.from.origin, middle) + size;
@@ -72,8 +72,8 @@ std::vector<BeamMove> Stroke::move_body(BodyId id, const Body& body, const Place
 
 namespace {
 
-// How far along the beam there is anything to cut (m): to the farthest corner of what was loaded, where it
-// stands now. What is left of it depends on how far the moves before were executed.
+// The length of the beam up to the farthest corner of the loaded bounds at their current placement [m]. It
+// ignores removed faces, which depend on the progress of the moves before.
 double reach(const World& world, const Stroke& stroke, const Pose& pose) {
   const World::Bounds bounds = world.loaded_bounds();
   const Vec3 far = glm::max(glm::abs(bounds.min - pose.origin), glm::abs(bounds.max - pose.origin));
@@ -84,7 +84,7 @@ std::vector<BeamMove> subdivide_in(const World& world, const Stroke& stroke, con
   return subdivide(move, stroke.settings.laser.radius, reach(world, stroke, move.from));
 }
 
-// The first of the equal parts of a straight move.
+// Joins the first `parts` of `of` equal parts of a straight move.
 BeamMove first_parts(const BeamMove& move, const Pose& to, size_t parts, size_t of) {
   return {move.from, to, move.seconds * static_cast<double>(parts) / static_cast<double>(of)};
 }
@@ -206,7 +206,7 @@ std::vector<BeamMove> BeamQueue::begin_moves(const World& world, size_t most) {
   return moves;
 }
 
-// Appends a move to the path of its stroke, and its parts to those that are ready.
+// Appends a move to the path of its stroke, and its parts to ready_.
 void BeamQueue::begin_move(const Entry& entry, std::span<const BeamMove> parts) {
   const size_t kept = parts_of(entry.share, parts.size());
   std::vector<BeamMove>& path = entry.stroke->path;
@@ -236,7 +236,7 @@ bool BeamQueue::holds_moves(size_t step) const {
                      [&](const Entry& e) { return e.step == step && e.kind == Kind::kMove; });
 }
 
-// Drops the parts of begun moves that lie beyond the place, and shortens the one that reaches across it.
+// Drops the parts of begun moves beyond the place, and shortens the one that contains it.
 void BeamQueue::stop_begun(const StopStroke& at, const World& world) {
   size_t kept = 0;
   while (kept < ready_.size() && ready_[kept].begin() < at.moves) ++kept;
@@ -256,7 +256,7 @@ void BeamQueue::stop_begun(const StopStroke& at, const World& world) {
   ready_.erase(ready_.begin() + static_cast<std::ptrdiff_t>(kept), ready_.end());
 }
 
-// Keeps what is before the end of the stroke of a move. Returns whether the move goes beyond it.
+// Keeps the part of a move before the end of its stroke. Returns true if the move extends beyond it.
 bool BeamQueue::stop_move(Entry& move, double moves, std::deque<Entry>& kept) {
   const double left = moves - static_cast<double>(move.number);
   size_ -= move.count;

@@ -12,8 +12,8 @@ namespace kerf {
 
 namespace {
 
-// Loading a mesh and writing its pieces takes 260 bytes a face, and a stroke 130 bytes for each face that it
-// makes; before-images and what is drawn take as much again.
+// Loading a mesh and writing its pieces takes 260 bytes per face, and a stroke 130 bytes per face that it
+// makes; before-images and rendering take as much again.
 constexpr uint64_t kBytesAFace = 400;
 constexpr size_t kMinBudget = 100'000;
 
@@ -25,9 +25,8 @@ size_t usual_face_budget(uint64_t memory) {
 
 Error over_face_budget(size_t budget) {
   return failed(
-      "the cut makes more than " + grouped(budget) +
-      " faces, for which the memory of this machine is not enough: choose a coarser resolution or a "
-      "shorter stroke");
+      "the cut would make more than " + grouped(budget) +
+      " faces, more than the memory of this machine holds: use a coarser resolution or a shorter stroke");
 }
 
 using Images = HistoryStep::Images;
@@ -68,7 +67,7 @@ void Execution::enqueue(size_t step, const Command& command) {
                  [&](const Recut&) { KERF_ASSERT(!"queued by the commands of its stroke"); },
                  [&](const Undo&) { KERF_ASSERT(!"never part of a step"); },
                  [&](const Redo&) { KERF_ASSERT(!"never part of a step"); },
-                 [&](const ImmediateCommand auto&) { KERF_ASSERT(!"happens at once"); },
+                 [&](const ImmediateCommand auto&) { KERF_ASSERT(!"immediate"); },
              },
              command);
 }
@@ -101,7 +100,7 @@ bool Execution::only_a_few_ticks_wait() const {
   return only_cools() || (!queue_.holds_beam() && queue_.size() <= kFewTicks && !must_separate());
 }
 
-// Commands that happen at once ------------------------------------------------------------------------------
+// Immediate commands ---------------------------------------------------------------------------------------
 
 Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progress) {
   close_and_trim();
@@ -111,7 +110,7 @@ Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progr
       std::visit(Overloaded{
                      [&](ImmediateCommand auto& c) { return c.run(world_, step.generation, progress); },
                      [&](const auto&) -> Result<Delta> {
-                       KERF_ASSERT(!"this command does not happen at once");
+                       KERF_ASSERT(!"not an immediate command");
                        return Delta{};
                      },
                  },
@@ -160,9 +159,9 @@ Delta Execution::cut_again() {
   return delta;
 }
 
-// As a part of a recut, the world becomes that before the stroke that it cuts again.
+// Restores the world before the stroke that a recut cuts again, as a part of the recut.
 Delta Execution::restore_what_is_cut_again(size_t recut) {
-  // Where the world shows nothing of the stroke, an earlier one may wait, half-way through a move.
+  // If nothing of the stroke was executed, an earlier one may be queued, half-way through a move.
   const size_t base = history_.base_of(recut);
   if (history_.any_begun(base, recut)) begin(recut);
   const size_t slots = history_.slots_before(base, recut);
@@ -172,7 +171,7 @@ Delta Execution::restore_what_is_cut_again(size_t recut) {
     history_.step(recut).touch(back);
     delta.append(back);
   }
-  // Details of contacts are forgotten as they are where the stroke itself begins.
+  // Discards details of contacts, as the begin of the stroke itself does.
   if (recorder_.step() == recut) forget_details(world_);
   return delta;
 }

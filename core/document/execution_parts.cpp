@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// The piece that the spring holds may have become a body of its own.
+// Updates the spring if the piece that it holds became a body of its own.
 void follow_with_spring(World& world, const Delta& delta) {
   if (!world.spring()) return;
   Spring spring = *world.spring();
@@ -66,9 +66,9 @@ Result<StepResult> Execution::step(size_t most, bool one_stage, const Progress& 
   return noted(step, run_moves(most, one_stage, progress));
 }
 
-// The pieces that one stroke has separated are known before the next stroke, or a tick, begins. While a
-// stroke runs whose moves so far are all executed, the search waits for what comes next: which part keeps its
-// label depends on when a search ends, and when the queue is empty depends on how fast it is executed.
+// The pieces that a stroke separates are known before the next stroke or tick begins. While a stroke runs
+// whose moves so far are all executed, the search waits for the next command: which part keeps its label
+// depends on when a search ends, and when the queue is empty depends on the speed of execution.
 bool Execution::must_separate() const {
   if (is_settled(world_)) return false;
   if (queue_.empty()) return !in_stroke();
@@ -86,7 +86,7 @@ StepResult Execution::separate_more() {
 }
 
 Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progress& progress) {
-  constexpr size_t kMaxAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
+  constexpr size_t kMaxAtOnce = 64;  // entries of a queue that may be long: a bite covers a few of them
   if (is_over_budget()) return over_face_budget(face_budget_);
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
@@ -120,14 +120,15 @@ Result<StepResult> Execution::pass_ticks(size_t most, const Progress& progress) 
   return StepResult{};
 }
 
-// The first ticks of the queue pass.
+// Passes the first ticks of the queue.
 void Execution::pass(Ticks ticks) {
   world_.pass(ticks);
   cool_for_ticks(world_, ticks);
   queue_.pop(ticks);
 }
 
-// One tick. What came off since the last one, and what turns on joints, becomes bodies first.
+// Executes one tick. Pieces that came off since the last one, and those that turn on joints, become bodies
+// first.
 Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress) {
   StepResult all;
   if (world_.clock() % kTicksToForget == 0) forget_details(world_);
@@ -145,8 +146,8 @@ Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress)
   return all;
 }
 
-// Bodies move on, and the beam, where it is on, cuts what moves through it. By the thermal model it only does
-// while its own moves are executed: the energy of a tick is theirs.
+// Moves bodies for a tick, and cuts what moves through the beam if it is on. In the thermal model the beam
+// cuts only during its own moves: the energy of a tick belongs to them.
 Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progress) {
   const std::shared_ptr<Stroke> stroke = queue_.front_in_time().stroke;
   std::map<BodyId, Placement> before;
@@ -181,18 +182,18 @@ StepResult Execution::change_spring() {
   return {};
 }
 
-// Where a step is over, its recording still stays open, for the ticks to come are its own.
+// Keeps the recording of a finished step open, because the ticks to come belong to it.
 void Execution::keep_open(size_t step) {
   if (is_over(step)) history_.step(step).finish();
 }
 
-// Changes of the world from here on belong to this step.
+// Assigns the following changes of the world to this step.
 void Execution::begin(size_t step) {
   if (recorder_.step() == step) return;
   close_and_trim();
   history_.forget_behind(step);
   HistoryStep& begun = history_.step(step);
-  // A step begins alike whatever way the world has come to where it begins.
+  // A step begins with the same state however the world reached its begin.
   const bool anew = begun.waiting();
   if (anew) {
     for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
@@ -222,7 +223,7 @@ void Execution::note(size_t step, const StepResult& some) {
   history_.step(step).add(some.statistics);
 }
 
-// Bodies that touched a changed body are woken.
+// Also wakes bodies that touched a changed body.
 void Execution::record_cut(size_t step, const StepResult& some) {
   forget_contacts(world_, some.delta);
   physics_.follow(some.delta);
@@ -236,7 +237,7 @@ Result<StepResult> Execution::noted(size_t step, Result<StepResult> some) {
   return some;
 }
 
-// Queues what a command does in time before everything else.
+// Queues the work of a timed command before everything else.
 void Execution::enqueue_in_front(size_t step, const Command& command) {
   std::visit(Overloaded{
                  [&](const AdvanceTime& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
@@ -249,7 +250,7 @@ void Execution::enqueue_in_front(size_t step, const Command& command) {
              command);
 }
 
-// Whether nothing of a step of the history waits, nor can be added by a stroke that is running.
+// Returns true if no work of a history step is queued or can be added by a running stroke.
 bool Execution::is_over(size_t step) const {
   const bool running = in_stroke() && is_last(step);
   return !running && !queue_.holds(step) && is_settled(world_);
@@ -261,9 +262,9 @@ void Execution::finish(size_t step) {
   if (recorder_.step() == step) close_and_trim();
 }
 
-// A stroke that cannot be cut to its end stays in the history, for whoever replays it comes to the same, and
-// so does what is drawn of it afterwards: it may be cut again. If it is one that is cut again itself, nothing
-// is cut, as the earlier settings do not count any more.
+// A stroke that cannot be cut to its end stays in the history, because a replay fails in the same way, and
+// so do the moves drawn after the failure: the stroke may be recut. If the failed step is a recut, nothing
+// is cut, because the earlier settings no longer apply.
 bool Execution::give_up(size_t step, bool stopped) {
   KERF_ASSERT(!queue_.unfinished_rim().is_uninterruptible());
   if (in_stroke() && is_last(step)) drawn_->given_up = true;

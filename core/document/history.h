@@ -139,7 +139,7 @@ class HistoryStep {
   // Undoes the step by an edit of the world that is recorded like any other; the step is unchanged. Undo
   // several steps from the latest to the earliest; `slots` is that of the earliest (see World::restore).
   Delta restore(World& world, size_t slots) const;
-  // The slots of bodies that the world had before the step; none where the step holds no images.
+  // The number of body slots of the world before the step; nullopt if the step holds no images.
   std::optional<size_t> slots_before() const;
 
  private:

@@ -17,7 +17,7 @@
 
 namespace kerf {
 
-// The C library flushes on a thread of its own, so that the request must not move.
+// The C library flushes on its own thread, so the request must not move.
 struct LockedFile::Handle {
   int descriptor = -1;
   off_t size = 0;
@@ -40,8 +40,8 @@ Error file_error(const std::filesystem::path& path, const char* what, int code) 
   return failed(path.string() + ": " + what + ": " + std::generic_category().message(code));
 }
 
-// Creates a file under a temporary name and locks it. Returns the error number, or 0. A temporary file that a
-// crashed program left behind is not touched.
+// Creates a file under a temporary name and locks it. Returns the error number, or 0. Does not touch
+// temporary files of crashed programs.
 int open_new(const std::filesystem::path& path, std::filesystem::path& nameless, int& descriptor) {
   for (int attempt = 0;; ++attempt) {
     nameless = path.parent_path() / ("." + path.filename().string() + "." + std::to_string(attempt) + ".new");
@@ -76,12 +76,12 @@ LockedFile& LockedFile::operator=(LockedFile&& other) noexcept {
 LockedFile::~LockedFile() { delete handle_; }
 
 Result<LockedFile> LockedFile::create(const std::filesystem::path& path, std::string_view bytes) {
-  // The file gets its name when it is locked and complete, so that no other program takes it for an abandoned
+  // The file gets its name when it is locked and complete, so that no program mistakes it for an abandoned
   // one.
   std::filesystem::path nameless;
   int descriptor = -1;
   int code = open_new(path, nameless, descriptor);
-  if (descriptor < 0) return file_error(path, "cannot be made", code);
+  if (descriptor < 0) return file_error(path, "cannot be created", code);
   LockedFile file(path, new Handle{descriptor});
   if (code == 0) code = write_all(descriptor, bytes);
   if (code == 0) code = flush_file(descriptor);
@@ -102,7 +102,7 @@ Result<LockedFile> LockedFile::open(const std::filesystem::path& path) {
   LockedFile file(path, new Handle{descriptor});
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return file_error(path, "cannot be locked", errno);
   struct stat there {};
-  if (::fstat(descriptor, &there) != 0) return file_error(path, "cannot be looked at", errno);
+  if (::fstat(descriptor, &there) != 0) return file_error(path, "cannot be inspected", errno);
   if (there.st_nlink == 0)
     return file_error(path, "cannot be opened", ENOENT);  // removed by the program that had locked it
   file.handle_->size = there.st_size;
@@ -202,7 +202,7 @@ Result<LockedFile> Autosave::create(std::string_view text) const {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error)
-    return failed(folder_.string() + ": the folder for unsaved work cannot be made: " + error.message());
+    return failed(folder_.string() + ": cannot create the folder for unsaved work: " + error.message());
   const std::string stem = "unsaved-" + std::to_string(::getpid()) + "-";
   size_t number = 1;
   while (fs::exists(folder_ / (stem + std::to_string(number) + kEnding), error)) ++number;

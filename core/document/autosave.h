@@ -11,13 +11,12 @@
 
 namespace kerf {
 
-// A file that is locked by one program. No other program can lock it while this object exists; the system
-// releases the lock when the program ends in any way. Other programs can still read, rename and remove the
-// file.
+// A file locked by one program. No other program can lock it while this object exists; the system releases
+// the lock when the program ends in any way. Other programs can still read, rename and remove the file.
 class LockedFile {
  public:
-  // Creates a file, which appears under its name atomically, locked and with these bytes, and is on the disk
-  // then. Fails if it exists.
+  // Creates a file with these bytes, which appears under its name atomically, locked and flushed to the
+  // disk. Fails if it exists.
   static Result<LockedFile> create(const std::filesystem::path& path, std::string_view bytes);
   // Opens and locks an existing file. Fails if another program has locked it.
   static Result<LockedFile> open(const std::filesystem::path& path);
@@ -28,14 +27,13 @@ class LockedFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // Appends all of the bytes to the file, or none of them on failure. They survive the end of the program,
-  // but a loss of power only after flush().
+  // Appends all bytes or, on failure, none. They survive the end of the program, but a loss of power only
+  // after flush().
   Status append(std::string_view bytes);
-  // Starts to write what was appended to the disk without waiting. Returns true while that is in progress or
-  // was just started, and has to be called again then.
+  // Starts to flush appended bytes to the disk without waiting. Returns true while that is in progress or
+  // was just started; call it again then.
   bool flush();
 
-  // Removes the file from its folder.
   void remove();
 
  private:
@@ -45,8 +43,8 @@ class LockedFile {
   Handle* handle_ = nullptr;
 };
 
-// Keeps the unsaved work of one editor in a journal file that survives if the editor crashes. Each editor
-// holds a lock on its own file and does not touch those of others.
+// Keeps the unsaved work of one editor in a journal file that survives a crash. Each editor locks its own
+// file and does not touch those of others.
 class Autosave {
  public:
   explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -58,18 +56,18 @@ class Autosave {
              std::vector<std::filesystem::path> opened = {});
 
   // Appends the final commands (see Document::final_commands) and marks since the last call; the first call
-  // writes all of them to a new file. So time that passes is less than a second behind. On failure everything
-  // written before is kept, and the next call tries again. The cost is proportional to what is new. The data
-  // reach the disk asynchronously, for which follow or flush has to be called again within about a second.
+  // writes all of them to a new file. AdvanceTime commands lag by less than a second. On failure,
+  // everything written before is kept, and the next call tries again. The cost is proportional to the new
+  // commands. Data reach the disk asynchronously: call follow or flush again within about a second.
   // Precondition: `document` and `marks` continue those of the last call.
   Status follow(const Document& document, std::span<const StateMark> marks);
-  // Continues flushing to the disk. Returns whether anything is left to flush.
+  // Continues flushing to the disk. Returns true if anything is left to flush.
   bool flush() { return file_ && file_->flush(); }
 
   // Removes the file, because the work was saved or discarded. The next call of follow creates a new one.
   void drop();
 
-  // Whether a file with unsaved work exists.
+  // Returns true if a file with unsaved work exists.
   bool keeps() const { return file_.has_value() || replaced_.has_value(); }
 
  private:
@@ -83,7 +81,7 @@ class Autosave {
   size_t commands_ = 0, marks_ = 0;  // numbers written to the file
 };
 
-// Unsaved work that a crashed editor left behind. No other editor finds it while this object holds the lock.
+// Unsaved work of a crashed editor. No other editor finds it while this object holds the lock.
 struct LeftWork {
   LockedFile file;
   Journal journal;
@@ -91,8 +89,8 @@ struct LeftWork {
   std::filesystem::file_time_type last_change;
 };
 
-// Finds the work that crashed editors left in the folder, the latest first. Files of running editors are
-// locked and are skipped. A file that cannot be read is left unchanged and adds a sentence to `faults`.
+// Finds the work of crashed editors in the folder, the latest first. Skips the locked files of running
+// editors. A file that cannot be read is left unchanged and adds a sentence to `faults`.
 std::vector<LeftWork> find_left_work(const std::filesystem::path& folder, std::vector<std::string>& faults);
 
 }  // namespace kerf

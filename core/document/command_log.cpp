@@ -44,7 +44,7 @@ size_t CommandLog::final_size() const {
 
 namespace {
 
-// The steps of a history (see HistoryStep), each with the numbers of its commands.
+// The steps of a history (see HistoryStep), each with the indices of its commands.
 class Timeline {
  public:
   void take(size_t number, const Command& command) {

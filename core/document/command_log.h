@@ -7,14 +7,14 @@
 
 namespace kerf {
 
-// Appends an AdvanceTime to commands of one step of the history. It is merged with the AdvanceTime commands
-// at the end of the list, from number `first` on, so that each but the last of them is a whole line of a
-// journal (AdvanceTime::kMaxInALine).
+// Appends an AdvanceTime to the commands of one history step. It is merged with the AdvanceTime commands at
+// the end of the list, from index `first` on, so that each but the last of them fills a line of a journal
+// (AdvanceTime::kMaxInALine).
 void append_ticks(std::vector<Command>& commands, const AdvanceTime& advance, size_t first = 0);
 
-// The commands that were applied to a document, in their order, as its journal holds them. Consecutive
-// Advance commands of one kind belong to one step of the history and are merged, a second at most to each, so
-// that whoever writes the journal down while time passes is never more than a second behind.
+// The commands applied to a document, in order, as its journal stores them. Consecutive AdvanceTime
+// commands of one kind in one history step are merged, up to a second each, so that a journal written while
+// time passes is never more than a second behind.
 class CommandLog {
  public:
   const std::vector<Command>& commands() const { return commands_; }
@@ -24,9 +24,9 @@ class CommandLog {
   // Removes all but the first `size` commands. Precondition: size <= size().
   void shrink(size_t size);
 
-  // How many of the commands are final: all, or all but the last, which is time that may grow.
+  // The number of final commands: all, or all but the last if that is time that may grow.
   size_t final_size() const;
-  // Makes all of them final: time that passes from here on is a command of its own.
+  // Makes all commands final: later time becomes a command of its own.
   void seal() { sealed_ = commands_.size(); }
 
  private:
@@ -34,11 +34,10 @@ class CommandLog {
   size_t sealed_ = 0;
 };
 
-// Which commands of a journal have an effect that lasts to its end: those of the steps of the history that
-// are neither undone nor, being a stroke, replaced by a recut. Undo and redo themselves do not count, and of
-// a step that was undone and done again the commands that did it first do. Returns one flag per command.
-// Exact for the commands of a Document's journal, each of which did something; others, as a changed file may
-// hold them, are taken to have done something, too. Linear time.
+// Marks the commands of a journal whose effect lasts to its end: those of history steps that are neither
+// undone nor, being a stroke, replaced by a recut. Undo and Redo are not marked; of a step that was redone,
+// the original commands are. Returns one flag per command. Exact for the journal of a Document, in which
+// each command had an effect; all commands of an edited file are assumed to have had one. Linear time.
 std::vector<bool> lasting_commands(std::span<const Command> journal);
 
 }  // namespace kerf

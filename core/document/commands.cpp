@@ -41,7 +41,7 @@ std::string fineness(const Resolution& r, FileUnit unit) {
 
 }  // namespace
 
-// The settings of a stroke with everything that the result of its cut depends on.
+// The settings of a stroke: everything on which the result of its cut depends.
 static void describe(Fields& f, CutSettings& s) {
   f.number("radius", s.laser.radius, kPositive);
   f.interval("range", s.laser.range);

@@ -22,13 +22,13 @@ namespace kerf {
 
 class Fields;
 
-// Where the beam of a stroke is, and when.
+// Pose and time of the beam of a stroke.
 struct BeamAt {
   Pose pose;
   double time = 0;  // s since the stroke began
 };
 
-// Begins a stroke: the beam is on from here, at this pose (world coordinates), at time 0 of the stroke.
+// Begins a stroke: switches the beam on at this pose (world coordinates), at time 0 of the stroke.
 struct BeginStroke {
   CutSettings settings;
   Pose pose;
@@ -38,9 +38,9 @@ struct BeginStroke {
 };
 void describe(Fields& f, BeginStroke& c);
 
-// Moves the beam of the running stroke on, with the beam on all the way.
+// Moves the beam of the running stroke with the beam on all the way.
 struct MoveBeam {
-  Pose pose;        // world coordinates; the direction is not opposite to the one before
+  Pose pose;        // world coordinates; not opposite to the previous direction
   double time = 0;  // s since the stroke began, not before the pose before; all 0 where times are not known
 
   static constexpr const char* kName = "move-beam";
@@ -48,26 +48,26 @@ struct MoveBeam {
 };
 void describe(Fields& f, MoveBeam& c);
 
-// Ends the running stroke: the beam is off. A stroke with a smooth rim is smoothed here.
+// Ends the running stroke: switches the beam off and smooths a smooth rim.
 struct EndStroke {
   static constexpr const char* kName = "end-stroke";
   std::string words() const { return "End the stroke"; }
 };
 
-// Ends the last stroke earlier than it was drawn: the beam goes off at a place of its path. It is for strokes
-// that take long to cut, and belongs to the step of the stroke.
+// Ends the last stroke at a place of its path, before the end of its moves, for strokes that take long to
+// cut. Belongs to the step of the stroke.
 struct StopStroke {
-  // The moves of the beam that are cut, of which the first one only switches it on: 12.5 are twelve moves and
-  // the first half of the next one, rounded to the parts into which it is subdivided.
+  // The number of moves that are cut, of which the first only switches the beam on: 12.5 are twelve moves
+  // and the first half of the next one, rounded to the parts of its subdivision.
   double moves = 0;
-  Ticks ticks = 0;  // after those, for which the beam stays on while bodies move
+  Ticks ticks = 0;  // after those moves, for which the beam stays on while bodies move
 
   static constexpr const char* kName = "stop-stroke";
   std::string words() const { return "Stop the stroke"; }
 };
 void describe(Fields& f, StopStroke& c);
 
-// Takes the last stroke back and cuts it again with other settings.
+// Undoes the last stroke and cuts it again with other settings.
 struct Recut {
   CutSettings settings;
 
@@ -78,43 +78,44 @@ void describe(Fields& f, Recut& c);
 
 class Fields;
 
-// Lets time pass: so many ticks (see core/base/tick.h). It does not end a running stroke; it takes effect
-// when the moves before it are executed. All that changes in a world by itself changes here.
+// Advances time by a number of ticks (see core/base/tick.h), in which all changes of the world happen that
+// no other command makes. Does not end a running stroke; takes effect when the moves before it have been
+// executed.
 struct AdvanceTime {
   Ticks ticks = 0;
-  bool bodies = false;  // bodies move (see core/physics), which Play begins
-  // Belongs to the step of the history before it whatever that is, and is undone with it. Time that does not
-  // is a step of its own after an edit (see Document).
+  bool bodies = false;  // bodies move (see core/physics); begun by Play
+  // Belongs to the previous history step, whatever that is, and is undone with it. Otherwise it is a step
+  // of its own after an edit (see Document).
   bool joins = false;
 
   static constexpr const char* kName = "advance-time";
-  // The largest number in one line of a journal: each second of a run is a line of its own.
+  // Maximum in one line of a journal: each second of a run is a line of its own.
   static constexpr Ticks kMaxInALine = kTicksPerSecond;
 
   std::string words() const { return bodies ? "Time with moving bodies" : "Time"; }
 };
 void describe(Fields& f, AdvanceTime& c);
 
-// Holds a piece by a spring, or moves the far end of the spring that holds it (see Spring). It takes effect
-// between the ticks before and after it; bodies only follow a spring while they move.
+// Attaches a spring to a piece, or moves the far end of its spring (see Spring). Takes effect between the
+// ticks before and after it; bodies follow a spring only while they move.
 struct DragBody {
   PieceId piece;
-  Vec3 at{0};  // m, the point that is held, in the frame of the body
-  Vec3 to{0};  // m, in the world, where the spring pulls it
+  Vec3 at{0};  // the attached point, in the frame of the body [m]
+  Vec3 to{0};  // the far end of the spring, in the world [m]
 
   static constexpr const char* kName = "drag-body";
   std::string words(const std::string& piece_name) const;
 };
 void describe(Fields& f, DragBody& c);
 
-// Takes the spring away.
+// Removes the spring.
 struct ReleaseBody {
   static constexpr const char* kName = "release-body";
   std::string words() const { return "Let go"; }
 };
 
-// Begins a step of the history in which bodies move: the AdvanceTime commands that follow, up to the next
-// stroke or edit, belong to it and are undone with it.
+// Begins a history step in which bodies move: the AdvanceTime commands that follow, up to the next stroke
+// or edit, belong to it and are undone with it.
 struct Play {
   static constexpr const char* kName = "play";
   std::string words() const { return "Play"; }
@@ -122,10 +123,10 @@ struct Play {
 
 class Fields;
 
-// Commands that change a piece as a whole. But for DuplicatePiece, the piece becomes a body of its own first,
-// where it is not one already (see edit_piece). run() does the command (see ImmediateCommand).
+// Commands that change a piece as a whole. Except for DuplicatePiece, they first make the piece a body of
+// its own if it is none (see edit_piece). run() executes the command (see ImmediateCommand).
 
-// Puts a piece at a placement.
+// Sets the placement of a piece.
 struct MovePiece {
   PieceId piece;
   Placement to;
@@ -136,7 +137,7 @@ struct MovePiece {
 };
 void describe(Fields& f, MovePiece& c);
 
-// Adds a copy of a piece as a body of its own, at a placement. The piece itself is not changed.
+// Adds a copy of a piece as a body of its own at a placement.
 struct DuplicatePiece {
   PieceId piece;
   Placement to;
@@ -147,7 +148,7 @@ struct DuplicatePiece {
 };
 void describe(Fields& f, DuplicatePiece& c);
 
-// Hides a piece, or shows it again.
+// Hides or shows a piece.
 struct HidePiece {
   PieceId piece;
   bool hidden = true;
@@ -168,7 +169,7 @@ struct DeletePiece {
 };
 void describe(Fields& f, DeletePiece& c);
 
-// Gives a piece a name. Once it is a body of its own, pieces that come off it are named after it.
+// Renames a piece. Pieces that later come off it are named after it.
 struct RenamePiece {
   PieceId piece;
   std::string name;
@@ -180,7 +181,7 @@ struct RenamePiece {
 };
 void describe(Fields& f, RenamePiece& c);
 
-// Pins a piece where it is, so that nothing moves it while bodies move, or lets it move again.
+// Pins a piece, so that nothing moves it while bodies move, or unpins it.
 struct PinPiece {
   PieceId piece;
   bool pinned = true;
@@ -191,8 +192,8 @@ struct PinPiece {
 };
 void describe(Fields& f, PinPiece& c);
 
-// Says what the sheet of a piece is: its thickness, its density and the constants of its material. Its faces
-// keep their energy.
+// Sets the sheet of a piece: its thickness, its density and the constants of its material. Its faces keep
+// their energy.
 struct SetSheetProperties {
   PieceId piece;
   Sheet sheet;
@@ -203,8 +204,8 @@ struct SetSheetProperties {
 };
 void describe(Fields& f, SetSheetProperties& c);
 
-// Says whether the faces of a piece enclose a volume, which strokes with a smooth rim close again by walls
-// and which then has the mass of a solid, or are a sheet.
+// Makes a piece a solid or a sheet. The faces of a solid enclose a volume: strokes with a smooth rim close
+// it again by walls, and its mass is that of the volume.
 struct SetSolid {
   PieceId piece;
   bool solid = true;
@@ -217,10 +218,10 @@ void describe(Fields& f, SetSolid& c);
 
 class Fields;
 
-// Commands that give a piece another mesh. It becomes a body of its own (see remake_piece). run() does the
-// command (see ImmediateCommand).
+// Commands that replace the mesh of a piece and make it a body of its own (see remake_piece). run()
+// executes the command (see ImmediateCommand).
 
-// Simplifies a piece to a number of faces or to an error in metres (see simplify).
+// Simplifies a piece to a number of faces or to an error [m] (see simplify).
 struct SimplifyPiece {
   PieceId piece;
   SimplifyTarget target;
@@ -253,7 +254,7 @@ struct SmoothPiece {
 };
 void describe(Fields& f, SmoothPiece& c);
 
-// Turns the closed parts of a piece that lie in others and overlap with them (see turn_shells).
+// Reverses the closed parts of a piece that lie in others and overlap with them (see turn_shells).
 struct TurnShells {
   PieceId piece;
 
@@ -289,47 +290,47 @@ struct SetEnvironment {
 };
 void describe(Fields& f, SetEnvironment& c);
 
-// Takes the last step of the history back; a stroke with all its moves is one step.
+// Undoes the last history step; a stroke with all its moves is one step.
 struct Undo {
   static constexpr const char* kName = "undo";
   std::string words() const { return "Undo"; }
 };
 
-// Does the step of the history again that was taken back last.
+// Redoes the history step that was undone last.
 struct Redo {
   static constexpr const char* kName = "redo";
   std::string words() const { return "Redo"; }
 };
 
-// All changes of the world are commands. A stroke consists of a beginning, poses in world coordinates and an
-// end; it contains no pixels, so that a journal of commands gives the same world wherever it is replayed.
+// All changes of the world are commands. A stroke consists of a beginning, poses in world coordinates and
+// an end; it contains no pixels, so that a journal of commands produces the same world in every replay.
 //
-// Each kind of command is a struct in core/document/commands. It has, beside its data:
+// Each kind of command is a struct with, in addition to its data:
 //   kName      its name in a journal
-//   words()    a description for the user, or words(unit) where it names lengths: "Stroke, radius 4 mm",
-//              or words(piece_name) where it names a piece
-//   weight()   the memory that it owns besides its own size, in bytes; only where it owns some
-// and, where it has data, describe() beside it, the table of its keys in a journal (see Fields). Kinds are
-// always distinguished by std::visit, so that a case that is missing anywhere does not compile.
+//   words()    a description for the user: "Stroke, radius 4 mm"; words(unit) if it contains lengths,
+//              words(piece_name) if it names a piece
+//   weight()   the memory that it owns in addition to its own size [bytes]; only if it owns some
+// and, if it has data, describe(), the table of its keys in a journal (see Fields). Kinds are always
+// distinguished by std::visit, so that a missing case does not compile.
 using Command = std::variant<BeginStroke, MoveBeam, EndStroke, StopStroke, Recut, AdvanceTime, DragBody,
                              ReleaseBody, Play, AddMesh, MovePiece, DuplicatePiece, HidePiece, DeletePiece,
                              RenamePiece, PinPiece, SetSheetProperties, SetSolid, SimplifyPiece,
                              SubdividePiece, SmoothPiece, TurnShells, SetEnvironment, Undo, Redo>;
 
-// A command that is executed at once, after the queue: run(world, generation, progress). It returns what
-// changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).
-// On failure the world is unchanged.
+// A command that executes immediately, after the queue. run(world, generation, progress) returns the
+// changes, which are empty if the command has no effect. Bodies that it creates get `generation` (see
+// BodyId). On failure the world is unchanged.
 template <typename C>
 concept ImmediateCommand = requires(const C& command, World& world) {
   { command.run(world, uint32_t{}, nullptr) } -> std::same_as<Result<Delta>>;
 };
 
-// A command that lets time pass or acts while it passes. It is queued behind the moves before it.
+// A command that advances time or acts while time passes. It is queued behind the moves before it.
 template <typename C>
 concept TimedCommand =
     std::same_as<C, AdvanceTime> || std::same_as<C, DragBody> || std::same_as<C, ReleaseBody>;
 
-// Function objects for std::visit, one for each kind of command or for some of them.
+// Function objects for std::visit, one per kind of command or group of kinds.
 template <typename... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
@@ -337,7 +338,7 @@ struct Overloaded : Cases... {
 template <typename... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-// The piece that a command names; nothing where it names none.
+// The piece that a command names; nullopt if it names none.
 inline std::optional<PieceId> piece_of(const Command& command) {
   const auto named = [](const auto& c) -> std::optional<PieceId> {
     if constexpr (requires { c.piece; }) return c.piece;
@@ -346,8 +347,8 @@ inline std::optional<PieceId> piece_of(const Command& command) {
   return std::visit(named, command);
 }
 
-// A description of the command for the user, for example "Stroke, radius 4 mm". `unit` is the one in which
-// the work is shown. The piece that it names is called `piece_name`, or where that is empty by its number.
+// Returns a description of the command for the user, e.g. "Stroke, radius 4 mm". `unit` is the display
+// unit. The piece is named `piece_name`, or by its number if that is empty.
 inline std::string words(const Command& command, FileUnit unit, const std::string& piece_name = "") {
   const auto told = [&](const auto& c) {
     if constexpr (requires { c.words(unit); }) {
@@ -361,7 +362,7 @@ inline std::string words(const Command& command, FileUnit unit, const std::strin
   return std::visit(told, command);
 }
 
-// The memory that a command occupies, in bytes.
+// The memory of a command [bytes].
 inline size_t weight(const Command& command) {
   const auto owned = [](const auto& c) -> size_t {
     if constexpr (requires { c.weight(); }) return c.weight();

@@ -41,7 +41,7 @@ std::set<PieceId> specks(const Document& document) {
 
 namespace {
 
-// Null: no part of the file but one that is all of it has the face.
+// Returns null if only a part that is the whole mesh has the face.
 const MeshPart* outermost_part(const Body& loaded, FaceId face) {
   const size_t all = loaded.loaded.faces;
   const MeshPart* best = nullptr;
@@ -79,7 +79,7 @@ void count_cut_names(const World& world, const BodyDelta& delta, std::map<std::s
 
 namespace {
 
-// The name at the position of the history of a piece that had the name `piece` after a step.
+// Maps the id of a piece after a step to its id at the position of the history.
 PieceId at_position(const History& history, size_t step, PieceId piece) {
   for (size_t i = step + 1; i < history.position(); ++i) piece = history.step(i).piece_after_step(piece);
   return piece;

@@ -28,7 +28,7 @@ struct Extremes {
 };
 
 void add_faces(const Mesh& mesh, Extremes& extremes) {
-  constexpr size_t kSlots = 1 << 14;  // a range
+  constexpr size_t kSlots = 1 << 14;  // per range
   std::vector<Extremes> parts(range_count(mesh.face_slots(), kSlots));
   for_each_range(mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
     Extremes part;

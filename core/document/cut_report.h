@@ -12,16 +12,16 @@
 
 namespace kerf {
 
-// The totals and times of a job, for report.json.
+// Totals and times of a job, for report.json.
 struct CutJob {
   // Adds a loaded mesh to the totals of the input.
   void record_loaded(const MeshReport& mesh);
-  // Adds the result of one call of Document::step, which took `seconds` and left this world.
+  // Adds the result of one call of Document::step, which took `seconds` and produced this world.
   void record_bite(const StepResult& bite, const World& world, double seconds);
-  // To be called around each stroke, so that those are known that met nothing.
+  // Call these around each stroke, to detect strokes that hit nothing.
   void begin_stroke();
   void end_stroke();
-  // How much of the thickness the beam got through where it did not cut, from 0 to 1.
+  // Fraction of the thickness that the beam penetrated where it did not cut, 0 .. 1.
   double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
   size_t input_faces = 0, input_vertices = 0, input_components = 0;
@@ -29,40 +29,40 @@ struct CutJob {
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
   SolidChange solid;
-  Vec3 origin{0};                  // about which the files hold coordinates, m
-  bool left_open = false;          // a stroke left a solid open: the volume that was removed is not known
-  std::vector<std::string> notes;  // on the input, bodies left open and what the files lose, each once
-  size_t strokes = 0;              // that were cut
-  std::vector<size_t> missed;      // those that met nothing, by index, ascending
-  size_t faces_before_stroke = 0;  // removed_faces and met_s when the last stroke began
+  Vec3 origin{0};                  // origin of the coordinates in the files [m]
+  bool left_open = false;          // a stroke left a solid open: the removed volume is unknown
+  std::vector<std::string> notes;  // on the input, open bodies and losses of the files, each once
+  size_t strokes = 0;              // number of strokes cut
+  std::vector<size_t> missed;      // indices of the strokes that hit nothing, ascending
+  size_t faces_before_stroke = 0;  // removed_faces and met_s at the start of the last stroke
   double met_before_stroke_s = 0;
-  size_t steps = 0;  // number of moves of the beam, as requested
+  size_t steps = 0;  // number of beam moves, as requested
   StepStatistics statistics;
-  std::vector<double> step_s;  // durations of the calls that removed something
-  bool thermal = false;        // the strokes are cut by the thermal model
+  std::vector<double> step_s;  // durations of the calls that removed faces
+  bool thermal = false;        // the strokes use the thermal model
   double load_s = 0, build_tree_s = 0, cut_s = 0, save_s = 0;
 };
 
-// A piece as the report has it.
+// A piece of the report.
 struct WrittenPiece {
-  std::string file;  // that it was written to; in the report of the library the name of the piece
+  std::string file;  // its output file; in the report of the library the name of the piece
   size_t faces = 0, vertices = 0, boundary_edges = 0;
   double area = 0;               // m^2
   Vec3 centroid{0};              // m
-  std::optional<double> volume;  // m^3; nothing where the piece is not closed
+  std::optional<double> volume;  // m^3; nullopt if the piece is not closed
   MassProperties mass;           // in world axes
-  Placement placement;           // of the body that it belongs to
+  Placement placement;           // of its body
   PrecisionLoss precision;       // of the file
-  std::optional<bool> asleep;    // nothing where no body has moved
+  std::optional<bool> asleep;    // nullopt if no body has moved
 };
 
-// The settings of a job, i.e. of its first stroke, for the report.
+// The settings of a job, i.e. of its first stroke.
 nlohmann::ordered_json settings_json(const CutSettings& settings, const std::string& format, bool split_all);
 
 // The smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
 double smallest_angle(const World& world);
 
-// Whether a body of the world is solid.
+// Returns true if a body of the world is solid.
 bool any_is_solid(const World& world);
 
 // The contents of report.json.

@@ -40,14 +40,14 @@ Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation
 
 namespace {
 
-// The joints that hold parts of the piece together, by index; bad input where one holds it to another piece.
+// The indices of the joints within the piece; bad input if one holds it to another piece.
 Result<std::vector<uint32_t>> joints_within(const World& world, const PieceId& piece) {
   std::vector<uint32_t> within;
   for (const HeldJoint& held : held_joints(world)) {
     const bool first = held.parts[0].piece() == piece, second = held.parts[1].piece() == piece;
     if (first != second) {
       return bad_input(piece_words(piece) +
-                       " is joined to a piece that moves by itself: prepare the mesh before they come apart");
+                       " is joined to a piece that moves separately: edit the mesh before they come apart");
     }
     if (first) within.push_back(held.joint);
   }
@@ -78,7 +78,7 @@ std::vector<FaceId> warm_faces(const FaceHeat& heat, const Mesh& mesh) {
   return faces;
 }
 
-// The joints, of which those within the piece are carried by its new faces.
+// Copies the joints; those within the piece are carried by its new faces.
 Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId own, const PieceCopy& copy,
                   const Remeshed& remeshed) {
   Joints all = joints;
@@ -96,7 +96,7 @@ Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId
   return all;
 }
 
-// Whether each triangle has the corners of the face from which it stems, in the same direction.
+// Returns true if each triangle has the corners of the face it stems from, in the same order.
 bool is_unchanged(const Remeshed& remeshed, const Mesh& mesh) {
   if (remeshed.triangles.size() != mesh.live_faces()) return false;
   for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
@@ -109,7 +109,7 @@ bool is_unchanged(const Remeshed& remeshed, const Mesh& mesh) {
   return true;
 }
 
-// Takes the piece out of the world, so that the new body can come in its place.
+// Removes the piece from the world, to make room for the new body.
 void take_away(World& world, const PieceId& piece, std::span<const FaceId> faces, Delta& delta) {
   if (stands_alone(world, piece)) {
     world.remove(piece.body);
@@ -134,7 +134,7 @@ Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generati
   const HeededFaces heeded{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh)};
   auto remeshed = remake(copy.mesh, heeded, &working);
   if (!remeshed) return remeshed.error();
-  if (remeshed->triangles.empty()) return failed(piece_words(piece) + " would have no face left");
+  if (remeshed->triangles.empty()) return failed(piece_words(piece) + " would have no faces left");
   Delta delta;
   if (is_unchanged(*remeshed, copy.mesh)) return delta;
   std::vector<MeshPart> parts;

@@ -171,7 +171,7 @@ Delta Execution::restore_what_is_cut_again(size_t recut) {
     history_.step(recut).touch(back);
     delta.append(back);
   }
-  // Discards details of contacts, as the begin of the stroke itself does.
+  // Discards details of contacts, as the start of the stroke itself does.
   if (recorder_.step() == recut) forget_details(world_);
   return delta;
 }

@@ -150,7 +150,7 @@ class Execution {
 
   // The interval at which details of contacts are discarded (see forget_details), so that the state that a
   // journal records at a full minute alone determines how bodies continue. They are also discarded at the
-  // begin of each step.
+  // start of each step.
   static constexpr Ticks kTicksToForget = 60 * kTicksPerSecond;
 
   // Going back --------------------------------------------------------------------------------------------
@@ -167,7 +167,7 @@ class Execution {
   Delta cut_again();
   // Queues the work of the last history step as if it had just been drawn.
   Delta run_again();
-  // Returns true if before-images can restore the world at the begin of a step.
+  // Returns true if before-images can restore the world at the start of a step.
   bool can_run_again(size_t step) const;
   // Copies the world as it was before the steps base .. end - 1, the last of the history; nullopt if their
   // images are not held.

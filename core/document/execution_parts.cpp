@@ -193,7 +193,7 @@ void Execution::begin(size_t step) {
   close_and_trim();
   history_.forget_behind(step);
   HistoryStep& begun = history_.step(step);
-  // A step begins with the same state however the world reached its begin.
+  // A step begins with the same state however the world reached its start.
   const bool anew = begun.waiting();
   if (anew) {
     for (const BodyId id : world_.ids()) forget_removals(world_.body(id));

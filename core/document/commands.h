@@ -41,7 +41,7 @@ void describe(Fields& f, BeginStroke& c);
 // Moves the beam of the running stroke with the beam on all the way.
 struct MoveBeam {
   Pose pose;        // world coordinates; not opposite to the previous direction
-  double time = 0;  // s since the stroke began, not before the pose before; all 0 where times are not known
+  double time = 0;  // s since the stroke began, not descending; all 0 if times are unknown
 
   static constexpr const char* kName = "move-beam";
   std::string words() const { return "Move the beam"; }

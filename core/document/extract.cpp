@@ -15,8 +15,8 @@ namespace kerf {
 
 namespace {
 
-// The vertices of some faces, ascending, as a set of bits that knows how many precede each of them (G.
-// Jacobson: Space-efficient static trees and graphs, 1989).
+// The vertices of some faces, ascending, as a bit set with constant-time rank (G. Jacobson: Space-efficient
+// static trees and graphs, 1989).
 class VertexSet {
  public:
   VertexSet(const Mesh& mesh, std::span<const FaceId> faces) : words_(mesh.vertex_slots() / 64 + 1) {
@@ -30,7 +30,7 @@ class VertexSet {
   }
 
   uint32_t count() const { return count_; }
-  // The number of vertices of the set before v. Precondition: the set holds v.
+  // The number of vertices of the set less than v. Precondition: the set contains v.
   uint32_t rank(VertexId v) const {
     const Word& word = words_[v.index / 64];
     const uint64_t bit = uint64_t{1} << v.index % 64;
@@ -48,7 +48,7 @@ class VertexSet {
  private:
   struct Word {
     uint64_t bits = 0;
-    uint32_t before = 0;  // vertices in the words before
+    uint32_t before = 0;  // vertices in the preceding words
   };
   std::vector<Word> words_;
   uint32_t count_ = 0;
@@ -94,7 +94,7 @@ MassProperties shell_of(const Extract& e, const Sheet& sheet) {
   return shell_mass(e.area, moments, e.centroid, sheet.thickness, sheet.density);
 }
 
-// Makes an extract of a solid body a solid, where it encloses a volume.
+// Makes an extract of a solid body a solid if it encloses a volume.
 void fill(Extract& out) {
   if (!out.volume || !(*out.volume > 0)) return;
   out.solid = true;
@@ -112,7 +112,7 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
   positions.reserve(vertices.count());
   vertices.for_each([&](VertexId v) { positions.push_back(body.placement.to_world(body.mesh.position(v))); });
   const std::vector<uint32_t> first = weld_positions(positions);
-  std::vector<uint32_t> number(positions.size());  // of the welded position
+  std::vector<uint32_t> number(positions.size());  // of the merged position
   for (uint32_t i = 0; i < positions.size(); ++i) {
     if (first[i] == i) out.positions.push_back(positions[i]);
     number[i] = first[i] == i ? static_cast<uint32_t>(out.positions.size() - 1) : number[first[i]];

@@ -19,7 +19,7 @@ std::optional<struct stat> regular_file(const fs::path& path) {
   return there;
 }
 
-// The path that a URI of a glTF file stands for: "%20" is a blank.
+// Decodes the URI of a glTF file to a path: "%20" is a space.
 std::string without_escapes(std::string_view uri) {
   std::string path;
   for (size_t i = 0; i < uri.size(); ++i) {
@@ -33,7 +33,7 @@ std::string without_escapes(std::string_view uri) {
   return path;
 }
 
-// The files that a glTF file refers to; those of a file that cannot be read are none.
+// The files that a glTF file refers to; none if it cannot be read.
 std::vector<fs::path> files_of_gltf(const fs::path& file) {
   const auto text = read_text_file(file);
   const auto json = text ? parse_json(*text, "") : Result<nlohmann::json>(text.error());
@@ -77,7 +77,7 @@ Status InputFiles::check(const std::string& option, const fs::path& output) cons
     const bool same_name = file.path.lexically_normal() == output.lexically_normal();
     return bad_input(option + ": " + output.string() + " would overwrite " +
                      (same_name ? "its own input" : "the input " + file.path.string()) +
-                     ": choose another place");
+                     ": use another path");
   }
   return Done{};
 }

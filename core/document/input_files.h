@@ -14,22 +14,23 @@
 
 namespace kerf {
 
-// The files that a run reads. It must write to none of them: the input would be lost, and a journal that
-// names it could not be replayed. Files are compared by device and inode, so that a link and another spelling
-// of a path count as the same file. A path that is no regular file is left out, because nothing is lost by
-// writing to a device or a pipe.
+// The files that a run reads and must not overwrite: the input would be lost, and a journal that names it
+// could not be replayed. Files are compared by device and inode, so that links and other spellings of a
+// path count as the same file. Paths that are no regular files are ignored, because writing to a device or
+// a pipe loses nothing.
 class InputFiles {
  public:
-  // Adds a file, and with a glTF file the buffers and images that it names.
+  // Adds a file, and for a glTF file its buffers and images.
   void add(const std::filesystem::path& file);
   // Adds the meshes of a scene, and those that commands add to it.
   void add_meshes(const SceneDescription& scene);
   void add_meshes(std::span<const Command> commands);
 
-  // Bad input if an output is one of the files. `option` is what the output was given by, e.g. "--journal".
+  // Bad input if an output is one of the files. `option` is the option that gave the output, e.g.
+  // "--journal".
   Status check(const std::string& option, const std::filesystem::path& output) const;
-  // Bad input if a file of a folder whose name `is_output` accepts is one of the files. A folder that does
-  // not exist is fine. O(files in the folder).
+  // Bad input if a file of a folder, whose name `is_output` accepts, is one of the files. Accepts a folder
+  // that does not exist. O(files in the folder).
   Status check_folder(const std::string& option, const std::filesystem::path& folder,
                       const std::function<bool(std::string_view name)>& is_output) const;
 

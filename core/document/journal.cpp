@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kKind = "journal";
 
-// Where the beam is after a command that places it; none after others.
+// The beam after a command that moves it; nullopt after other commands.
 std::optional<BeamAt> beam_after(const Command& command) {
   using At = std::optional<BeamAt>;
   return std::visit(Overloaded{
@@ -29,7 +29,7 @@ std::optional<BeamAt> beam_after(const Command& command) {
                     command);
 }
 
-// Takes the lines of a journal one after the other.
+// Reads the lines of a journal in order.
 class JournalReader {
  public:
   JournalReader(const std::filesystem::path& file, std::string_view text)
@@ -42,8 +42,8 @@ class JournalReader {
       const auto taken = take_line(next_line());
       if (taken) continue;
       journal_.torn = torn;
-      journal_.damage = torn ? where() + ": the last line is torn and was left out"
-                             : taken.error().message + "; from this line on the journal was left out";
+      journal_.damage = torn ? where() + ": the last line is incomplete and was ignored"
+                             : taken.error().message + "; the journal was ignored from this line on";
       break;
     }
     return std::move(journal_);
@@ -63,7 +63,7 @@ class JournalReader {
   Status read_head() {
     nlohmann::json json = nlohmann::json::parse(next_line(), nullptr, false);
     if (!json.is_object() || json.value("kerf", nlohmann::json()) != kKind)
-      return bad_input(where() + ": this is not how a journal begins");
+      return bad_input(where() + ": not a journal: the first line must have \"kerf\": \"journal\"");
     if (const Status format = check_format(json); !format) return format;
     for (const char* const key : {"kerf", "format", "program"}) json.erase(key);
     if (json.contains("work_of") && json["work_of"].is_string()) {
@@ -117,7 +117,7 @@ class JournalReader {
   std::filesystem::path folder_;
   std::string_view rest_;
   size_t line_ = 0;
-  std::optional<BeamAt> beam_;  // of the stroke that came last
+  std::optional<BeamAt> beam_;  // of the last stroke
   Journal journal_;
 };
 

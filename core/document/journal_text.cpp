@@ -13,15 +13,15 @@ namespace kerf {
 
 namespace {
 
-// A move goes on from where the beam is, if it is anywhere.
+// Checks that a move continues from the beam, if there is one.
 void check_follows(Fields& f, const MoveBeam& move, const std::optional<BeamAt>& beam) {
   const BeamAt before = beam.value_or(BeamAt{move.pose, 0});
   f.check(!are_opposite(before.pose.direction, move.pose.direction), "direction",
-          "is opposite to the one before");
-  f.check(!f.present("t", false) || move.time >= before.time, "t", "must not be before the pose before");
+          "is opposite to the previous direction");
+  f.check(!f.present("t", false) || move.time >= before.time, "t", "must not be less than the previous time");
 }
 
-// The fields of a command with its name, which was read.
+// The fields of a command and its name, which was read before.
 template <typename C>
 void fields_of(Fields& f, C& command, const std::optional<BeamAt>& beam) {
   std::string name = C::kName;
@@ -42,7 +42,7 @@ Result<Command> read_command(const JsonValue& line, const std::filesystem::path&
   return Command(std::move(command));
 }
 
-// The reader of the kind of command with this name; null where no kind of the variant has it.
+// The reader for the kind of command with this name; null if there is none.
 template <typename... Kinds>
 auto reader_of(std::variant<Kinds...>*, const std::string& name) {
   decltype(&read_command<Undo>) found = nullptr;
@@ -72,7 +72,7 @@ Result<Command> parse_command(const JsonValue& value, const std::filesystem::pat
   if (!name) return name.error();
   const auto read = reader_of(static_cast<Command*>(nullptr), *name);
   if (read == nullptr)
-    return value["do"].wrong("\"" + *name + "\" is no command that this version has" +
+    return value["do"].wrong("\"" + *name + "\" is no command of this version" +
                              nearest_name_hint(*name, names_of(static_cast<Command*>(nullptr))));
   return read(value, folder, beam);
 }

@@ -15,7 +15,7 @@ static void describe(Fields& f, MaterialNumber& number) {
 
 namespace {
 
-// A constant that is given with its range and its source.
+// The field of a constant with its range and its source.
 void sourced_field(Fields& f, const NumberField<Substance>& field, Material& material,
                    MaterialNumber& number) {
   Substance& substance = material.substance;

@@ -17,10 +17,10 @@ class Fields;
 //                   "heat_solid", "heat_liquid", "conductivity", "transition", "latent", "emissivity",
 //                   "absorptivity_fibre", "absorptivity_co2"}, ...]}
 //
-// Each number but the wavelength (m, with which the material is usually cut) is an object {"value", "range":
-// [least, most], "source"} in SI units. What is removed by ablation has "heat_of_ablation" in place of
-// "latent": the whole of it from the ambient on. The error is one sentence that names the file and the place,
-// e.g. a value outside of its range or a second material of the same name.
+// Each number except the wavelength (m, of the usual laser for the material) is an object {"value",
+// "range": [min, max], "source"} in SI units. A material removed by ablation has "heat_of_ablation", the
+// total from ambient temperature, instead of "latent". Errors are one sentence with the file and the place,
+// e.g. for a value outside of its range or a duplicate name.
 Result<std::vector<Material>> load_materials(const std::filesystem::path& file);
 // The table of the fields of a material.
 void describe(Fields& f, Material& material);

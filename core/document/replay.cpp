@@ -17,13 +17,12 @@ bool moves_bodies(const Command& command) {
   return advance != nullptr && advance->bodies;
 }
 
-// Whether a command may be a part of a run after its first one.
+// Returns true if a command may be part of a run after its first one.
 bool goes_on(const Command& command) {
   return moves_bodies(command) || std::holds_alternative<DragBody>(command) ||
          std::holds_alternative<ReleaseBody>(command);
 }
 
-// Whether the beam is on after a command.
 bool is_beam_on(const Command& command, bool before) {
   if (std::holds_alternative<BeginStroke>(command)) return true;
   const bool stays =
@@ -32,14 +31,14 @@ bool is_beam_on(const Command& command, bool before) {
   return before && stays;
 }
 
-// Where the run ends that begins with a command.
+// The end of the run that begins with a command.
 size_t end_of_run(const std::vector<Command>& commands, size_t first) {
   size_t end = first + 1;
   while (end < commands.size() && goes_on(commands[end])) ++end;
   return end;
 }
 
-// The last mark after `first` commands from which bodies go on to the bit.
+// The last mark after `first` commands from which bodies continue to the bit.
 std::optional<size_t> last_mark(const Journal& journal, size_t first, size_t end) {
   std::optional<size_t> last;
   for (size_t i = 0; i < journal.marks.size() && journal.marks[i].commands <= end; ++i) {
@@ -81,8 +80,8 @@ double Replay::fraction() const {
   return all > 0 ? static_cast<double>(next_) / static_cast<double>(all) : 1;
 }
 
-// A stroke that was stopped is not executed until it is known where: behind its StopStroke, where one follows
-// with nothing but its moves, its end and time before it.
+// Returns the end of the commands to apply before a stopped stroke is executed: a stroke waits for its
+// StopStroke, if only its moves, its end and time precede that.
 size_t Replay::end_of_stopped() const {
   const auto goes_on = [](const Command& command) {
     return std::visit(Overloaded{
@@ -98,8 +97,8 @@ size_t Replay::end_of_stopped() const {
   return is_a<StopStroke>(end) ? end + 1 : next_ + 1;
 }
 
-// A stroke that is undone next is not executed either, unless a mark says what it led to: it may have been
-// given up because it made more faces than there is memory for.
+// A stroke that is undone next is not executed either, unless a mark records its result: it may have been
+// given up because it exceeded the face budget.
 size_t Replay::end_of_undone() const {
   if (!is_a<BeginStroke>(next_)) return next_ + 1;
   size_t end = next_ + 1;
@@ -109,7 +108,7 @@ size_t Replay::end_of_undone() const {
   return is_a<Undo>(end) && !marked ? end + 1 : next_ + 1;
 }
 
-// Tells of what a command did at once; of one that only queued, its steps tell.
+// Reports the changes of an immediate command; the work of a queued one is reported by its steps.
 Status Replay::tell(const QueueRun& how, Outcome at_once) const {
   if (!how.told) return at_once.ok() ? Status(Done{}) : Status(at_once.error());
   if (!at_once.ok()) return how.told(at_once.error());
@@ -127,7 +126,7 @@ Status Replay::next(const QueueRun& how) {
   const size_t end = next_ < journal_.commands.size() ? std::max(end_of_stopped(), end_of_undone()) : next_;
   while (next_ < end) {
     Outcome at_once = document_.apply(journal_.commands[next_++], how.progress);
-    document_.seal_journal();  // so that it has the same commands, by number too
+    document_.seal_journal();  // to keep the commands and their indices equal
     if (const Status heard = tell(how, std::move(at_once)); !heard) return heard;
   }
   const Status ran = run_queue(document_, how);
@@ -135,11 +134,11 @@ Status Replay::next(const QueueRun& how) {
   return ran;
 }
 
-// In the first tick what came off becomes bodies; it is not skipped.
+// Does not skip the first tick, in which separated pieces become bodies.
 Status Replay::skip(const QueueRun& how, const TimeSkip& skip) {
   const StateMark& mark = journal_.marks[skip.mark];
   while (next_ < mark.commands) {
-    (void)document_.apply(journal_.commands[next_++]);  // which only queues it
+    (void)document_.apply(journal_.commands[next_++]);  // only queues it
     document_.seal_journal();
   }
   const Ticks before = document_.world().clock();
@@ -167,7 +166,7 @@ Status Replay::run(const QueueRun& how) {
   return Done{};
 }
 
-// Marks that stand where the document is now and nothing waits.
+// Compares the world with the marks at the current command, if nothing is queued.
 void Replay::compare() {
   for (; document_.waiting() == 0 && next_mark_ < journal_.marks.size() &&
          journal_.marks[next_mark_].commands <= next_;
@@ -185,7 +184,7 @@ void Replay::compare() {
   }
 }
 
-// Bodies move to other bits on another kind of machine.
+// Bodies move differently in the last bits on another kind of machine.
 bool Replay::takes_bodies(const StateMark& mark) {
   if (mark.bodies.empty() || mark.machine == machine_kind()) return false;
   other_machine_ = mark.machine;

@@ -8,63 +8,62 @@
 
 namespace kerf {
 
-// Commands of a journal that only let bodies move, and the mark that says where this brought them: whoever
-// replays the journal may put them there, and comes to the same.
+// Commands of a journal that only simulate bodies, and the mark with the resulting states: a replay may
+// apply the states instead and reaches the same world.
 struct TimeSkip {
-  size_t first = 0;  // the first of these commands
+  size_t first = 0;  // index of the first of these commands
   size_t mark = 0;   // index in Journal::marks
-  Ticks ticks = 0;   // that pass until then
+  Ticks ticks = 0;   // duration until the mark
 };
 
-// The runs of at least `least` ticks that can be skipped, in their order. A run begins with Play, or where
-// the stroke before it ends, and ends at the last mark in it from which bodies go on to the bit: where the
-// step of the history is over, or at a full minute (see Execution::kTicksToForget).
+// The runs of at least `least` ticks that can be skipped, in order. A run begins with Play or at the end of
+// the stroke before it, and ends at its last mark from which bodies continue to the bit: at the end of the
+// history step, or at a full minute (see Execution::kTicksToForget).
 std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least);
 
-// Applies the commands of a journal to a document that holds the journal's scene, and compares the state of
-// the world with the marks of the journal on the way. The journal and the document must outlive the replay.
+// Applies the commands of a journal to a document with the journal's scene, and compares the state of the
+// world with the marks on the way. The journal and the document must outlive the replay.
 class Replay {
  public:
-  // With `skips`: bodies are put where marks say that time brought them.
+  // `skips`: runs of time for which bodies get the states of the marks instead of being simulated.
   Replay(const Journal& journal, Document& document, std::vector<TimeSkip> skips = {})
       : journal_(journal), document_(document), skips_(std::move(skips)) {
     compare();
   }
 
   bool done() const { return next_ == journal_.commands.size() && document_.waiting() == 0; }
-  // The number of commands applied so far. What `told` hears of is what the last of these did.
+  // The number of commands applied so far. A call of `told` refers to the last of them.
   size_t applied() const { return next_; }
-  // How much of the journal is applied, 0 to 1.
+  // Progress of the replay, 0 to 1.
   double fraction() const;
 
-  // Applies the next command, executes what it queued (see run_queue) and calls `told` after each step. A
-  // change that the command made at once is reported to `told` as a step, too. A command or step that fails
-  // does not end the replay if `told` returns success, because it failed when the journal was recorded as
-  // well. Precondition: !done().
+  // Applies the next command, executes the queue (see run_queue) and calls `told` after each step, and also
+  // for the changes of an immediate command. A failed command or step does not end the replay if `told`
+  // returns success, because it also failed when the journal was recorded. Precondition: !done().
   Status next(const QueueRun& how);
   // Replays the rest of the journal. Fails like run_queue(), or if `progress`, which receives fraction(),
   // stops it.
   Status run(const QueueRun& how);
 
-  // The first mark whose hash differs from that of the world, unless bodies moved on another kind of machine
-  // before, and the hash that the world had there.
+  // The first mark whose hash differs from that of the world, unless bodies moved on another kind of
+  // machine before, and the hash of the world there.
   struct Difference {
     StateMark mark;
     uint64_t hash = 0;
   };
   const std::optional<Difference>& difference() const { return difference_; }
 
-  // The kind of machine on which bodies came elsewhere than here, so that their states were taken from a mark
-  // of it; empty if there was none. This is no difference.
+  // The kind of machine on which bodies moved differently, so that their states were taken from its marks;
+  // empty if there was none. This does not count as a difference.
   const std::string& other_machine() const { return other_machine_; }
-  // Whether, because of that, a stroke that was drawn while bodies moved has cut otherwise here.
+  // Returns true if, because of that, a stroke drawn while bodies moved has cut differently here.
   bool cut_otherwise() const { return cut_otherwise_; }
 
   // The ticks that were skipped.
   Ticks skipped() const { return skipped_; }
 
  private:
-  // Whether the command with this number is of this kind; false if there is none.
+  // Returns true if the command with this index exists and is of this kind.
   template <typename Kind>
   bool is_a(size_t command) const {
     return command < journal_.commands.size() && std::holds_alternative<Kind>(journal_.commands[command]);

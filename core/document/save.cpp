@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder to which paths in a file are relative.
+// The folder to which the paths in a file are relative.
 fs::path folder_of(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error);
@@ -33,7 +33,7 @@ Status keep(const fs::path& file, const fs::path& previous) {
   if (error) fs::copy_file(file, fresh, fs::copy_options::overwrite_existing, error);
   if (!error) fs::rename(fresh, previous, error);
   if (!error) return Done{};
-  return failed("cannot keep what was in " + file.string() + " as " + previous.string() + ": " +
+  return failed("cannot keep the previous version of " + file.string() + " as " + previous.string() + ": " +
                 error.message());
 }
 
@@ -87,7 +87,7 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
                                                   const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return failed(folder.string() + ": the folder cannot be made");
+  if (error) return failed(folder.string() + ": cannot create the folder");
   description.bodies.clear();
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);

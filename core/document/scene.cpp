@@ -18,7 +18,8 @@ namespace kerf {
 
 namespace {
 
-// The faces of a side of a hinge may end that much farther from its pin than as loaded, in its radius.
+// The faces of a side of a hinge may extend this much farther from its pin than as loaded, relative to its
+// radius.
 constexpr double kPinPlay = 0.1;
 
 // Finds the faces that carry the sides of a joint.
@@ -58,7 +59,7 @@ class CarrierSearch {
     return std::sqrt(least2);
   }
 
-  // Whether a point is within a hundred times the size of the mesh.
+  // Returns true if a point is within a hundred times the size of the mesh.
   bool is_near_mesh(const Vec3& p) const {
     const MeshReport& loaded = body_.loaded;
     return glm::length(p - body_.middle()) <= 100 * glm::length(loaded.max - loaded.min);
@@ -95,7 +96,7 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
   made.anchor = joint.anchor;
   const Vec3 size = glm::abs(joint.axis);
   made.axis = glm::normalize(joint.axis / std::max({size.x, size.y, size.z}));
-  if (!search.is_near_mesh(joint.anchor)) return search.wrong("its anchor is far away from the mesh");
+  if (!search.is_near_mesh(joint.anchor)) return search.wrong("its anchor is too far from the mesh");
   if (joint.limits) made.limits = Interval{radians_of(joint.limits->low), radians_of(joint.limits->high)};
   for (size_t i = 0; i < 2; ++i) {
     auto side = search.side(i);
@@ -108,20 +109,21 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
   std::set_intersection(made.sides[0].faces.begin(), made.sides[0].faces.end(), made.sides[1].faces.begin(),
                         made.sides[1].faces.end(), std::back_inserter(both));
   if (!both.empty())
-    return search.wrong("a face carries both sides: move \"near\" apart or lessen \"radius\"");
+    return search.wrong("a face carries both sides: move \"near\" apart or reduce \"radius\"");
   return made;
 }
 
 namespace {
 
-constexpr double kHashing = 0.02;  // of the time that loading a body takes whose hash is known
+constexpr double kHashing = 0.02;  // fraction of the load time of a body with a known hash
 
 Status check_hash(const SceneBody& body, const Progress& progress) {
   const auto hash = file_hash(body.mesh, &progress);
   if (!hash) return hash.error();
   if (*hash == *body.hash) return Done{};
-  return bad_input(body.mesh.string() +
-                   ": this mesh is another one than the journal was made with: put the old file back");
+  return bad_input(
+      body.mesh.string() +
+      ": the mesh differs from the one that the journal was recorded with: restore the original file");
 }
 
 bool is_solid(Solidity solid, const Body& loaded) {

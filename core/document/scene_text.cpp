@@ -15,8 +15,8 @@ namespace kerf {
 
 namespace {
 
-// The linear value of one of the 256 steps of sRGB (IEC 61966-2-1). Colours do not enter any hash, so that
-// pow(), whose results differ between machines, is acceptable.
+// The linear value of one of the 256 levels of sRGB (IEC 61966-2-1). Colours enter no hash, so pow(), whose
+// results differ between machines, is acceptable.
 double linear_of(int step) {
   KERF_ASSERT(step >= 0 && step <= 255);
   const double s = step / 255.0;

@@ -29,7 +29,7 @@ StageKind kind_of(UnfinishedMove::Stage stage) {
 }
 
 std::string close_words(size_t removed) {
-  if (removed == 0) return "Close the rim: no face lay inside the boundary of the stroke any more.";
+  if (removed == 0) return "Close the rim: no face was left inside the boundary of the stroke.";
   return "Close the rim: " + count_text(removed, "face") + " inside the boundary of the stroke " +
          (removed == 1 ? "was" : "were") + " removed.";
 }
@@ -71,7 +71,7 @@ std::string left_words(const StageRecord& record) {
          " left for this stage.";
 }
 
-// In pairs, because the time to append one after the other would be quadratic.
+// Joins in pairs, because appending one after the other would take quadratic time.
 Delta joined(std::vector<Delta> changes) {
   for (size_t width = 1; width < changes.size(); width *= 2) {
     for (size_t i = 0; i + width < changes.size(); i += 2 * width)
@@ -82,7 +82,7 @@ Delta joined(std::vector<Delta> changes) {
 
 }  // namespace
 
-// What is known of the next stage before it is executed.
+// Describes the next stage before it is executed.
 StageRecord SingleStep::describe() const {
   StageRecord record;
   if (document_.execution().next_searches()) {
@@ -105,7 +105,7 @@ StageRecord SingleStep::describe() const {
   return record;
 }
 
-// A stage of many faces, with its parts. Very many parts are several stages.
+// Executes all parts of a stage of many faces. Very many parts are several stages.
 Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress) {
   constexpr size_t kMaxParts = 64;
   Result<StepResult> all = document_.step_stage(progress);
@@ -150,7 +150,7 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
 }
 
 void SingleStep::record_work(const StageRecord& record) {
-  constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
+  constexpr size_t kOfStage = 50;  // number of faces that cost as much as a stage itself
   const StepStatistics& statistics = record.done.statistics;
   work_ += statistics.faces_made + record.done.delta.removed_faces + kOfStage;
   const bool after_rim = record.kind == StageKind::kCloseRim && !document_.execution().rim_is_unfinished();
@@ -186,7 +186,7 @@ Delta SingleStep::resume(size_t stages) {
   }
   Delta delta = document_.go_back_to(places_.back().mark);
   for (Place& p : places_)
-    p.mark.revision = document_.revision();  // the other places are on the way to there
+    p.mark.revision = document_.revision();  // the other save points are on the way there
   return delta;
 }
 

@@ -41,8 +41,8 @@ bool is_path_file(const std::filesystem::path& file) {
 
 namespace {
 
-// Numbers that are read back as this unit vector to the bit. To make a unit vector unit again may change its
-// last bits; for one of its multiples it does not.
+// Returns numbers that are read back as this unit vector to the bit. Normalising a unit vector again may
+// change its last bits; for one of its multiples it does not.
 Vec3 readable_direction(const Vec3& unit) {
   constexpr int kTries = 4096;
   for (int i = 0; i < kTries; ++i) {
@@ -67,15 +67,15 @@ void key_fields(Fields& f, StrokePath& stroke, size_t k) {
   const double &t = stroke.times[k], before = k > 0 ? stroke.times[k - 1] : 0;
   Pose& pose = stroke.keys[k];
   f.number("t", stroke.times[k], kFinite);
-  f.check(k == 0 || t > before, "t", "must be greater than the one before: keys go forward in time");
-  f.check(k == 0 || std::isfinite(t - stroke.times.front()), "t", "is too far from the first one");
+  f.check(k == 0 || t > before, "t", "must be greater than the previous one: times must ascend");
+  f.check(k == 0 || std::isfinite(t - stroke.times.front()), "t", "is too far from the first time");
   f.vector("origin", pose.origin);
   Vec3 direction = f.reading() ? pose.direction : readable_direction(pose.direction);
   f.vector("direction", direction, VectorRule::kNotZero);
   if (!f.reading()) return;
   pose.direction = beam_direction(direction);
   f.check(k == 0 || !are_opposite(stroke.keys[k - 1].direction, pose.direction), "direction",
-          "is opposite to the one before: put a key between them");
+          "is opposite to the previous one: insert a key between them");
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ std::string path_file_text(std::span<const StrokePath> strokes) {
 
 namespace {
 
-constexpr double kLongestMove = 1e6;  // s, so that times stay far from where doubles end
+constexpr double kLongestMove = 1e6;  // s, far below the limit of doubles
 
 double seconds_between(const Pose& a, const Pose& b, double speed) {
   const double seconds = glm::length(b.origin - a.origin) / speed;
@@ -167,7 +167,7 @@ std::optional<std::string> why_no_cut(std::span<const StrokePath> strokes) {
     for (size_t k = 1; k < keys.size(); ++k) {
       if (!are_opposite(keys[k - 1].direction, keys[k].direction)) continue;
       return "Points " + std::to_string(k) + " and " + std::to_string(k + 1) + " of stroke " +
-             std::to_string(i + 1) + " aim in opposite directions: put a point between them.";
+             std::to_string(i + 1) + " aim in opposite directions: insert a point between them.";
     }
   }
   return std::nullopt;

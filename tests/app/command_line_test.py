@@ -641,13 +641,13 @@ class CommandLine(unittest.TestCase):
         self.write("torn.kerf", journal[:-9])
         done = self.run_here("replay", "torn.kerf")
         self.assertEqual(done.returncode, 0)
-        self.assertEqual(done.stderr, "kerf: warning: torn.kerf: line 5: the last line is torn and was left out\n")
+        self.assertEqual(done.stderr, "kerf: warning: torn.kerf: line 5: the last line is incomplete and was ignored\n")
         lines = journal.splitlines(keepends=True)
         for damage in ("no JSON\n", '{"do": "explode"}\n', '{"do": "move-beam", "origin": [0, 0, 0]}\n'):
             self.write("middle.kerf", "".join(lines[:2] + [damage] + lines[2:]))
             done = self.run_here("replay", "middle.kerf")
             self.assertEqual(done.returncode, 1, done.stderr)
-            self.assertRegex(done.stderr, r"^kerf: middle.kerf: line 3: .*; from this line on the journal was left out\n$")
+            self.assertRegex(done.stderr, r"^kerf: middle.kerf: line 3: .*; the journal was ignored from this line on\n$")
         self.write("head.kerf", journal[:40])
         self.assert_refused(self.run_here("replay", "head.kerf"), 2, "head.kerf: line 1")
 

@@ -104,7 +104,7 @@ Fields::Fields(const JsonValue& in, Pass& pass) : in_(&in), pass_(pass) { note(i
 
 bool Fields::has(const char* key) const { return in_->has(key); }
 
-// Whether the key is there to be read.
+// Returns true if the key is present for reading.
 bool Fields::take(const char* key, bool needed) {
   keys_.push_back(key);
   if (!good()) return false;
@@ -321,8 +321,8 @@ void Fields::end() {
   if (!reading() || !good()) return;
   for (const auto& item : in_->json().items()) {
     if (std::find(keys_.begin(), keys_.end(), item.key()) != keys_.end()) continue;
-    return note((*in_)[item.key()].wrong("is no key that this version has here" +
-                                         nearest_name_hint(item.key(), keys_)));
+    return note(
+        (*in_)[item.key()].wrong("is no key of this version here" + nearest_name_hint(item.key(), keys_)));
   }
 }
 

@@ -21,16 +21,16 @@ namespace kerf {
 
 class JsonValue;
 
-// What it means that the key of a field is missing.
+// Meaning of a missing key.
 enum class Presence {
   kNeeded,    // an error; the key is always written
   kOptional,  // the member keeps its value; the key is always written, except that of an empty list
 };
 inline constexpr Presence kNeeded = Presence::kNeeded, kOptional = Presence::kOptional;
 
-// What it means that a key is missing where this may stand for a value: for what Kerf did before the key
-// existed, for ever, whatever the default of new work is. The key is written where the member has another
-// value; a key that every version wrote is written in any case.
+// Meaning of a missing key that may stand for a value: the behaviour of Kerf before the key existed,
+// permanently, whatever the default of new documents is. The key is written if the member has another
+// value; a key that every version wrote is always written.
 template <typename T>
 class Missing {
  public:
@@ -40,7 +40,7 @@ class Missing {
 
   bool needed() const { return needed_; }
   const std::optional<T>& value() const { return value_; }
-  // Whether the key of a member with this value is written.
+  // Returns true if the key of a member with this value is written.
   bool is_written(const T& x) const { return written_ || x != *value_; }
 
  private:
@@ -49,43 +49,44 @@ class Missing {
   bool written_ = true;
 };
 
-// The limits of a range in words, "from 1e-09 to 1000 m" or "greater than zero", and what a number must be
-// that the range does not contain.
+// Describes the limits of a range, "from 1e-09 to 1000 m" or "greater than zero", and states the rule that
+// a number outside of the range violates.
 std::string limits_text(const NumberRange& range);
 std::string out_of_limits(double number, const NumberRange& range);
 
-// Which vectors a field may have; all are finite.
+// Constraint of a vector field; all vectors are finite.
 enum class VectorRule { kAny, kUnit, kNotZero, kNearby };  // nearby: within 100 km of the origin
 
-// The JSON object of a value while the fields of the value are visited, in order to read or to write them.
-// Each saved type has one table of its fields, which both directions go through:
+// The JSON object of a value while its fields are read or written. Each saved type has one table of its
+// fields for both directions:
 //
 //   void describe(Fields& f, Paint& paint) {
 //     f.coded("colour", paint.colour, parse_colour, colour_text, "must be a colour", kOptional);
 //     f.number("gloss", paint.gloss, kShare, kOptional);
 //   }
 //
-// A line has the key, the member, what is allowed, and what a missing key means. The table of a type that one
-// file alone knows is static and not in an unnamed namespace, where it would not be found by its argument.
-// After the first error nothing more is read; read_fields() returns it, with the file and the JSON pointer of
-// the wrong value. A key that the table does not have is an error, which names the nearest one that it has;
-// so the table visits each key whatever the others are (see present()). On writing, the keys are in the order
-// of the table.
+// A line has the key, the member, the constraint, and the meaning of a missing key. The table of a type
+// that only one file uses is static and not in an unnamed namespace, where argument-dependent lookup would
+// not find it. Reading stops at the first error, which read_fields() returns with the file and the JSON
+// pointer of the wrong value. A key that is not in the table is an error, which suggests the nearest key;
+// so the table must visit each key independently of the others (see present()). Keys are written in the
+// order of the table.
 class Fields {
  public:
-  // What the fields of a file share.
+  // State shared by the fields of a file.
   struct Pass {
     const std::filesystem::path& folder;  // of the file, to which its paths are relative
     Status status = Done{};
   };
-  // To read from `in`, which must outlive the fields; fails where it is no object.
+  // Reads from `in`, which must outlive the fields; fails if it is no object.
   Fields(const JsonValue& in, Pass& pass);
-  // To write to `out`.
+  // Writes to `out`.
   Fields(nlohmann::ordered_json& out, Pass& pass) : out_(&out), pass_(pass) {}
 
   bool reading() const { return in_ != nullptr; }
   const std::filesystem::path& folder() const { return pass_.folder; }
-  // Whether the key is in the file, or on writing, whether it is to be: for fields that depend on others.
+  // Returns true if the key is in the file, or when writing, if `written`: for fields that depend on
+  // others.
   bool present(const char* key, bool written);
 
   void number(const char* key, double& x, const NumberRange& range, const Missing<double>& missing = kNeeded);
@@ -98,7 +99,7 @@ class Fields {
     n = static_cast<Whole>(number);
   }
   void flag(const char* key, bool& flag, const Missing<bool>& missing = kNeeded);
-  // The value whose number in `names` is that of the name in the file.
+  // An enumerator, stored as the name at its index in `names`.
   template <typename Enum>
   void choice(const char* key, Enum& x, std::span<const char* const> names,
               const std::type_identity_t<std::optional<Enum>>& missing = std::nullopt) {
@@ -108,7 +109,7 @@ class Fields {
   }
   void text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
   void filled_text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
-  // A file, as path_text() names it; not empty.
+  // A file, named as in path_text(); not empty.
   void path(const char* key, std::filesystem::path& path, Presence presence = kNeeded);
   void vector(const char* key, Vec3& v, VectorRule rule = VectorRule::kAny,
               const Missing<Vec3>& missing = kNeeded);
@@ -117,11 +118,11 @@ class Fields {
   void interval(const char* key, Interval& range, const NumberRange& within = kFinite,
                 Presence presence = kNeeded);
   void interval(const char* key, std::optional<Interval>& range);
-  // An angle, or two ascending ones, that are degrees in the file and radians in memory.
+  // An angle, or two ascending ones, in degrees in the file and radians in memory.
   void angle(const char* key, double& radians, const NumberRange& degrees, Presence presence);
   void angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence);
 
-  // A value that is a text in the file; `wrong` says what a text must be that is not parsed.
+  // A value stored as a text; `wrong` states the rule that an unparsable text violates.
   template <typename T, typename Text>
   void coded(const char* key, T& x, std::optional<T> (*parse)(std::string_view), Text to_text,
              const char* wrong, const Missing<T>& missing = kNeeded) {
@@ -138,11 +139,10 @@ class Fields {
              const char* wrong) {
     if (present(key, x.has_value())) coded(key, reading() ? x.emplace() : *x, parse, to_text, wrong);
   }
-  // A value of any other form.
   void value(const char* key, const std::function<Status(const JsonValue&)>& read,
              const std::function<nlohmann::ordered_json()>& write, Presence presence = kNeeded);
 
-  // An object whose fields `visit` visits, and one with a table of its own.
+  // An object with the fields that `visit` visits, or with the table of its type.
   void member(const char* key, Presence presence, const std::function<void(Fields&)>& visit);
   template <typename T>
   void object(const char* key, T& x, Presence presence = kNeeded) {
@@ -157,7 +157,7 @@ class Fields {
   void list(const char* key, const char* of_what, std::vector<T>& all, Presence presence = kNeeded) {
     elements(key, of_what, presence, all, [&](size_t i, Fields& f) { describe(f, all[i]); });
   }
-  // A list of objects; the visit of element i can look at the elements before it.
+  // A list of objects; the visit of element i can read the elements before it.
   template <typename T>
   void elements(const char* key, const char* of_what, Presence presence, std::vector<T>& all,
                 const std::function<void(size_t, Fields&)>& visit) {
@@ -172,18 +172,18 @@ class Fields {
     named(key, names, [&](const std::string& name, Fields& f) { describe(f, all[name]); });
   }
 
-  // The version of the format of a file, from 1 to the newest one. A file of a newer version is refused as
-  // such.
+  // The version of the format of a file, 1 to `newest`. Rejects a file of a newer version with an error
+  // that states this.
   void version(const char* key, uint64_t& version, uint64_t newest, Presence presence = kNeeded);
-  // The keys of a file that records what was done: "format", the number of its format, and "program", the
-  // version of Kerf that wrote it. Refuses a file of a format later than `newest`, and one without a format,
-  // as Kerf wrote it before 0.2.
+  // The keys of a journal or recording: "format", the number of its format, and "program", the version of
+  // Kerf that wrote it. Rejects a file of a later format than `newest`, and one without a format, which
+  // Kerf wrote before 0.2.
   void format(uint64_t newest);
-  // Refuses the value of a key while reading, or the object where the key is null or missing.
+  // Rejects the value of a key when reading, or the object if the key is null or missing, unless `holds`.
   void check(bool holds, const char* key, const std::string& wrong);
-  // Keeps the values of these keys as JSON, an object.
+  // Keeps the values of these keys in a JSON object.
   void kept(std::span<const char* const> keys, std::string& json);
-  // At the end of an object: refuses the keys that were not visited.
+  // At the end of an object: rejects the keys that were not visited.
   void end();
 
   bool good() const { return pass_.status.ok(); }
@@ -208,7 +208,7 @@ class Fields {
   const JsonValue* in_ = nullptr;
   nlohmann::ordered_json* out_ = nullptr;
   Pass& pass_;
-  std::vector<std::string> keys_;  // that were visited, while reading
+  std::vector<std::string> keys_;  // visited while reading
 };
 
 // Reads the fields of a value. `folder` is the folder of the file.
@@ -221,7 +221,7 @@ Status read_fields(const JsonValue& value, const std::filesystem::path& folder, 
   return pass.status;
 }
 
-// Reads a text of JSON, or a file. `where` is the name of the text in errors.
+// Reads a JSON text, or a file. `where` is the name of the text in errors.
 Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,
                         const std::function<void(Fields&)>& visit);
 Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit);

@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr size_t kBlock = 1 << 20;
-static_assert(std::endian::native == std::endian::little, "words are taken as they lie in the file");
+static_assert(std::endian::native == std::endian::little, "words are hashed in the byte order of the file");
 
 // Hashes bytes as words; the last one is padded with zeros.
 uint64_t add_bytes(uint64_t hash, const char* bytes, size_t count) {
@@ -31,7 +31,7 @@ Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* pr
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) return bad_input(file.string() + ": there is no such file");
   if (!std::filesystem::is_regular_file(status)) {
-    return bad_input(file.string() + ": this is not a file that can be read a second time");
+    return bad_input(file.string() + ": not a regular file, which a journal needs to read it again");
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return bad_input(file.string() + ": cannot be opened for reading");
@@ -45,7 +45,7 @@ Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* pr
     hash = add_bytes(hash, block.data(), count);
     size += count;
   }
-  if (stream.bad()) return failed(file.string() + ": reading broke off");
+  if (stream.bad()) return failed(file.string() + ": reading failed before the end");
   return hash_combine(hash, size);
 }
 

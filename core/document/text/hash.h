@@ -11,17 +11,17 @@
 
 namespace kerf {
 
-// A hash of the bytes of a regular file, by which a journal identifies its meshes. It is not cryptographic.
-// Fails if the file cannot be read, or with cancelled() when stopped; `progress` may be null. Reads the file
-// once, in blocks of a megabyte. Linear time.
+// Hashes the bytes of a regular file, by which a journal identifies its meshes. Not cryptographic. Fails if
+// the file cannot be read, or with cancelled() when stopped; `progress` may be null. Reads the file once,
+// in blocks of a megabyte. Linear time.
 Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* progress = nullptr);
 
 // The text of a hash in files and reports: sixteen lower-case hexadecimal digits.
 std::string hash_text(uint64_t hash);
 
-// Parses that text. Returns nothing for any other text.
+// Parses that text. Returns nullopt for any other text.
 std::optional<uint64_t> parse_hash(std::string_view text);
-// The rule that an error states about a text that is no hash.
+// The rule stated in errors.
 inline constexpr const char* kHashRule = "must be sixteen hexadecimal digits";
 
 }  // namespace kerf

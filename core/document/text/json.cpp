@@ -109,7 +109,7 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
     return bad_input(file + ": line " + std::to_string(line) + ": this is " +
                      (kind.empty() ? "not JSON" : std::string(kind) + ", not JSON"));
   } catch (const std::exception&) {
-    return bad_input(file + ": this is not JSON that can be read");
+    return bad_input(file + ": this is not valid JSON");
   }
 }
 
@@ -122,7 +122,7 @@ Result<std::string> read_text_file(const std::filesystem::path& file) {
   if (!stream) return bad_input(file.string() + ": cannot be opened for reading");
   std::ostringstream text;
   text << stream.rdbuf();
-  if (stream.bad()) return failed(file.string() + ": reading broke off");
+  if (stream.bad()) return failed(file.string() + ": reading failed before the end");
   return std::move(text).str();
 }
 

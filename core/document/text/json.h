@@ -14,11 +14,10 @@
 
 namespace kerf {
 
-// The coordinates as a list.
 inline nlohmann::ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// A value in a JSON file together with its position, so that an error can name it in one sentence:
-// "scene.json: /strokes/0/keys/2/direction: must be three numbers". The root value must outlive it.
+// A value in a JSON file with its position, for errors of one sentence: "scene.json:
+// /strokes/0/keys/2/direction: must be three numbers". The root value must outlive it.
 class JsonValue {
  public:
   JsonValue(const nlohmann::json& value, std::string file, std::string pointer = "")
@@ -36,12 +35,12 @@ class JsonValue {
     return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)};
   }
 
-  // The error that this value is wrong: "FILE: POINTER: WHAT".
+  // Bad input: "FILE: POINTER: WHAT".
   Error wrong(const std::string& what) const {
     return bad_input(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what);
   }
 
-  // The value as the given type. Each fails with wrong() if it is anything else.
+  // The value as the given type. Fails with wrong() for any other value.
   Result<double> number() const;  // finite
   Result<double> positive_number() const;
   Result<Vec3> vector() const;             // three finite numbers
@@ -50,8 +49,7 @@ class JsonValue {
   Result<Interval> interval() const;       // two finite numbers, 0 <= first <= second
   Result<std::string> text() const;
   Result<bool> flag() const;
-  // A list of whole numbers that are indices (see kNoIndex), of one of these lengths; nothing if it is
-  // anything else.
+  // A list of indices (see kNoIndex) of one of these lengths; nullopt for any other value.
   std::optional<std::vector<uint32_t>> whole_numbers(std::initializer_list<size_t> lengths) const;
   // Checks that the value is a list, or an object. `of_what` names the elements in the error.
   Status array(const char* of_what) const;
@@ -62,7 +60,7 @@ class JsonValue {
   std::string file_, pointer_;
 };
 
-// Takes the value of a result, or fails like it.
+// Assigns the value of a result, or fails like it.
 template <typename T, typename Target>
 Status assign(const Result<T>& result, Target& target) {
   if (!result) return result.error();
@@ -77,17 +75,18 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
 Result<std::string> read_text_file(const std::filesystem::path& file);
 
 // Appends the shortest decimal number that is read back as the same double, including the sign of zero. It
-// always has a point or an exponent, so that JSON does not treat it as an integer. Precondition: x is finite.
+// always has a point or an exponent, so that JSON does not treat it as an integer. Precondition: x is
+// finite.
 void append_number(std::string& text, double x);
 
-// The text of JSON. Fails if a string in it is not UTF-8.
+// Serialises JSON. Fails if a string in it is not UTF-8.
 Result<std::string> dump_json(const nlohmann::ordered_json& json, int indent = -1);
 
-// The text of JSON in one line, as journals have it, with numbers as append_number() writes them.
+// Serialises JSON in one line, as in journals, with numbers as written by append_number().
 Result<std::string> exact_text(const nlohmann::ordered_json& json);
 
-// The name of a file in a file in `folder`: relative where it is in or below the folder or its parent, whole
-// otherwise, and where `folder` is empty.
+// The path of a file as stored in a file in `folder`: relative if it is in or below the folder or its
+// parent, otherwise and for an empty `folder` absolute.
 std::string path_text(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 }  // namespace kerf

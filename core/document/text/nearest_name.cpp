@@ -7,7 +7,7 @@ namespace kerf {
 
 namespace {
 
-// Longer names are compared as far as this, so that the cost of a key of a megabyte is bounded.
+// Maximum number of letters compared, so that the cost of a key of a megabyte is bounded.
 constexpr size_t kComparedLetters = 64;
 
 std::string folded(std::string_view name) {
@@ -20,7 +20,7 @@ std::string folded(std::string_view name) {
 
 size_t distance(const std::string& a, const std::string& b) {
   if (!a.empty() && !b.empty() && a != b && (a.starts_with(b) || b.starts_with(a))) return 1;
-  // Row i has the distances of the first i letters of a; the two rows before it are kept.
+  // Row i holds the distances of the first i letters of a; the two rows before it are kept.
   std::vector<size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (size_t i = 1; i <= a.size(); ++i) {
@@ -53,7 +53,7 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 
 std::string nearest_name_hint(std::string_view name, std::span<const std::string> names) {
   if (names.empty()) return "";
-  return "; the nearest that there is: \"" + nearest_name(name, names) + "\"";
+  return "; the nearest name is \"" + nearest_name(name, names) + "\"";
 }
 
 }  // namespace kerf

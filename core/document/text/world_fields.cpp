@@ -18,7 +18,7 @@ nlohmann::ordered_json piece_json(const PieceId& piece) {
   return {piece.body.slot, piece.body.generation, piece.label};
 }
 
-// `always` is what it means that a key is missing that every version wrote.
+// `always`: the meaning of a missing key that every version wrote.
 template <typename Owner>
 void number_field(Fields& f, const NumberField<Owner>& field, Owner& owner, const Missing<double>& always) {
   f.number(field.key, owner.*field.member, field.range,

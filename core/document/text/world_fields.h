@@ -12,10 +12,10 @@ namespace kerf {
 
 class Fields;
 
-// The fields that many commands and marks have in common.
-void describe(Fields& f, Pose& pose);            // "origin" and "direction", which is a unit vector
+// Fields shared by many commands and marks.
+void describe(Fields& f, Pose& pose);            // "origin" and "direction", a unit vector
 void describe(Fields& f, Placement& placement);  // "position" and "orientation"
-// "piece": [slot, generation, label]; or [number, label], as journals had it before bodies had generations.
+// "piece": [slot, generation, label].
 void piece_field(Fields& f, PieceId& piece);
 
 inline constexpr NumberField<Sheet> kThickness{"thickness",
@@ -26,17 +26,17 @@ inline constexpr NumberField<Sheet> kThickness{"thickness",
                                                "Thickness",
                                                0.001,
                                                "%.4g mm",
-                                               "Of the sheet that the faces are."};
+                                               "Determines the mass and the heat capacity of the sheet."};
 inline constexpr NumberField<Sheet> kDensity{
     "density", "density", &Sheet::density, {1e-3, 1e6, "kg/m^3", true}, always_written(7850)};
 
-// The sheet in a command, with the constants of its material beside the others.
+// The sheet in a command, with the constants of its material next to the others.
 void describe(Fields& f, Sheet& sheet);
 
 // The sheet in a scene, with the constants in "substance".
 void scene_sheet_fields(Fields& f, Sheet& sheet);
 
-// Why a stroke left a solid body open, for the user, with the name of the body: "car: ...". The world is the
+// The message why a stroke left a solid body open, with the name of the body: "car: ...". `world` is the
 // one after the step.
 std::string left_open_text(const LeftOpen& open, const World& world);
 

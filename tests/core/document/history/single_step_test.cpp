@@ -315,7 +315,7 @@ TEST(SingleStep, says_one_face_several_and_none_in_sentences) {
   record.kind = StageKind::kCloseRim;
   record.done.delta.removed_faces = 0;
   EXPECT_EQ(words(record, FileUnit::kMetre),
-            "Close the rim: no face lay inside the boundary of the stroke any more.");
+            "Close the rim: no face was left inside the boundary of the stroke.");
   record.done.delta.removed_faces = 1;
   EXPECT_EQ(words(record, FileUnit::kMetre),
             "Close the rim: 1 face inside the boundary of the stroke was removed.");

@@ -18,7 +18,7 @@ namespace kerf {
 
 namespace {
 
-// The faces of a side of a hinge may extend this much farther from its pin than as loaded, relative to its
+// The faces of a side of a hinge may extend farther from its pin than as loaded, by this fraction of its
 // radius.
 constexpr double kPinPlay = 0.1;
 

@@ -34,7 +34,7 @@ namespace {
 
 constexpr NumberRange kHeadings{-360, 360, "degrees"};
 
-// A heading wins over an orientation.
+// A heading overrides an orientation.
 void pose_fields(Fields& f, Placement& placement) {
   f.vector("position", placement.position, VectorRule::kNearby, kOptional);
   f.orientation("orientation", placement.orientation, kOptional);

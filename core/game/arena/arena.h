@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-// A body as loaded, of which copies are added to worlds, and the joints within it.
+// A loaded body, of which copies are added to worlds, and the joints within it.
 struct ModelBody {
   Body body;
   std::vector<Joint> joints;  // of the body in the world to which it will be added
@@ -24,7 +24,7 @@ Status add_joints(std::span<const SceneJoint> joints, ModelBody& model);
 // Adds a copy of the body with its joints to a world.
 BodyId add_body(World& world, const ModelBody& model, uint32_t generation);
 
-// Where a vehicle starts: the origin of its frame, and the heading in which it stands.
+// Start of a vehicle: the origin of its frame and its heading.
 struct Start {
   Vec3 position{0};    // m
   double heading = 0;  // rad, see direction_of
@@ -33,14 +33,14 @@ struct Start {
 
 struct ArenaBody {
   SceneBody body;
-  bool cuttable = false;  // a beam ends at what is not
+  bool cuttable = false;  // otherwise beams end at it
 };
 
-// The content of an arena file; the initial values are those of keys that a file does not have.
+// The content of an arena file; the initial values are the defaults of missing keys.
 struct ArenaDescription {
   std::string name;
-  double ground = 0;    // m, the height of the plane on which everything stands
-  Vec2 size{100, 100};  // m along x and z, around the origin; nothing leaves it
+  double ground = 0;    // m, the height of the ground plane
+  Vec2 size{100, 100};  // m along x and z, around the origin; a wall for all bodies
   std::vector<ArenaBody> bodies;
   std::map<std::string, Paint> paints;
   std::vector<Light> lamps;
@@ -57,16 +57,17 @@ struct ArenaDescription {
 //    "starts": {"player": {"position": [..], "heading": 90}, "enemies": [{..}, {..}]}}
 //
 // A body may have its placement in an object "pose", and a "heading" in degrees instead of an orientation.
-// Only "starts" is required. Bad input otherwise, with the file and the JSON pointer. Meshes are not read.
+// Only "starts" is required. Bad input otherwise, with the file and the JSON pointer. Does not read meshes.
 Result<ArenaDescription> read_arena(const std::filesystem::path& file);
 
-// An arena with its meshes loaded. What is cuttable sleeps until something touches it; the rest is pinned.
+// An arena with its meshes loaded. Cuttable bodies sleep until something touches them; the others are
+// pinned.
 struct Arena {
   ArenaDescription description;
   std::vector<ModelBody> bodies;  // in the order of the description
 };
 
-// Fails like load_body, and if a joint does not fit. Each mesh is read once. `progress` may be null.
+// Loads each mesh once. Fails like load_body, and if a joint does not fit. `progress` may be null.
 Result<Arena> load_arena(ArenaDescription description, const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -29,16 +29,16 @@ bool is_drivable(const Triangle& t) {
 
 namespace {
 
-constexpr double kBump = 0.25;       // m, over which a vehicle drives
+constexpr double kBump = 0.25;       // m, height over which a vehicle drives
 constexpr double kRoof = 2.2;        // m, the height of a vehicle
-constexpr double kHigh = 1;          // m, above the ground: an upper floor that is not mistaken for it
+constexpr double kHigh = 1;          // m, minimum height of an upper floor above the ground
 constexpr double kBelow = 0.6;       // m, by which a place on a floor may lie below it
-constexpr double kStep = 0.3;        // m, between spots beside each other
+constexpr double kStep = 0.3;        // m, between neighbouring spots
 constexpr double kMargin = 3;        // m, at the edge of the arena
 constexpr double kSampling = 0.25;   // m, between points of faces
 constexpr double kFloorless = 0.02;  // m, above the ground: lower faces are painted on it
 
-// Calls visit(point) for points of a triangle that lie near each other.
+// Calls visit(point) for closely spaced points of a triangle.
 template <typename Visit>
 void sample(const Triangle& t, Visit visit) {
   const double longest =
@@ -51,7 +51,7 @@ void sample(const Triangle& t, Visit visit) {
   }
 }
 
-// Whether some of a triangle lies above a rectangle around the origin.
+// Returns true if a part of a triangle lies above a rectangle around the origin.
 bool is_over(const Triangle& t, const Vec2& half) {
   const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
   return high.x > -half.x && low.x < half.x && high.z > -half.y && low.z < half.y;
@@ -110,7 +110,7 @@ void FreeSpace::find_blocked(const std::vector<Triangle>& faces, std::vector<boo
 
 bool FreeSpace::has_floor(Spot spot) const { return spot < cells() || heights_[spot - cells()] > ground_; }
 
-// Whether the upper floor ends here at a height.
+// Returns true if the upper floor ends here, at a height.
 bool FreeSpace::is_at_drop(int x, int z) const {
   if (has_floor(spot_of(x, z, true))) return false;
   for (int dz = -1; dz <= 1; ++dz) {

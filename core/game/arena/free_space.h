@@ -8,18 +8,18 @@
 
 namespace kerf {
 
-// The cosine of the steepest slope on which a vehicle drives.
+// Cosine of the steepest slope on which a vehicle drives.
 inline constexpr double kDrivable = 0.7;
 
-// The faces of the bodies of an arena that stand fast, in the world (m). O(faces).
+// The faces of the fixed bodies of an arena, in the world [m]. O(faces).
 std::vector<Triangle> fixed_faces(const Arena& arena);
 
-// Whether a vehicle can drive on a face; one without area does not count.
+// Returns true if a vehicle can drive on a face; false for a face without area.
 bool is_drivable(const Triangle& t);
 
-// Where vehicles can drive in an arena: a grid of spots on two floors. The lower floor is the ground; the
-// upper one is the highest slope below kHighest, such as ramps and bridges. A spot is blocked where a body
-// that stands fast leaves no room for a vehicle above it, or where no way leads from the start of the player.
+// The drivable space of an arena: a grid of spots on two floors. The lower floor is the ground; the upper
+// one is the highest slope below kHighest, such as ramps and bridges. A spot is blocked if a fixed body
+// leaves no room for a vehicle above it, or if it cannot be reached from the start of the player.
 class FreeSpace {
  public:
   static constexpr double kCell = 0.75;    // m
@@ -31,20 +31,21 @@ class FreeSpace {
   // O(area of the faces + spots).
   explicit FreeSpace(const Arena& arena);
 
-  // The number of a spot, by floor and place in the grid; all are below spots().
+  // Index of a spot, by floor and grid cell, below spots().
   using Spot = uint32_t;
   uint32_t spots() const { return 2 * cells(); }
-  // The spot at a place, or the nearest one of the grid: on the upper floor, unless the place lies below it.
+  // The spot at a place, or the nearest one of the grid; on the upper floor, unless the place lies below
+  // it.
   Spot spot_at(const Vec3& p) const;
-  // The middle of a spot, at the height of its floor.
+  // The centre of a spot, at the height of its floor.
   Vec3 place_of(Spot spot) const;
-  // The distance to what is blocked and to drops, at most kFar; 0 on blocked spots. m
+  // The distance to blocked spots and drops [m], at most kFar; 0 on blocked spots.
   double clearance(Spot spot) const { return clearance_[spot]; }
   bool has_room(Spot spot) const { return clearance_[spot] >= kVehicle; }
-  // The spot with room that is nearest to a place, at most `reach` (m) away; spots() if there is none.
+  // The nearest spot with room within `reach` [m] of a place; spots() if there is none.
   Spot with_room_near(const Vec3& p, double reach) const;
 
-  // Calls visit(spot, metres) for each spot beside this one to which one could drive if there were room.
+  // Calls visit(spot, metres) for each neighbour to which a vehicle could drive if there were room.
   template <typename Visit>
   void for_each_beside(Spot spot, Visit visit) const {
     const bool upper = spot >= cells();
@@ -70,7 +71,7 @@ class FreeSpace {
   Spot spot_of(int x, int z, bool upper) const {
     return static_cast<Spot>(z * columns_ + x) + (upper ? cells() : 0);
   }
-  // Whether the floors of two spots beside each other are at nearly the same height.
+  // Returns true if the floors of two neighbouring spots have nearly the same height.
   bool is_step(Spot from, Spot to) const;
   bool has_floor(Spot spot) const;
   int column(double x) const;
@@ -85,11 +86,11 @@ class FreeSpace {
   double ground_ = 0;
   Vec2 half_{0};
   int columns_ = 0, rows_ = 0;
-  std::vector<double> heights_;   // m, by cell, of the upper floor; the ground where there is none
+  std::vector<double> heights_;   // m, by cell, of the upper floor, or of the ground if there is none
   std::vector<float> clearance_;  // by spot
 };
 
-// The steep faces of an arena that stand fast, against which vehicles drive.
+// The steep fixed faces of an arena, with which vehicles collide.
 class Obstacles {
  public:
   Obstacles() = default;
@@ -98,10 +99,10 @@ class Obstacles {
 
   struct Touch {
     Vec3 at{0};           // m, the nearest point of a steep face
-    double distance = 0;  // m, from it to the centre of the ball, above 0
+    double distance = 0;  // m, from it to the centre of the ball, > 0
   };
-  // Where a ball touches a steep face from the side, the deepest place. What lies below the centre by more
-  // than the slope on which vehicles drive does not count. Constant time as a rule.
+  // The deepest contact of a ball with a steep face from the side. Ignores faces below the centre by more
+  // than the steepest drivable slope. Usually constant time.
   std::optional<Touch> touched_by(const Vec3& centre, double radius) const;
 
  private:
@@ -111,7 +112,7 @@ class Obstacles {
   struct Cells {
     int left, right, low, high;
   };
-  // The cells that an interval along x and one along z meet.
+  // The cells that overlap a box in x and z.
   Cells cells_between(const Vec3& low, const Vec3& high) const;
 
   Vec2 half_{0};  // m, of the arena

@@ -6,7 +6,7 @@ namespace kerf {
 
 namespace {
 
-// Where a ray meets the ground.
+// The hit of a ray on the ground.
 std::optional<SightHit> on_ground(const World& world, const Pose& ray, double length) {
   const Environment& around = world.environment();
   if (!around.ground) return std::nullopt;

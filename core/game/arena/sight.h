@@ -9,24 +9,24 @@
 
 namespace kerf {
 
-// What a ray meets.
+// The hit of a ray.
 struct SightHit {
-  BodyId body;           // not valid for the ground
+  BodyId body;           // invalid for the ground
   double length = 0;     // m, along the ray
   Vec3 normal{0, 1, 0};  // unit, in the world, against the ray
 };
 
-// Answers what rays meet in a world, which must not change meanwhile: neither bodies nor their faces. Keeps a
-// sphere around every visible body to pass over most of them.
+// Casts rays in a world, of which neither bodies nor faces may change in the meantime. Keeps a sphere
+// around every visible body to skip most of them.
 class Sight {
  public:
   explicit Sight(const World& world);
 
-  // Whether a body stops a ray.
+  // Returns true if a body stops a ray.
   using Stops = std::function<bool(BodyId)>;
 
-  // The first thing that a ray meets within a length, the ground among them. Precondition: the direction is a
-  // unit vector.
+  // The first hit of a ray within a length, including the ground. Precondition: the direction is a unit
+  // vector.
   std::optional<SightHit> nearest(const Pose& ray, double length, const Stops& stops) const;
 
   // A body whose faces may be near a beam.
@@ -43,7 +43,7 @@ class Sight {
   std::vector<Near> bodies_;
 };
 
-// Whether a half-line of a length comes as near to a sphere as `reach` metres.
+// Returns true if a segment of this length [m] comes within `reach` [m] of a sphere.
 bool comes_near(const Pose& ray, double length, const Vec3& centre, double radius, double reach = 0);
 
 }  // namespace kerf

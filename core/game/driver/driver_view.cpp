@@ -9,9 +9,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSmall = 0.8;      // m, the diagonal of what vehicles drive over
-constexpr double kFlat = 0.25;      // m, likewise the height
-constexpr double kTall = 3.5;       // m, the height from which on what is above a vehicle does not count
+constexpr double kSmall = 0.8;      // m, diagonal of bodies that vehicles drive over
+constexpr double kFlat = 0.25;      // m, their height
+constexpr double kTall = 3.5;       // m, height above which bodies over a vehicle are ignored
 constexpr double kUnderRoof = 2.2;  // m
 
 bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
@@ -19,10 +19,10 @@ bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
                      [&](const Vehicle& v) { return v.chassis != id && v.has(id); });
 }
 
-// The height of a point of a body over the origin of the world, m.
+// The height of a point of a body in the world [m].
 double height_of(const Body& body, const Vec3& p) { return body.placement.to_world(p).y; }
 
-// The heights between which the box of a body lies, m.
+// The range of heights of the box of a body [m].
 Interval heights_of(const Body& body, const Bounds& box) {
   Interval heights{height_of(body, box.min), height_of(body, box.min)};
   for (int corner = 1; corner < 8; ++corner) {
@@ -34,7 +34,7 @@ Interval heights_of(const Body& body, const Bounds& box) {
   return heights;
 }
 
-// The box of the faces of a tall body that begin below the roof of a vehicle that stands beside it.
+// The box of those faces of a tall body that extend below the roof of a vehicle.
 Bounds low_box(const Body& body, double below) {
   Bounds low{Vec3(1e300), Vec3(-1e300)};
   for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// What stands and moves in an arena besides what is fixed, as discs seen from above.
+// A loose body of an arena, or a part of one, as a disc seen from above.
 struct Disc {
   Vec3 centre{0};     // m
   double radius = 0;  // m
@@ -19,19 +19,18 @@ struct Disc {
   BodyId body;
 };
 
-// The discs of all bodies that a vehicle had better not drive over: chassis, wrecks, props, and large pieces.
-// Long bodies are covered by several, tall ones only as far as vehicles reach. O(bodies + faces of tall
-// ones).
+// The discs of all bodies that vehicles avoid: chassis, wrecks, props, and large pieces. Long bodies are
+// covered by several discs, tall ones only up to the height of vehicles. O(bodies + faces of tall ones).
 std::vector<Disc> find_traffic(const World& world, std::span<const Vehicle> vehicles);
 
-// What a driver knows of a match.
+// The state of a match as a driver perceives it.
 struct DriverView {
   const World& world;
   const Sight& sight;
   std::span<const Vehicle> vehicles;
   size_t self = 0;
   std::span<const size_t> opponents;
-  std::function<bool(BodyId)> is_wall;  // whether a body stops a beam
+  std::function<bool(BodyId)> is_wall;  // returns true if a body stops a beam
   Vec2 arena_size{0};                   // m
   double range = 0;                     // m, of lasers
   const FreeSpace& space;

@@ -13,10 +13,10 @@ namespace kerf {
 
 namespace {
 
-constexpr double kErrorTime = 2.5;   // s, in which the error of aim changes
+constexpr double kErrorTime = 2.5;   // s, time constant of the aim error
 constexpr double kSlashReach = 0.6;  // m
 constexpr double kSlashSpeed = 2.5;  // rad/s
-constexpr double kOnTarget = 0.12;   // rad, between where the barrel points and where it should
+constexpr double kOnTarget = 0.12;   // rad, between the actual and the wanted direction of the barrel
 
 int ticks_of(double seconds) { return static_cast<int>(seconds * double{kTicksPerSecond}); }
 
@@ -25,7 +25,7 @@ double normal(Random& random) { return 2 * (random.unit() + random.unit() + rand
 
 }  // namespace
 
-// Chooses one of the parts that still work.
+// Selects one of the parts that still work.
 void Aiming::choose_part(const Vehicle& opponent) {
   const VehicleModel& model = *opponent.model;
   std::vector<Vec3> vital, other;
@@ -90,7 +90,7 @@ Pilot::Pilot(uint64_t seed, const PilotSkill& skill)
   seen_.reserve(static_cast<size_t>(skill.reaction * kTicksPerSecond) + 1);
 }
 
-// The nearest opponent that is alive, with a preference for the one that it fights already.
+// Selects the nearest opponent that is alive, with a preference for the current one.
 void Pilot::choose_opponent(const DriverView& view) {
   const bool lives = has_opponent_ && std::ranges::find(view.opponents, opponent_) != view.opponents.end() &&
                      view.vehicles[opponent_].alive;

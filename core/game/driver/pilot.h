@@ -8,13 +8,13 @@
 
 namespace kerf {
 
-// How well a driver aims and how it fires.
+// Aiming and firing skill of a driver.
 struct AimingSkill {
   double error = 0.03;              // rad, standard deviation
-  double burst = 1.2, pause = 1.5;  // s, for which it fires and then does not
-  double vital = 0.5;               // the share of aims at vital parts and the turret
+  double burst = 1.2, pause = 1.5;  // s, durations of firing and of not firing
+  double vital = 0.5;               // fraction of aims at vital parts and the turret
   uint8_t width = 30;               // of the beam (see Controls)
-  double range = 24;                // m, from which on it does not fire
+  double range = 24;                // m, maximum distance at which it fires
 };
 
 // Aims at a part of an opponent and slashes across it.
@@ -22,8 +22,7 @@ class Aiming {
  public:
   Aiming(uint64_t seed, const AimingSkill& skill) : random_(seed), skill_(skill) {}
 
-  // Sets heading, pitch, width and fire. `seen` is where the driver believes the chassis of the opponent to
-  // be.
+  // Sets heading, pitch, width and fire. `seen`: the estimated placement of the chassis of the opponent.
   void aim(const DriverView& view, size_t opponent, const Placement& seen, Controls& controls);
 
  private:
@@ -35,11 +34,11 @@ class Aiming {
   Random random_;
   AimingSkill skill_;
   Vec3 part_{0};          // m, in the mesh of the opponent
-  int choose_in_ = 0;     // ticks until it aims at another part
-  bool upright_ = false;  // whether it slashes up and down
+  int choose_in_ = 0;     // ticks until it selects another part
+  bool upright_ = false;  // slashes vertically
   double phase_ = 0;      // rad, of the slash
   Vec2 error_{0};         // rad
-  int look_in_ = 0;       // ticks until it looks again whether a wall is between
+  int look_in_ = 0;       // ticks until it tests again for a wall in between
   bool walled_ = false;
   int switch_in_ = 0;  // ticks until it fires or pauses
   bool bursting_ = false;
@@ -47,19 +46,19 @@ class Aiming {
 
 struct PilotSkill {
   AimingSkill aiming;
-  double reaction = 0.4;  // s, below 2
+  double reaction = 0.4;  // s, < 2
   double distance = 12;   // m, from its opponent
-  double speed = 0.8;     // share of the throttle
+  double speed = 0.8;     // fraction of the throttle
 };
 
-// Drives a vehicle against its opponents: circles around the nearest one, aims at its parts, and keeps away
-// when it is damaged. Sees everything late by its reaction time, and reckons on from there with the velocity
-// that it saw. Its state is a function of its seed and of what it was shown.
+// Drives a vehicle against its opponents: circles around the nearest one, aims at its parts, and retreats
+// when damaged. Perceives everything late by its reaction time and extrapolates with the velocity that it
+// saw. Its state is a function of its seed and of the views passed to it.
 class Pilot {
  public:
   Pilot(uint64_t seed, const PilotSkill& skill);
 
-  // The controls for the next tick. To be called once a tick.
+  // Returns the controls for the next tick. Call once per tick.
   Controls drive(const DriverView& view);
 
  private:
@@ -76,7 +75,7 @@ class Pilot {
   Aiming aiming_;
   size_t opponent_ = 0;
   bool has_opponent_ = false;
-  int choose_in_ = 0;       // ticks until it looks for a nearer opponent
+  int choose_in_ = 0;       // ticks until it searches for a nearer opponent
   std::vector<Seen> seen_;  // a ring of the last ticks
   size_t next_ = 0;
   Controls controls_;

@@ -15,9 +15,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double kComfort = 2.2;   // m, the clearance from which on there is no detour for more
-constexpr double kNarrow = 1.2;    // times the length, for each metre less
-constexpr double kNoRoom = 20;     // times the length, where there is no room
+constexpr double kComfort = 2.2;   // m, clearance above which a route makes no detour for more
+constexpr double kNarrow = 1.2;    // times the length, per metre less
+constexpr double kNoRoom = 20;     // times the length, without room
 constexpr float kInTraffic = 6;    // times the length
 constexpr double kAroundGoal = 8;  // m
 constexpr double kBeside = 1.0;    // m, to traffic
@@ -116,7 +116,7 @@ constexpr double kDeeper = 0.04;              // m
 constexpr double kHeight = 2;                 // m, between floors
 constexpr double kMaxSide = 8;                // m/s^2, across
 
-// How far the discs of a vehicle reach into what is around it.
+// Measures how far the discs of a vehicle reach into obstacles.
 class Surrounds {
  public:
   Surrounds(const FreeSpace& space, std::span<const Disc> traffic, const Course& course)
@@ -128,7 +128,7 @@ class Surrounds {
     }
   }
 
-  // The least clearance of the three discs that cover the vehicle, m.
+  // The minimum clearance of the three discs that cover the vehicle [m].
   double room_at(const Vec3& at, const Vec3& ahead) const {
     if (space_.spots() == 0) return FreeSpace::kFar;
     double room = FreeSpace::kFar;
@@ -137,7 +137,7 @@ class Surrounds {
     return room;
   }
 
-  // The deepest overlap with traffic after some seconds, m; 0 where there is none.
+  // The deepest overlap with traffic after some seconds [m]; 0 if there is none.
   double overlap_at(const Vec3& at, const Vec3& ahead, double seconds) const {
     double deepest = 0;
     for (const Disc& disc : near_) {
@@ -206,9 +206,9 @@ constexpr int kLookEvery = 6, kPlanEvery = kSecond;  // ticks
 constexpr std::array kSteers{0.0, 0.25, -0.25, 0.55, -0.55, 1.0, -1.0};
 constexpr double kCruise = 15, kBack = 4.5;  // m/s
 constexpr double kAhead = 9;                 // m, along the route
-constexpr double kNear = 3;                  // m, to the end of a route that is done
-constexpr double kAway = 0.6;                // m, within which a vehicle is held
-constexpr int kHeld = kSecond * 3 / 4;       // ticks, for which it is held before it tries the other way
+constexpr double kNear = 3;                  // m, from the end of a route at which it is complete
+constexpr double kAway = 0.6;                // m, motion below which a vehicle is held
+constexpr int kHeld = kSecond * 3 / 4;       // ticks for which it is held before it tries the other direction
 
 int8_t share_of_full(double x) { return static_cast<int8_t>(std::clamp(x, -1.0, 1.0) * Controls::kFull); }
 
@@ -231,14 +231,14 @@ Course course_of(const DriverView& view) {
   return course;
 }
 
-// The traffic but for the vehicle itself.
+// The traffic without the vehicle itself.
 std::vector<Disc> others_of(const DriverView& view) {
   std::vector<Disc> others(view.traffic.begin(), view.traffic.end());
   std::erase_if(others, [&](const Disc& disc) { return disc.body == view.own().chassis; });
   return others;
 }
 
-// Whether a vehicle can drive straight from one place to another.
+// Returns true if a vehicle can drive straight from one place to another.
 bool is_straight(const DriverView& view, const Vec3& from, const Vec3& to) {
   const int steps = 1 + static_cast<int>(flat_distance(from, to) / (0.5 * FreeSpace::kCell));
   Vec3 p = from;
@@ -258,7 +258,7 @@ bool is_straight(const DriverView& view, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-// Drivers that start together do not look in the same tick, nor plan.
+// Staggers the drivers, so that those that start together do not plan in the same tick.
 Steering::Steering(uint64_t seed) : random_(seed), side_(random_.unit() < 0.5 ? -1 : 1) {
   look_in_ = 1 + static_cast<int>(random_.below(kLookEvery));
 }
@@ -321,7 +321,7 @@ void Steering::choose_arc(const DriverView& view, const Course& course, double s
   arc_ = best;
 }
 
-// Notices when it does not get away, and then tries the other direction for a while.
+// Detects missing progress, and then tries the other direction for a while.
 void Steering::record_progress(const Course& course, const Controls& controls) {
   if (escape_ > 0) --escape_;
   const bool wants = std::abs(controls.throttle) > Controls::kFull / 5;

@@ -9,60 +9,60 @@
 
 namespace kerf {
 
-// A way of a vehicle from one place to another, as points a cell apart, or nothing where there is none. It
-// stays away from what is fixed as far as there is room, and drives around `traffic` where that is shorter
-// than waiting for it. A start without room leads to the nearest spot with room first. The goal is taken to
-// the nearest spot with room.
+// Finds a route of a vehicle, as points a cell apart; empty if there is none. It keeps away from fixed
+// bodies as far as there is room, and bypasses `traffic` if that is shorter than waiting for it. From a
+// start without room it first leads to the nearest spot with room; a goal without room is replaced by the
+// nearest spot with room.
 //
-// A* (P. Hart, N. Nilsson, B. Raphael: A formal basis for the heuristic determination of minimum cost paths,
-// 1968). O(spots log spots) at worst.
+// A* (P. Hart, N. Nilsson, B. Raphael: A formal basis for the heuristic determination of minimum cost
+// paths, 1968). O(spots log spots) in the worst case.
 std::vector<Vec3> find_route(const FreeSpace& space, std::span<const Disc> traffic, const Vec3& from,
                              const Vec3& to);
 
-// How a vehicle stands and moves, seen from above.
+// The pose and motion of a vehicle, seen from above.
 struct Course {
-  Vec3 at{0};              // m, the middle between the axles
+  Vec3 at{0};              // m, midway between the axles
   double heading = 0;      // rad, see direction_of
   double speed = 0;        // m/s, forward
   double wheelbase = 2.6;  // m
   double reach = 1.3;      // m, from the middle to the discs at the front and at the rear
 };
 
-// A way of driving for the next moment.
+// A steering command for the next moment.
 struct Arc {
-  double steer = 0;  // -1 .. 1, of the full lock, positive to the left
-  double speed = 0;  // m/s that the driver goes for; negative backwards
+  double steer = 0;  // -1 .. 1, fraction of the full lock, positive to the left
+  double speed = 0;  // m/s, target; negative backwards
 };
 
-// Where an arc leads.
+// The predicted end of an arc.
 struct ArcEnd {
   Vec3 at{0};
   double heading = 0;
-  double free_s = 0, free_m = 0;  // until it meets something, or its end
-  double room = 0;                // m, the least clearance on the way
+  double free_s = 0, free_m = 0;  // time and distance to an obstacle, or to its end
+  double room = 0;                // m, the minimum clearance along it
 };
 
 inline constexpr double kArcTime = 1.8;  // s
 
-// Drives a vehicle along an arc in the plane (the kinematic bicycle) for kArcTime, or until one of three
-// discs that cover it has no room or meets `traffic`, which goes on as it moves. What the vehicle is in
-// already only counts if it gets deeper into it. Based on: D. Fox, W. Burgard, S. Thrun: The dynamic window
-// approach to collision avoidance, 1997.
+// Predicts the motion of a vehicle along an arc in the plane (kinematic bicycle) for kArcTime, or until one
+// of the three discs that cover it has no room or hits `traffic`, which moves with constant velocity. An
+// existing overlap counts only if it becomes deeper. Based on: D. Fox, W. Burgard, S. Thrun: The dynamic
+// window approach to collision avoidance, 1997.
 ArcEnd follow_arc(const FreeSpace& space, std::span<const Disc> traffic, const Course& course,
                   const Arc& arc);
 
-// Drives a vehicle around an opponent at a distance, past walls and wrecks, and back out of where it got
+// Drives a vehicle around an opponent at a distance, past walls and wrecks, and out of places where it is
 // stuck.
 //
-// Every second it finds a route to a place on a circle around the opponent, and every few ticks it takes the
-// arc, ahead or backwards, that leads best along the route and meets nothing (see follow_arc). A vehicle that
-// does not get away for a moment tries the other direction.
+// Every second it plans a route to a place on a circle around the opponent, and every few ticks it selects
+// the arc, forward or backward, that follows the route best without a collision (see follow_arc). A vehicle
+// that makes no progress for a moment tries the other direction.
 class Steering {
  public:
   explicit Steering(uint64_t seed);
 
-  // Sets throttle, steer and handbrake. `at` is where it believes the opponent to be; it keeps `distance`
-  // metres away and uses this share of its speed.
+  // Sets throttle, steer and handbrake. `at`: the estimated position of the opponent; `distance` [m]: to
+  // keep from it; `share`: fraction of its speed to use.
   void drive(const DriverView& view, const Vec3& at, double distance, double share, Controls& controls);
 
  private:
@@ -73,16 +73,16 @@ class Steering {
   void record_progress(const Course& course, const Controls& controls);
 
   Random random_;
-  double side_;              // +1 or -1: which way around
-  int turn_in_ = 0;          // ticks until it may turn round
-  int plan_in_ = 0;          // ticks until it looks for a new route
-  int look_in_ = 0;          // ticks until it chooses another arc
+  double side_;              // +1 or -1: direction around the opponent
+  int turn_in_ = 0;          // ticks until it may reverse that
+  int plan_in_ = 0;          // ticks until it plans a route
+  int look_in_ = 0;          // ticks until it selects another arc
   std::vector<Vec3> route_;  // m
   Arc arc_;
   double free_m_ = 0;       // m, along the arc
-  Vec3 anchor_{0};          // m, where it was when it last got away
-  int held_ = 0;            // ticks for which it did not get away from there
-  int escape_ = 0;          // ticks for which it still drives into one direction
+  Vec3 anchor_{0};          // m, where it last made progress
+  int held_ = 0;            // ticks without progress from there
+  int escape_ = 0;          // ticks for which it still escapes in one direction
   double escape_gear_ = 1;  // +1 or -1
 };
 

@@ -15,10 +15,10 @@ namespace kerf {
 
 namespace {
 
-constexpr Ticks kLookAround = 6;                   // after which drivers look where others are
+constexpr Ticks kLookAround = 6;                   // between updates of the traffic for drivers
 constexpr size_t kMaxSpawned = 8;                  // vehicles in a sandbox
-constexpr double kImpact = 1.5;                    // m/s, from which on a change of velocity is told
-constexpr double kThrown = 0.2, kThrownUp = 0.12;  // of the change of velocity in a crash
+constexpr double kImpact = 1.5;                    // m/s, change of velocity from which an impact is reported
+constexpr double kThrown = 0.2, kThrownUp = 0.12;  // fractions of the change of velocity in a crash
 constexpr double kCrumb = 0.0015;                  // m^2; smaller pieces burn up
 
 PilotSkill pilot_skill(const EnemySkill& skill) {
@@ -90,7 +90,7 @@ void Match::add_enemies(const WaveStart& start, Delta& came) {
   }
 }
 
-// A vehicle comes where the player asks for one, as long as there are not too many.
+// Spawns a vehicle if the player requests one, up to a limit.
 void Match::spawn() {
   const bool asks = vehicles_[kPlayer].controls.spawn, asked = std::exchange(asked_, asks);
   if (!asks || asked || rules().spawns.empty() || vehicles_.size() > kMaxSpawned) return;
@@ -199,7 +199,8 @@ void Match::take_controls(const Controls& player, const Sight& sight) {
   take_turns();
 }
 
-// Only so many enemies fire at the same time: those that fire already, and then the first ones.
+// Limits the number of enemies that fire at the same time: those that fire already, and then the first
+// ones.
 void Match::take_turns() {
   size_t left = rules().skill(setup_.difficulty).at_once;
   for (const bool firing : {true, false}) {
@@ -221,7 +222,7 @@ std::vector<Vec3> Match::velocities() const {
   return all;
 }
 
-// The vehicles as the physics shall treat them: only what is heavy stops one that drives.
+// The vehicles as kinematic bodies for the physics: only heavy bodies stop one that drives.
 std::vector<Guided> Match::guided() const {
   std::vector<Guided> all;
   for (const Vehicle& vehicle : vehicles_) {
@@ -267,7 +268,7 @@ void Match::record_impacts(const std::vector<Vec3>& velocities_before) {
   }
 }
 
-// What a crash lets go is thrown away from what was run into.
+// Throws the parts that a crash breaks off away from the obstacle.
 void Match::crash(size_t vehicle, const Vec3& at, const Vec3& change) {
   if (!let_go_near(world_.world(), vehicles_[vehicle], at, glm::length(change))) return;
   world_.record_released_joints();
@@ -369,8 +370,8 @@ void Match::lose_car() {
   tally_.tell({Event::Kind::kCarLost, kPlayer, Event::kNobody, standing.cars_left});
 }
 
-// The next wave begins where the player is; with another car the same one begins again, without the enemies
-// that are out of action, if there are others.
+// The next wave begins at the place of the player. With another car the same wave restarts, without the
+// disabled enemies if others are left.
 void Match::end_pause() {
   Standing& standing = tally_.standing();
   if (--standing.pause_left > 0) return;
@@ -396,7 +397,7 @@ void Match::end_pause() {
 
 namespace {
 
-// About as well as somebody who plays for the second time.
+// About the skill of a player in their second match.
 PilotSkill skill() { return {{0.035, 1, 1, 0.45, 50, 60}, 0.2, 8, 0.85}; }
 
 }  // namespace

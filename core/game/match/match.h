@@ -20,62 +20,61 @@ struct MatchSetup {
   Difficulty difficulty = Difficulty::kNormal;
 };
 
-// How a match stands where a wave begins: all that a wave depends on besides the setup of the match.
+// The state of a match at the start of a wave: everything a wave depends on except the setup of the match.
 struct WaveStart {
   Standing standing;
   Placement player;         // of the player's vehicle
-  size_t strokes = 0;       // of the player before
-  std::vector<size_t> out;  // enemies of the wave that an earlier car of the player put out of action
+  size_t strokes = 0;       // number of earlier strokes of the player
+  std::vector<size_t> out;  // enemies of the wave disabled by an earlier car of the player
 };
 
 // A match: the player's vehicle against waves of enemies in an arena.
 //
-// A tick turns the controls of all drivers into forces and beams, moves the bodies, cuts, makes what came off
-// bodies of their own, and reads from the meshes what the vehicles have lost. The result
-// is a function of the setup and of the player's controls: the same ones give the same world, to the bit, on
-// one kind of machine. A wave begins with a world that is made anew, so that memory does not grow: the
-// player's vehicle is whole again where it was, and wrecks and pieces are gone.
+// A tick turns the controls of all drivers into forces and beams, moves the bodies, cuts, makes separated
+// pieces bodies of their own, and reads the damage of the vehicles from the meshes. The result is a
+// function of the setup and of the player's controls: equal inputs give the same world, to the bit, on one
+// kind of machine. A wave begins with a new world, so that memory does not grow: the player's vehicle is
+// repaired at its current place, and wrecks and pieces are removed.
 class Match {
  public:
   explicit Match(MatchSetup setup);
-  // Goes on where a wave of a match with the same setup began. Precondition: the wave exists.
+  // Resumes a match with the same setup at the start of a wave. Precondition: the wave exists.
   Match(MatchSetup setup, const WaveStart& start);
 
-  // Advances by 1/120 s. Once it is over, the world goes on for kAftermath ticks, in which nobody drives,
-  // fires or scores, so that what is in the air comes down; after that nothing happens any more.
+  // Advances by 1/120 s. Once the match is over, the world continues for kAftermath ticks, in which nobody
+  // drives, fires or scores, so that airborne bodies land; after that tick() is a no-op.
   void tick(const Controls& player);
   static constexpr Ticks kAftermath = 3 * kTicksPerSecond;
-  // Whether the match is over, and its world has come to its end.
+  // Returns true if the match and its aftermath are over.
   bool settled() const { return standing().over() && standing().aftermath == kAftermath; }
 
-  // Whether the player drives a car without a laser. Who gives up then has lost that car.
+  // Returns true if the player drives a car without a laser; giving up then loses that car.
   bool is_disabled() const;
 
   const Rules& rules() const { return *setup_.rules; }
   const MatchSetup& setup() const { return setup_; }
   const Standing& standing() const { return tally_.standing(); }
-  // Where the present wave began.
+  // The start of the current wave.
   const WaveStart& wave_start() const { return wave_start_; }
-  // The seconds that are left to win.
+  // The time left to win [s].
   double seconds_left() const;
-  // How often the player switched the beam on.
+  // The number of times that the player switched the beam on.
   size_t strokes() const { return tally_.strokes(); }
 
   const World& world() const { return world_.world(); }
   const Physics& physics() const { return world_.physics(); }
-  // The vehicles of the wave, the player's first, then its enemies, then those that were asked for.
+  // The vehicles of the wave: the player's, then the enemies, then requested ones.
   static constexpr size_t kPlayer = Tally::kPlayer;
   const std::vector<Vehicle>& vehicles() const { return vehicles_; }
-  // The index of the vehicle that a body is or is carried by, or Event::kNobody.
+  // The index of the vehicle that a body belongs to, or Event::kNobody.
   size_t vehicle_of(BodyId body) const;
-  // Whether a body stops a beam.
   bool is_wall(BodyId body) const;
 
-  // What the last tick changed in the world, and what happened in it.
+  // Changes of the world and events in the last tick.
   const Delta& delta() const { return world_.delta(); }
   const std::vector<Event>& events() const { return tally_.events(); }
 
-  // What the driver of a vehicle sees. `sight` must be of world(), as it is.
+  // The view of the driver of a vehicle. Precondition: `sight` is of the current world().
   DriverView view(size_t vehicle, const Sight& sight) const;
 
  private:
@@ -108,20 +107,21 @@ class Match {
   WaveStart wave_start_;
   MatchWorld world_;
   std::vector<Vehicle> vehicles_;
-  std::vector<Disc> traffic_;    // as it was when drivers last looked around
+  std::vector<Disc> traffic_;    // at the last update of the drivers
   std::vector<Pilot> pilots_;    // of the enemies
   std::vector<size_t> enemies_;  // indices of vehicles that fight
-  std::vector<size_t> numbers_;  // of these in the wave of the rules
-  bool asked_ = false;           // for a vehicle, in the last tick
-  std::vector<Vec3> thrown_;     // by vehicle, m/s, what comes off it in this tick by a crash
+  std::vector<size_t> numbers_;  // of these, in the wave of the rules
+  bool asked_ = false;           // a vehicle was requested in the last tick
+  std::vector<Vec3> thrown_;     // m/s, by vehicle, of pieces that come off in this tick by a crash
 };
 
-// Plays the player's side of a match: one vehicle after the other, with a quick eye and a steady hand.
+// Plays the player's side of a match: attacks one vehicle after the other, with short reaction time and
+// accurate aim.
 class BotPlayer {
  public:
   explicit BotPlayer(const Match& match);
 
-  // The controls for the next tick. To be called once a tick.
+  // Returns the controls for the next tick. Call once per tick.
   Controls next(const Match& match);
 
  private:

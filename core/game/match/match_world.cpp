@@ -96,9 +96,9 @@ std::vector<BodyId> StaleColliders::take_due(const World& world, Ticks now) {
 
 namespace {
 
-constexpr Ticks kLookForJointsEvery = 10;  // where faces that carry some are gone
-constexpr size_t kSearch = 20'000;         // faces that the search for separated pieces visits in a tick
-constexpr size_t kMaxLoose = 200;          // bodies, those of the arena among them
+constexpr Ticks kLookForJointsEvery = 10;  // if faces that carry joints were removed
+constexpr size_t kSearch = 20'000;         // faces visited per tick by the search for separated pieces
+constexpr size_t kMaxLoose = 200;          // bodies, including those of the arena
 constexpr Ticks kClearEvery = kTicksPerSecond / 10;
 
 }  // namespace
@@ -127,7 +127,7 @@ void MatchWorld::begin_tick(Ticks now) {
   delta_ = Delta{};
 }
 
-// Contacts are known by the numbers of points and chords of a collider.
+// Contacts are identified by the indices of points and chords of a collider.
 void MatchWorld::renew_colliders() {
   const std::vector<BodyId> due = stale_colliders_.take_due(world_, now_);
   forget_contacts(world_, due);
@@ -167,9 +167,9 @@ void MatchWorld::record_placed(std::vector<BodyId> bodies) {
   delta_.append(std::move(placed));
 }
 
-// The part of a change that the physics is told at once: the bodies that came and went. It is told of their
-// faces later, and of pieces without joints not at all, because it makes the colliders of bodies that it does
-// not know, and need not look for the joints that hold.
+// The part of a change that the physics receives immediately: created and removed bodies. Changes of faces
+// follow later, and pieces without joints are omitted, because the physics builds colliders of unknown
+// bodies by itself and need not search for joints that hold.
 Delta MatchWorld::news_for_physics(const Delta& change) const {
   Delta news = change;
   news.bodies.clear();
@@ -218,7 +218,7 @@ bool MatchWorld::hangs(BodyId body, std::span<const HeldJoint> held) const {
   });
 }
 
-// Of the pieces that hung and of new ones those that no joint holds; the others hang from now on.
+// Returns the hanging and new pieces that no joint holds; the others hang from now on.
 std::vector<Detached> MatchWorld::take_off(std::vector<Detached> detached) {
   const bool asks = std::exchange(hinges_are_asked_, false) && !hanging_.empty();
   const auto may_hang = [&](const Detached& d) { return joint_faces_.any_in(world_.body(d.to)); };

@@ -15,16 +15,16 @@
 
 namespace kerf {
 
-// The faces that carry the joints of a world, as they were loaded.
+// The faces that carry the joints of a world, as loaded.
 class JointFaces {
  public:
   JointFaces() = default;
   explicit JointFaces(const Joints& joints);
 
-  // Whether a live face of a body carries a joint, by itself or as a part of a loaded face that does.
+  // Returns true if a live face of a body carries a joint, itself or as a part of a loaded face that does.
   // O(face slots).
   bool any_in(const Body& body) const;
-  // Whether one of these faces of a body, which may be dead, does.
+  // Returns true if one of these faces of a body, which may be removed, does.
   bool any_of(const Body& body, const std::vector<FaceId>& faces) const;
 
  private:
@@ -34,71 +34,72 @@ class JointFaces {
   std::map<BodyId, std::vector<bool>> of_;  // by Body::loaded_as, then by loaded face
 };
 
-// The bodies of a match whose colliders are older than their faces, and when these are made anew.
+// The bodies of a match whose colliders are older than their faces, and the ticks at which to rebuild them.
 //
-// Making the collider of a vehicle takes as long as all else in a tick. So the physics goes on with the one
-// that it has: for a few ticks while a beam removes faces, and for one where a piece came off. Two large ones
-// are not made in the same tick.
+// Building the collider of a vehicle takes as long as the rest of a tick. So the physics keeps using the
+// old one: for a few ticks while a beam removes faces, and for one when a piece came off. Two large ones
+// are not built in the same tick.
 class StaleColliders {
  public:
-  // Notes whose faces a change at the time `now` has changed. Bodies that came have no collider yet.
+  // Records the bodies whose faces a change at the time `now` modified. Created bodies have no collider
+  // yet.
   void note(const Delta& change, Ticks now);
 
-  // Takes out the bodies whose colliders are to be made in the tick `now`, ascending: of those that are due,
-  // the small ones, and of the large ones that which has been due for the longest time.
+  // Removes and returns the bodies whose colliders are to be built in the tick `now`, ascending: of those
+  // that are due, all small ones, and the large one that has been due longest.
   std::vector<BodyId> take_due(const World& world, Ticks now);
 
  private:
   std::map<BodyId, Ticks> due_;
 };
 
-// The world of a wave of a match with its physics. Whoever changes the world tells follow(), which spreads
-// the work over ticks: making the collider of a vehicle takes as long as all else in a tick.
+// The world of a wave of a match with its physics. Report each change of the world to follow(), which
+// spreads the work over ticks (see StaleColliders).
 class MatchWorld {
  public:
-  // The generation of all bodies: slots are never used again within a wave.
+  // Generation of all bodies: slots are never reused within a wave.
   static constexpr uint32_t kGeneration = 0;
 
   MatchWorld() = default;
-  // The bodies of an arena on its ground.
+  // Creates the bodies of an arena on its ground.
   explicit MatchWorld(const Arena& arena);
 
   World& world() { return world_; }
   const World& world() const { return world_; }
   const Physics& physics() const { return physics_; }
-  // What changed in the present tick.
+  // Changes in the current tick.
   const Delta& delta() const { return delta_; }
-  // The index of a body among those of the arena.
+  // The index of a body in the arena; nullopt if it is not of the arena.
   std::optional<size_t> of_arena(BodyId body) const;
 
-  // To be called once all vehicles are there: makes all colliders, which takes as long as ten ticks.
-  // `carried`: see Physics::tick.
+  // Builds all colliders, which takes as long as ten ticks. Call once all vehicles exist. `carried`: see
+  // Physics::tick.
   void make_colliders(std::span<const BodyId> carried);
 
-  // Begins a tick of the time `now` of the match.
+  // Begins a tick at the time `now` of the match.
   void begin_tick(Ticks now);
-  // Makes the colliders that are due, and looks for joints whose faces are gone.
+  // Builds the colliders that are due, and searches for joints whose faces were removed.
   void renew_colliders();
   // Moves all bodies for a tick.
   void move(std::span<const Guided> guided, std::span<const BodyId> carried);
-  // Nothing leaves the arena: its edge is a wall that takes away the motion against it.
+  // Keeps bodies inside the arena: its edge removes the velocity against it.
   void keep_inside(const ArenaDescription& arena);
-  // Notes bodies that were placed by something else than the physics in the course of move().
+  // Records bodies that were placed outside the physics during move().
   void record_placed(std::vector<BodyId> bodies);
-  // Notes that joints were let go by something else than beams.
+  // Records that joints were released other than by beams.
   void record_released_joints() { joints_are_asked_ = true; }
-  // Follows any other change of the world.
+  // Processes any other change of the world.
   void follow(Delta change);
   void remove(const std::vector<BodyId>& bodies);
-  // Makes separated pieces bodies of their own, once the search for them is finished and it is known what
-  // joints still hold, which the cuts of beams leave to this function. Parts that only hinges hold become
-  // bodies that turn on them. Returns the pieces that came off, in the order in which they did: those that
-  // are new and those that hung on hinges before.
+  // Makes separated pieces bodies of their own, once the search for them has finished and the joints that
+  // still hold are known, which beam cuts leave to this function. Parts held only by hinges become bodies
+  // that turn on them. Returns the pieces that came off, in order: new ones and those that hung on hinges
+  // before.
   std::vector<Detached> separate();
-  // Where too much lies about, the smallest pieces that lie still go, but nothing of the arena, nor what
-  // `stays`.
+  // If there are too many loose bodies, removes the smallest resting pieces, except bodies of the arena and
+  // those for which `stays` returns true.
   void clear_debris(const std::function<bool(BodyId)>& stays);
-  // Heat flows in each body for some ticks at once, and not in all bodies in the same tick.
+  // Conducts heat in each body for several ticks at a time, staggered over the bodies.
   void cool();
 
  private:
@@ -111,8 +112,8 @@ class MatchWorld {
   Ticks now_ = 0;
   StaleColliders stale_colliders_;
   JointFaces joint_faces_;
-  bool joints_are_asked_ = false;  // faces that carry some are gone, and the physics does not know it yet
-  bool hinges_are_asked_ = false;  // it knows it now, and `hanging_` does not
+  bool joints_are_asked_ = false;  // faces that carry joints were removed; the physics is not updated yet
+  bool hinges_are_asked_ = false;  // the physics is updated, but `hanging_` is not
   std::vector<Detached> hanging_;  // pieces that turn on hinges of the bodies from which they were detached
   std::vector<BodyId> arena_;      // by index of the bodies of the arena
   Delta delta_;

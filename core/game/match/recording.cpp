@@ -19,14 +19,14 @@ namespace {
 constexpr const char* kNames[] = {"easy", "normal", "hard"};
 constexpr size_t kMaxTicks = kMaxSeconds * kTicksPerSecond;
 
-// The controls of `ticks` equal ticks.
+// The JSON of `ticks` ticks with equal controls.
 nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
   return {
       ticks,          c.throttle, c.steer,   (c.handbrake ? 1 : 0) + (c.spawn ? 2 : 0) + (c.give_up ? 4 : 0),
       c.fire ? 1 : 0, c.width,    c.heading, c.pitch};
 }
 
-// The controls of one second.
+// The line of one second of controls.
 std::string inputs_line(std::span<const Controls> controls) {
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   for (size_t i = 0; i < controls.size();) {
@@ -38,7 +38,7 @@ std::string inputs_line(std::span<const Controls> controls) {
   return nlohmann::ordered_json{{"inputs", runs}}.dump() + "\n";
 }
 
-// A whole number within limits, of an element of a run.
+// Reads element `i` of a run, a whole number within limits.
 template <typename T>
 bool take(const nlohmann::json& run, size_t i, int64_t least, int64_t most, T& out) {
   if (!run[i].is_number_integer()) return false;
@@ -62,7 +62,7 @@ Status parse_run(const JsonValue& value, std::vector<Controls>& controls) {
   c.handbrake = buttons % 2 == 1;
   c.spawn = buttons / 2 % 2 == 1;
   c.give_up = buttons >= 4;
-  if (controls.size() + ticks > kMaxTicks) return value.wrong("is beyond ten hours");
+  if (controls.size() + ticks > kMaxTicks) return value.wrong("exceeds the limit of ten hours");
   controls.insert(controls.end(), ticks, c);
   return Done{};
 }
@@ -75,11 +75,11 @@ Status parse_runs(const JsonValue& value, Recording& recording) {
   return Done{};
 }
 
-// The fields of the first line, and of the last one.
+// The fields of the first and of the last line.
 void describe_head(Fields& f, Recording& recording) {
   std::string kind = "match";
   f.text("kerf", kind);
-  f.check(kind == "match", "kerf", "this is no recording of a match");
+  f.check(kind == "match", "kerf", "not a recording of a match");
   f.format(kRecordingFormat);
   f.path("rules", recording.rules);
   if (f.present("player", !recording.player.empty())) f.path("player", recording.player);
@@ -187,7 +187,7 @@ Result<Recording> read_recording(const std::filesystem::path& file) {
     if (!parsed && number == 1) return parsed.error();
     if (!parsed || end == std::string::npos) {
       recording.torn = end == std::string::npos;
-      recording.damage = where + " is damaged, and the match is read up to there";
+      recording.damage = where + " is damaged; the recording was read up to there";
       return recording;
     }
     at = end + 1;

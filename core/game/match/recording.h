@@ -13,11 +13,11 @@
 
 namespace kerf {
 
-// The format of recordings: raised when recordings change so that other versions of Kerf cannot read them, or
-// when the same inputs lead to another world than before.
+// The format of recordings: incremented when other versions of Kerf cannot read them, or when equal inputs
+// lead to another world than before.
 inline constexpr uint64_t kRecordingFormat = 1;
 
-// Limits of the seed and of the duration [s] of a match that can be recorded.
+// Maximum seed and duration [s] of a recorded match.
 inline constexpr uint64_t kMaxSeed = 1'000'000'000'000'000;
 inline constexpr size_t kMaxSeconds = 36'000;
 
@@ -28,33 +28,32 @@ inline constexpr size_t kMaxSeconds = 36'000;
 //   {"inputs": [[ticks, throttle, steer, buttons, fire, width, heading, pitch], ...]}
 //   {"hash": "0123456789abcdef", "machine": "..."}
 //
-// "format" and "program" are those of Fields::format. "files" is a hash of the rules and of all
-// files that they name. A vehicle file "player" is in the head where the player drove another vehicle than
-// that of the rules. Inputs are the player's controls, each for so many ticks; each line holds a second. Of
-// the buttons the handbrake counts 1, asking for a vehicle 2, and giving up 4. The hash is that of the world
-// at the end.
+// "format" and "program": see Fields::format. "files": the hash of the rules and of all files that they
+// name. "player": the vehicle file, if the player drove another vehicle than that of the rules. Each input
+// is a number of ticks with equal controls of the player; a line holds a second. Buttons are the sum of 1
+// (handbrake), 2 (request a vehicle) and 4 (give up). The hash is that of the final world.
 struct Recording {
-  std::filesystem::path rules, player;  // player: empty where it is that of the rules
+  std::filesystem::path rules, player;  // player: empty if it is that of the rules
   uint64_t files = 0, seed = 1;
   Difficulty difficulty = Difficulty::kNormal;
   std::vector<Controls> controls;  // by tick
   std::optional<uint64_t> hash;
-  std::string machine;  // on which it was made (see machine_kind); empty without a hash
-  std::string damage;   // one sentence on what could not be read, or empty
-  bool torn = false;    // only the last line could not be read, because it is incomplete
+  std::string machine;  // kind of machine of the recording (see machine_kind); empty without a hash
+  std::string damage;   // one sentence about what could not be read, or empty
+  bool torn = false;    // only the last line is unreadable, because it is incomplete
 };
 
-// Whether a file begins like a recording.
+// Returns true if a file begins like a recording.
 bool is_recording(const std::filesystem::path& file);
 
-// Reads a recording up to its first damaged line, which `damage` tells. Bad input if the file or its first
+// Reads a recording up to its first damaged line, stated in `damage`. Bad input if the file or its first
 // line cannot be read.
 Result<Recording> read_recording(const std::filesystem::path& file);
 
 // The text of a recording for a file in `folder`. Bad input if the path of the rules is not UTF-8.
 Result<std::string> recording_text(const Recording& recording, const std::filesystem::path& folder);
 
-// The files that a match is made of: the rules, and all that they name. Fails if one cannot be read.
+// The files of a match: the rules and all files that they name. Fails if one cannot be read.
 Result<std::vector<std::filesystem::path>> files_of_match(const std::filesystem::path& rules_file,
                                                           const RulesDescription& rules);
 // The hash of these files.
@@ -66,23 +65,23 @@ std::optional<Difficulty> parse_difficulty(std::string_view name);
 // A part of a match that lies within one wave.
 struct MatchMoment {
   WaveStart start;         // of its wave
-  Ticks from = 0, to = 0;  // since the beginning of the match
-  size_t vehicle = 0;      // to which most of it happened, an index of Match::vehicles()
-  double points = 0;       // that the player got in it
+  Ticks from = 0, to = 0;  // since the start of the match
+  size_t vehicle = 0;      // the most affected one, an index of Match::vehicles()
+  double points = 0;       // of the player in it
 };
 
-// Remembers when the player scored, to find the best moment of a match.
+// Records when the player scored, to find the best moment of a match.
 class ScoreLog {
  public:
   static constexpr Ticks kMoment = 10 * kTicksPerSecond;
-  static constexpr Ticks kAfterwards = 2 * kTicksPerSecond;  // that it goes on after its last points
+  static constexpr Ticks kAfterwards = 2 * kTicksPerSecond;  // duration after its last points
 
-  // Takes the events of the last tick. To be called after every tick of the match.
+  // Records the events of the last tick. Call after every tick of the match.
   void hear(const Match& match);
 
-  // The kMoment ticks in which the player got the most points, the first of them if there are several, and
-  // ending kAfterwards after the last of these points. Without any points the last ticks of the match.
-  // Shorter where the wave or the match is. Nothing if the match has not been ticked. Linear time.
+  // The kMoment ticks in which the player got the most points, the first of them if there are several,
+  // ending kAfterwards after the last of these points; without points the last ticks of the match. Shorter
+  // if the wave or the match is. Returns nullopt if the match has no ticks. Linear time.
   std::optional<MatchMoment> best() const;
 
  private:
@@ -99,10 +98,9 @@ class ScoreLog {
   Ticks ticks_ = 0;
 };
 
-// The match with this setup and these controls of its player, as it stands after `ticks` ticks, which are
-// those since the beginning of the match with those after its end, or when it is settled. Begins at `start`.
-// Nothing if `stop` tells so.
-// Precondition: start.standing.ticks <= ticks <= controls.size().
+// Simulates the match with this setup and these controls of its player from `start` to `ticks` ticks since
+// the start of the match, including those after its end, or until it is settled. Returns null if `stop`
+// returns true. Precondition: start.standing.ticks <= ticks <= controls.size().
 std::unique_ptr<Match> match_at(
     const MatchSetup& setup, const WaveStart& start, std::span<const Controls> controls, Ticks ticks,
     const std::function<bool()>& stop = [] { return false; });

@@ -16,38 +16,38 @@ namespace kerf {
 
 enum class Difficulty { kEasy, kNormal, kHard };
 
-// How well enemies fight.
+// Skill of enemies.
 struct EnemySkill {
-  double reaction = 0.55;   // s, by which they see later what happens
+  double reaction = 0.55;   // s, delay of their perception
   double aim_error = 0.06;  // rad
-  double speed = 0.85;      // share of the throttle
-  double fire = 0.6;        // share of the time for which they fire when they could
-  double distance = 13;     // m, that they keep from their opponent
-  size_t at_once = 12;      // how many of them fire at the same time
+  double speed = 0.85;      // fraction of the throttle
+  double fire = 0.6;        // fraction of the time for which they fire when they could
+  double distance = 13;     // m, to keep from their opponent
+  size_t at_once = 12;      // number of them that may fire at the same time
 };
 
-// Points for what the player cuts off.
+// Points of the player.
 struct Scores {
   double piece = 10, wheel = 100, turret = 250, engine = 300, driver = 300, kill = 500;
-  double in_halves = 400;    // an enemy falls in two parts of a quarter of it at least
-  double at_a_stroke = 600;  // it dies while the beam that first cut it has not been switched off
+  double in_halves = 400;    // an enemy is split in two parts of at least a quarter of it
+  double at_a_stroke = 600;  // it dies during the stroke that first cut it
   double clean = 0;          // a part comes off whole (see is_clean)
 };
 
 struct MatchTimes {
-  double match = 600;        // s, that the player has
+  double match = 600;        // s, time limit
   double between_waves = 6;  // s
   double righting = 3;       // s, for which a vehicle lies before it is put upright
-  double stuck = 3;          // s, for which it does not get away before it is lifted
+  double stuck = 3;          // s, for which it is stuck before it is moved
 };
 
-// The content of a rules file. The initial values are those of keys that a file does not have.
+// The content of a rules file. The initial values are the defaults of missing keys.
 struct RulesDescription {
   std::string name;
   std::filesystem::path arena, player;
-  std::vector<std::vector<std::filesystem::path>> waves;  // the vehicles of each; none for a sandbox
-  std::vector<std::filesystem::path> spawns;              // vehicles to cut that come when they are asked for
-  size_t cars = 1;                                        // that the player has, one after the other
+  std::vector<std::vector<std::filesystem::path>> waves;  // vehicles of each; none for a sandbox
+  std::vector<std::filesystem::path> spawns;              // vehicles to cut that the player can request
+  size_t cars = 1;                                        // number of cars of the player, one after the other
   bool targets = false;  // enemies stand still, and the match ends with its time, neither won nor lost
   LaserRules laser;
   MatchTimes times;
@@ -70,15 +70,15 @@ struct RulesDescription {
 //              "in_halves": 400, "at_a_stroke": 600, "clean": 50},
 //    "cars": 3, "targets": false, "spawns": ["../vehicles/van.json"]}
 //
-// Errors of aim are in degrees. "recharge_per_second_driving", at 8 m/s or more, is "recharge_per_second"
-// where it is not given. Required are "arena", "player" and "waves". Bad input otherwise, with the file and
-// the JSON pointer. The other files are not read.
+// Aim errors are in degrees. "recharge_per_second_driving", at 8 m/s or more, defaults to
+// "recharge_per_second". Required are "arena", "player" and "waves". Bad input otherwise, with the file and
+// the JSON pointer. Does not read the other files.
 Result<RulesDescription> read_rules(const std::filesystem::path& file);
 
-// Rules with all that they name loaded. It does not change during a match and may be used for many.
+// Rules with all their files loaded. Immutable; may be shared by many matches.
 struct Rules {
   RulesDescription description;
-  std::filesystem::path file, player_file;  // from which they were loaded (see load_rules)
+  std::filesystem::path file, player_file;  // loaded files (see load_rules)
   Arena arena;
   std::shared_ptr<const VehicleModel> player;
   std::vector<std::vector<std::shared_ptr<const VehicleModel>>> waves;
@@ -86,9 +86,9 @@ struct Rules {
   const EnemySkill& skill(Difficulty d) const { return description.skills[static_cast<size_t>(d)]; }
 };
 
-// Reads and loads the arena and the vehicles, each file once. The player drives the vehicle of the file
-// `player` where that is not empty, and that of the rules otherwise. Fails like read_arena, load_arena,
-// read_vehicle and load_vehicle, and if the arena has too few starts for a wave. `progress` may be null.
+// Reads the rules and loads the arena and the vehicles, each file once. The player drives the vehicle of
+// the file `player`, or that of the rules if it is empty. Fails like read_arena, load_arena, read_vehicle
+// and load_vehicle, and if the arena has too few starts for a wave. `progress` may be null.
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file,
                                                 const Progress* progress = nullptr,
                                                 const std::filesystem::path& player = {});

@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-// Something that happened in a tick of a match, for the screen and for statistics.
+// An event in a tick of a match, for the screen and for statistics.
 struct Event {
   enum class Kind {
     kCut,         // a beam removed `size` kg of `body`
@@ -24,11 +24,11 @@ struct Event {
     kTurretLost,  // `body` is the turret
     kBarrelLost,  // `body` is the barrel
     kVitalLost,   // `part` is the index of the vital part
-    kInHalves,    // a piece of a quarter of the chassis or more came off: `body`
+    kInHalves,    // `body`, a piece of at least a quarter of the chassis, came off
     kKilled,
     kOverheated,   // the laser of `vehicle`
     kImpact,       // the velocity of `vehicle` changed by `size` m/s
-    kRighted,      // `vehicle` was put on its wheels, or out of where it was stuck
+    kRighted,      // `vehicle` was put upright, or moved from where it was stuck
     kWaveBegins,   // `part` is the number of the wave, from 0
     kWaveCleared,  // likewise
     kCarLost,      // the player's; `part` are left
@@ -38,8 +38,8 @@ struct Event {
   static constexpr size_t kNobody = static_cast<size_t>(-1);
 
   Kind kind;
-  size_t vehicle = kNobody;  // the one to which it happened, an index of Match::vehicles()
-  size_t by = kNobody;       // the one whose beam did it
+  size_t vehicle = kNobody;  // affected vehicle, an index of Match::vehicles()
+  size_t by = kNobody;       // vehicle whose beam caused it
   size_t part = 0;
   BodyId body{};
   Vec3 at{0};  // m, in the world
@@ -47,22 +47,22 @@ struct Event {
   double points = 0;  // that the player got for it
 };
 
-// How a match stands.
+// The state of a match.
 struct Standing {
   enum class Phase {
     kFight,
-    kPause,  // a wave is cleared, the next one comes soon
-    kDown,   // the player's car is out, and the next one comes soon
+    kPause,  // a wave is cleared, the next one follows soon
+    kDown,   // the player's car is wrecked, the next one follows soon
     kWon,
     kLost,
-    kEnded,  // neither: the time of a sandbox is over
+    kEnded,  // neither: the time of a sandbox is up
   };
   Phase phase = Phase::kFight;
   size_t wave = 0;       // from 0
-  Ticks ticks = 0;       // since the beginning
-  Ticks aftermath = 0;   // for which the world went on after the match was over
+  Ticks ticks = 0;       // since the start
+  Ticks aftermath = 0;   // since the match was over
   Ticks pause_left = 0;  // of kPause and kDown
-  size_t cars_left = 0;  // of the player, besides the one that is driven
+  size_t cars_left = 0;  // of the player, not counting the current one
   double score = 0;
   size_t enemies_destroyed = 0;
   size_t wheels_lost = 0;  // of the player's vehicles
@@ -73,8 +73,8 @@ struct Standing {
   Ticks elapsed() const { return ticks + aftermath; }
 };
 
-// Counts what happens in a match: who cut what off whom, the points for it, and how the match stands by it.
-// Vehicles are named by their index in the wave; the player has index 0.
+// Keeps the score of a match: cuts, points, and the state of the match. Vehicles are identified by their
+// index in the wave; the player has index 0.
 class Tally {
  public:
   static constexpr size_t kPlayer = 0;
@@ -86,35 +86,35 @@ class Tally {
 
   Standing& standing() { return standing_; }
   const Standing& standing() const { return standing_; }
-  // How often the player switched the beam on.
+  // The number of times that the player switched the beam on.
   size_t strokes() const { return strokes_; }
   void count_stroke() { ++strokes_; }
-  // What happened in this tick.
+  // The events of this tick.
   const std::vector<Event>& events() const { return events_; }
 
-  // Begins a wave of so many vehicles.
+  // Begins a wave of this number of vehicles.
   void begin_wave(size_t vehicles) { records_.assign(vehicles, Record{}); }
   void add_vehicle() { records_.emplace_back(); }
   void begin_tick() { events_.clear(); }
 
-  // Tells of something that happened to a vehicle, with points if the player did it to an enemy.
+  // Adds an event of a vehicle, with points if the player caused it to an enemy.
   void tell(Event event, double points = 0);
-  // The beam of a vehicle cut a body, which `victim` is or carries (Event::kNobody: no vehicle).
+  // Records that the beam of a vehicle cut a body of the vehicle `victim` (Event::kNobody: of none).
   void record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
-  // A piece came off a body that was, or was carried by, that vehicle (null: none). `clean`: see is_clean.
+  // Records that a piece came off a body of that vehicle (null: of none). `clean`: see is_clean.
   void record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
                     bool clean);
-  // Whether the damage of a vehicle is to be read from its meshes, because it was cut or a piece came off it.
-  // The next call says no.
+  // Returns true once after a vehicle was cut or a piece came off it, i.e. if its damage must be read from
+  // its meshes.
   bool takes_assessment(size_t vehicle);
   void record_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage);
 
  private:
-  // What is known of a vehicle besides its state.
+  // Data of a vehicle in addition to its state.
   struct Record {
     size_t last_cut_by = Event::kNobody;
     size_t first_stroke = 0;  // of the player that cut it, from 1; 0 if none did
-    bool changed = false;     // faces of it changed since it was last assessed, or a piece came off
+    bool changed = false;     // faces of it changed, or a piece came off, since the last assessment
   };
   const Scores* scores_ = nullptr;
   Standing standing_;
@@ -123,7 +123,7 @@ class Tally {
   std::vector<Event> events_;
 };
 
-// The middle of the bounding box of a body in the world, m.
+// The centre of the bounding box of a body in the world [m].
 Vec3 middle_of(const Body& body);
 
 }  // namespace kerf

@@ -14,8 +14,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double kStartsAway = 30;  // m, of the way of enemies to the player
-constexpr double kGap = 2.5;        // m, between a vehicle that comes and other things
+constexpr double kStartsAway = 30;  // m, length of the route of enemies to the player
+constexpr double kGap = 2.5;        // m, between a new vehicle and other bodies
 
 double length_of(const std::vector<Vec3>& way) {
   double length = 0;
@@ -60,11 +60,11 @@ std::optional<Placement> place_before(const Placement& vehicle, const FreeSpace&
 
 namespace {
 
-constexpr double kLeaning = 0.35;  // the cosine of the lean from which on a vehicle is overturned
+constexpr double kLeaning = 0.35;  // cosine of the lean beyond which a vehicle is overturned
 constexpr double kRoom = 2.5;      // m, around a vehicle
 constexpr double kFreeSpeed = 3;   // m/s
 constexpr double kAway = 0.9;      // m
-constexpr double kGetAway = 1.2;   // s, that a vehicle which was put upright has to get away
+constexpr double kGetAway = 1.2;   // s, allowed to a vehicle that was put upright to make progress
 constexpr double kLift = 0.35;     // m
 
 bool wants_away(const Vehicle& vehicle) { return std::abs(vehicle.controls.throttle) > Controls::kFull / 5; }
@@ -73,7 +73,7 @@ bool is_overturned(const Body& chassis) {
   return (chassis.placement.orientation * Vec3(0, 1, 0)).y < kLeaning;
 }
 
-// A vehicle that stands on all its wheels and has not tried both ways is only in front of something.
+// A vehicle on all its wheels that has not tried both directions only stands in front of something.
 bool is_caught(const Vehicle& vehicle) {
   return (vehicle.tried_ahead && vehicle.tried_back) ||
          std::any_of(vehicle.wheels.begin(), vehicle.wheels.end(),
@@ -98,7 +98,7 @@ void count(const Body& chassis, Vehicle& vehicle) {
     vehicle.free_place = chassis.placement;
 }
 
-// Whether no other body that moves is near a place.
+// Returns true if no other moving body is near a place.
 bool is_free(const World& world, const Vehicle& vehicle, const Vec3& place) {
   const Sight sight(world);
   for (const Sight::Near& near : sight.bodies()) {
@@ -108,8 +108,8 @@ bool is_free(const World& world, const Vehicle& vehicle, const Vec3& place) {
   return true;
 }
 
-// Where a vehicle can drive on: where it last did, or the nearest place with room. One that is wedged has
-// tried the places beside it.
+// A place from which a vehicle can drive: where it last did, or the nearest place with room. A wedged one
+// has tried the places nearby.
 std::optional<Placement> way_out(const World& world, const Vehicle& vehicle, const FreeSpace& space,
                                  const Placement& from) {
   const bool wedged = vehicle.back_off.wedged;
@@ -149,7 +149,7 @@ bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, con
   const bool stuck = (caught || vehicle.back_off.wedged) && vehicle.can_drive();
   if (!overturned && !stuck) return false;
   const double ground = world.environment().ground.value_or(chassis.placement.position.y);
-  // The middle of a vehicle on its roof is not where its origin is.
+  // The centre of a vehicle on its roof is not at its origin.
   const Vec3 middle = chassis.placement.to_world(chassis.middle());
   const Placement here = upright({{middle.x, overturned ? middle.y : chassis.placement.position.y, middle.z},
                                   chassis.placement.orientation},
@@ -161,7 +161,7 @@ bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, con
   vehicle.back_off = {};
   begin_to_count(chassis, vehicle);
   if (!out) vehicle.stuck_s = std::max(0.0, times.stuck - kGetAway);
-  vehicle.gun.last.reset();  // lest the beam sweeps through all that lies between
+  vehicle.gun.last.reset();  // otherwise the beam would sweep through everything in between
   place_carried(world, vehicle);
   return true;
 }

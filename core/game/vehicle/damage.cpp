@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-// What is left of the groups of a watch in a body.
+// The remaining area of the groups of a watch in a body.
 class Rest {
  public:
   Rest(const World& world, BodyId id, const FaceWatch& watch)
@@ -22,7 +22,7 @@ class Rest {
   std::vector<double> left_;
 };
 
-// Whether a carried body holds together from its seat on.
+// Returns true if a carried body is intact enough at its seat.
 bool holds(const World& world, BodyId id, const VehicleBody& model) {
   const Rest rest(world, id, model.watch);
   return rest.works(VehicleModel::kAll) && rest.works(VehicleModel::kSeat);
@@ -103,7 +103,7 @@ bool is_clean(const Body& piece, const Body& loaded) {
 
 namespace {
 
-constexpr double kReach = 0.8, kMoreReach = 0.07;  // m at kCrash, and m for each m/s more
+constexpr double kReach = 0.8, kMoreReach = 0.07;  // m at kCrash, and m per m/s above it
 constexpr double kMaxReach = 1.6;                  // m
 
 }  // namespace
@@ -112,7 +112,7 @@ Vec3 pushed_at(const Body& chassis, const Vec3& change) {
   const Bounds box = chassis.bounds();
   const Vec3 middle = 0.5 * (box.min + box.max), half = 0.5 * (box.max - box.min);
   const Vec3 way = glm::conjugate(chassis.placement.orientation) * -change;
-  double share = 1e300;  // of `way` that leads from the middle to the side
+  double share = 1e300;  // of `way`, from the middle to the side
   for (const int axis : {0, 2}) {
     if (way[axis] != 0) share = std::min(share, half[axis] / std::abs(way[axis]));
   }

@@ -39,7 +39,7 @@ Soup extract_part(const Soup& soup, const std::vector<uint32_t>& part, uint32_t 
   own.positions = soup.positions;
   own.material_names = soup.material_names;
   own.format = soup.format;
-  std::vector<uint32_t> before(part.size() + 1, 0);  // triangles of the part ahead of each one
+  std::vector<uint32_t> before(part.size() + 1, 0);  // triangles of the part before each one
   for (size_t t = 0; t < part.size(); ++t) {
     before[t + 1] = before[t] + (part[t] == wanted ? 1 : 0);
     if (part[t] != wanted) continue;
@@ -56,7 +56,7 @@ Soup extract_part(const Soup& soup, const std::vector<uint32_t>& part, uint32_t 
 
 namespace {
 
-// Whether the triangle lies in the ball because its corners do.
+// Returns true if all corners of the triangle lie in the ball.
 bool is_inside(const Triangle& t, const Ball& ball) {
   return std::all_of(t.begin(), t.end(),
                      [&](const Vec3& p) { return glm::distance(p, ball.centre) <= ball.radius; });

@@ -56,10 +56,10 @@ bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules) {
 
 namespace {
 
-// How far a removed face may reach out of the beam: in radii, and at least so many metres.
+// How far a removed face may extend beyond the beam: in radii, and at least in metres.
 constexpr double kTolerance = 1.2, kMinTolerance = 0.02;
-constexpr double kHeatWidth = 0.025;  // m, beside a cut; a few faces
-constexpr double kStep = 6;           // radii by which a point of the beam moves at most in one of its moves
+constexpr double kHeatWidth = 0.025;  // m, next to a cut; a few faces
+constexpr double kStep = 6;           // radii, maximum motion of a point of the beam in one move
 
 CutSettings cut_settings(double radius, double length) {
   CutSettings settings;
@@ -73,10 +73,10 @@ CutSettings cut_settings(double radius, double length) {
   return settings;
 }
 
-// A move with the same beams and with the origin in front slid back along its beam until it lies beside the
-// other one. The ends of a beam that moves along itself and aside at once are wider for what it touches than
-// for what it removes (see SweptCylinder): faces there would be split without end. So the beam ends a little
-// before a wall.
+// Returns a move along the same beams with the advanced origin slid back along its beam until it is level
+// with the other one. The ends of a beam that moves along itself and sideways at once are wider for
+// touching than for removing (see SweptCylinder): faces there would be split endlessly. So the beam ends
+// slightly before a wall.
 BeamMove without_advance(BeamMove move) {
   const Vec3 axis = glm::normalize(move.from.direction + move.to.direction);
   const double advance = glm::dot(move.to.origin - move.from.origin, axis);
@@ -85,7 +85,7 @@ BeamMove without_advance(BeamMove move) {
   return move;
 }
 
-// The moves of the beam through a body, in its frame, without those that pass it by.
+// The moves of the beam through a body, in its frame, without those that miss it.
 std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, const Placement& then,
                                     const Pose& to, const CutSettings& settings) {
   const Placement& now = near.body->placement;
@@ -105,7 +105,7 @@ std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, c
   return moves;
 }
 
-// The change of a body by a cut that failed: its delta is lost, so that all must read the world again.
+// The change of a body by a failed cut: its delta is lost, so that observers must reload the world.
 StepResult unknown_change(BodyId id) {
   StepResult result;
   result.delta.anew = true;

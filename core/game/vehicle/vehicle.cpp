@@ -35,7 +35,6 @@ bool Vehicle::is_made_of(const Body& body) const {
 
 namespace {
 
-// First `inner`, then `outer`.
 Placement combined(const Placement& outer, const Placement& inner) {
   return {outer.to_world(inner.position), glm::normalize(outer.orientation * inner.orientation)};
 }
@@ -69,7 +68,7 @@ Placement barrel_placement(const Vehicle& vehicle) {
   return combined(turret_placement(vehicle), turned_about(pivot, turn_about({1, 0, 0}, -vehicle.gun.pitch)));
 }
 
-// `spin` (rad/s, in the world) is what the body turns by besides the chassis, about a point of the world.
+// `spin` [rad/s, in the world]: rotation of the body relative to the chassis, about a point of the world.
 void place(World& world, BodyId id, const Body& chassis, const Placement& local, const Vec3& spin,
            const Vec3& about) {
   Body& body = world.body(id);

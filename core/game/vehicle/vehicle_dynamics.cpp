@@ -42,33 +42,33 @@ void RigidMotion::store(Body& body) const {
 
 namespace {
 
-// The suspension, for each kilogram of the vehicle and each wheel, after the vehicle of Bullet.
+// The suspension, per kilogram of the vehicle and per wheel, after the vehicle of Bullet.
 constexpr double kStiffness = 25;                      // 1/s^2
 constexpr double kCompression = 3, kRelaxation = 4.5;  // 1/s, of the damper
 constexpr double kBumpStop = 8;                        // times the stiffness, beyond the travel
 constexpr double kMaxLoad = 40;                        // m/s^2, times the mass
 constexpr double kGrip = 1.15;                         // coefficient of friction of a tyre
 constexpr double kLockedGrip = 0.55;                   // across a wheel that the handbrake locks
-constexpr double kStump = 0.5, kStumpGrip = 0.3;  // where a wheel is gone: of its radius, and of its load
+constexpr double kStump = 0.5, kStumpGrip = 0.3;  // of a lost wheel: fractions of its radius and its load
 constexpr double kRollingResistance = 0.018;      // of the load
 constexpr double kBrake = 8;                      // m/s^2, times the share of a wheel in the mass
-constexpr double kLeanLess = 0.75;                // of the height of the centre over the ground
+constexpr double kLeanLess = 0.75;                // of the height of the centre above the ground
 constexpr double kSteeringSpeed = 2.4;            // rad/s
 constexpr double kStandstill = 0.6;               // m/s, below which throttle backwards reverses
 constexpr int kSweeps = 3;
 
 double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
-// A wheel that stands on something, with its axes in the world.
+// A grounded wheel with its axes in the world.
 struct Standing {
   Wheel* wheel;
   Vec3 at, normal, forward, side;
-  Body* below = nullptr;  // on which it stands, if that can move
+  Body* below = nullptr;  // the movable body below it, if any
   Vec3 ground_velocity{0};
   double load = 0;                            // N s in the tick
   double drive = 0;                           // N s, wanted along `forward`
-  double brake = 0;                           // N s, at most
-  double grip_across = 0, grip_along = 0;     // N s, at most
+  double brake = 0;                           // N s, maximum
+  double grip_across = 0, grip_along = 0;     // N s, maximum
   double across = 0, along = 0, braking = 0;  // N s, so far; braking is a part of `along`
 };
 
@@ -117,11 +117,11 @@ class Drive {
     }
   }
 
-  // Where the ray of a wheel starts, above its hub.
+  // Height of the start of the ray of a wheel above its hub.
   static constexpr double kAbove = 0.35;  // m
 
-  // Whether a wheel stands on a body. The ray of a wheel begins above it, within the vehicle, where what came
-  // off the vehicle may still be; and what the vehicle sweeps aside gets between wheel and chassis.
+  // Returns true if a body can carry a wheel. The ray of a wheel starts above it, within the vehicle, where
+  // detached parts of the vehicle may still be; and loose bodies can get between wheel and chassis.
   bool carries(BodyId id) const {
     const Body& body = world_.body(id);
     if (vehicle_.is_made_of(body)) return false;
@@ -171,7 +171,7 @@ class Drive {
     standing_.push_back(s);
   }
 
-  // Throttle against the motion brakes, as releasing it does a little.
+  // Throttle against the motion brakes, and releasing it brakes a little.
   void share_out_drive() {
     size_t driven = 0;
     for (const Standing& s : standing_) driven += is_driven(s);
@@ -228,7 +228,7 @@ class Drive {
     s.along = along;
   }
 
-  // What a wheel stands on gets the opposite impulse.
+  // Applies the opposite impulse to the body below a wheel.
   void push_back(const Standing& s) const {
     if (!s.below) return;
     s.below->motion.asleep = false;
@@ -285,14 +285,14 @@ constexpr double kAboveGround = 0.12;  // m, of the balls above the lowest point
 constexpr double kApart = 0.8;         // m, between balls
 constexpr double kFriction = 0.2;
 constexpr double kRebound = 0.15;
-constexpr double kSlop = 0.005;  // m, by which balls may reach into faces
+constexpr double kSlop = 0.005;  // m, allowed penetration of balls
 constexpr int kPasses = 2;
 
 struct Extent {
   double left, right, low, back, front;  // m, in the frame of the vehicle
 };
 
-// The extent of what is left of the chassis, and of the wheels.
+// The extent of the rest of the chassis and of the wheels.
 Extent extent_of(const Body& chassis, const Vehicle& vehicle) {
   const Bounds box = chassis.bounds();
   Extent e{box.max.x, box.min.x, box.min.y, box.min.z, box.max.z};
@@ -320,7 +320,7 @@ std::vector<Vec3> balls_of(const Extent& e) {
   return balls;
 }
 
-// Takes away the velocity of a point against a unit normal, and some of that across it.
+// Removes the velocity of a point against a unit normal, and some of that across it.
 void stop(RigidMotion& motion, const Vec3& at, const Vec3& normal) {
   const double against = -glm::dot(motion.velocity_at(at), normal);
   if (against <= 0) return;
@@ -363,7 +363,7 @@ void glide_along(World& world, const Vehicle& vehicle, const Obstacles& obstacle
 namespace {
 
 constexpr double kPatience = 0.9;            // s
-constexpr double kFirst = 0.9, kMore = 0.3;  // s, of driving out, and more of it each time
+constexpr double kFirst = 0.9, kMore = 0.3;  // s, of backing off, and increment per attempt
 constexpr double kHere = 1, kElsewhere = 6;  // m
 constexpr int kMaxTimes = 2;                 // near the same place
 constexpr int kWants = Controls::kFull / 5;  // of the throttle

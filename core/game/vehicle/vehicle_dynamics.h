@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// The motion of a body as forces change it between two ticks of physics.
+// The motion of a body under forces between two ticks of physics.
 class RigidMotion {
  public:
   // Precondition: the body has faces.
@@ -21,15 +21,15 @@ class RigidMotion {
   const Vec3& spin() const { return spin_; }          // rad/s
   Vec3 velocity_at(const Vec3& p) const { return velocity_ + glm::cross(spin_, p - centre_); }
 
-  // The change of the velocity at p along a unit vector by an impulse there along it, 1/kg.
+  // The change of the velocity at p along a unit vector per impulse there along it [1/kg].
   double response(const Vec3& p, const Vec3& along) const;
 
-  // Applies an impulse (N s) at a point of the world.
+  // Applies an impulse [N s] at a point of the world.
   void push(const Vec3& p, const Vec3& impulse);
   // Applies an impulse at the centre.
   void push(const Vec3& impulse) { velocity_ += impulse / mass_; }
 
-  // Gives the motion to the body.
+  // Stores the motion in the body.
   void store(Body& body) const;
 
  private:
@@ -38,39 +38,37 @@ class RigidMotion {
   Vec3 centre_, velocity_, spin_;
 };
 
-// Lets the wheels of a vehicle act on its chassis for a tick: suspension, steering, drive, brakes, rolling
-// resistance and the grip of the tyres, as its controls say. A vehicle that is dead rolls on with light
-// brakes until it falls asleep. Changes the motion of the chassis and of what it stands on, and the state of
-// the wheels; `sight` shows the world as it is.
+// Applies the forces of the wheels of a vehicle to its chassis for a tick: suspension, steering, drive,
+// brakes, rolling resistance and tyre grip, according to its controls. A dead vehicle rolls on with light
+// brakes until it falls asleep. Changes the motion of the chassis and of the bodies that it stands on, and
+// the state of the wheels; `sight` is of the current world.
 //
-// Where a wheel is gone, what is left of its suspension drags over the ground, lower and without drive.
+// Where a wheel is lost, the rest of its suspension drags over the ground, lower and without drive.
 //
-// Each wheel is one ray against the ground and the bodies that can carry it: neither the vehicle itself, nor
-// what came off it, nor loose bodies that are light (see kLightBody). A spring with a damper acts along the
-// normal of what it meets; the tyre takes away the velocity across the wheel and, as far as the brakes do,
-// along it, by impulses within a friction circle that follow each other over all wheels (projected
-// Gauss-Seidel, as for contacts). A loose body under a wheel gets the opposite impulses. Impulses across the
-// wheel act nearer to the height of the centre of mass than the ground, so that a vehicle leans less than it
-// would.
+// Each wheel is one ray against the ground and the bodies that can carry it: neither the vehicle itself,
+// nor its detached parts, nor light loose bodies (see kLightBody). A spring with a damper acts along the
+// normal of the hit; the tyre removes the velocity across the wheel and, up to the braking force, along it,
+// by impulses within a friction circle that are solved in sequence over all wheels (projected Gauss-Seidel,
+// as for contacts). A loose body under a wheel gets the opposite impulses. Impulses across the wheel act
+// nearer to the height of the centre of mass than to the ground, which reduces the lean of the vehicle.
 void drive(World& world, Vehicle& vehicle, const Sight& sight);
 
-// Steering angle of the front wheels at full lock at a speed in m/s; rad.
+// The steering angle of the front wheels at full lock [rad] at a speed [m/s].
 double full_lock(double speed);
 
-// Whether a vehicle stands upright enough for its wheels to carry it. The physics then leaves what stands
-// fast to glide_along, since the many rims of a chassis would get caught on it.
+// Returns true if a vehicle is upright enough for its wheels to carry it. The physics then leaves
+// collisions with fixed bodies to glide_along, because the many rims of a chassis would get caught on them.
 bool is_upright(const World& world, const Vehicle& vehicle);
 
-// Pushes a vehicle out of the steep faces of the arena, sideways: balls along the sides of the vehicle lose
-// their velocity against what they touch, with little friction, so that it slides along walls and around
-// columns. Wheels and slopes are left to drive().
+// Pushes a vehicle sideways out of the steep faces of the arena: balls along its sides lose their velocity
+// against contacts, with little friction, so that it slides along walls and around columns. Wheels and
+// slopes are left to drive().
 void glide_along(World& world, const Vehicle& vehicle, const Obstacles& obstacles);
 
-// The controls with which a vehicle drives in a tick, where its driver wants `wanted`: those, unless it has
-// not got on for a second although he held one direction all the while. Then it drives out the other way by
-// itself for a moment, with its wheels turned, each time to the other side, so that it comes past what was
-// before it. After two times near the same place it is wedged, which is for recover_vehicle() to mend. To be
-// called once a tick. Keeps what it counts in Vehicle::back_off.
+// Returns the controls of a vehicle for a tick: `wanted`, unless it has made no progress for a second while
+// its driver held one direction. Then it backs off the other way for a moment with turned wheels, to
+// alternating sides, to get past the obstacle. After two times near the same place it is wedged, and
+// recover_vehicle() moves it. Call once per tick. Keeps its state in Vehicle::back_off.
 Controls backed_off(const World& world, Vehicle& vehicle, const Controls& wanted);
 
 }  // namespace kerf

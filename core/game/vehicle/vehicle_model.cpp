@@ -28,7 +28,7 @@ static void describe(Fields& f, BarrelDescription& barrel) {
   f.filled_text("part", barrel.part);
   f.vector("pivot", barrel.pivot, VectorRule::kNearby);
   f.vector("muzzle", barrel.muzzle, VectorRule::kNearby);
-  f.check(barrel.pivot != barrel.muzzle, "muzzle", "must be another point than \"pivot\"");
+  f.check(barrel.pivot != barrel.muzzle, "muzzle", "must differ from \"pivot\"");
   f.angles("pitch", barrel.pitch, {-89, 89}, kOptional);
 }
 
@@ -78,7 +78,7 @@ Result<VehicleDescription> read_vehicle(const std::filesystem::path& file) {
 
 namespace {
 
-// The centre of the bounds of a part, which has faces.
+// The centre of the bounds of a part. Precondition: it has faces.
 Vec3 centre_of(const Body& body, const std::string& part) {
   Vec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const MeshPart& group : body.named_parts) {
@@ -116,7 +116,7 @@ class ModelLoader {
     return bad_input(what().body.mesh.string() + ": " + text + " (vehicle \"" + what().name + "\")");
   }
 
-  // The parts that become bodies of their own, in the order of `bodies`.
+  // Builds the bodies of the parts that are not of the chassis, in the order of `bodies_`.
   Status split_up(const Soup& soup) {
     std::vector<std::string> names;
     for (const WheelDescription& wheel : what().wheels) names.push_back(wheel.part);
@@ -130,15 +130,15 @@ class ModelLoader {
     names.push_back("chassis");
     for (uint32_t i = 0; i < bodies_.size(); ++i) {
       auto built = build_mesh(extract_part(soup, part, i));
-      if (!built) return wrong("there are no faces of the part \"" + names[i] + "\"");
+      if (!built) return wrong("no faces of the part \"" + names[i] + "\"");
       bodies_[i]->body = make_body(what().name + " " + names[i], std::move(*built));
       bodies_[i]->body.sheet = what().body.sheet;
     }
     return Done{};
   }
 
-  // A joint belongs to the body that has both of its parts. Those between two bodies are left out: what holds
-  // the parts that the chassis carries are the rules of damage.
+  // Assigns each joint to the body that has both of its parts. Skips those between two bodies: the rules of
+  // damage hold the parts that the chassis carries.
   Status share_out_joints() {
     for (const SceneJoint& joint : what().body.joints) {
       for (VehicleBody* body : bodies_) {
@@ -205,7 +205,7 @@ class ModelLoader {
     return Done{};
   }
 
-  // While they are carried, the mass of all parts is that of the chassis.
+  // The chassis has the mass of all parts that it carries.
   void set_weight() {
     Body& chassis = model_->chassis.body;
     model_->chassis_area = chassis.loaded.area;

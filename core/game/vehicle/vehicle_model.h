@@ -16,9 +16,9 @@
 
 namespace kerf {
 
-// Lengths in the frame of the mesh of a vehicle: +Y up, +Z forward, +X to the left, the origin on the ground
-// below its middle. A part is all groups of the mesh whose names begin with the name of the part. The initial
-// values are those of keys that a file does not have.
+// Lengths in the frame of the mesh of a vehicle: +Y up, +Z forward, +X to the left, the origin on the
+// ground below its middle. A part is all groups of the mesh whose names begin with the name of the part.
+// The initial values are the defaults of missing keys.
 
 struct WheelDescription {
   std::string part, mount;  // the mount is a part of the chassis
@@ -37,11 +37,11 @@ struct BarrelDescription {
 struct TurretDescription {
   std::string part, mount;
   Vec3 pivot{0};                  // m
-  Interval yaw{-3.1416, 3.1416};  // rad, positive to the left; all around if it spans a full turn
+  Interval yaw{-3.1416, 3.1416};  // rad, positive to the left; unlimited if it spans a full turn
   BarrelDescription barrel;
 };
 
-// A part of the chassis without which nobody drives the vehicle any more.
+// A part of the chassis without which the vehicle is dead.
 struct VitalDescription {
   enum class Kind { kEngine, kDriver };
   Kind kind = Kind::kEngine;
@@ -79,20 +79,20 @@ struct VehicleDescription {
 //    "driver_eye": [..], "engine": {"force": 7000, "power": 120000, "top_speed": 24},
 //    "joints": as in scenes, "paints": as in scenes}
 //
-// Required are "mesh", "wheels" and "turret", and of these the parts, mounts, hubs, radii, pivots and the
-// muzzle. Bad input otherwise: the message names the file and the JSON pointer of the first wrong value. The
-// mesh is not read.
+// Required are "mesh", "wheels" and "turret", and in these the parts, mounts, hubs, radii, pivots and the
+// muzzle. Bad input otherwise: the message names the file and the JSON pointer of the first wrong value.
+// Does not read the mesh.
 Result<VehicleDescription> read_vehicle(const std::filesystem::path& file);
 
-// A body of a vehicle as loaded, at the place that it has in the mesh.
+// A loaded body of a vehicle, at its place in the mesh.
 struct VehicleBody : ModelBody {
   FaceWatch watch;
 };
 
-// A vehicle with its meshes loaded: the chassis, and what it carries as bodies of their own. Never changes;
-// all vehicles made from it are copies.
+// A vehicle with its meshes loaded: the chassis, and the bodies that it carries. Immutable; all vehicles
+// made from it are copies.
 //
-// Groups of the watch of what is carried: kAll, and kSeat for the faces near its hub or pivot. Those of the
+// Watch groups of carried bodies: kAll, and kSeat for the faces near the hub or pivot. Those of the
 // chassis: first the mounts of the wheels near their hubs, then that of the turret, then the vital parts.
 struct VehicleModel {
   VehicleDescription description;
@@ -100,11 +100,11 @@ struct VehicleModel {
   std::vector<VehicleBody> wheels;
   double chassis_area = 0;          // m^2
   std::vector<Vec3> vital_centres;  // m, of the bounds of the vital parts
-  // By joint of the chassis, whether a crash may break it: not what holds vital parts, the laser, the axles,
-  // or a frame together.
+  // By joint of the chassis, true if a crash may break it: not for joints that hold vital parts, the laser,
+  // the axles, or a frame together.
   std::vector<bool> breaks;
 
-  static constexpr size_t kAll = 0, kSeat = 1, kBarrelSeat = 2;  // the last one in the turret
+  static constexpr size_t kAll = 0, kSeat = 1, kBarrelSeat = 2;  // kBarrelSeat: in the turret
   size_t wheel_mount(size_t wheel) const { return wheel; }
   size_t turret_mount() const { return wheels.size(); }
   size_t vital(size_t i) const { return wheels.size() + 1 + i; }

@@ -64,10 +64,9 @@ class Autosave {
   // Continues flushing to the disk. Returns true if anything is left to flush.
   bool flush() { return file_ && file_->flush(); }
 
-  // Removes the file, because the work was saved or discarded. The next call of follow creates a new one.
+  // Removes the file; the next call of follow creates a new one.
   void drop();
 
-  // Returns true if a file with unsaved work exists.
   bool keeps() const { return file_.has_value() || replaced_.has_value(); }
 
  private:

@@ -14,7 +14,6 @@ BeamMove in_body(const Placement& placement, const BeamMove& move) {
   return {placement.to_body(move.from), placement.to_body(move.to), move.seconds};
 }
 
-// Distance of a point from the half-line of a beam [m].
 double distance(const Pose& beam, const Vec3& p) {
   const Vec3 way = p - beam.origin;
   const double along = std::max(0.0, glm::dot(way, beam.direction));
@@ -206,7 +205,6 @@ std::vector<BeamMove> BeamQueue::begin_moves(const World& world, size_t most) {
   return moves;
 }
 
-// Appends a move to the path of its stroke, and its parts to ready_.
 void BeamQueue::begin_move(const Entry& entry, std::span<const BeamMove> parts) {
   const size_t kept = parts_of(entry.share, parts.size());
   std::vector<BeamMove>& path = entry.stroke->path;
@@ -268,7 +266,6 @@ bool BeamQueue::stop_move(Entry& move, double moves, std::deque<Entry>& kept) {
   return left < 1;
 }
 
-// Switches the beam off after some of the ticks.
 void BeamQueue::stop_ticks(Entry ticks, Ticks on, std::deque<Entry>& kept) {
   const Ticks off = ticks.count - on;
   Entry dark = ticks;

@@ -72,7 +72,6 @@ class BeamQueue {
   // The number of moves, ends of strokes, ticks and changes of the spring. A move counts as the number of
   // parts that its subdivision had when it was appended, and exactly from when it is begun.
   size_t size() const { return size_; }
-  // Returns true if the queue holds moves or ends of strokes.
   bool holds_beam() const { return size_ > in_time_; }
   bool holds_moves() const { return !ready_.empty() || rims_ + in_time_ < size_; }
   // Returns true if it is not empty and holds only ticks in which bodies stand still.
@@ -120,7 +119,6 @@ class BeamQueue {
   // beam. The first move is kept. Precondition: the place is not before reached(step).
   void stop(size_t step, StopStroke at, const World& world);
 
-  // Remove executed entries from the front.
   void pop_moves(size_t count);
   // Precondition: the front is no move. Of ticks, some may be left.
   void pop(size_t count = 1);
@@ -132,7 +130,6 @@ class BeamQueue {
   void clear() { *this = BeamQueue(); }
 
  private:
-  // A move that was begun, and a part of it.
   struct Begun {
     BeamMove move;
     size_t number = 0;   // see Entry

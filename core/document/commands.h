@@ -22,7 +22,6 @@ namespace kerf {
 
 class Fields;
 
-// Pose and time of the beam of a stroke.
 struct BeamAt {
   Pose pose;
   double time = 0;  // s since the stroke began
@@ -67,7 +66,7 @@ struct StopStroke {
 };
 void describe(Fields& f, StopStroke& c);
 
-// Undoes the last stroke and cuts it again with other settings.
+// Cuts the last stroke again with other settings.
 struct Recut {
   CutSettings settings;
 
@@ -108,7 +107,6 @@ struct DragBody {
 };
 void describe(Fields& f, DragBody& c);
 
-// Removes the spring.
 struct ReleaseBody {
   static constexpr const char* kName = "release-body";
   std::string words() const { return "Let go"; }
@@ -126,7 +124,6 @@ class Fields;
 // Commands that change a piece as a whole. Except for DuplicatePiece, they first make the piece a body of
 // its own if it is none (see edit_piece). run() executes the command (see ImmediateCommand).
 
-// Sets the placement of a piece.
 struct MovePiece {
   PieceId piece;
   Placement to;
@@ -148,7 +145,6 @@ struct DuplicatePiece {
 };
 void describe(Fields& f, DuplicatePiece& c);
 
-// Hides or shows a piece.
 struct HidePiece {
   PieceId piece;
   bool hidden = true;
@@ -159,7 +155,6 @@ struct HidePiece {
 };
 void describe(Fields& f, HidePiece& c);
 
-// Removes a piece from the world.
 struct DeletePiece {
   PieceId piece;
 
@@ -243,7 +238,6 @@ struct SubdividePiece {
 };
 void describe(Fields& f, SubdividePiece& c);
 
-// Smooths a piece (see smooth).
 struct SmoothPiece {
   PieceId piece;
   size_t times = 1;
@@ -279,7 +273,6 @@ struct AddMesh {
 };
 void describe(Fields& f, AddMesh& c);
 
-// Sets gravity and the ground.
 struct SetEnvironment {
   Environment around;
 
@@ -362,7 +355,6 @@ inline std::string words(const Command& command, FileUnit unit, const std::strin
   return std::visit(told, command);
 }
 
-// The memory of a command [bytes].
 inline size_t weight(const Command& command) {
   const auto owned = [](const auto& c) -> size_t {
     if constexpr (requires { c.weight(); }) return c.weight();

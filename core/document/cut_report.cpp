@@ -16,7 +16,6 @@ namespace kerf {
 
 namespace {
 
-// The extremes over all faces.
 struct Extremes {
   double largest_cosine = -1;  // of an angle
   int deepest_level = 0;

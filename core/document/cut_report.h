@@ -14,7 +14,6 @@ namespace kerf {
 
 // Totals and times of a job, for report.json.
 struct CutJob {
-  // Adds a loaded mesh to the totals of the input.
   void record_loaded(const MeshReport& mesh);
   // Adds the result of one call of Document::step, which took `seconds` and produced this world.
   void record_bite(const StepResult& bite, const World& world, double seconds);
@@ -43,7 +42,6 @@ struct CutJob {
   double load_s = 0, build_tree_s = 0, cut_s = 0, save_s = 0;
 };
 
-// A piece of the report.
 struct WrittenPiece {
   std::string file;  // its output file; in the report of the library the name of the piece
   size_t faces = 0, vertices = 0, boundary_edges = 0;
@@ -62,10 +60,8 @@ nlohmann::ordered_json settings_json(const CutSettings& settings, const std::str
 // The smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
 double smallest_angle(const World& world);
 
-// Returns true if a body of the world is solid.
 bool any_is_solid(const World& world);
 
-// The contents of report.json.
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
                                   const nlohmann::ordered_json& settings,
                                   const std::vector<WrittenPiece>& pieces);

@@ -138,7 +138,6 @@ Result<StepResult> Document::execute(size_t most, bool one_stage, const Progress
   return some;
 }
 
-// Undoes a stopped stroke and everything queued behind it.
 void Document::give_up(size_t step, bool stopped) {
   if (execution_.in_stroke() && stopped) end_stroke();
   ++revision_;

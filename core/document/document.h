@@ -68,9 +68,7 @@ class Document {
       : execution_(std::move(world)), origin_(std::move(origin)) {}
 
   const World& world() const { return execution_.world(); }
-  // The queued commands and the progress of their execution.
   const Execution& execution() const { return execution_; }
-  // The steps that can be undone and redone.
   const History& history() const { return execution_.history(); }
   // Sets the memory limit of their before-images (see History::set_window).
   void set_window(size_t bytes) { execution_.history().set_window(bytes); }
@@ -205,7 +203,6 @@ class Document {
   size_t revision_ = 0;
 };
 
-// How the queue of a document is executed.
 struct QueueRun {
   size_t moves_a_step = 64;  // passed to Document::step
   size_t leave = 0;          // execution ends when the queue is this short

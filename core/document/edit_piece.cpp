@@ -54,7 +54,6 @@ Result<std::vector<uint32_t>> joints_within(const World& world, const PieceId& p
   return within;
 }
 
-// The faces of the copy that carry one of the joints, ascending.
 std::vector<FaceId> carrying_faces(const Joints& joints, std::span<const uint32_t> within,
                                    const PieceCopy& copy) {
   std::vector<FaceId> faces;
@@ -109,7 +108,6 @@ bool is_unchanged(const Remeshed& remeshed, const Mesh& mesh) {
   return true;
 }
 
-// Removes the piece from the world, to make room for the new body.
 void take_away(World& world, const PieceId& piece, std::span<const FaceId> faces, Delta& delta) {
   if (stands_alone(world, piece)) {
     world.remove(piece.body);

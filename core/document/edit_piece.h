@@ -17,7 +17,6 @@ std::string piece_words(const PieceId& piece);
 
 // Returns true if the world has the piece, with at least one face.
 bool has_faces(const World& world, const PieceId& piece);
-// The bad-input error for a missing piece.
 Error no_such_piece(const PieceId& piece);
 
 // Makes the piece a body of its own of this generation if it is none (see detach), changes it by `edit`,
@@ -33,7 +32,6 @@ struct HeededFaces {
   std::vector<FaceId> warm;  // have energy or were hot
 };
 
-// Computes a new mesh from a mesh.
 using Remake =
     std::function<Result<Remeshed>(const Mesh& mesh, const HeededFaces& heeded, const Progress* progress)>;
 

@@ -21,7 +21,6 @@ namespace kerf {
 // tree, the before-images of strokes and the rest of the program; see Document::set_face_budget.
 size_t usual_face_budget(uint64_t memory);
 
-// The error of a stroke that makes more faces than the budget.
 Error over_face_budget(size_t budget);
 
 // Records the before-images of the history step being executed, the open step.
@@ -86,7 +85,6 @@ class Execution {
   bool waits_for(size_t step) const { return queue_.holds(step); }
   // Returns true if the queue holds only ticks in which bodies stand still, so that only heat changes.
   bool only_cools() const { return queue_.only_cools() && !must_separate(); }
-  // Returns true if the queue holds only a short time.
   bool only_a_few_ticks_wait() const;
   bool in_stroke() const { return drawn_ && !drawn_->ended; }
   // The command that ends the last stroke at its current place; nullopt if none of its moves is queued.

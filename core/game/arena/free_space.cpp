@@ -29,12 +29,12 @@ bool is_drivable(const Triangle& t) {
 
 namespace {
 
-constexpr double kBump = 0.25;       // m, height over which a vehicle drives
-constexpr double kRoof = 2.2;        // m, the height of a vehicle
-constexpr double kHigh = 1;          // m, minimum height of an upper floor above the ground
-constexpr double kBelow = 0.6;       // m, by which a place on a floor may lie below it
-constexpr double kStep = 0.3;        // m, between neighbouring spots
-constexpr double kMargin = 3;        // m, at the edge of the arena
+constexpr double kBump = 0.25;  // m, height over which a vehicle drives
+constexpr double kRoof = 2.2;   // m, the height of a vehicle
+constexpr double kHigh = 1;     // m, height above the ground from which an upper floor is not mistaken for it
+constexpr double kBelow = 0.6;  // m, by which a place on a floor may lie below it
+constexpr double kStep = 0.3;   // m, maximum difference in height of neighbouring spots
+constexpr double kMargin = 3;   // m, at the edge of the arena
 constexpr double kSampling = 0.25;   // m, between points of faces
 constexpr double kFloorless = 0.02;  // m, above the ground: lower faces are painted on it
 

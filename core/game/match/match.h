@@ -54,9 +54,8 @@ class Match {
   const Rules& rules() const { return *setup_.rules; }
   const MatchSetup& setup() const { return setup_; }
   const Standing& standing() const { return tally_.standing(); }
-  // The start of the current wave.
   const WaveStart& wave_start() const { return wave_start_; }
-  // The time left to win [s].
+  // Time left to win [s].
   double seconds_left() const;
   // The number of times that the player switched the beam on.
   size_t strokes() const { return tally_.strokes(); }

@@ -61,13 +61,11 @@ class MatchWorld {
   static constexpr uint32_t kGeneration = 0;
 
   MatchWorld() = default;
-  // Creates the bodies of an arena on its ground.
   explicit MatchWorld(const Arena& arena);
 
   World& world() { return world_; }
   const World& world() const { return world_; }
   const Physics& physics() const { return physics_; }
-  // Changes in the current tick.
   const Delta& delta() const { return delta_; }
   // The index of a body in the arena; nullopt if it is not of the arena.
   std::optional<size_t> of_arena(BodyId body) const;
@@ -76,11 +74,9 @@ class MatchWorld {
   // Physics::tick.
   void make_colliders(std::span<const BodyId> carried);
 
-  // Begins a tick at the time `now` of the match.
   void begin_tick(Ticks now);
   // Builds the colliders that are due, and searches for joints whose faces were removed.
   void renew_colliders();
-  // Moves all bodies for a tick.
   void move(std::span<const Guided> guided, std::span<const BodyId> carried);
   // Keeps bodies inside the arena: its edge removes the velocity against it.
   void keep_inside(const ArenaDescription& arena);

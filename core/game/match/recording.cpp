@@ -26,7 +26,6 @@ nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
       c.fire ? 1 : 0, c.width,    c.heading, c.pitch};
 }
 
-// The line of one second of controls.
 std::string inputs_line(std::span<const Controls> controls) {
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   for (size_t i = 0; i < controls.size();) {
@@ -75,7 +74,6 @@ Status parse_runs(const JsonValue& value, Recording& recording) {
   return Done{};
 }
 
-// The fields of the first and of the last line.
 void describe_head(Fields& f, Recording& recording) {
   std::string kind = "match";
   f.text("kerf", kind);

@@ -17,7 +17,6 @@ std::array<EnemySkill, 3> default_skills() {
   return {EnemySkill{0.9, 0.105, 0.7, 0.35}, EnemySkill{}, EnemySkill{0.3, 0.03, 1, 1}};
 }
 
-// Reads 1 to kMaxEnemies names.
 Status read_vehicles(const JsonValue& value, const std::filesystem::path& folder,
                      std::vector<std::filesystem::path>& vehicles) {
   if (const Status array = value.array("vehicle files"); !array) return array;

@@ -16,7 +16,6 @@ namespace kerf {
 
 enum class Difficulty { kEasy, kNormal, kHard };
 
-// Skill of enemies.
 struct EnemySkill {
   double reaction = 0.55;   // s, delay of their perception
   double aim_error = 0.06;  // rad
@@ -26,7 +25,6 @@ struct EnemySkill {
   size_t at_once = 12;      // number of them that may fire at the same time
 };
 
-// Points of the player.
 struct Scores {
   double piece = 10, wheel = 100, turret = 250, engine = 300, driver = 300, kill = 500;
   double in_halves = 400;    // an enemy is split in two parts of at least a quarter of it

@@ -47,7 +47,6 @@ struct Event {
   double points = 0;  // that the player got for it
 };
 
-// The state of a match.
 struct Standing {
   enum class Phase {
     kFight,
@@ -69,7 +68,6 @@ struct Standing {
   size_t pieces = 0;       // that came off bodies
   size_t faces_removed = 0;
   bool over() const { return phase >= Phase::kWon; }
-  // The age of the world of the match.
   Ticks elapsed() const { return ticks + aftermath; }
 };
 
@@ -89,10 +87,8 @@ class Tally {
   // The number of times that the player switched the beam on.
   size_t strokes() const { return strokes_; }
   void count_stroke() { ++strokes_; }
-  // The events of this tick.
   const std::vector<Event>& events() const { return events_; }
 
-  // Begins a wave of this number of vehicles.
   void begin_wave(size_t vehicles) { records_.assign(vehicles, Record{}); }
   void add_vehicle() { records_.emplace_back(); }
   void begin_tick() { events_.clear(); }

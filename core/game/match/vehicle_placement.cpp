@@ -98,7 +98,6 @@ void count(const Body& chassis, Vehicle& vehicle) {
     vehicle.free_place = chassis.placement;
 }
 
-// Returns true if no other moving body is near a place.
 bool is_free(const World& world, const Vehicle& vehicle, const Vec3& place) {
   const Sight sight(world);
   for (const Sight::Near& near : sight.bodies()) {

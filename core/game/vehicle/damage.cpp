@@ -22,7 +22,7 @@ class Rest {
   std::vector<double> left_;
 };
 
-// Returns true if a carried body is intact enough at its seat.
+// Returns true if enough of a carried body and of its seat is left.
 bool holds(const World& world, BodyId id, const VehicleBody& model) {
   const Rest rest(world, id, model.watch);
   return rest.works(VehicleModel::kAll) && rest.works(VehicleModel::kSeat);

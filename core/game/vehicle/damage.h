@@ -7,7 +7,6 @@
 
 namespace kerf {
 
-// Parts that a vehicle has lost.
 struct Damage {
   std::vector<size_t> wheels, vitals;  // indices in the description
   bool turret = false, barrel = false;

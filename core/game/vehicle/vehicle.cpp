@@ -39,7 +39,6 @@ Placement combined(const Placement& outer, const Placement& inner) {
   return {outer.to_world(inner.position), glm::normalize(outer.orientation * inner.orientation)};
 }
 
-// The rotation about a point.
 Placement turned_about(const Vec3& point, const glm::dquat& turn) { return {point - turn * point, turn}; }
 
 BodyId add(World& world, const VehicleBody& model, const Placement& placement, uint32_t generation,

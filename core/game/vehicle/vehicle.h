@@ -41,7 +41,6 @@ struct Wheel {
   double slip = 0;  // m/s, of the tyre over the ground
 };
 
-// The laser of a vehicle.
 struct Gun {
   BodyId turret, barrel;
   bool turret_attached = true, barrel_attached = true;
@@ -67,7 +66,6 @@ struct BackOff {
   int times = 0;        // number of attempts near there
 };
 
-// A vehicle in a world.
 struct Vehicle {
   std::shared_ptr<const VehicleModel> model;
   BodyId chassis;
@@ -79,14 +77,13 @@ struct Vehicle {
   double overturned_s = 0;                       // time since it overturned
   double stuck_s = 0;                            // time without progress from `stuck_at`
   std::optional<Vec3> stuck_at;                  // position, m
-  bool tried_ahead = false, tried_back = false;  // meanwhile
+  bool tried_ahead = false, tried_back = false;  // since then
   std::optional<Placement> free_place;           // where it last drove freely
   BackOff back_off;
   double whole = 1;  // fraction of the area of the chassis that is left
 
   const VehicleDescription& what() const { return model->description; }
   size_t wheels_attached() const;
-  // Returns true if a driven wheel is left.
   bool can_drive() const;
   // Returns true if a body is the chassis or carried by it.
   bool has(BodyId body) const;
@@ -110,7 +107,6 @@ std::vector<BodyId> all_bodies(const Vehicle& vehicle);
 // Updates the placements and velocities of the bodies that the chassis carries.
 void place_carried(World& world, const Vehicle& vehicle);
 
-// The beam at the muzzle, in the world.
 Pose muzzle_pose(const World& world, const Vehicle& vehicle);
 
 // Maps a point of the mesh of a vehicle to the world, as if all parts were attached.

@@ -228,7 +228,6 @@ class Drive {
     s.along = along;
   }
 
-  // Applies the opposite impulse to the body below a wheel.
   void push_back(const Standing& s) const {
     if (!s.below) return;
     s.below->motion.asleep = false;

@@ -26,10 +26,8 @@ class RigidMotion {
 
   // Applies an impulse [N s] at a point of the world.
   void push(const Vec3& p, const Vec3& impulse);
-  // Applies an impulse at the centre.
   void push(const Vec3& impulse) { velocity_ += impulse / mass_; }
 
-  // Stores the motion in the body.
   void store(Body& body) const;
 
  private:

@@ -54,7 +54,6 @@ struct EngineDescription {
   double top_speed = 24;  // m/s
 };
 
-// The content of a vehicle file.
 struct VehicleDescription {
   std::string name;
   SceneBody body;                       // mesh, sheet and joints

@@ -93,11 +93,9 @@ class Execution {
   std::optional<BeamMove> next_move() const { return queue_.next_move(world_); }
   // The settings of the stroke of that move. Precondition: there is one.
   const CutSettings& next_settings() const { return queue_.front_stroke()->settings; }
-  // Returns true if the next step is a part of the search for separated pieces.
   bool next_searches() const { return must_separate(); }
   // Returns true if the next step begins or continues the end of a stroke with a smooth rim.
   bool next_closes_rim() const;
-  // Returns true if the last step left the end of a stroke unfinished.
   bool rim_is_unfinished() const { return queue_.unfinished_rim().begun(); }
   // The progress of the first move of the queue.
   const UnfinishedMove& unfinished_move() const { return queue_.unfinished(); }
@@ -107,16 +105,15 @@ class Execution {
   size_t next_makes_ready() const;
   // Returns true if the next step executes work of the last history step, not of an earlier one.
   bool next_is_of_last_step() const;
-  // The history step whose work the next step executes. Precondition: the queue is not empty.
+  // Precondition: the queue is not empty.
   size_t next_step() const { return queue_.front_step(); }
 
   // Queueing ----------------------------------------------------------------------------------------------
 
   // Queues the work of a command of a history step that does not execute immediately.
   void enqueue(size_t step, const Command& command);
-  // Queues the work of a whole step (see History::commands_of).
+  // See History::commands_of.
   void enqueue_all(size_t step);
-  // Queues the time that belongs to an edit.
   void enqueue_time_of_edit(size_t step);
   // Ends the stroke that is the last history step at a place that its beam has not passed.
   void stop(const StopStroke& there);

@@ -120,7 +120,6 @@ Result<StepResult> Execution::pass_ticks(size_t most, const Progress& progress) 
   return StepResult{};
 }
 
-// Passes the first ticks of the queue.
 void Execution::pass(Ticks ticks) {
   world_.pass(ticks);
   cool_for_ticks(world_, ticks);
@@ -187,7 +186,6 @@ void Execution::keep_open(size_t step) {
   if (is_over(step)) history_.step(step).finish();
 }
 
-// Assigns the following changes of the world to this step.
 void Execution::begin(size_t step) {
   if (recorder_.step() == step) return;
   close_and_trim();

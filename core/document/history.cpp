@@ -61,7 +61,6 @@ std::vector<FaceId>::const_iterator at(const std::vector<FaceId>& faces, size_t 
   return faces.begin() + static_cast<std::ptrdiff_t>(i);
 }
 
-// The beam radius of the stroke or recut that begins with this command.
 std::optional<double> beam_radius(const Command& first) {
   if (const auto* stroke = std::get_if<BeginStroke>(&first)) return stroke->settings.laser.radius;
   if (const auto* recut = std::get_if<Recut>(&first)) return recut->settings.laser.radius;

@@ -27,7 +27,6 @@ class HistoryStep {
     kBegun,    // a part is still queued, or more commands may follow
     kDone,
   };
-  // The before-images of the changes of the step.
   enum class Images {
     kNone,   // the step is waiting
     kHeld,   // all are kept or being recorded
@@ -51,7 +50,6 @@ class HistoryStep {
   size_t removed_faces() const { return sums_.removed_faces; }
   double removed_area() const { return sums_.removed_area; }
   double removed_mass() const { return sums_.removed_mass; }
-  // The sum of the statistics of its cut steps.
   const StepStatistics& statistics() const { return sums_.statistics; }
 
   State state() const { return state_; }
@@ -90,7 +88,6 @@ class HistoryStep {
   // The separated pieces that were specks when they came off (see is_speck), whether or not their origin is
   // known.
   const std::set<PieceId>& specks() const { return sums_.specks; }
-  // The pieces that the step detached, in order.
   const std::vector<Detached>& detached() const { return bodies_.detached; }
   // The number of faces that the beam removed, by name of the part or piece (see count_cut_names).
   const std::map<std::string, size_t>& cut_names() const { return sums_.cut_names; }
@@ -108,7 +105,6 @@ class HistoryStep {
   // are held, and all later steps are undone.
   Delta undo(World& world);
   Delta redo(World& world);
-  // Totals of the executed parts of the step.
   struct Sums {
     size_t bytes = 0;  // memory of the before-images
     size_t removed_faces = 0, cut_faces_kept = 0;
@@ -177,7 +173,7 @@ class History {
   // Precondition: i < size().
   HistoryStep& step(size_t i) { return *steps_[i]; }
   const HistoryStep& step(size_t i) const { return *steps_[i]; }
-  // The step before the position. Precondition: position() > 0.
+  // Precondition: position() > 0.
   HistoryStep& last() { return *steps_[position_ - 1]; }
   const HistoryStep& last() const { return *steps_[position_ - 1]; }
 
@@ -199,7 +195,7 @@ class History {
   size_t base_of(size_t step) const;
   // Returns true if a step is a stroke or a recut that a later recut replaced.
   bool is_cut_again(size_t step) const;
-  // The last step before the position that is a stroke or a recut.
+  // The last stroke or recut before the position.
   std::optional<size_t> last_cut() const;
   // The settings of the last cut of the last stroke before the position, and the commands of the stroke so
   // far. Precondition: last_cut().
@@ -221,7 +217,6 @@ class History {
   // the bodies have at the position; includes bodies that a later step removed. Empty without a stroke.
   CutFaces last_cut_faces() const;
 
-  // Returns true if the before-images of all steps first .. end - 1 are kept.
   bool holds_images(size_t first, size_t end) const;
   // Returns true if any of the steps first .. end - 1 has been begun, i.e. may have changed the world.
   bool any_begun(size_t first, size_t end) const;

@@ -22,7 +22,6 @@ class InputFiles {
  public:
   // Adds a file, and for a glTF file its buffers and images.
   void add(const std::filesystem::path& file);
-  // Adds the meshes of a scene, and those that commands add to it.
   void add_meshes(const SceneDescription& scene);
   void add_meshes(std::span<const Command> commands);
 
@@ -42,7 +41,6 @@ class InputFiles {
   std::vector<File> files_;
 };
 
-// The set of these files.
 InputFiles input_files(std::span<const std::filesystem::path> files);
 
 }  // namespace kerf

@@ -29,7 +29,6 @@ std::optional<BeamAt> beam_after(const Command& command) {
                     command);
 }
 
-// Reads the lines of a journal in order.
 class JournalReader {
  public:
   JournalReader(const std::filesystem::path& file, std::string_view text)

@@ -42,7 +42,7 @@ Result<Command> read_command(const JsonValue& line, const std::filesystem::path&
   return Command(std::move(command));
 }
 
-// The reader for the kind of command with this name; null if there is none.
+// Returns null if there is no such command.
 template <typename... Kinds>
 auto reader_of(std::variant<Kinds...>*, const std::string& name) {
   decltype(&read_command<Undo>) found = nullptr;

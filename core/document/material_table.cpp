@@ -15,7 +15,6 @@ static void describe(Fields& f, MaterialNumber& number) {
 
 namespace {
 
-// The field of a constant with its range and its source.
 void sourced_field(Fields& f, const NumberField<Substance>& field, Material& material,
                    MaterialNumber& number) {
   Substance& substance = material.substance;

@@ -22,7 +22,6 @@ class Fields;
 // total from ambient temperature, instead of "latent". Errors are one sentence with the file and the place,
 // e.g. for a value outside of its range or a duplicate name.
 Result<std::vector<Material>> load_materials(const std::filesystem::path& file);
-// The table of the fields of a material.
 void describe(Fields& f, Material& material);
 
 }  // namespace kerf

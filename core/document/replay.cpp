@@ -31,7 +31,6 @@ bool is_beam_on(const Command& command, bool before) {
   return before && stays;
 }
 
-// The end of the run that begins with a command.
 size_t end_of_run(const std::vector<Command>& commands, size_t first) {
   size_t end = first + 1;
   while (end < commands.size() && goes_on(commands[end])) ++end;

@@ -34,7 +34,7 @@ class Replay {
   bool done() const { return next_ == journal_.commands.size() && document_.waiting() == 0; }
   // The number of commands applied so far. A call of `told` refers to the last of them.
   size_t applied() const { return next_; }
-  // Progress of the replay, 0 to 1.
+  // Progress, 0 .. 1.
   double fraction() const;
 
   // Applies the next command, executes the queue (see run_queue) and calls `told` after each step, and also
@@ -59,11 +59,9 @@ class Replay {
   // Returns true if, because of that, a stroke drawn while bodies moved has cut differently here.
   bool cut_otherwise() const { return cut_otherwise_; }
 
-  // The ticks that were skipped.
   Ticks skipped() const { return skipped_; }
 
  private:
-  // Returns true if the command with this index exists and is of this kind.
   template <typename Kind>
   bool is_a(size_t command) const {
     return command < journal_.commands.size() && std::holds_alternative<Kind>(journal_.commands[command]);

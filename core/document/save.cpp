@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder to which the paths in a file are relative.
 fs::path folder_of(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error);

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// The file to which save_file moves the previous version: "car.kerf~" for "car.kerf".
+// The file in which save_file keeps the previous version: "car.kerf~" for "car.kerf".
 std::filesystem::path previous_version(const std::filesystem::path& file);
 
 // Writes a file atomically (see write_file_atomically). An existing file becomes its previous version and

@@ -22,7 +22,6 @@ namespace {
 // radius.
 constexpr double kPinPlay = 0.1;
 
-// Finds the faces that carry the sides of a joint.
 class CarrierSearch {
  public:
   CarrierSearch(const SceneJoint& joint, const Body& body) : joint_(joint), body_(body) {}
@@ -59,7 +58,6 @@ class CarrierSearch {
     return std::sqrt(least2);
   }
 
-  // Returns true if a point is within a hundred times the size of the mesh.
   bool is_near_mesh(const Vec3& p) const {
     const MeshReport& loaded = body_.loaded;
     return glm::length(p - body_.middle()) <= 100 * glm::length(loaded.max - loaded.min);

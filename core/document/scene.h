@@ -47,7 +47,6 @@ struct Paint {
   double gloss = 0.5;             // 0 matt .. 1 polished
 };
 
-// Maximum number of lights of a scene.
 inline constexpr size_t kMaxLights = 4;
 
 struct View {

@@ -61,7 +61,6 @@ namespace {
 
 constexpr std::array kKinds{"weld", "hinge", "hub"};  // in the order of Joint::Kind
 
-// Reads a list of two elements.
 template <typename T>
 Status read_two(const JsonValue& value, const char* of_what, std::array<T, 2>& two,
                 Result<T> (JsonValue::*read)() const) {

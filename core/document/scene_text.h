@@ -19,7 +19,6 @@ std::string colour_text(const Vec3& linear);
 
 class Fields;
 
-// The version of the scene format.
 inline constexpr uint64_t kSceneVersion = 1;
 
 // Parses the JSON of a scene file. Mesh paths are relative to `folder`. The error names the first wrong
@@ -30,14 +29,12 @@ Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesyste
 // not UTF-8, for which dump_json fails.
 nlohmann::ordered_json scene_json(const SceneDescription& scene, const std::filesystem::path& folder);
 
-// The fields of a scene and of its parts.
 void describe(Fields& f, SceneDescription& scene);
 void describe(Fields& f, SceneBody& body);
 void describe(Fields& f, SceneJoint& joint);
 void describe(Fields& f, Paint& paint);
 void describe(Fields& f, View& view);
 void describe(Fields& f, Light& light);
-// The list of at most kMaxLights lights.
 void lights_field(Fields& f, const char* key, std::vector<Light>& lights);
 
 }  // namespace kerf

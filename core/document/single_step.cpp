@@ -82,7 +82,6 @@ Delta joined(std::vector<Delta> changes) {
 
 }  // namespace
 
-// Describes the next stage before it is executed.
 StageRecord SingleStep::describe() const {
   StageRecord record;
   if (document_.execution().next_searches()) {

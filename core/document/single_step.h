@@ -11,7 +11,6 @@
 
 namespace kerf {
 
-// One stage of the execution of a document, and its result.
 struct StageRecord {
   enum class Kind {
     kSweep,     // computes the volumes that the beam sweeps in a body; changes nothing

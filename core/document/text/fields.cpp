@@ -104,7 +104,6 @@ Fields::Fields(const JsonValue& in, Pass& pass) : in_(&in), pass_(pass) { note(i
 
 bool Fields::has(const char* key) const { return in_->has(key); }
 
-// Returns true if the key is present for reading.
 bool Fields::take(const char* key, bool needed) {
   keys_.push_back(key);
   if (!good()) return false;

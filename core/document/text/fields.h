@@ -40,7 +40,6 @@ class Missing {
 
   bool needed() const { return needed_; }
   const std::optional<T>& value() const { return value_; }
-  // Returns true if the key of a member with this value is written.
   bool is_written(const T& x) const { return written_ || x != *value_; }
 
  private:
@@ -164,7 +163,6 @@ class Fields {
     each(
         key, of_what, presence, all.size(), [&](size_t size) { all.resize(size); }, visit);
   }
-  // Objects by name.
   template <typename T>
   void by_name(const char* key, std::map<std::string, T>& all) {
     std::vector<std::string> names;

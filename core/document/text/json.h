@@ -60,7 +60,6 @@ class JsonValue {
   std::string file_, pointer_;
 };
 
-// Assigns the value of a result, or fails like it.
 template <typename T, typename Target>
 Status assign(const Result<T>& result, Target& target) {
   if (!result) return result.error();

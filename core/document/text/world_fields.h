@@ -12,7 +12,6 @@ namespace kerf {
 
 class Fields;
 
-// Fields shared by many commands and marks.
 void describe(Fields& f, Pose& pose);            // "origin" and "direction", a unit vector
 void describe(Fields& f, Placement& placement);  // "position" and "orientation"
 // "piece": [slot, generation, label].

@@ -18,10 +18,9 @@ struct ModelBody {
   std::vector<Joint> joints;  // of the body in the world to which it will be added
 };
 
-// Adds the joints of a scene to a body. Fails like make_joint.
+// Fails like make_joint.
 Status add_joints(std::span<const SceneJoint> joints, ModelBody& model);
 
-// Adds a copy of the body with its joints to a world.
 BodyId add_body(World& world, const ModelBody& model, uint32_t generation);
 
 // Start of a vehicle: the origin of its frame and its heading.

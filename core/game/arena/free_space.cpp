@@ -51,7 +51,6 @@ void sample(const Triangle& t, Visit visit) {
   }
 }
 
-// Returns true if a part of a triangle lies above a rectangle around the origin.
 bool is_over(const Triangle& t, const Vec2& half) {
   const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
   return high.x > -half.x && low.x < half.x && high.z > -half.y && low.z < half.y;

@@ -71,7 +71,6 @@ class FreeSpace {
   Spot spot_of(int x, int z, bool upper) const {
     return static_cast<Spot>(z * columns_ + x) + (upper ? cells() : 0);
   }
-  // Returns true if the floors of two neighbouring spots have nearly the same height.
   bool is_step(Spot from, Spot to) const;
   bool has_floor(Spot spot) const;
   int column(double x) const;
@@ -112,7 +111,6 @@ class Obstacles {
   struct Cells {
     int left, right, low, high;
   };
-  // The cells that overlap a box in x and z.
   Cells cells_between(const Vec3& low, const Vec3& high) const;
 
   Vec2 half_{0};  // m, of the arena

@@ -6,7 +6,6 @@ namespace kerf {
 
 namespace {
 
-// The hit of a ray on the ground.
 std::optional<SightHit> on_ground(const World& world, const Pose& ray, double length) {
   const Environment& around = world.environment();
   if (!around.ground) return std::nullopt;
@@ -16,7 +15,7 @@ std::optional<SightHit> on_ground(const World& world, const Pose& ray, double le
   return SightHit{BodyId{}, height / sinking, up};
 }
 
-// The normal of a face in the world, against a ray.
+// In the world, against the ray.
 Vec3 normal_of(const Body& body, FaceId face, const Pose& ray) {
   const Triangle t = body.mesh.triangle(face);
   const Vec3 n = body.placement.orientation * glm::cross(t[1] - t[0], t[2] - t[0]);

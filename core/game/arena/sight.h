@@ -9,7 +9,6 @@
 
 namespace kerf {
 
-// The hit of a ray.
 struct SightHit {
   BodyId body;           // invalid for the ground
   double length = 0;     // m, along the ray
@@ -22,7 +21,6 @@ class Sight {
  public:
   explicit Sight(const World& world);
 
-  // Returns true if a body stops a ray.
   using Stops = std::function<bool(BodyId)>;
 
   // The first hit of a ray within a length, including the ground. Precondition: the direction is a unit

@@ -22,7 +22,6 @@ bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
 // The height of a point of a body in the world [m].
 double height_of(const Body& body, const Vec3& p) { return body.placement.to_world(p).y; }
 
-// The range of heights of the box of a body [m].
 Interval heights_of(const Body& body, const Bounds& box) {
   Interval heights{height_of(body, box.min), height_of(body, box.min)};
   for (int corner = 1; corner < 8; ++corner) {
@@ -49,7 +48,6 @@ Bounds low_box(const Body& body, double below) {
   return low;
 }
 
-// Covers a box of a body by discs along its longest side.
 void cover(const Body& body, BodyId id, const Bounds& box, std::vector<Disc>& discs) {
   const glm::dmat3 turn = glm::mat3_cast(body.placement.orientation);
   const Vec3 middle = body.placement.to_world(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);

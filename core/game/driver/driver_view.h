@@ -23,7 +23,6 @@ struct Disc {
 // covered by several discs, tall ones only up to the height of vehicles. O(bodies + faces of tall ones).
 std::vector<Disc> find_traffic(const World& world, std::span<const Vehicle> vehicles);
 
-// The state of a match as a driver perceives it.
 struct DriverView {
   const World& world;
   const Sight& sight;

@@ -25,7 +25,6 @@ double normal(Random& random) { return 2 * (random.unit() + random.unit() + rand
 
 }  // namespace
 
-// Selects one of the parts that still work.
 void Aiming::choose_part(const Vehicle& opponent) {
   const VehicleModel& model = *opponent.model;
   std::vector<Vec3> vital, other;

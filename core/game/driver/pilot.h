@@ -8,7 +8,6 @@
 
 namespace kerf {
 
-// Aiming and firing skill of a driver.
 struct AimingSkill {
   double error = 0.03;              // rad, standard deviation
   double burst = 1.2, pause = 1.5;  // s, durations of firing and of not firing

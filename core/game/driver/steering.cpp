@@ -231,14 +231,12 @@ Course course_of(const DriverView& view) {
   return course;
 }
 
-// The traffic without the vehicle itself.
 std::vector<Disc> others_of(const DriverView& view) {
   std::vector<Disc> others(view.traffic.begin(), view.traffic.end());
   std::erase_if(others, [&](const Disc& disc) { return disc.body == view.own().chassis; });
   return others;
 }
 
-// Returns true if a vehicle can drive straight from one place to another.
 bool is_straight(const DriverView& view, const Vec3& from, const Vec3& to) {
   const int steps = 1 + static_cast<int>(flat_distance(from, to) / (0.5 * FreeSpace::kCell));
   Vec3 p = from;

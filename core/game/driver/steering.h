@@ -19,7 +19,7 @@ namespace kerf {
 std::vector<Vec3> find_route(const FreeSpace& space, std::span<const Disc> traffic, const Vec3& from,
                              const Vec3& to);
 
-// The pose and motion of a vehicle, seen from above.
+// A vehicle seen from above.
 struct Course {
   Vec3 at{0};              // m, midway between the axles
   double heading = 0;      // rad, see direction_of

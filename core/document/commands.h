@@ -268,7 +268,6 @@ struct AddMesh {
   static constexpr const char* kName = "add-mesh";
   std::string words() const { return "Add " + name; }
   size_t weight() const { return file.native().size() + name.size(); }
-  // Does it (see ImmediateCommand).
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, AddMesh& c);
@@ -278,7 +277,6 @@ struct SetEnvironment {
 
   static constexpr const char* kName = "set-environment";
   std::string words() const { return "Gravity and ground"; }
-  // Does it (see ImmediateCommand).
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SetEnvironment& c);

@@ -25,11 +25,11 @@ namespace kerf {
 namespace {
 
 constexpr double kStrip = 0.075;  // of the height
-// Pixels, of a picture whose text and marks have their usual size: in print, and on a screen.
+// Heights [pixels] of images with text and marks of the usual size: in print, and on a screen.
 constexpr double kPrintHeight = 400, kScreenHeight = 720;
 
 constexpr double kMatchFieldOfView = 62;            // degrees
-constexpr Ticks kRemembered = 4 * kTicksPerSecond;  // of sparks, scorches and lines of the display
+constexpr Ticks kRemembered = 4 * kTicksPerSecond;  // lifetime of sparks, scorches and HUD notices
 
 constexpr ImU32 kPaper = IM_COL32(255, 255, 255, 255), kInk = IM_COL32(0x1b, 0x1f, 0x26, 255);
 constexpr ImU32 kRuler = IM_COL32(0xff, 0xff, 0xff, 255), kEdge = IM_COL32(0, 0, 0, 200);
@@ -49,7 +49,7 @@ ImVec2 on_picture(const CameraView& view, const Vec3& p) {
   return {size.x * static_cast<float>(0.5 + 0.5 * seen.x), size.y * static_cast<float>(0.5 - 0.5 * seen.y)};
 }
 
-// A line with an arrow head at each end. `along` is the unit vector from one to the other.
+// Draws a line with an arrow head at each end. `along` is the unit vector from one to the other.
 void draw_arrows(ImDrawList& list, ImVec2 from, ImVec2 to, ImVec2 along, ImU32 colour, float width) {
   const float head = 0.45f * ImGui::GetFontSize();
   list.AddLine(from, to, colour, width);
@@ -58,7 +58,7 @@ void draw_arrows(ImDrawList& list, ImVec2 from, ImVec2 to, ImVec2 along, ImU32 c
     const ImVec2 side(-0.4f * head * along.y, 0.4f * head * along.x);
     list.AddTriangleFilled(tip, {base.x + side.x, base.y + side.y}, {base.x - side.x, base.y - side.y},
                            colour);
-    // The end of what is measured.
+    // The end stroke of the dimension line.
     const ImVec2 tick(-head * along.y, head * along.x);
     list.AddLine({tip.x - tick.x, tip.y - tick.y}, {tip.x + tick.x, tip.y + tick.y}, colour, width);
   }
@@ -78,7 +78,7 @@ void draw_ruler(const Ruler& ruler, const CameraView& view) {
   const float width = std::max(1.5f, 0.11f * ImGui::GetFontSize());
   draw_arrows(list, from, to, along, kEdge, width + 2);
   draw_arrows(list, from, to, along, kRuler, width);
-  // The text stands over the middle of a line that lies and is longer, and else at the right.
+  // The text is centred above a horizontal line that is longer than it, otherwise placed at the right.
   const ImVec2 size = ImGui::CalcTextSize(ruler.text.c_str());
   const ImVec2 middle(0.5f * (from.x + to.x), 0.5f * (from.y + to.y));
   const float gap = 0.5f * ImGui::GetFontSize();
@@ -90,12 +90,12 @@ void draw_ruler(const Ruler& ruler, const CameraView& view) {
             ruler.text);
 }
 
-// Draws dimension lines with arrow heads at their ends and their texts beside them.
+// Draws dimension lines with arrow heads at their ends and their texts next to them.
 void draw_rulers(const std::vector<Ruler>& rulers, const CameraView& view) {
   for (const Ruler& ruler : rulers) draw_ruler(ruler, view);
 }
 
-// Fills the picture with paper and writes a text of at most two lines on it.
+// Fills the image with the paper colour and writes a text of at most two lines on it.
 void draw_caption_strip(const std::string& text) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 picture = ImGui::GetIO().DisplaySize;
@@ -106,7 +106,7 @@ void draw_caption_strip(const std::string& text) {
                text.c_str(), nullptr, width);
 }
 
-// The rows of a picture, and below them those of its caption.
+// Returns the rows of an image, followed by those of its caption.
 Pixels with_caption(const gl::Framebuffer& picture, const std::string& caption, int strip,
                     OffscreenGui& gui) {
   const int width = picture.shape().width;
@@ -137,7 +137,7 @@ Status draw_scene(const Figure& figure, const FigureSize& size, const std::files
   return write_png(with_caption(renderer->framebuffer(), figure.caption, strip_height(size), gui), png);
 }
 
-// What the screen of a match remembers of its last seconds.
+// The recent history that the HUD and the effects of a match show.
 struct MatchScreen {
   MatchPicture picture;
   GameCamera camera;
@@ -156,12 +156,11 @@ struct MatchScreen {
   }
 };
 
-// Draws the moment of a recorded match as its player saw it, with the head-up display. An OpenGL context must
-// be current.
+// Draws a moment of a recorded match as its player saw it, with the HUD. An OpenGL context must be current.
 //
-// Plays the match up to the tick, by the rules as they are: if these changed since the match was recorded,
-// the figure shows another fight. Fails if the recording or its rules cannot be read, or if the recording is
-// shorter.
+// Replays the match up to the tick by the current rules: if these changed since the recording, the figure
+// shows a different fight. Fails if the recording or its rules cannot be read, or if the recording is too
+// short.
 Status draw_match_figure(const std::filesystem::path& file, Ticks tick, const gl::Framebuffer& picture,
                          OffscreenGui& gui) {
   const auto recording = read_recording(file);

@@ -38,7 +38,7 @@ namespace {
 
 constexpr double kFilmFieldOfView = 45;  // degrees
 
-// The best moment of a match; nothing if `progress` stopped the search.
+// Returns the best moment of a match; nullopt if `progress` stopped the search.
 std::optional<MatchMoment> best_moment(const MatchSetup& setup, const std::vector<Controls>& controls,
                                        const Progress& progress) {
   ScoreLog log;
@@ -88,7 +88,7 @@ namespace {
 constexpr double kTraversal = 6, kAfterTraversal = 1.5;  // s
 constexpr double kTurnOfLight = 8;                       // s
 
-// Films a world in which nothing moves. `draw` is called with the share of the film that has passed, 0 to 1.
+// Films a static world. Calls `draw` with the elapsed fraction of the film, 0 to 1.
 Status film_still(const FilmFormat& format, double seconds, const Progress& progress,
                   const OffscreenRenderer& renderer, const std::function<void(double)>& draw) {
   KERF_ASSERT(format.frames_per_second > 0);

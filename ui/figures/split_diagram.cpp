@@ -31,7 +31,7 @@ class SplitTriangle {
     mesh_ = std::move(build_mesh(soup)->mesh);
   }
 
-  // The elements as they are, with those marked that the beam meets.
+  // Returns the current elements and marks those that the beam intersects.
   std::vector<DiagramTriangle> triangles(const Vec2& beam, double radius) const {
     std::vector<DiagramTriangle> all;
     for (const FaceId f : elements()) all.push_back(drawn(f, beam, radius));
@@ -52,7 +52,7 @@ class SplitTriangle {
     return squared_distance({beam.x, beam.y, 0}, t) <= radius * radius;
   }
 
-  // One face of each element, by slot.
+  // Returns one face of each element, by slot.
   std::vector<FaceId> elements() const {
     std::vector<FaceId> all;
     for (uint32_t i = 0; i < mesh_.face_slots(); ++i) {
@@ -86,7 +86,7 @@ class SplitTriangle {
   OneToFour scheme_;
 };
 
-// A panel of the diagram: where the triangle's centre lies in the picture, and pixels per unit.
+// A panel of the diagram: the centre of its triangle in the image, and pixels per unit.
 struct Panel {
   ImVec2 centre;
   float scale;
@@ -132,7 +132,7 @@ void draw_panel(ImDrawList& list, const Panel& panel, const std::vector<DiagramT
   list.AddText({panel.centre.x - 0.5f * size.x, panel.centre.y + 0.72f * panel.scale}, kStroke, label);
 }
 
-// An arrow from one panel to the next.
+// Draws an arrow from one panel to the next.
 void draw_arrow(ImDrawList& list, ImVec2 at) {
   const float em = ImGui::GetFontSize();
   list.AddLine({at.x - em, at.y}, {at.x + 0.6f * em, at.y}, kStroke, 0.14f * em);

@@ -8,7 +8,8 @@
 
 namespace kerf::gl {
 
-// Owns the name of an OpenGL object of the current context. Move-only; must be destroyed before the context.
+// Owns the name of an OpenGL object of the current context. Move-only; must be destroyed before the
+// context.
 template <typename Kind>
 class Object {
  public:
@@ -65,7 +66,7 @@ using Texture = Object<TextureKind>;
 using Renderbuffer = Object<RenderbufferKind>;
 using FramebufferName = Object<FramebufferKind>;
 
-// Draws with programs that compute the corners from gl_VertexID alone.
+// Draws with programs that compute the vertices from gl_VertexID alone.
 class NoVertices {
  public:
   void draw(GLenum mode, GLsizei count) const {
@@ -79,15 +80,15 @@ class NoVertices {
   VertexArray layout_;
 };
 
-// Binds a buffer and gives it so many bytes: those at `content`, or undefined ones if that is null.
+// Binds a buffer and allocates `bytes`: copied from `content`, or undefined if that is null.
 inline void fill_buffer(GLenum target, const Buffer& buffer, size_t bytes, const void* content = nullptr,
                         GLenum usage = GL_DYNAMIC_DRAW) {
   glBindBuffer(target, buffer.name());
   glBufferData(target, static_cast<GLsizeiptr>(bytes), content, usage);
 }
 
-// Gives a buffer so many bytes: the first `kept` ones stay what they were, the others are those at `content`
-// there, or undefined ones if that is null. The buffer has another name then.
+// Reallocates a buffer to `bytes`: keeps the first `kept` bytes and copies the rest from the same offsets
+// of `content`, or leaves it undefined if that is null. Changes the name of the buffer.
 inline void enlarge_buffer(Buffer& buffer, size_t kept, size_t bytes, const void* content = nullptr) {
   Buffer larger;
   fill_buffer(GL_COPY_WRITE_BUFFER, larger, bytes, content);
@@ -96,7 +97,7 @@ inline void enlarge_buffer(Buffer& buffer, size_t kept, size_t bytes, const void
   buffer = std::move(larger);
 }
 
-// Binds a buffer and replaces its items from the index `first` on. Precondition: it has room for them.
+// Binds a buffer and replaces its items from the index `first` on. Precondition: its size suffices.
 template <typename Item>
 void put_items(GLenum target, const Buffer& buffer, size_t first, std::span<const Item> items) {
   glBindBuffer(target, buffer.name());
@@ -104,35 +105,35 @@ void put_items(GLenum target, const Buffer& buffer, size_t first, std::span<cons
                   static_cast<GLsizeiptr>(items.size_bytes()), items.data());
 }
 
-// Where an attribute lies in the items of a buffer, and how many numbers of which type it has.
+// The offset of an attribute in the items of a buffer, with the number and type of its components.
 struct Attribute {
   GLint count = 1;
   GLenum type = GL_FLOAT;
   size_t offset = 0;
-  bool normalised = false;  // whole numbers stand for 0 .. 1 or -1 .. 1
+  bool normalised = false;  // integers are mapped to 0 .. 1 or -1 .. 1
 };
 
-// Reads an attribute of the bound vertex array, which is a float in the shader, from the bound array buffer
-// with items of `size` bytes.
+// Sets up an attribute of the bound vertex array, a float in the shader, from the bound array buffer with
+// items of `size` bytes.
 inline void read_floats(GLuint attribute, const Attribute& from, size_t size) {
   glEnableVertexAttribArray(attribute);
   glVertexAttribPointer(attribute, from.count, from.type, from.normalised, static_cast<GLsizei>(size),
                         reinterpret_cast<const void*>(from.offset));
 }
 
-// Reads an attribute that is a whole number in the shader.
+// Sets up an attribute that is an integer in the shader.
 inline void read_whole(GLuint attribute, const Attribute& from, size_t size) {
   glEnableVertexAttribArray(attribute);
   glVertexAttribIPointer(attribute, from.count, from.type, static_cast<GLsizei>(size),
                          reinterpret_cast<const void*>(from.offset));
 }
 
-// Items that are sent anew for each drawing and read as vertices, or as instances.
+// Items that are uploaded for each draw call and read as vertices or as instances.
 enum class ItemsAre { kVertices, kInstances };
 template <typename Item>
 class Stream {
  public:
-  // Attributes from 0 on: so many floats each, at these offsets in an item.
+  // Attributes from index 0 on: component count and offset in an item.
   struct Floats {
     GLint count;
     size_t offset;
@@ -146,7 +147,7 @@ class Stream {
     }
   }
 
-  // Replaces the items. `usage`: GL_STREAM_DRAW where they are drawn once.
+  // Replaces the items. `usage`: GL_STREAM_DRAW for items that are drawn once.
   void send(std::span<const Item> items, GLenum usage = GL_STREAM_DRAW) {
     bind();
     fill_buffer(GL_ARRAY_BUFFER, buffer_, items.size_bytes(), items.data(), usage);

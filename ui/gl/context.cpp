@@ -55,7 +55,7 @@ EGLDisplay device_display() {
   return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
 }
 
-// Null when it worked, else the step that did not. A surface wants the depth and stencil of a window.
+// Returns null on success, else the failed step. A surface requires the depth and stencil of a window.
 const char* open_context(EGLDisplay display, bool with_surface, EGLConfig& config, EGLContext& context) {
   if (display == EGL_NO_DISPLAY) return "not offered";
   if (!eglInitialize(display, nullptr, nullptr)) return "does not initialise";

@@ -6,19 +6,19 @@
 
 namespace kerf::gl {
 
-// Where assertions are fatal (core/base/assert.h), so is each error that the driver reports for the context
-// that is current: it is printed on standard error, and the program ends by a signal. Does nothing elsewhere,
-// or where the context has no debug output.
+// Makes each error that the driver reports for the current context fatal where assertions are fatal
+// (core/base/assert.h): it is printed on standard error, and the program ends by a signal. No-op otherwise,
+// or if the context has no debug output.
 void report_gl_errors();
 
-// An OpenGL 3.3 core context without a window, a screen or an X server. It is current on this thread while
-// the object exists. It has a default framebuffer only where it was created with a surface.
+// An OpenGL 3.3 core context without a window, a screen or an X server. Current on this thread while the
+// object exists. Has a default framebuffer only if it was created with a surface.
 class OffscreenContext {
  public:
-  // Tries EGL's surfaceless platform and then its first device. The error says why each of them failed.
+  // Tries EGL's surfaceless platform, then its first device. The error gives the reason for each failure.
   static Result<OffscreenContext> create();
-  // Creates a context whose default framebuffer is a surface in memory of a size in pixels. Precondition: the
-  // size is positive.
+  // Creates a context whose default framebuffer is a surface in memory of a size in pixels. Precondition:
+  // the size is positive.
   static Result<OffscreenContext> create_with_surface(int width, int height);
   // Replaces the surface by one of another size, with undefined content. Precondition: there is a surface
   // and the size is positive.

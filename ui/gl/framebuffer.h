@@ -6,21 +6,21 @@
 
 namespace kerf::gl {
 
-// An off-screen framebuffer with a colour texture and optionally depth and stencil. A texture with one sample
-// per pixel has linear filtering and is clamped at its borders.
+// An off-screen framebuffer with a colour texture and optionally depth and stencil. A texture with one
+// sample per pixel has linear filtering and is clamped at its borders.
 class Framebuffer {
  public:
   struct Shape {
     int width = 1, height = 1;
-    int samples = 1;    // limited to what the context supports
+    int samples = 1;    // limited to the maximum of the context
     bool depth = true;  // 24 bits of depth and 8 of stencil
     GLenum colour = GL_RGBA8;
     friend bool operator==(const Shape&, const Shape&) = default;
   };
 
   explicit Framebuffer(const Shape& shape);
-  // Shares the depth and stencil of another framebuffer, and takes its number of samples. Precondition: that
-  // one has a depth buffer of its own and the same size, and outlives this one.
+  // Shares the depth and stencil of `depth_of`, and uses its number of samples. Precondition: `depth_of`
+  // has its own depth buffer and the same size, and outlives this object.
   Framebuffer(const Shape& shape, const Framebuffer& depth_of);
 
   const Shape& shape() const { return shape_; }
@@ -42,8 +42,8 @@ class Framebuffer {
   std::optional<Renderbuffer> depth_;
 };
 
-// Copies the colour of `from` into `to` (0: the window) at the lower left corner x, y, and resolves samples.
-// Precondition: `to` is another framebuffer.
+// Copies the colour of `from` into `to` (0: the window) at the lower left corner x, y, and resolves
+// samples. Precondition: `to` is another framebuffer.
 void blit(const Framebuffer& from, GLuint to, int x, int y);
 
 }  // namespace kerf::gl

@@ -35,7 +35,7 @@ bool is_current_program(GLuint name) {
   return static_cast<GLuint>(current) == name;
 }
 
-// One stage of a program; the object lives until it is attached and linked.
+// One stage of a program; must live until it is attached and linked.
 class Shader {
  public:
   explicit Shader(GLenum stage) : name_(glCreateShader(stage)) {}
@@ -72,8 +72,8 @@ class Shader {
 
 Program::~Program() {
   if (name_ == 0) return;
-  // Whoever saves the program in use and sets it again, as Dear ImGui does, must not find the name of a
-  // deleted one.
+  // Code that saves and restores the program in use, as Dear ImGui does, must not get the name of a deleted
+  // one.
   if (is_current_program(name_)) glUseProgram(0);
   glDeleteProgram(name_);
 }

@@ -35,13 +35,14 @@ class Program {
   void use() const { glUseProgram(name_); }
   GLuint name() const { return name_; }
 
-  // Set a uniform. A name that the compiler has removed is ignored. Precondition: the program is in use.
+  // Set a uniform. Ignore a name that the compiler has removed. Precondition: the program is in use.
   void set(const char* uniform, const glm::mat4& m) const;
   void set(const char* uniform, const glm::mat3& m) const;
   void set(const char* uniform, const glm::vec4& v) const;
   void set(const char* uniform, float x) const;
   void set(const char* uniform, int x) const;
-  // Binds a texture to a unit, and the sampler to that. Leaves unit 0 active. Precondition: as for set().
+  // Binds a texture to a unit, and the sampler to that unit. Leaves unit 0 active. Precondition: as for
+  // set().
   void set_texture(const char* uniform, int unit, GLuint texture, GLenum kind = GL_TEXTURE_2D) const;
   void bind_block(const char* block, GLuint binding) const;
 

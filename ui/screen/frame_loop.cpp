@@ -9,8 +9,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFrameSeconds = 1.0 / 60;  // no frame begins sooner after the last one
-constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
+constexpr double kFrameSeconds = 1.0 / 60;  // minimum interval between the beginnings of frames
+// after the last event; panels are still drawn, so that tooltips can appear
+constexpr double kSettleSeconds = 1.0;
 constexpr double kSettleWait = 0.12, kIdleWait = 0.5;
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
@@ -22,7 +23,7 @@ bool FrameLoop::run(Screen& screen) {
   return screen.over();
 }
 
-// Returns at once while something moves, at an event otherwise; false where there is no next frame.
+// Returns immediately while something moves, at an event otherwise; false if there is no next frame.
 bool FrameLoop::wait(Screen& screen) {
   if (stop_.came()) return false;
   if (EventScript* script = window_.script()) return follow(*script, screen);
@@ -44,7 +45,7 @@ bool FrameLoop::wait(Screen& screen) {
 }
 
 bool FrameLoop::follow(EventScript& script, Screen& screen) {
-  if (gui_.input_waits()) {  // for the frames of the step that was taken last
+  if (gui_.input_waits()) {  // more frames of the last step
     script.pass_frame();
     return true;
   }
@@ -72,7 +73,7 @@ void FrameLoop::frame(Screen& screen) {
   }
 }
 
-// Begins the frame of the panels, too.
+// Also begins the frame of the panels.
 Input FrameLoop::take_input(const Screen& screen) {
   Input input;
   input.events = gui_.begin_frame(screen.keyboard_hold());

@@ -9,17 +9,17 @@
 
 namespace kerf {
 
-// Runs screens in a window: waits until there is something to draw, passes user input on, and shows frames,
-// at most sixty per second, or those that a script asks for.
+// Runs screens in a window: waits until a frame is needed, forwards user input, and presents frames, at
+// most sixty per second or as a script requests them.
 class FrameLoop {
  public:
   // The window and the GUI must outlive the loop.
   FrameLoop(Window& window, Gui& gui) : window_(window), gui_(gui) {}
 
   // Runs until the screen is over, SIGINT or SIGTERM arrives, or the script that drives the window ends.
-  // Returns whether the screen is over.
+  // Returns true if the screen is over.
   bool run(Screen& screen);
-  // What was wrong with the script, or empty.
+  // The error in the script, or empty.
   const std::string& fault() const { return fault_; }
 
  private:

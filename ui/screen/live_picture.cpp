@@ -40,8 +40,8 @@ void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& 
 
 namespace {
 
-constexpr double kSamplesCost = 4;        // by which several samples are slower at most
-constexpr double kLongestGathered = 0.4;  // s; of one of the pictures that are gathered
+constexpr double kSamplesCost = 4;        // maximum slowdown by several samples
+constexpr double kLongestGathered = 0.4;  // s; maximum duration of an accumulated frame
 
 Target target_of(const Area& area, const Window& window) {
   const Area pixels = pixels_of(area, window);
@@ -126,7 +126,7 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
   return anew || more;
 }
 
-// Whether the change is gathered into a picture that stands still.
+// Returns true if the change is accumulated into the static frame.
 bool LivePicture::follows_heat(PictureChange change) const {
   return change == PictureChange::kHeat && rest_.shapes_rest() && !passed_over_ &&
          quality_ != Quality::kFinished && may_gather();
@@ -156,7 +156,7 @@ bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
 
 void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window) {
   const bool draft = draft_;
-  if (draft) {  // how long pictures took before tells nothing of this one
+  if (draft) {  // the durations of earlier frames do not predict this one
     smooth_seconds_.reset();
     rough_seconds_ = {kSlowFrame, kSlowFrame};
   }

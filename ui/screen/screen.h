@@ -11,26 +11,26 @@
 
 namespace kerf {
 
-// What the user did in the window since the last frame.
+// User input since the last frame.
 struct Input {
   std::vector<InputEvent> events;
-  std::vector<std::filesystem::path> drops;  // files that were dropped on the window
+  std::vector<std::filesystem::path> drops;  // files dropped on the window
   bool close = false;                        // the user asked to close the window
 };
 
-// The duration of a frame in seconds.
+// The duration of a frame [s].
 struct FrameTime {
-  double whole = 0;   // of the frame, without waiting for it to begin
-  double before = 0;  // from its beginning until it was handed to the display
+  double whole = 0;   // excluding the wait before it
+  double before = 0;  // from its beginning until its handover to the display
 };
 
-// What the window shows: the editor is a screen, and a game is another. FrameLoop calls these functions once
-// per frame in this order.
+// The content of the window, such as the editor or a game. FrameLoop calls these functions once per frame
+// in this order.
 class Screen {
  public:
   virtual ~Screen() = default;
 
-  // Whether keys and characters wait, and do not reach the next frame.
+  // Keys and characters held back from the next frame.
   virtual KeyboardHold keyboard_hold() const { return KeyboardHold::kNone; }
   // The look of the panels in the next frame.
   virtual GuiLook look() const = 0;
@@ -38,24 +38,24 @@ class Screen {
   virtual void hear(const Input& input) = 0;
   // Advances everything that moves or waits, for at most the duration of a frame.
   virtual void advance() = 0;
-  // Draws the picture to the window, and the panels with ImGui.
+  // Draws the viewport to the window, and the panels with ImGui.
   virtual void draw() = 0;
-  // Called when the picture and the panels are drawn but not displayed yet.
+  // Called after the viewport and the panels are drawn, before they are displayed.
   virtual void drawn() {}
   virtual void took(const FrameTime&) {}
 
-  // Whether the next frame starts at once rather than at the next event.
+  // Returns true if the next frame starts immediately rather than at the next event.
   virtual bool moving() const = 0;
-  // How long a frame stays at least (s) where no input comes: where nothing moves but the progress of work in
-  // the background, which needs the processors more than pictures of it do.
+  // The minimum duration of a frame without input [s]: positive if only the progress of background work
+  // changes, which needs the processors more than the display does.
   virtual double least_frame() const { return 0; }
   // Called before waiting for an event while nothing moves.
   virtual void rest() {}
-  // Whether the screen is to be left.
+  // Returns true if the screen is to be left.
   virtual bool over() const = 0;
 
-  // What the screen tells the script that drives the window, as JSON; nothing where it knows no such word
-  // (see EventScript::Answer).
+  // Returns the answer to a query of the script that drives the window, as JSON; nullopt for an unknown
+  // query (see EventScript::Answer).
   virtual std::optional<std::string> answer(const std::string&) const { return std::nullopt; }
 };
 

@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 
-volatile std::sig_atomic_t stop_came = 0;  // a handler can reach nothing else
+volatile std::sig_atomic_t stop_came = 0;  // a global, because a signal handler can access nothing else
 void remember(int signal) { stop_came = signal; }
 
 }  // namespace

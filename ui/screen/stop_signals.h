@@ -2,17 +2,17 @@
 
 namespace kerf {
 
-// While this object exists, SIGINT and SIGTERM set a flag instead of ending the program. Precondition: there
-// is only one such object at a time.
+// While this object exists, SIGINT and SIGTERM set a flag instead of ending the program. Precondition: only
+// one such object exists at a time.
 class StopSignals {
  public:
   StopSignals();
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
-  // Whether one of the signals came.
+  // Returns true if one of the signals arrived.
   bool came() const;
-  // The one that came while the last such object existed; 0 if none did.
+  // The signal that arrived during the lifetime of the last such object; 0: none.
   static int last();
 
  private:

@@ -18,15 +18,15 @@ struct DesktopWindow::Callbacks {
   static DesktopWindow& of(GLFWwindow* w) {
     return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(w));
   }
-  // GLFW asks the display where the pointer is at the moment; when a slow frame hears of a press, it has gone
-  // on.
+  // GLFW would query the current position, and the pointer may have moved before a slow frame processes a
+  // press.
   static Vec2 pointer(GLFWwindow* w) { return of(w).pointer_; }
   static void put(GLFWwindow* w, InputEvent event) {
     event.seconds = glfwGetTime();
     of(w).events_.push_back(event);
     of(w).activity_ = true;
   }
-  // GLFW tells them with keys and buttons, but not with moves of the pointer.
+  // GLFW passes modifiers with keys and buttons, but not with pointer moves.
   static int modifiers(GLFWwindow* w) {
     const auto held = [w](int left, int right, int mod) {
       return glfwGetKey(w, left) == GLFW_PRESS || glfwGetKey(w, right) == GLFW_PRESS ? mod : 0;
@@ -88,7 +88,7 @@ DesktopWindow::~DesktopWindow() {
   glfwTerminate();
 }
 
-// Makes a size no larger than what the screen has for windows.
+// Limits a size to the work area of the screen.
 static void fit_into_screen(int& width, int& height) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (screen == nullptr) return;
@@ -143,7 +143,6 @@ void DesktopWindow::set_title(const std::string& title) { glfwSetWindowTitle(win
 void DesktopWindow::swap() { glfwSwapBuffers(window_); }
 
 // Input
-// --------------------------------------------------------------------------------------------------------
 
 void DesktopWindow::wait(double seconds) {
   KERF_ASSERT(seconds >= 0);
@@ -182,7 +181,6 @@ void DesktopWindow::catch_pointer(bool caught) {
 double DesktopWindow::Clock::seconds() const { return glfwGetTime(); }
 
 // ImGui
-// --------------------------------------------------------------------------------------------------------
 
 void DesktopWindow::attach_gui() {
   ImGui_ImplGlfw_InitForOpenGL(window_, false);

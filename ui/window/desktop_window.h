@@ -10,7 +10,7 @@ struct GLFWwindow;
 
 namespace kerf {
 
-// A window on the desktop, by GLFW.
+// A GLFW window on the desktop.
 class DesktopWindow final : public Window {
  public:
   // Opens a window of a size in screen coordinates. Fails if there is no display or no OpenGL 3.3.
@@ -22,8 +22,7 @@ class DesktopWindow final : public Window {
   float scale() const override;
   void set_title(const std::string& title) override;
   void swap() override;
-  // GLFW does not tell when an event happened: the times of events that came between two calls are spread
-  // evenly over the time between these calls.
+  // GLFW reports no event times: events between two calls get times spread evenly over that interval.
   void wait(double seconds) override;
   std::vector<InputEvent> take_events() override;
   std::vector<std::filesystem::path> take_drops() override;
@@ -51,8 +50,8 @@ class DesktopWindow final : public Window {
   std::vector<InputEvent> events_;
   std::vector<std::filesystem::path> drops_;
   bool activity_ = true, has_gui_ = false;
-  Vec2 pointer_{0};      // where the last event saw it
-  double listened_ = 0;  // s, when the last call of wait() ended
+  Vec2 pointer_{0};      // at the last event
+  double listened_ = 0;  // s, end of the last call of wait()
 };
 
 }  // namespace kerf

@@ -23,7 +23,7 @@ constexpr int kMaxHeldFrames = 8;
 
 bool is_key(int key) { return key >= 0 && key <= GLFW_KEY_LAST; }
 
-// Whether the press of a key goes with a character, so that ImGui acts on the latter alone.
+// Returns true if a character accompanies the press of a key, and ImGui uses only the former.
 bool types(const InputEvent& event) {
   constexpr int kCommands = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   const bool character = (event.button >= GLFW_KEY_SPACE && event.button <= GLFW_KEY_WORLD_2) ||
@@ -42,7 +42,7 @@ bool is_of_keyboard(const InputEvent& event) {
   return event.kind == Kind::kKey || event.kind == Kind::kKeyUp || event.kind == Kind::kText;
 }
 
-// What a frame holds so far, and whether it can show another event in its order.
+// The content of a frame so far; decides if it can show another event in order.
 class Frame {
  public:
   explicit Frame(bool typing) : typing_(typing) {}
@@ -93,7 +93,7 @@ class Frame {
   }
 
  private:
-  // The modifiers of a frame are those of all its keys and clicks; characters do without Shift.
+  // The modifiers of a frame apply to all its keys and clicks; characters do without Shift.
   bool ends_before_modifier(int key) const {
     return command_ || clicked_ || changed_.contains(key) || (text_ && !is_shift(key));
   }
@@ -115,7 +115,7 @@ class Frame {
 bool is_text_field_active() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (context.ActiveId == 0 || context.ActiveId != context.InputTextState.ID) return false;
-  // Within a frame the last one has told; between two frames, the next one is going to.
+  // Within a frame the last one has set the flag; between frames, the next one is about to.
   return context.WithinFrameScope ? context.IO.WantTextInput : context.WantTextInputNextFrame == 1;
 }
 
@@ -136,7 +136,7 @@ std::vector<InputEvent> GuiInput::take_frame(bool typing, KeyboardHold hold) {
   while (!queue_.empty()) {
     const InputEvent& next = queue_.front();
     if (waits && (next.kind == Kind::kKey || next.kind == Kind::kText)) break;
-    // ImGui has to see first that the button is up.
+    // ImGui must first see the button released.
     if (next.kind == Kind::kPress && shows_pressed(next.button)) break;
     if (frame.ends_before(next)) break;
     frame.add(next);
@@ -203,7 +203,7 @@ void GuiInput::feed(std::span<const InputEvent> events, ImGuiIO& io) {
   io.KeyAlt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
   io.KeySuper = held(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
   if (!events.empty()) pointer_ = events.back().at;
-  // The pointer may have left where a button was pressed, and what is hovered hears of a press.
+  // The pointer may have left the place of the press, but the item hovered at that place must receive it.
   const std::optional<Vec2> at = first_press != nullptr ? first_press->at : waits() ? pointer_ : std::nullopt;
   if (at) io.MousePos = {static_cast<float>(at->x), static_cast<float>(at->y)};
 }
@@ -224,15 +224,15 @@ void begin_gui_frame_with_keys(std::span<const InputEvent> events) {
 namespace {
 constexpr float kDoubleClickSeconds = 0.3f;
 
-// Whether the next frame gives the focus to a text field, by Tab or because the last frame asked for it. A
-// field that has it already may ask for it in each frame.
+// Returns true if the next frame gives the focus to a text field, by Tab or on request of the last frame. A
+// focused field may repeat this request in each frame.
 bool is_focus_about_to_move() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (!context.NavMoveSubmitted || (context.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) == 0) return false;
   return (context.NavMoveFlags & ImGuiNavMoveFlags_FocusApi) == 0 || !is_text_field_active();
 }
 
-// Whether the last frame left out the item that the mouse holds (see keep_active_item).
+// Returns true if the last frame omitted the active item (see keep_active_item).
 bool is_active_item_hidden() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   return context.ActiveId != 0 && context.ActiveIdWindow != nullptr && !context.ActiveIdWindow->Active;
@@ -266,7 +266,7 @@ void Gui::dress(const GuiLook& look) {
   KERF_ASSERT(!ImGui::GetCurrentContext()->WithinFrameScope);
   if (look_ == look) return;
   apply_theme(look);
-  // Before the first frame the backend has no texture yet, and makes it by itself.
+  // Before the first frame the backend has no texture yet, and creates it itself.
   if (look_) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -283,8 +283,8 @@ std::vector<InputEvent> Gui::begin_frame(KeyboardHold hold) {
   std::vector<InputEvent> events = input_.take_frame(is_text_field_active(), hold);
   ImGuiIO& io = ImGui::GetIO();
   input_.feed(events, io);
-  // ImGui takes the time of a click from the frame that sees it. A press, its release and the next press are
-  // seen by three frames at least, so that slow frames would keep two quick clicks apart.
+  // ImGui times a click by the frame that sees it. A press, its release and the next press take at least
+  // three frames, so slow frames would separate two quick clicks.
   io.MouseDoubleClickTime = kDoubleClickSeconds + last_frame_seconds_ + io.DeltaTime;
   last_frame_seconds_ = io.DeltaTime;
   hold_release(events);
@@ -292,7 +292,7 @@ std::vector<InputEvent> Gui::begin_frame(KeyboardHold hold) {
   return events;
 }
 
-// The first frame that draws the item again shows it where the button was released; the frame after that, the
+// The first frame that draws the item again shows it at the place of the release; the next frame passes the
 // release.
 void Gui::hold_release(std::span<const InputEvent> events) {
   if (!is_active_item_hidden()) return released_.reset();

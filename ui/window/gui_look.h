@@ -11,7 +11,7 @@ struct GuiLook {
   Theme theme = Theme::kDark;
   BoxPalette palette = BoxPalette::kRedAndGreen;  // determines the accent colour
   float scale = 1;                                // of text and sizes; 1 gives text of 15.5 pixels
-  bool own_font = false;                          // ImGui's own font even where a better one is installed
+  bool own_font = false;                          // uses ImGui's own font even if a better one is installed
   friend bool operator==(const GuiLook&, const GuiLook&) = default;
 };
 

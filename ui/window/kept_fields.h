@@ -11,13 +11,14 @@
 
 namespace kerf {
 
-// The fields of settings that a program keeps, while they are visited to read or to write them: a settings
-// type has one table of its fields, `void describe(KeptFields& f, X& settings)`, which both go through.
-// Unlike in Fields, a value that is missing or of another type leaves the member as it is, and numbers are
-// limited to their range: settings are never a reason not to start.
+// Reads or writes the persistent fields of settings. A settings type has one table of its fields, `void
+// describe(KeptFields& f, X& settings)`, for both directions. Unlike Fields, a missing value or one of
+// another type leaves the member unchanged, and numbers are clamped to their range, so faulty settings
+// never prevent a start.
 class KeptFields {
  public:
-  // Takes what is read out of `json`, an object, or puts what is written into it. It must outlive the fields.
+  // `json` is the object to read from or to write to; reading removes the fields from it. It must outlive
+  // this object.
   enum class Way { kRead, kWrite };
   KeptFields(nlohmann::json& json, Way way) : json_(json), reads_(way == Way::kRead) {}
 
@@ -29,7 +30,7 @@ class KeptFields {
     });
   }
   KeptFields& flag(const char* key, bool& x);
-  // The value whose number in `names` is that of its name in the file.
+  // An enum value, stored as its name in `names`.
   template <typename Enum>
   KeptFields& choice(const char* key, Enum& x, std::span<const char* const> names) {
     return any(key, names[static_cast<size_t>(x)], [&](const nlohmann::json& value) {
@@ -37,10 +38,10 @@ class KeptFields {
       if (at != names.end()) x = static_cast<Enum>(at - names.begin());
     });
   }
-  // A field of any type: `written` is its JSON, and `read` is called with the value of the file.
+  // A field of any type: `written` is its JSON, and `read` is called with the value in the file.
   KeptFields& any(const char* key, const nlohmann::json& written,
                   const std::function<void(const nlohmann::json&)>& read);
-  // What is left of the file after reading: keys that this version does not know.
+  // The rest of the object after reading: keys unknown to this version.
   const nlohmann::json& rest() const { return json_; }
 
  private:
@@ -48,12 +49,12 @@ class KeptFields {
   bool reads_;
 };
 
-// Reads a file of settings. A missing file gives an empty object. One that cannot be read gives an empty
-// object, too, and sets `fault` to a sentence that says why; one that is no JSON object is renamed first,
-// with ".bad" appended, so that it is not lost when the settings are written.
+// Reads a settings file. Returns an empty object if the file is missing. Returns one and sets `fault` to
+// the reason if it cannot be read; a file that is no JSON object is first renamed with ".bad" appended, so
+// that it is not overwritten.
 nlohmann::json read_kept(const std::filesystem::path& file, std::string& fault);
 
-// Writes a file of settings, whole or not at all, and creates missing folders.
+// Writes a settings file atomically and creates missing folders.
 Status write_kept(const nlohmann::json& settings, const std::filesystem::path& file);
 
 }  // namespace kerf

@@ -15,7 +15,7 @@ constexpr double kMinViewport = 320, kMinViewportHeight = 160;
 constexpr double kMinSideEms = 12, kMinStripEms = 6;
 constexpr double kMinHalf = 120;
 
-// What an area of panels gets of the room that the picture can spare; none if that would not be usable.
+// Returns the size of a panel area within the available space; 0 if it would be unusable.
 double share(double wanted_ems, double least_ems, double em, double room) {
   const double size = std::min(std::round(wanted_ems * em), std::floor(room));
   return size < std::min(wanted_ems, least_ems) * em ? 0 : std::max(size, 0.0);

@@ -20,52 +20,53 @@ struct Area {
 };
 
 // The layout of the window: menu at the top, status bar at the bottom, panels at the right, at the left and
-// below, and the picture in the remaining area. In a small window the panels shrink, and disappear if they
-// would have no usable size.
+// below, and the viewport in the remaining area. In a small window the panels shrink, and disappear if
+// their size would be unusable.
 struct Layout {
   Area viewport, side, second_side, strip, status;
-  // The halves of the viewport if it is split; otherwise `first` is all of it, and `second` has no width.
+  // The halves of a split viewport; otherwise `first` is the whole viewport, and `second` has no width.
   Area first, second;
-  double em = 16;  // the size of the text
+  double em = 16;  // text size, screen coordinates
   bool split() const { return second.size.x > 0; }
 };
 
-// The desired sizes of the areas of panels, in sizes of the text; 0: none.
+// The desired sizes of the panel areas [em]; 0: none.
 struct PanelSizes {
   double side = 21, second_side = 0;  // widths at the right and at the left
-  double strip = 0;                   // height below the picture
+  double strip = 0;                   // height below the viewport
 };
 
-// Computes the layout. `em` is the size of the text, `menu` and `status` are the heights of these bars.
+// Computes the layout. `em` is the text size; `menu` and `status` are the heights of these bars.
 Layout lay_out(Vec2 window, double em, double menu, double status, const PanelSizes& panels = {});
 
-// Splits the viewport in two. The left half takes this fraction of its width, limited so that both halves
-// stay usable. Preconditions: it is whole, and the fraction is from 0 to 1.
+// Splits the viewport in two. `share` is the fraction of the width for the left half, limited so that both
+// halves stay usable. Preconditions: the layout is not split, and the fraction is from 0 to 1.
 Layout split_in_two(Layout whole, double share);
 
-// The rectangles of named parts of the window, in screen coordinates, for tests that drive the window from
-// outside: they find a part by its name, whatever the font, the theme and the sizes of the panels are.
+// The rectangles of named parts of the window, in screen coordinates. Tests that drive the window find
+// parts by name, independent of font, theme and panel sizes.
 //
-// A landmark belongs to one frame. The file holds those of the last frame as JSON:
+// Landmarks belong to one frame. The file holds those of the last frame as JSON:
 //   {"busy": false, "pointer": [x, y], "parts": {"NAME": [x, y, width, height]}}
 class Landmarks {
  public:
-  // `file` is replaced atomically by finish(); its folder must exist. Without one only text() tells of them.
+  // finish() replaces `file` atomically; its folder must exist. Without a file, the landmarks are only
+  // available by text().
   explicit Landmarks(std::optional<std::filesystem::path> file) : file_(std::move(file)) {}
 
-  // Forgets the landmarks of the last frame.
+  // Clears the landmarks of the last frame.
   void begin_frame() { areas_.clear(); }
-  // The last mark of a name in a frame counts.
+  // Records a landmark; the last one of a name in a frame counts.
   void mark(std::string name, const Area& area) { areas_.insert_or_assign(std::move(name), area); }
-  // The areas of the layout, under the names of the members of Layout.
+  // Records the areas of the layout under the names of the members of Layout.
   void mark(const Layout& layout);
-  // Where a part is in this frame; nothing where it was not drawn.
+  // Returns the area of a part in this frame; nullopt if it was not drawn.
   std::optional<Area> find(const std::string& name) const;
-  // Ends the frame and writes its landmarks where they differ from those in the file. `busy`: more frames
-  // follow without further input. `pointer`: where this frame saw the pointer; a test that finds it where it
-  // last moved it knows that all input up to then was heard. On failure the file is as it was.
+  // Ends the frame and writes its landmarks if they differ from the file. `busy`: more frames follow
+  // without further input. `pointer`: its position in this frame; a test that finds its own last position
+  // here knows that all earlier input was processed. On failure the file is unchanged.
   Status finish(bool busy, Vec2 pointer);
-  // What the file holds after finish(), in one line.
+  // The content of the file after finish(), in one line.
   std::string text() const;
 
  private:
@@ -73,18 +74,18 @@ class Landmarks {
   std::map<std::string, Area> areas_;
   bool busy_ = false;
   Vec2 pointer_{0};
-  std::string written_;  // what the file holds
+  std::string written_;  // content of the file
 };
 
-// The current ImGui context hands the landmarks to the widgets; nullptr: none are kept. They must outlive the
-// frames that are drawn.
+// Makes the landmarks available to widgets through the current ImGui context; nullptr: none. They must
+// outlive the drawn frames.
 void keep_landmarks(Landmarks* landmarks);
-// Marks the widget that was drawn last. Costs nothing where no landmarks are kept.
+// Records the last widget as a landmark. No cost without landmarks.
 void mark_last_item(const char* name, int number);
 void mark_last_item(const char* name);
-// Marks something that is not a widget.
+// Records an area that is not a widget.
 void mark_area(const char* name, const Area& area);
-// Marks the window or popup that is being drawn.
+// Records the current window or popup.
 void mark_window(const char* name);
 
 }  // namespace kerf

@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-// Of the window, as the context of ImGui is.
+// Global like ImGui's current context.
 Message*& entry_message() {
   static Message* message = nullptr;
   return message;
@@ -23,12 +23,12 @@ Message*& entry_message() {
 
 float room_in_field() { return ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x; }
 
-// The tooltip of the last item, with all of a text that it shows shortened.
+// The tooltip of the last item, with the full text if it is shortened.
 void explain(const std::string& shown, const std::string& fitted, const char* meaning) {
   tooltip(fitted == shown ? meaning : (shown + '\n' + meaning).c_str());
 }
 
-// The unit as it is read: also what the format shows.
+// The unit for reading, which includes the one in the format.
 NumberUnit read_unit(const NumberEntry& entry) {
   NumberUnit unit = entry.unit;
   if (const std::string own = entry.format.unit(); !own.empty()) unit.name = own;
@@ -66,11 +66,11 @@ std::optional<std::string> EditedText::draw(const char* id, const std::string& s
   std::copy_n(shown.begin(), std::min(shown.size(), text.size() - 1), text.begin());
   const bool active = ImGui::GetActiveID() == ImGui::GetID(id);
   const bool shortened = fitted != shown && !active;
-  if (shortened) ImGui::PushStyleColor(ImGuiCol_Text, 0);  // only hidden, so that it can be edited
+  if (shortened) ImGui::PushStyleColor(ImGuiCol_Text, 0);  // only hidden, so that it remains editable
   const bool changed = ImGui::InputText(id, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
   if (shortened) ImGui::PopStyleColor();
   if (ImGui::IsItemActivated()) begun_ = shown;
-  if (changed || active) typed_ = text;  // no change is reported where the text is the one shown again
+  if (changed || active) typed_ = text;  // a text equal to the shown one is not reported as a change
   const bool entered = ImGui::IsItemDeactivatedAfterEdit() && begun_ != typed_.data();
   if (shortened) {
     const ImVec2 at = ImGui::GetItemRectMin(), padding = ImGui::GetStyle().FramePadding;

@@ -63,7 +63,7 @@ std::string number_text(double value, const RealFormat& format, double scale) {
   ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), ImGuiDataType_Double, &shown,
                               format.c_str());
   std::string number = text.data();
-  // A negative number that is rounded to 0 keeps its sign in printf.
+  // printf keeps the sign of a negative number rounded to 0.
   const size_t digit = number.find_first_of("0123456789");
   if (digit == std::string::npos || digit == 0 || number[digit - 1] != '-') return number;
   const size_t end = number.find_first_not_of("0.", digit);
@@ -88,7 +88,7 @@ constexpr size_t kGroup = 3;  // digits between two spaces
 struct UnitName {
   const char* name;
   double size;       // metres, radians or watts
-  bool told = true;  // in the list of units of a message
+  bool told = true;  // listed in messages
 };
 constexpr std::array kLengths{UnitName{"mm", 1e-3},
                               UnitName{"cm", 1e-2},
@@ -130,7 +130,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-// The size of a unit, over that of the field's. Nothing if the field does not take it.
+// Returns the size of a unit relative to the field's; nullopt if the field does not accept it.
 std::optional<double> factor_of(std::string_view name, const NumberUnit& unit) {
   if (!unit.name.empty() && same(name, trimmed(unit.name))) return 1;
   for (const UnitName& known : units_of(unit.quantity)) {
@@ -140,7 +140,7 @@ std::optional<double> factor_of(std::string_view name, const NumberUnit& unit) {
   return std::nullopt;
 }
 
-// "the units are mm, cm, m, in and ft"; empty where the field has none.
+// Returns "the units are mm, cm, m, in and ft"; empty if the field has none.
 std::string units_text(const NumberUnit& unit) {
   std::vector<std::string> names;
   for (const UnitName& known : units_of(unit.quantity)) {
@@ -153,7 +153,7 @@ std::string units_text(const NumberUnit& unit) {
   return text;
 }
 
-// Recursive descent; the first fault ends it.
+// A recursive descent parser; stops at the first error.
 class Parser {
  public:
   Parser(std::string_view text, const NumberUnit& unit) : text_(text), unit_(unit) {}
@@ -238,7 +238,7 @@ class Parser {
     return value;
   }
 
-  // Appends digits to `digits`, which may be in groups of three where it is so `grouped`.
+  // Appends digits to `digits`; if `grouped`, they may be in groups of three.
   void take_digits(std::string& digits, bool grouped) {
     const size_t begin = digits.size();
     while (is_digit(peek())) digits += text_[at_++];
@@ -284,7 +284,7 @@ class Parser {
     KERF_ASSERT(error == std::errc() && end == digits.data() + digits.size());
     return value;
   }
-  // Of a number out of range.
+  // Distinguishes the two kinds of out-of-range numbers.
   static bool is_tiny(const std::string& digits) { return std::strtod(digits.c_str(), nullptr) < 1; }
 
   std::string missing_number() const {
@@ -293,14 +293,14 @@ class Parser {
     return quoted(word()) + " is not a number";
   }
 
-  // What stands at the present place, up to the next space or operator.
+  // The text at the current position, up to the next space or operator.
   std::string_view word() const {
     const std::string_view rest = text_.substr(at_);
     const size_t end = rest.find_first_of(" +-*/()", 1);
     return rest.substr(0, end);
   }
 
-  // The factor of the unit at the end.
+  // Returns the factor of the unit at the end.
   double suffix() {
     const std::string_view name = trimmed(text_.substr(at_));
     if (name.empty()) return 1;
@@ -308,7 +308,7 @@ class Parser {
     return fail(unread());
   }
 
-  // Why what stands at the present place does not follow what was read.
+  // The reason why the rest of the text is invalid here.
   std::string unread() const {
     const std::string_view rest = text_.substr(at_);
     if (rest.find(',') != std::string_view::npos)

@@ -8,13 +8,13 @@
 
 namespace kerf {
 
-// The printf format of a number in a widget, with at most one conversion: "%.1f MB". The compiler checks it,
-// as it checks the formats of functions with an attribute, which widgets that are given a pointer to their
-// number cannot have. `conversions` are the letters that suit the type of the number.
+// The printf format of a number in a widget, with at most one conversion: "%.1f MB". Checked at compile
+// time, like a format attribute, which widgets that receive a pointer to their number cannot have.
+// `conversions` are the letters that suit the type of the number.
 class NumberFormat {
  public:
   const char* c_str() const { return text_; }
-  // The text after the number, as it is shown: "MB" of "%.1f MB", without the space.
+  // The text after the number: "MB" of "%.1f MB", without the space.
   std::string unit() const;
 
  protected:
@@ -50,21 +50,21 @@ struct WholeFormat : NumberFormat {
   consteval WholeFormat(const char* text) : NumberFormat(text, "d") {}
 };
 
-// A text in a printf format, which the compiler checks. Of more than 255 bytes the rest is left out.
+// Formats like printf, with compile-time checks. Truncates beyond 255 bytes.
 [[gnu::format(printf, 1, 2)]] std::string text_of(const char* format, ...);
 
-// A number in the format of one number. One that is noise beside `scale`, the size of the quantity, e.g. the
-// length of the vector or the extent of the world, is shown as 0, and 0 never has a sign.
+// Formats one number. Shows a number as 0 if it is noise compared with `scale`, the magnitude of the
+// quantity, e.g. the length of the vector or the extent of the world; 0 never has a sign.
 std::string number_text(double value, const RealFormat& format, double scale = 0);
-// Whether rounding alone explains a number that ought to be 0: it is less than 1e-12 of the scale.
+// Returns true if rounding alone explains a number that should be 0: it is less than 1e-12 of the scale.
 bool is_noise(double value, double scale);
 
-// An area in a unit that suits its size: "2.75 cm²"; "none" for 0.
+// Formats an area in a unit that suits its size: "2.75 cm²"; "none" for 0.
 std::string area_text(double square_metres);
 
 // The physical quantity of a number in a text field.
 enum class Quantity {
-  kPlain,   // no unit but that of the field
+  kPlain,   // no unit except that of the field
   kLength,  // mm, cm, m, in, ft, and others from nm to km
   kAngle,   // °, deg, rad
   kPower,   // W, kW
@@ -74,20 +74,20 @@ enum class Quantity {
 struct NumberUnit {
   Quantity quantity = Quantity::kPlain;
   double size = 1;        // of one unit in metres, radians or watts, > 0
-  std::string name = {};  // as the field shows it, e.g. "mm", "K"; it is read for every quantity
-  std::string per = {};   // follows the units of the quantity, e.g. "/s" of a speed; may be left out
+  std::string name = {};  // as the field shows it, e.g. "mm", "K"; accepted for every quantity
+  std::string per = {};   // follows the units of the quantity, e.g. "/s" of a speed; optional
 };
 
-// The unit of a field that shows lengths in a unit that evaluate_number() reads. Precondition: it is one.
+// Returns the unit of a field for lengths. Precondition: `name` is a length unit of evaluate_number().
 NumberUnit length_unit(std::string name, std::string per = "");
 inline const NumberUnit kDegrees{Quantity::kAngle, 1.7453292519943295e-2};  // without a name
 inline const NumberUnit kWatts{Quantity::kPower};
 
-// Evaluates the text of a number field in the unit of the field: numbers with or without digits in groups of
-// three ("4 000"), + - * / and brackets, then optionally one unit, which holds for the whole expression
-// ("1/4 in"). The case of units does not matter. Operations are those of double, from left to right. Fails
-// with the reason, a clause such as "\"abc\" is not a number", if the text is anything else, or if the value
-// or an intermediate one is not finite. O(size of the text); brackets nest kMaxBrackets deep at most.
+// Evaluates the text of a number field in the unit of the field: numbers with or without digits in groups
+// of three ("4 000"), + - * / and brackets, then optionally one unit, which applies to the whole expression
+// ("1/4 in"). Units are case-insensitive. Operations use double, from left to right. Fails with the reason,
+// a clause such as "\"abc\" is not a number", for any other text, or if the value or an intermediate one is
+// not finite. O(size of the text); brackets nest at most kMaxBrackets deep.
 inline constexpr int kMaxBrackets = 50;
 Result<double> evaluate_number(std::string_view text, const NumberUnit& unit = {});
 

@@ -21,10 +21,10 @@ namespace {
 constexpr const char* kEllipsis = "...";
 constexpr int kMaxDigits = 6;
 
-// Whether a character of UTF-8 begins at this byte.
+// Returns true if a UTF-8 character begins at this byte.
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }
 
-// "1.2e+05" as "1.2e5".
+// Shortens "1.2e+05" to "1.2e5".
 std::string compact(std::string number) {
   const size_t e = number.find('e');
   if (e == std::string::npos) return number;
@@ -51,7 +51,7 @@ std::string fitted_text(std::string_view text, float width, const TextWidth& wid
   if (width_of(text) <= width) return std::string(text);
   const float room = width - width_of(kEllipsis);
   if (room < 0) return "";
-  // The longest beginning that fits, by bisection: it is wider, the longer it is.
+  // Finds the longest prefix that fits by bisection; the width increases with the length.
   size_t fits = 0, too_long = text.size();
   while (too_long - fits > 1) {
     size_t middle = (fits + too_long) / 2;
@@ -71,7 +71,7 @@ std::string fitted_number(double value, const RealFormat& format, std::string_vi
                           float width, const TextWidth& width_of) {
   std::string text = number_text(value, format, scale) + std::string(unit);
   if (width_of(text) <= width) return text;
-  // The digits of the number as it is shown, so that shortening it does not show more.
+  // The digits as shown, so that the shortened number does not show others.
   char* suffix = nullptr;
   const std::string full = text;
   const double shown = std::strtod(full.c_str(), &suffix);
@@ -113,11 +113,10 @@ void draw_fitted_text(const std::string& text, const char* meaning, float width)
 namespace {
 
 constexpr float kTooltipSeconds = 0.5f;
-constexpr float kTooltipEms = 22;  // at which its lines are wrapped
+constexpr float kTooltipEms = 22;  // wrap width
 
-// Places the next tooltip beside the window of the last item, at the height of the item, so that it covers
-// neither what the user reads there nor the widget; a window that leaves no room beside it gets the tooltip
-// at the pointer.
+// Places the next tooltip next to the window of the last item, at the height of the item, so that it covers
+// neither the content of the window nor the widget; at the pointer if there is no space.
 void place_tooltip(const char* text, const std::optional<TipPicture>& picture) {
   const ImGuiWindow& innermost = *ImGui::GetCurrentWindow();
   const bool in_submenu = (innermost.Flags & ImGuiWindowFlags_ChildMenu) != 0;
@@ -144,7 +143,7 @@ void place_tooltip(const char* text, const std::optional<TipPicture>& picture) {
 bool begin_properties(const char* id) {
   if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
   ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, 5.6f * ImGui::GetFontSize());
-  // Without a weight the column would be as wide as nothing in its first frame.
+  // Without a weight the column would have no width in its first frame.
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1);
   return true;
 }
@@ -167,10 +166,10 @@ void end_properties() {
 void tooltip(const char* text, const std::optional<TipPicture>& picture) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const ImGuiContext& context = *ImGui::GetCurrentContext();
-  // Mere text has no id, by which the time over it could be counted.
+  // Plain text has no ID to time the hovering with.
   if (context.LastItemData.ID == 0) ImGui::ItemHoverable(context.LastItemData.Rect, ImGui::GetID(text));
   if (context.HoveredIdTimer < kTooltipSeconds || ImGui::IsAnyMouseDown()) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // also over what is disabled
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // opaque even for disabled items
   place_tooltip(text, picture);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipEms * ImGui::GetFontSize());
@@ -189,9 +188,9 @@ void figure_row(const char* name, const std::string& value, const char* meaning)
 
 namespace {
 
-constexpr float kGrabPadding = 2;  // that ImGui leaves around the grab
+constexpr float kGrabPadding = 2;  // ImGui's padding around the grab
 
-// The text of the slider that is a text field at the moment; ImGui has one at a time, too.
+// The text of the slider being edited as a text field; ImGui has one at a time, too.
 EditedText& edited_slider() {
   static EditedText text;
   return text;
@@ -200,7 +199,7 @@ EditedText& edited_slider() {
 struct Value {
   double now, low, high;
   bool whole;
-  // Where between the ends it is.
+  // The position between the ends, 0 to 1.
   double share(bool logarithmic) const {
     if (!(high > low)) return 0;
     const double x = std::clamp(now, low, high);
@@ -209,7 +208,7 @@ struct Value {
   }
 };
 
-// The left and the right end of the grab in the frame of the last item, as SliderBehavior places it.
+// Returns the left and right end of the grab in the frame of the last item, as SliderBehavior places it.
 std::pair<float, float> grab_of(float left, float right, const Value& value, bool logarithmic) {
   const float room = right - left - 2 * kGrabPadding;
   float size = ImGui::GetStyle().GrabMinSize;
@@ -219,7 +218,7 @@ std::pair<float, float> grab_of(float left, float right, const Value& value, boo
   return {begin, begin + size};
 }
 
-// Draws the text beside the grab. Returns whether it had to be shortened.
+// Draws the text next to the grab. Returns true if it was shortened.
 bool draw_text(const Value& value, bool logarithmic, float width, const std::string& text, bool number,
                const NumberEntry& entry) {
   const ImVec2 at = ImGui::GetItemRectMin();
@@ -239,14 +238,14 @@ bool draw_text(const Value& value, bool logarithmic, float width, const std::str
   return shown != text;
 }
 
-// The text field that the slider is at the moment. The number that was entered.
+// Draws the slider as a text field. Returns the entered number.
 std::optional<double> draw_field(const Slider& slider, const NumberEntry& entry, double value) {
   const std::string shown = entry.shown(value);
   const auto text = edited_slider().draw(slider.id, shown, shown);
   return text ? entry.entered(*text, value) : std::nullopt;
 }
 
-// The beginning of the text that is a number, with which ImGui begins the text field.
+// Returns the numeric prefix of the text, the initial content of ImGui's text field.
 std::string number_of(const std::string& shown) {
   char* end = nullptr;
   (void)std::strtod(shown.c_str(), &end);

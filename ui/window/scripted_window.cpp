@@ -19,7 +19,7 @@ namespace kerf {
 
 namespace {
 
-// A widget that opens or closes shows so a few frames later.
+// Frames until the opening or closing of a widget is complete.
 constexpr int kFramesToSettle = 4;
 
 }  // namespace
@@ -131,7 +131,7 @@ namespace {
 
 constexpr double kLargestWindow = 8192;  // pixels
 
-// A modifier: its name, the key that is held and what other events carry meanwhile.
+// A modifier: its name, its key and its flag in other events.
 struct Modifier {
   const char* name;
   int key, mod;
@@ -274,9 +274,9 @@ Status VirtualInput::close(const JsonValue& value) { return assign(value.flag(),
 
 namespace {
 
-constexpr double kReading = 0.001;  // s, which a reading of the clock lasts
+constexpr double kReading = 0.001;  // s, duration of a clock reading
 
-// ImGui's keys that are not characters, and those of its shortcuts in text fields.
+// Sets the indices of ImGui's keys that are not characters, and of its shortcuts in text fields.
 void name_keys(ImGuiIO& io) {
   const std::pair<ImGuiKey, int> keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
                                            {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},

@@ -17,10 +17,10 @@
 
 namespace kerf {
 
-// The mouse, the keyboard and the frame of a window that a script drives.
+// The mouse, the keyboard and the size of a scripted window.
 class VirtualInput {
  public:
-  // What came since it was taken last.
+  // Input since the last call of a take function.
   struct InputState {
     std::vector<InputEvent> events;
     std::vector<std::filesystem::path> drops;
@@ -29,15 +29,15 @@ class VirtualInput {
 
   explicit VirtualInput(Vec2 size) : size_(size) {}
 
-  // Hears a step of the script, an object with one key (see event_script.h). Fails, and changes nothing, if
-  // there is no such step or its value is wrong.
+  // Applies a step of the script, an object with one key (see EventScript). Fails and changes nothing if
+  // the step is unknown or its value is invalid.
   Status hear(const std::string& name, const JsonValue& value);
 
   InputState& input_state() { return input_state_; }
   Vec2 size() const { return size_; }
   Vec2 pointer() const { return pointer_; }
-  const std::set<int>& keys() const { return keys_; }        // that are held down, GLFW_KEY_*
-  const std::set<int>& buttons() const { return buttons_; }  // GLFW_MOUSE_BUTTON_*
+  const std::set<int>& keys() const { return keys_; }        // held, GLFW_KEY_*
+  const std::set<int>& buttons() const { return buttons_; }  // held, GLFW_MOUSE_BUTTON_*
   int mods() const;                                          // GLFW_MOD_*
   bool has_focus() const { return focus_; }
 
@@ -59,10 +59,10 @@ class VirtualInput {
   bool focus_ = true;
 };
 
-// Input of a window from a file (`kerf --events FILE`), so that a session repeats to the bit: tests and
-// reports of faults are written in it. Each line is a step, a JSON object with one key. After each of the
-// first group a frame is drawn, or several where one cannot show all of its input (see gui_input.h); between
-// two frames a fixed time passes.
+// Window input from a file (`kerf --events FILE`), which makes sessions bit-reproducible for tests and bug
+// reports. Each line is a step, a JSON object with one key. After each step of the first group a frame is
+// drawn, or several if one cannot show all of its input (see GuiInput); a fixed time passes between two
+// frames.
 //
 //   {"move": [X, Y]}              the pointer, in pixels from the upper left corner
 //   {"press": "left"}             a button of the mouse: left, right or middle
@@ -73,44 +73,39 @@ class VirtualInput {
 //   {"type": "text"}              characters, as a keyboard sends them to a text field
 //   {"drop": ["FILE", ...]}       files from another program
 //   {"size": [WIDTH, HEIGHT]}     of the window
-//   {"focus": false}              whether the window has it
-//   {"close": true}               the button that closes the window
+//   {"focus": false}              window focus
+//   {"close": true}               the close button of the window
 //   {"together": [STEP, ...]}     several of the above before one frame
-//   {"wait": SECONDS}             frames for so long
-//   {"settle": SECONDS}           frames until nothing moves or works, for so long at most
+//   {"wait": SECONDS}             draws frames for this time
+//   {"settle": SECONDS}           draws frames until nothing moves or works, at most for this time
 //
-//   {"frame": SECONDS}            between two frames from now on; a sixtieth before
-//   {"draws": false}              whether frames are drawn from now on, which takes a software renderer
-//   nearly
-//                                 all of their time; all else happens as ever
-//   {"picture": "FILE"}           writes what the window shows as a PNG
-//   {"answer": "WHAT"}            prints what the screen knows as a line of JSON: "landmarks" (landmarks.h),
+//   {"frame": SECONDS}            time between two frames from now on; 1/60 by default
+//   {"draws": false}              skips drawing from now on, almost all of the time of a software renderer
+//   {"picture": "FILE"}           writes the window as a PNG
+//   {"answer": "WHAT"}            prints an answer of the screen as a line of JSON: "landmarks" (layout.h),
 //                                 "report" or "title"
 //
-// At the end of the file the program ends as by SIGTERM. A line that is wrong ends it with a sentence.
+// At the end of the file the program ends as by SIGTERM. An invalid line ends it with an error message.
 class EventScript {
  public:
-  // What the screen that is shown answers to "landmarks" or "report", as JSON; nothing where it has no
-  // answer.
+  // The current screen's answer to "landmarks" or "report", as JSON; nullopt if it has none.
   using Answer = std::function<std::optional<std::string>(const std::string& what)>;
 
-  // Reads from a file, or from standard input where it is "-", as far as it is needed. Fails if it cannot be
-  // opened.
+  // Reads from a file, or from standard input for "-", as far as needed. Fails if it cannot be opened.
   static Result<EventScript> open(const std::filesystem::path& file, Vec2 size);
-  // Reads from a text that is called `name` in errors.
+  // Reads from a stream; `name` is its name in errors.
   EventScript(std::unique_ptr<std::istream> steps, std::string name, Vec2 size);
 
-  // Goes on to the next frame. `moving`: whether the last one left something to do. Returns whether there is
-  // one; at the end of the script there is none. Fails at a line that is wrong. Precondition: `answer` can be
-  // called.
+  // Advances to the next frame. `moving`: the last frame left work to do. Returns false at the end of the
+  // script. Fails at an invalid line. Precondition: `answer` can be called.
   Result<bool> begin_frame(bool moving, const Answer& answer);
-  // Goes on to another frame of the step that was taken last.
+  // Advances to another frame of the last step.
   void pass_frame() { seconds_ += frame_seconds_; }
 
   VirtualInput& input() { return input_; }
   const VirtualInput& input() const { return input_; }
   double frame_seconds() const { return frame_seconds_; }
-  // The time at which the frame began (s).
+  // The time at which the frame began [s].
   double seconds() const { return seconds_; }
   bool draws() const { return draws_; }
   void set_title(const std::string& title) { title_ = title; }
@@ -134,15 +129,15 @@ class EventScript {
   double frame_seconds_ = 1.0 / 60, seconds_ = 0;
   double wait_until_ = 0;  // s
   bool draws_ = true;
-  bool until_rest_ = false;  // the wait ends where nothing moves
-  int still_ = 0;            // frames of this wait
+  bool until_rest_ = false;  // the wait ends when nothing moves
+  int still_ = 0;            // idle frames of this wait
 };
 
-// A window without a screen: a script is its user (see event_script.h), and a drawing surface in memory its
-// picture.
+// A window without a screen: a script provides its input (see EventScript), and a surface in memory
+// receives its frames.
 class ScriptedWindow final : public Window {
  public:
-  // Fails if the file cannot be read, or OpenGL 3.3 cannot be had without a screen.
+  // Fails if the file cannot be read, or OpenGL 3.3 is not available off-screen.
   static Result<std::unique_ptr<Window>> open(const std::filesystem::path& events, int width, int height);
 
   Vec2 size() const override { return script_.input().size(); }
@@ -167,7 +162,7 @@ class ScriptedWindow final : public Window {
   void begin_gui_frame() override;
 
  private:
-  // Work that is limited by time ends after so many readings of the clock, at every run after the same ones.
+  // Work with a time limit ends after a number of clock readings that is the same in every run.
   class Clock final : public WindowClock {
    public:
     explicit Clock(const EventScript& script) : script_(script) {}
@@ -175,9 +170,9 @@ class ScriptedWindow final : public Window {
 
    private:
     const EventScript& script_;
-    mutable double frame_ = 0;     // s, the beginning of the frame of the last reading
+    mutable double frame_ = 0;     // s, beginning of the frame of the last reading
     mutable double readings_ = 0;  // in this frame
-    mutable double latest_ = 0;    // s, what was read last
+    mutable double latest_ = 0;    // s, the last reading
   };
 
   ScriptedWindow(EventScript script, gl::OffscreenContext context);
@@ -185,7 +180,7 @@ class ScriptedWindow final : public Window {
   EventScript script_;
   gl::OffscreenContext context_;
   Clock clock_;
-  Vec2 surface_{0};  // the size of the drawing surface
+  Vec2 surface_{0};  // size of the drawing surface
 };
 
 }  // namespace kerf

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// The sentence that the status bar shows: what happened last, until the next action replaces it. All that was
-// said is kept in a log.
+// The sentence in the status bar: the latest event, until the next action replaces it. A log keeps all
+// sentences.
 struct Message {
   struct Said {
     std::time_t when = 0;
@@ -17,8 +17,8 @@ struct Message {
     bool is_error = false;
   };
 
-  std::string text;       // empty: nothing to say
-  bool is_error = false;  // the user asked for something that could not be done
+  std::string text;       // empty: no message
+  bool is_error = false;  // a request of the user failed
   std::deque<Said> log;   // the last sentences, oldest first
 
   static constexpr size_t kMaxLogged = 200;
@@ -30,13 +30,13 @@ struct Message {
     if (!text.empty()) note(text, error);
   }
 
-  // Shows a sentence about what was entered, which the change that follows from it does not clear.
+  // Shows a sentence about an entry; the change that results from the entry does not clear it.
   void say_before_change(std::string sentence) {
     say(std::move(sentence));
     outlives_next_ = true;
   }
 
-  // Writes a sentence to the log without showing it.
+  // Adds a sentence to the log without showing it.
   void note(std::string sentence, bool error) {
     log.push_back({std::time(nullptr), std::move(sentence), error});
     if (log.size() > kMaxLogged) log.pop_front();

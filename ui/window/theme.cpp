@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-// Humanist sans faces as Debian's packages install them, the best first.
+// Humanist sans faces as installed by Debian's packages, the best first.
 constexpr std::array kFonts{
     "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf",
     "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
@@ -20,7 +20,7 @@ constexpr std::array kFonts{
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
 };
 constexpr float kTextPixels = 15.5f;
-constexpr float kOwnTextPixels = 13;  // of ImGui's own font, which is made for this size
+constexpr float kOwnTextPixels = 13;  // design size of ImGui's own font
 
 void load_font(float scale, bool own_font) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
@@ -47,7 +47,7 @@ constexpr Colours kLight{IM_COL32(0xf1, 0xf3, 0xf6, 255), IM_COL32(0xff, 0xff, 0
                          IM_COL32(0x7b, 0x87, 0x96, 255), IM_COL32(0x1a, 0x1f, 0x26, 255),
                          IM_COL32(0x4d, 0x58, 0x66, 255)};
 
-// At least 4.5:1 on the panel, so that it may carry text.
+// At least 4.5:1 on the panel, to be usable for text.
 ImU32 accent_of(const GuiLook& look) {
   const bool blue = look.palette == BoxPalette::kOrangeAndBlue;
   if (look.theme == Theme::kLight)

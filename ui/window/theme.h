@@ -14,7 +14,8 @@ inline ImU32 text() { return ImGui::GetColorU32(ImGuiCol_Text); }
 inline ImU32 secondary() { return ImGui::GetColorU32(ImGuiCol_TextDisabled); }
 inline ImU32 accent() { return ImGui::GetColorU32(ImGuiCol_NavHighlight); }
 
-// Colours of marks on the picture, in every theme; text lies on the shade, so that it is legible by day too.
+// Colours of marks in the viewport, in every theme. Text is drawn on the shade, to be legible on a bright
+// background.
 inline constexpr ImU32 kPictureText = IM_COL32(0xe6, 0xe9, 0xee, 255);
 inline constexpr ImU32 kPictureSecondary = IM_COL32(0x9a, 0xa6, 0xb6, 255);
 inline constexpr ImU32 kPictureShade = IM_COL32(0x1b, 0x1f, 0x26, 165);
@@ -23,7 +24,7 @@ inline constexpr std::array<ImU32, 3> kAxes{IM_COL32(0xd9, 0x6a, 0x62, 255), IM_
                                             IM_COL32(0x62, 0x97, 0xdc, 255)};
 }  // namespace colours
 
-// Sets sizes, colours and the font of the current ImGui context. The font texture has to be recreated
+// Sets sizes, colours and the font of the current ImGui context. The font texture must be recreated
 // afterwards. Precondition: called between frames.
 void apply_theme(const GuiLook& look);
 

@@ -45,7 +45,7 @@ bool up_axis_combo(UpAxis& up) {
 
 namespace {
 
-constexpr float kWidth = 24, kUp = 2;  // sizes of the text
+constexpr float kWidth = 24, kUp = 2;  // em
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
@@ -171,7 +171,7 @@ void question_key(Question& question, int key) {
   if (key == GLFW_KEY_ESCAPE) question.answer = question.choices.size() - 1;
   for (size_t i = 0; i < question.choices.size(); ++i) {
     const char letter = question.choices[i].letter;
-    if (letter != 0 && key == letter) question.answer = i;  // GLFW's keys of letters are the capitals
+    if (letter != 0 && key == letter) question.answer = i;  // GLFW's letter keys are capitals
   }
 }
 

@@ -45,7 +45,7 @@ constexpr std::array kKeys{
     Name{GLFW_KEY_KP_SUBTRACT, "Num -"},
     Name{GLFW_KEY_KP_MULTIPLY, "Num *"},
 };
-// In the order in which they are written.
+// In writing order.
 constexpr std::array kMods{Name{GLFW_MOD_CONTROL, "Ctrl+"}, Name{GLFW_MOD_SHIFT, "Shift+"},
                            Name{GLFW_MOD_ALT, "Alt+"}};
 

@@ -16,51 +16,51 @@ class GameScreen;
 class Window;
 struct WindowOptions;
 
-// How a game is played in a window.
+// The options of a game in a window.
 struct GameOptions {
   MatchSetup setup;
-  bool chosen_difficulty = false;  // setup.difficulty was asked for; otherwise the settings say it
+  bool chosen_difficulty = false;  // setup.difficulty was requested; otherwise the settings determine it
   GuiLook look;
   bool from_editor = false;
-  bool starts = false;                             // with the menu in which mode, level and car are chosen
+  bool starts = false;                             // begins with the menu for mode, level and car
   bool bot = false;                                // a bot plays; the player only watches
-  double seconds = 0;                              // after which the game ends by itself; 0: never
+  double seconds = 0;                              // end of the game; 0: never
   std::optional<std::filesystem::path> landmarks;  // see EditorOptions
 };
 
-// A match that was left and can be gone on with.
+// A suspended match, which can be resumed.
 struct LeftMatch {
   std::unique_ptr<Match> match;
   std::vector<Controls> played;  // in its ticks
 };
 
-// What is left of a game that was played in a window.
+// The result of a game in a window.
 struct GameOutcome {
   LeftMatch last;  // its match is not null
   std::vector<double> frame_seconds;
-  bool inspect = false;  // the player wants to look at the world
+  bool inspect = false;  // the player wants to inspect the world
   View view;             // of the player
 };
 
-// A game in a window that is open already. It may be left for a look at its world and gone on with.
+// A game in an existing window. It can be left to inspect its world, and resumed.
 class WindowedGame {
  public:
-  // The window must outlive it. Fails if a shader is missing or does not compile. Begins with the menu of a
-  // match that was left, if there is one.
+  // The window must outlive it. Fails if a shader is missing or does not compile. Begins with the pause
+  // menu of a suspended match, if there is one.
   static Result<WindowedGame> begin(Window& window, const GameOptions& options, LeftMatch left = {});
   ~WindowedGame();
   WindowedGame(WindowedGame&&) noexcept;
   WindowedGame& operator=(WindowedGame&&) noexcept;
 
-  // Plays until the player leaves. Another call goes on from there, with the menu that was open.
+  // Plays until the player leaves. Another call resumes there, with the menu that was open.
   void play(FrameLoop& loop);
 
-  // How it was left.
+  // The state in which it was left.
   bool wants_inspection() const;
   GuiLook look() const;
   const Match& match() const;
   View view() const;
-  // Precondition: it is not played any more.
+  // Precondition: play() is not called again.
   GameOutcome outcome();
 
  private:
@@ -68,8 +68,8 @@ class WindowedGame {
   std::unique_ptr<GameScreen> screen_;
 };
 
-// Plays in a window of its own. Fails like play_in() and open_window(), and at a line of the script that is
-// wrong.
+// Plays in its own window. Fails like WindowedGame::begin() and open_window(), and at an invalid line of
+// the script.
 Result<GameOutcome> play(const GameOptions& options, const WindowOptions& window);
 
 }  // namespace kerf

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kOverPivot = 0.42, kBehindPivot = 0.75, kBeside = 0.5;  // m, the eye on the roof
 constexpr double kChaseBack = 6.8, kChaseUp = 2.5, kChaseLook = 1.1;     // m
-constexpr double kHeightRate = 14;   // 1/s, at which the eye follows the vehicle upwards
-constexpr double kClearance = 0.35;  // m, of the camera before walls
+constexpr double kHeightRate = 14;   // 1/s, smoothing rate of the eye's height
+constexpr double kClearance = 0.35;  // m, between the camera and walls
 constexpr double kShakeFade = 5;     // 1/s
 constexpr double kShakeSize = 0.05;  // m
 constexpr double kShakeSpeed = 41;   // rad/s
-constexpr double kTarget = 10;       // m, the point looked at
+constexpr double kTarget = 10;       // m, distance of the view target
 
 Vec3 level(const Vec3& v) {
   const Vec3 flat(v.x, 0, v.z);
@@ -76,15 +76,15 @@ CameraView GameCamera::view(double aspect, double field_of_view) const {
 namespace {
 
 constexpr double kNearest = 8, kFarthest = 13;  // m
-constexpr double kFarApart = 12;                // m, between vehicles that do not fit into one picture
+constexpr double kFarApart = 12;                // m, between vehicles that do not fit into one frame
 constexpr double kChassisMiddle = 0.8;          // m, above the ground
 constexpr double kTurnRate = 0.16;              // rad/s
-constexpr double kMiddleRate = 3;               // 1/s, at which the middle is followed
+constexpr double kMiddleRate = 3;               // 1/s, smoothing rate of the middle
 constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
 constexpr int kAngles = 24;
-constexpr double kLarge = 1.6;         // m, the diagonal of what hides something
-constexpr double kEyeClearance = 0.4;  // m, of the eye from what is behind it
-constexpr double kMinDistance = 1.5;   // m, of the eye from what it watches
+constexpr double kLarge = 1.6;         // m, minimum diagonal of an occluder
+constexpr double kEyeClearance = 0.4;  // m, between the eye and a body behind it
+constexpr double kMinDistance = 1.5;   // m, between the eye and its target
 
 Vec3 middle_of(const Match& match, size_t vehicle) {
   return match.world().body(match.vehicles()[vehicle].chassis).placement.to_world({0, kChassisMiddle, 0});
@@ -95,8 +95,8 @@ Vec3 middle_of(const Match& match, size_t vehicle) {
 ReplayCamera::Aim ReplayCamera::aim(const Match& match) const {
   const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
   const double apart = glm::length(other - own);
-  // What happens is at the other vehicle. It is kept nearer to the middle of the picture, and where the
-  // player's is too far away it is shown alone.
+  // The action is at the other vehicle. It is kept closer to the middle of the frame, and shown alone if
+  // the player's is too far away.
   if (apart > kFarApart) return {other, kNearest};
   return {glm::mix(own, other, 0.6), std::clamp(3 + 0.85 * apart, kNearest, kFarthest)};
 }
@@ -106,7 +106,7 @@ Vec3 ReplayCamera::eye_at(const Aim& aim, const Stand& stand) {
          aim.distance * stand.nearness * (direction_of(stand.angle, 0) + Vec3(0, stand.height, 0));
 }
 
-// The vehicle to which it happens matters more than the player's.
+// The other vehicle, where the action is, matters more than the player's.
 int ReplayCamera::hidden_from(const Match& match, const Sight& sight, const Vec3& eye) const {
   const auto hides = [&](size_t vehicle) {
     const Vec3 way = middle_of(match, vehicle) - eye;
@@ -120,7 +120,7 @@ int ReplayCamera::hidden_from(const Match& match, const Sight& sight, const Vec3
 
 ReplayCamera::Stand ReplayCamera::best_stand(const Match& match, const Sight& sight, const Aim& aim) const {
   const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
-  // From beside the line between the vehicles both are seen whole.
+  // A view across the line between the vehicles shows both whole.
   const double beside = heading_of(other - own) + 0.5 * kPi;
   Stand best{beside};
   int least = hidden_from(match, sight, eye_at(aim, best));
@@ -138,8 +138,7 @@ ReplayCamera::Stand ReplayCamera::best_stand(const Match& match, const Sight& si
   return best;
 }
 
-// Walls, other vehicles, containers and the like: whatever is large, but for the two vehicles that are
-// watched.
+// Walls, other vehicles, containers and similar large bodies, except the two filmed vehicles.
 bool ReplayCamera::stops(const Match& match, BodyId id) const {
   if (match.is_wall(id)) return true;
   const size_t vehicle = match.vehicle_of(id);
@@ -148,7 +147,7 @@ bool ReplayCamera::stops(const Match& match, BodyId id) const {
   return glm::length(box.max - box.min) > kLarge;
 }
 
-// On the way from the vehicle to which it happens, which stands in the open; the middle may lie in a wall.
+// Starts at the other vehicle, which is in the open; the middle may be inside a wall.
 Vec3 ReplayCamera::free_eye(const Match& match, const Sight& sight) const {
   const Vec3 from = middle_of(match, other_), way = eye_ - from;
   const double length = glm::length(way);
@@ -197,7 +196,7 @@ namespace {
 
 constexpr double kAway = 6.6, kHeight = 1.5, kLooksAt = 0.8;   // m
 constexpr double kMiddle = 0.75, kSwing = 0.35, kRate = 0.12;  // rad from ahead, and rad/s
-constexpr double kAside = 0.16;                                // of the distance
+constexpr double kAside = 0.16;                                // fraction of the distance
 
 }  // namespace
 

@@ -117,7 +117,7 @@ void draw_caption(const char* text) {
              HudPaint::Align::kMiddle);
 }
 
-// What came of a match besides its score.
+// Describes the course of a match in addition to its score.
 std::string words_on_course(const MatchResult& result) {
   const auto count = [](size_t n, const char* one, const char* more) {
     return std::to_string(n) + " " + (n == 1 ? one : more) + ", ";
@@ -184,7 +184,7 @@ constexpr const char* kWhatIsPlayed[] = {
     "Nobody fights. V brings another car to cut.",
 };
 
-// A row of choices of equal width. Returns whether another one was chosen.
+// Draws a row of choices of equal width. Returns true if the selection changed.
 template <typename Enum, size_t n>
 bool draw_choice(const char* what, Enum& value, const std::array<const char*, n>& titles) {
   ImGui::TextDisabled("%s", what);

@@ -11,22 +11,22 @@
 
 namespace kerf {
 
-// What the menus of the game are made of.
+// Elements of the game's menus.
 
-// Begins a menu at a share of the width of the window, in the middle of its height, at least so many times as
-// wide as the text is high. Ends with ImGui::End().
+// Begins a menu at a fraction of the width of the window, centred vertically, at least `least_width` em
+// wide. Ends with ImGui::End().
 void begin_menu(const char* name, float across, float least_width = 22);
 
 void menu_heading(const char* text, float scale = 1.5f);
 
-// Draws a button as wide as the menu, named `landmark` among the landmarks. Returns whether it was pressed.
+// Draws a button as wide as the menu, with the landmark `landmark`. Returns true if it was pressed.
 bool menu_button(const char* label, const char* landmark);
 
-// Draws a list of scores, best first, of which the one with the rank `now`, from 1, is of the match that is
-// over (0: none is). Nothing where there are none. `fights`: whether such matches are won or lost.
+// Draws a list of scores, best first; `now` is the rank of the finished match, from 1 (0: none). Draws
+// nothing for an empty list. `fights`: such matches are won or lost.
 void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights);
 
-// What the player chose in a menu.
+// The player's choice in a menu.
 enum class MenuChoice {
   kNone,
   kResume,
@@ -36,17 +36,17 @@ enum class MenuChoice {
   kTitle,  // to the menu before a match
   kStart,
   kLesson,
-  kOther,  // the menu before a match shows another mode or car
+  kOther,  // another mode or car was selected in the menu before a match
   kLeave
 };
 
-// Where the menus of a match lead.
+// The destinations of the menus of a match.
 struct LeavingWays {
-  bool from_editor = false;  // leaving goes back there
+  bool from_editor = false;  // leaving returns to the editor
   bool starts = false;       // there is a menu before the match
 };
 
-// What the pause menu shows and changes.
+// The state that the pause menu shows and changes.
 struct MenuView {
   GameSettings& settings;
   GuiLook& look;
@@ -54,33 +54,32 @@ struct MenuView {
   LeavingWays ways;
 };
 
-// Draws the menu of a match that is paused over the window.
+// Draws the pause menu over the window.
 MenuChoice draw_pause_menu(const MenuView& view);
 
-// How a match ended.
+// The result of a match.
 struct MatchResult {
   bool won = false;
-  bool ended = false;  // neither won nor lost: nobody was there to fight
-  std::string why;     // why it ended, in words
+  bool ended = false;  // neither won nor lost, without enemies
+  std::string why;     // reason of the end, as a sentence
   HighScore score;
   size_t rank = 0;                // see add_high_score
-  std::vector<HighScore> scores;  // of the same rules and difficulty, best first
+  std::vector<HighScore> scores;  // for the same rules and difficulty, best first
   size_t wheels_lost = 0, pieces = 0;
 };
 
-// Draws the result of a match at the left of the window, beside the replay of its best moment.
+// Draws the result of a match at the left of the window, next to the replay of its best moment.
 MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways);
 
-// What the menu before a match shows and changes.
+// The state that the menu before a match shows and changes.
 struct StartView {
   GameSettings& settings;
-  const std::vector<HighScore>& scores;  // of the chosen mode and level, best first
+  const std::vector<HighScore>& scores;  // of the selected mode and level, best first
   bool from_editor = false;
 };
 
-// Draws the menu before a match over the window: what is played, how hard, with which car, what puts a car
-// out of action, and the best scores. Its choices are kStart, kLesson, kLeave, and kOther where the mode or
-// the car is another one now.
+// Draws the menu before a match over the window: mode, level, car, the rules for wrecking a car, and the
+// best scores. Returns kStart, kLesson, kLeave, or kOther if the mode or the car has changed.
 MenuChoice draw_start_menu(const StartView& view);
 
 }  // namespace kerf

@@ -25,12 +25,12 @@ namespace {
 constexpr double kLongestFrame = 0.25;  // s
 constexpr double kSlowMotion = 0.5;     // s, when an enemy falls in two
 constexpr double kAfterEnd = 3;         // s, in slow motion, until the result
-constexpr double kHardImpact = 9;       // m/s, that shakes the camera fully
+constexpr double kHardImpact = 9;       // m/s, of a crash with the maximum shake
 constexpr double kGuideSeconds = 14;
-constexpr double kNoticedSpeed = 0.9;  // of real time, below which it is told
-constexpr double kFrameShare = 0.1;    // of the last frame in the average of the shown rate
+constexpr double kNoticedSpeed = 0.9;  // of real time; shown if it is slower
+constexpr double kFrameShare = 0.1;    // weight of the last frame in the average of the shown rate
 constexpr double kReplayView = 50;     // degrees
-constexpr double kSeenAhead = 8;       // m, about which the editor turns its view of the match
+constexpr double kSeenAhead = 8;       // m, distance of the point about which the editor orbits
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void GameScreen::start() {
   enter(State::kPlaying);
 }
 
-// Its menu is open.
+// Opens its menu.
 void GameScreen::go_on_with(LeftMatch left) {
   options_.setup = left.match->setup();
   match_ = std::move(left.match);
@@ -122,13 +122,12 @@ const Vehicle& GameScreen::own_vehicle() const { return match_->vehicles()[Match
 
 const Body& GameScreen::own_chassis() const { return match_->world().body(own_vehicle().chassis); }
 
-// The bot's is that of its last controls.
+// The bot's aim is that of its last controls.
 Vec3 GameScreen::aim() const {
   return bot_ && !played_.empty() ? aim_of(played_.back()) : input_.direction(own_chassis().placement);
 }
 
-// Hearing
-// --------------------------------------------------------------------------------------------------------
+// Input
 
 void GameScreen::hear(const Input& input) {
   if (input.close) leave_ = Leave::kAway;
@@ -173,7 +172,7 @@ void GameScreen::hear_key(int key) {
   }
 }
 
-// The slow motion at the end and the replay are skipped.
+// Skips the slow motion at the end and the replay.
 void GameScreen::escape() {
   if (state_ == State::kStart) {
     leave_ = Leave::kAway;
@@ -184,8 +183,7 @@ void GameScreen::escape() {
   if (replay_) replay_->skip();
 }
 
-// Going on
-// --------------------------------------------------------------------------------------------------------
+// Update
 
 void GameScreen::advance() {
   const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kLongestFrame);
@@ -238,7 +236,7 @@ void GameScreen::tick() {
   if (lesson_ && lesson_->hear(*match_)) hud_.note("well done");
 }
 
-// The vehicle is another one, or whole again.
+// The vehicle is another one, or repaired.
 void GameScreen::follow_player() {
   const TurretDescription& turret = match_->vehicles()[Match::kPlayer].what().turret;
   input_.limit(turret.yaw, turret.barrel.pitch);
@@ -263,8 +261,7 @@ void GameScreen::finish() {
   begin_replay();
 }
 
-// The best ten seconds once more
-// --------------------------------------------------------------------------------------------------------
+// Replay
 
 void GameScreen::begin_replay() {
   const auto moment = score_log_.best();
@@ -322,8 +319,7 @@ void GameScreen::take(MenuChoice choice) {
   }
 }
 
-// Drawing
-// --------------------------------------------------------------------------------------------------------
+// Draw
 
 CameraView GameScreen::camera_view() const {
   const Vec2 size = window_.size();
@@ -343,7 +339,7 @@ void GameScreen::outline_sighted(const std::optional<SightedPart>& part) {
   }
 }
 
-// How many pictures a second there are, where this is wanted, and always where time is slower than real.
+// The frames per second, if enabled, and the speed of time if below real time.
 std::string GameScreen::words_on_speed() const {
   std::string words;
   if (settings_.show_speed && frame_s_ > 0) words = std::to_string(std::lround(1 / frame_s_)) + " frames/s";
@@ -409,7 +405,7 @@ void GameScreen::took(const FrameTime& time) {
 
 }  // namespace kerf
 
-// What happens before a match: the menu, the lesson, and loading what was chosen.
+// Before a match: the menu, the tutorial, and loading of the selected mode.
 
 namespace kerf {
 
@@ -418,7 +414,7 @@ void GameScreen::go_to_start() {
   enter(State::kStart);
 }
 
-// The yard with the chosen car is behind the menu.
+// The yard with the selected car is behind the menu.
 void GameScreen::show_choice() {
   load(load_mode(settings_.mode, settings_.vehicle));
   begin_match();
@@ -426,7 +422,7 @@ void GameScreen::show_choice() {
       high_scores_of(match_->rules().description.name, name_of(settings_.difficulty), high_scores_file());
 }
 
-// Where a file of the game is missing or wrong, the player stays with what there was.
+// If a file of the game is missing or invalid, the current rules stay.
 void GameScreen::load(Result<std::shared_ptr<const Rules>> rules) {
   if (rules) options_.setup.rules = std::move(*rules);
 }
@@ -445,7 +441,7 @@ void GameScreen::begin_lesson() {
   enter(State::kPlaying);
 }
 
-// The first match comes after it.
+// The first match follows.
 void GameScreen::end_lesson() {
   lesson_.reset();
   settings_.taught = true;

@@ -20,11 +20,11 @@
 
 namespace kerf {
 
-// A match in the window: the picture from the player's vehicle, the head-up display and the menus. The
-// pointer is caught while the match runs.
+// A match in the window: the view from the player's vehicle, the HUD and the menus. The pointer is captured
+// while the match runs.
 class GameScreen : public Screen {
  public:
-  // What the player wants after the screen is over.
+  // The player's intention when the screen is over.
   enum class Leave { kStay, kAway, kInspect };
 
   // The window must outlive it. Precondition: an ImGui context is current.
@@ -34,12 +34,12 @@ class GameScreen : public Screen {
   GameScreen& operator=(const GameScreen&) = delete;
 
   Leave leave() const { return leave_; }
-  // To be called before it is shown, again after it was left.
+  // Must be called before the screen is shown, and again after it was left.
   void go_on();
-  // Where the player sees the match from.
+  // The player's camera.
   View view() const;
   const Match& match() const { return *match_; }
-  // Precondition: the screen is over; it is not to be used any more.
+  // Precondition: the screen is over and is not used afterwards.
   std::unique_ptr<Match> take_match() { return std::move(match_); }
   // The controls of every tick since the match began.
   const std::vector<Controls>& played() const { return played_; }
@@ -77,7 +77,7 @@ class GameScreen : public Screen {
   void escape();
   void begin_replay();
   void advance_replay(double seconds);
-  // The match that is on the screen: it, or the replay of its best moment.
+  // The match on the screen: the current one, or the replay of its best moment.
   const Match& shown() const;
   void take(MenuChoice choice);
   void draw_menu();
@@ -97,12 +97,12 @@ class GameScreen : public Screen {
   ResolutionChoice resolution_;
   std::unique_ptr<Match> match_;
   ScoreLog score_log_;
-  std::unique_ptr<MatchReplay> replay_;  // null: there is none
+  std::unique_ptr<MatchReplay> replay_;  // null: none
   bool replay_shown_ = false;
   std::optional<BotPlayer> bot_;
   std::optional<Lesson> lesson_;
   double start_shown_ = 0;         // s
-  std::vector<HighScore> scores_;  // of the mode and the level that are chosen
+  std::vector<HighScore> scores_;  // of the selected mode and level
   MatchClock clock_;
   PlayerInput input_;
   GameCamera camera_;
@@ -114,11 +114,11 @@ class GameScreen : public Screen {
   std::vector<double> frame_seconds_;
   State state_ = State::kPlaying;
   Leave leave_ = Leave::kStay;
-  size_t killer_ = Event::kNobody;  // whose beam put the player's car out
-  double after_end_ = 0;            // s of the player since the match was over
+  size_t killer_ = Event::kNobody;  // whose beam wrecked the player's car
+  double after_end_ = 0;            // s in real time since the end of the match
   bool guide_ = true;
   double played_seconds_ = 0;
-  double frame_s_ = 0;  // on average
+  double frame_s_ = 0;  // average
 };
 
 }  // namespace kerf

@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-// What a window has to hold, in the size of the text; in a smaller one the text is smaller.
+// Minimum size of the window [em]; in a smaller one the text is scaled down.
 constexpr float kMinWide = 50, kMinHigh = 32;
 
 constexpr ImU32 kEdge = IM_COL32(8, 10, 13, 200);
@@ -82,7 +82,7 @@ constexpr ImU32 kText = colours::kPictureText, kSecondary = colours::kPictureSec
 
 std::string number(double x) { return std::to_string(static_cast<long>(std::lround(x))); }
 
-// The place of a point of the world on the screen; nothing behind the eye.
+// Returns the position of a world point on the screen; nullopt behind the eye.
 std::optional<ImVec2> on_screen(const HudView& view, const HudPaint& paint, const Vec3& p) {
   const Vec3 seen = view.camera.project(p);
   if (!(seen.z > 0)) return std::nullopt;
@@ -96,7 +96,7 @@ bool is_inside(const HudPaint& paint, ImVec2 at, float margin) {
 
 const Vehicle& own(const HudView& view) { return view.match.vehicles()[Match::kPlayer]; }
 
-// A ring where the player aims, and a dot where the barrel points, which follows.
+// A ring at the aim, and a dot at the direction of the barrel, which lags behind.
 void draw_reticle(const HudView& view, const HudPaint& paint) {
   const ImVec2 middle(0.5f * paint.size().x, 0.5f * paint.size().y);
   const Vehicle& vehicle = own(view);
@@ -135,7 +135,7 @@ void draw_bars(const HudView& view, const HudPaint& paint) {
     paint.text({x + width + 0.6f * paint.em(), y + 0.9f * paint.em()}, "too hot", kBad, 0.9f);
 }
 
-// The plan of a vehicle on the screen: its front is upwards.
+// The plan of a vehicle on the screen, with its front up.
 struct Plan {
   ImVec2 middle;
   float scale;  // pixels per metre
@@ -144,7 +144,7 @@ struct Plan {
   }
 };
 
-// Half the length and width (m) that wheels, laser and vital parts take, with some body around them.
+// Half the length and width [m] of wheels, laser and vital parts, with some margin.
 Vec2 half_size(const Vehicle& vehicle) {
   Vec2 half(0.5, 1);
   for (const WheelDescription& w : vehicle.what().wheels) {
@@ -165,8 +165,8 @@ void box(const HudPaint& paint, ImVec2 a, ImVec2 b, ImU32 colour, bool works) {
   paint.line({low.x, high.y}, {high.x, low.y}, kBad, 1.5f);
 }
 
-// Draws a vehicle from above in a rectangle that is `height` high around `middle`: its outline, wheels,
-// laser, engine and driver. What is lost is crossed out.
+// Draws a vehicle from above in a rectangle of height `height` around `middle`: its outline, wheels, laser,
+// engine and driver. Lost parts are crossed out.
 void draw_vehicle_sketch(const Vehicle& vehicle, const HudPaint& paint, ImVec2 middle, float height) {
   const Vec2 half = half_size(vehicle);
   const Plan plan{middle, height / static_cast<float>(2 * half.y)};
@@ -249,7 +249,7 @@ void draw_state(const HudView& view, const HudPaint& paint) {
                Align::kMiddle);
 }
 
-// An arrow at the rim of a circle around the middle that points to a place that is not seen.
+// An arrow on a circle around the middle, pointing to an off-screen place.
 void draw_arrow(const HudView& view, const HudPaint& paint, const Vec3& to, ImU32 colour,
                 const std::string& text) {
   const Vec3 way = to - view.camera.eye;
@@ -290,8 +290,7 @@ void draw_enemies(const HudView& view, const HudPaint& paint) {
   }
 }
 
-// What a beam would meet is named beside the sight, and the enemy that it belongs to is drawn at the right
-// with what it has lost.
+// Names the sighted part next to the reticle, and draws its vehicle with its damage at the right.
 void draw_sighted(const HudView& view, const HudPaint& paint) {
   if (!view.sighted) return;
   const float em = paint.em(), height = 6 * em;
@@ -309,7 +308,7 @@ void draw_sighted(const HudView& view, const HudPaint& paint) {
              Align::kMiddle);
 }
 
-// The border of the picture on the side from where the player was hit.
+// Highlights the border of the screen in the direction of the hit.
 void draw_hurt(const HudView& view, const HudPaint& paint) {
   if (!(view.state.hurt() > 0)) return;
   const ImU32 colour = HudPaint::faded(kBad, 0.5 * view.state.hurt()), none = HudPaint::faded(kBad, 0);
@@ -348,7 +347,7 @@ void draw_notices(const HudView& view, const HudPaint& paint) {
   }
 }
 
-// Where the player has to do something, with words, and a line on how to leave the lesson.
+// The place of a task with its text, and a line on how to skip the tutorial.
 void draw_task(const HudView& view, const HudPaint& paint) {
   if (!view.task) return;
   const float em = paint.em();

@@ -9,11 +9,11 @@
 
 namespace kerf {
 
-// Seconds as "2:05"; less than none are none.
+// Formats seconds as "2:05"; negative ones as 0:00.
 std::string clock_text(double seconds);
 
-// Draws parts of the head-up display, in screen coordinates. Text and lines have a dark edge, so that they
-// are legible on everything.
+// Draws parts of the HUD, in screen coordinates. Text and lines have a dark edge, to be legible on any
+// background.
 class HudPaint {
  public:
   enum class Align { kLeft, kMiddle, kRight };
@@ -27,13 +27,13 @@ class HudPaint {
   void text(ImVec2 at, const std::string& text, ImU32 colour, float scale = 1,
             Align align = Align::kLeft) const;
   float width_of(const std::string& text, float scale) const;
-  // A bar that is filled by a share, with a name before it.
+  // A bar filled by a fraction, with a label before it.
   void bar(ImVec2 at, float width, const char* name, double share, ImU32 colour, bool striped) const;
   void line(ImVec2 from, ImVec2 to, ImU32 colour, float width) const;
   void circle(ImVec2 at, float radius, ImU32 colour, float width) const;
   void shade(ImVec2 from, ImVec2 to) const;
 
-  // A colour with its opacity multiplied by a factor from 0 to 1.
+  // Returns a colour with its opacity multiplied by a factor from 0 to 1.
   static ImU32 faded(ImU32 colour, double opacity);
 
  private:
@@ -42,24 +42,23 @@ class HudPaint {
   ImVec2 size_;
 };
 
-// What the head-up display shows besides the match itself.
+// The input of the HUD in addition to the match.
 struct HudView {
   const Match& match;
   const HudState& state;
   const CameraView& camera;
   const Sight& sight;        // of the world of the match
-  Vec3 aim;                  // where the player aims, unit
+  Vec3 aim;                  // the player's aim, unit
   double width = 0;          // of the beam, 0 .. 1
-  bool guide = false;        // the keys are shown
-  std::string machine = {};  // how fast the machine plays it; empty: not shown
+  bool guide = false;        // shows the keys
+  std::string machine = {};  // performance of the machine; empty: not shown
   std::optional<SightedPart> sighted = {};
   std::optional<Lesson::Task> task = {};
 };
 
-// Draws the head-up display of a match over the window with ImGui: reticle, energy and heat, speed, the
-// player's vehicle with what it has lost, the score, the clock, what just happened, where enemies are, and
-// the one in the sight with what it has lost. Colours are never the only sign. Sizes follow the size of the
-// text.
+// Draws the HUD of a match over the window with ImGui: reticle, energy and heat, speed, the player's
+// vehicle with its damage, score, clock, notices, directions to enemies, and the sighted enemy with its
+// damage. Colour is never the only cue. Sizes follow the text size.
 void draw_hud(const HudView& view);
 
 }  // namespace kerf

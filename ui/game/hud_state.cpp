@@ -33,7 +33,7 @@ std::string why_it_ended(const Match& match, size_t killer) {
 namespace {
 
 constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;
-constexpr double kAgain = 1.5;  // s, within which what happens again is told in the same line
+constexpr double kAgain = 1.5;  // s, within which a repeated event shares the line of the last one
 constexpr size_t kMaxNotices = 6;
 constexpr double kHurtFade = 1.6, kBiteFade = 6;  // 1/s
 
@@ -75,7 +75,7 @@ void HudState::hear(const Match& match) {
 }
 
 void HudState::tell(const Match& match, const Event& event) {
-  // A wave that begins in the tick of the event puts other vehicles in the place of the last ones.
+  // A wave that begins in the tick of the event replaces the vehicles.
   const bool known = event.vehicle < match.vehicles().size();
   const bool own = event.vehicle == Match::kPlayer;
   const VehicleDescription* what = known ? &match.vehicles()[event.vehicle].what() : nullptr;
@@ -131,13 +131,13 @@ void HudState::tell(const Match& match, const Event& event) {
 
 namespace {
 
-constexpr double kAhead = 14, kReached = 3;  // m, to the place to drive to
-constexpr size_t kEnough = 60;               // faces, of a drum that does not fall in two
+constexpr double kAhead = 14, kReached = 3;  // m, destination ahead, and radius in which it counts as reached
+constexpr size_t kEnough = 60;               // faces, of a drum that is not cut in two
 
-// Where a body is: the middle of what is left of it.
+// The place of a body: the middle of its remaining part.
 Vec3 place_of(const Match& match, BodyId id) { return middle_of(match.world().body(id)); }
 
-// The nearest thing that can be cut and is no larger than a drum.
+// Returns the nearest body that can be cut and is no larger than a drum.
 BodyId nearest_drum(const Match& match, const Vec3& from) {
   constexpr double kLargest = 1.5;  // m, of the diagonal
   BodyId nearest;

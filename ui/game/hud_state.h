@@ -8,39 +8,39 @@
 
 namespace kerf {
 
-// Why a match ended, for the player: "Your engine was cut off by the van". `killer` is the vehicle whose beam
-// put the player's car out, where one did. Precondition: it is over.
+// Describes why a match ended, for the player: "Your engine was cut off by the van". `killer` is the
+// vehicle whose beam wrecked the player's car, if one did. Precondition: it is over.
 std::string why_it_ended(const Match& match, size_t killer = Event::kNobody);
 
-// What parts of a vehicle are called: "engine", "front left wheel".
+// Display names of parts of a vehicle: "engine", "front left wheel".
 const char* name_of_vital(const VehicleDescription& vehicle, size_t vital);
 std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel);
 
-// A line of what just happened, shown for a while.
+// A line about a recent event, shown for a while.
 struct Notice {
   std::string text;
-  double points = 0;   // that the player got; 0: none are shown
-  int times = 1;       // how often it happened shortly one after the other
+  double points = 0;   // the player's reward; 0: not shown
+  int times = 1;       // repetitions in quick succession
   double age = 0;      // s
   bool good = true;    // for the player
-  bool large = false;  // in the middle of the picture
+  bool large = false;  // in the middle of the screen
 };
 
-// What the screen of a match remembers of its events.
+// The recent events of a match for the HUD.
 class HudState {
  public:
-  // Takes the events of the last tick.
+  // Processes the events of the last tick.
   void hear(const Match& match);
-  // Shows a line that has nothing to do with the match.
+  // Shows a line that is not an event of the match.
   void note(std::string text) { say(std::move(text), 0, true); }
   void advance(double seconds);
   void clear();
 
   const std::deque<Notice>& notices() const { return notices_; }
-  // From 1, when the player was just hit, to 0; and where the beam came from (world, m).
+  // Falls from 1, when the player was just hit, to 0; and the source of that beam (world, m).
   double hurt() const { return hurt_; }
   const Vec3& hurt_from() const { return hurt_from_; }
-  // From 1, when the player's beam just cut an enemy, to 0.
+  // Falls from 1, when the player's beam just cut an enemy, to 0.
   double biting() const { return biting_; }
 
  private:
@@ -52,22 +52,22 @@ class HudState {
   Vec3 hurt_from_{0};
 };
 
-// Teaches the game by doing, in a match whose enemy stands still: drive to a place, cut a drum, cut a wheel
-// off a car.
+// An interactive tutorial in a match with a stationary enemy: drive to a place, cut a drum, cut a wheel off
+// a car.
 class Lesson {
  public:
-  // `match` is the one that is played, at its beginning, in an arena where things lie about.
+  // `match` is the played one, at its beginning, in an arena with loose objects.
   explicit Lesson(const Match& match);
 
-  // What the player has to do, and where (m, in the world).
+  // The player's task and its place (m, in the world).
   struct Task {
     std::string text;
     Vec3 at{0};
   };
-  // Nothing once all is done.
+  // Returns nullopt when all tasks are done.
   std::optional<Task> task(const Match& match) const;
 
-  // Looks at what the last tick of the match brought. Returns whether a task was done in it.
+  // Processes the last tick of the match. Returns true if a task was completed in it.
   bool hear(const Match& match);
   bool done() const { return step_ == Step::kDone; }
 
@@ -76,9 +76,9 @@ class Lesson {
   bool is_done(const Match& match);
 
   Step step_ = Step::kDrive;
-  Vec3 place_{0};          // m, to drive to
-  BodyId drum_;            // not valid where nothing can be cut
-  size_t drum_faces_ = 0;  // that were cut out of it
+  Vec3 place_{0};          // m, destination of the drive
+  BodyId drum_;            // invalid if there is nothing to cut
+  size_t drum_faces_ = 0;  // cut out of it
 };
 
 }  // namespace kerf

@@ -52,10 +52,10 @@ const std::shared_ptr<const DrawnGraph>& MatchGraph::drawn(const Match& match) {
 
 namespace {
 
-constexpr double kRadius = 3.2;         // over that of the beam
-constexpr double kScorchSpacing = 0.6;  // radii between two of them
+constexpr double kRadius = 3.2;         // relative to the beam
+constexpr double kScorchSpacing = 0.6;  // minimum distance between two marks, in radii
 constexpr double kCoolSeconds = 1.4;
-constexpr size_t kLooked = 24;  // of the latest ones, for one that is there already
+constexpr size_t kLooked = 24;  // of the latest marks are checked for an existing one
 
 }  // namespace
 
@@ -90,10 +90,10 @@ constexpr int kFastPictures = 60;
 constexpr double kResolutionStep = 0.1;
 constexpr double kBrighter = 1.4;
 constexpr double kBiteSize = 1.4;     // of sparks, compared with those of a car in the editor
-constexpr double kScorched = 0.4;     // kg/s, of the surface that stops a beam
-constexpr double kSparks = 5;         // m/s, from which on a crash throws sparks
-constexpr double kCrashSize = 2;      // of these
-constexpr double kRubbedOff = 0.035;  // kg, for each m/s of a crash
+constexpr double kScorched = 0.4;     // kg/s, of a surface that stops a beam
+constexpr double kSparks = 5;         // m/s, minimum for sparks in a crash
+constexpr double kCrashSize = 2;      // of crash sparks
+constexpr double kRubbedOff = 0.035;  // kg per m/s of a crash
 
 Paint paint_of(const Match& match, const std::string& name) {
   for (const Vehicle& v : match.vehicles()) {
@@ -103,8 +103,8 @@ Paint paint_of(const Match& match, const std::string& name) {
   return {};
 }
 
-// The beam of a vehicle as it is drawn, up to the wall or the ground where it ends; nothing if it is off.
-// `strike` is the first surface that it meets, be it cut or not. Precondition: the match has this vehicle.
+// Returns the drawn beam of a vehicle, up to its end on a wall or the ground; nullopt if it is off.
+// `strike` is the first surface it hits, cut or not. Precondition: the match has this vehicle.
 std::optional<BeamPicture> beam_of(const Match& match, size_t vehicle, const Sight& sight) {
   KERF_ASSERT(vehicle < match.vehicles().size());
   const Vehicle& v = match.vehicles()[vehicle];
@@ -117,8 +117,8 @@ std::optional<BeamPicture> beam_of(const Match& match, size_t vehicle, const Sig
   return beam;
 }
 
-// The lamps of an arena. Each draws all bodies once more, so that a slow machine has two instead of all, a
-// little brighter.
+// The lamps of an arena. Each costs another pass over all bodies, so a slow machine uses only two, slightly
+// brighter.
 std::vector<Light> lights_of(const std::vector<Light>& lamps, PicturePreset preset) {
   if (lamps.empty()) return {Light{}};
   if (preset != PicturePreset::kLow || lamps.size() <= 2) return lamps;
@@ -127,7 +127,7 @@ std::vector<Light> lights_of(const std::vector<Light>& lamps, PicturePreset pres
   return two;
 }
 
-// Vehicles and arena name their materials in one list.
+// Vehicles and arena share one list of materials.
 std::map<std::string, Paint> paints_of(const Match& match) {
   std::map<std::string, Paint> paints = match.rules().arena.description.paints;
   for (const Vehicle& v : match.vehicles()) {
@@ -139,7 +139,6 @@ std::map<std::string, Paint> paints_of(const Match& match) {
 }  // namespace
 
 // Presets
-// --------------------------------------------------------------------------------------------------------
 
 PicturePreset PresetChoice::choose(PicturePreset setting) const {
   return setting == PicturePreset::kAutomatic ? best_ : setting;
@@ -175,8 +174,7 @@ bool draws_in_software() {
   return false;
 }
 
-// The picture
-// --------------------------------------------------------------------------------------------------------
+// Viewport
 
 Result<MatchPicture> MatchPicture::create() {
   auto renderer = Renderer::create();

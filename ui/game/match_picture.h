@@ -16,16 +16,16 @@
 
 namespace kerf {
 
-// The component graph of the vehicle that the player cut last, with the faces that the beams removed from it.
+// The component graph of the vehicle that the player cut last, with the faces removed from it.
 class MatchGraph {
  public:
-  // Takes what the last tick changed. To be called after every tick.
+  // Processes the changes of the last tick. Must be called after every tick.
   void follow(const Match& match);
   void clear();
 
-  // The graph, made anew at most every kPause seconds of the match while it changes; null before the first
-  // cut. Linear in the faces of the body when it is made. Precondition: the match is the one that was
-  // followed since clear().
+  // Returns the graph, rebuilt at most every kPause seconds of the match while it changes; null before the
+  // first cut. Rebuilding is linear in the faces of the body. Precondition: the match is the one followed
+  // since clear().
   const std::shared_ptr<const DrawnGraph>& drawn(const Match& match);
   static constexpr double kPause = 0.25;
 
@@ -39,14 +39,14 @@ class MatchGraph {
   std::shared_ptr<const DrawnGraph> drawn_;
 };
 
-// The places of walls and ground that beams have burnt. Only the latest ones are kept.
+// Scorch marks of beams on walls and ground; only the latest ones are kept.
 class Scorches {
  public:
   static constexpr size_t kMost = 400;
 
-  // Burns where a beam ends, if that is on a wall or the ground.
+  // Adds a mark at the end of a beam if that is on a wall or the ground.
   void burn(const Match& match, const BeamPicture& beam, const Sight& sight);
-  // Lets them cool for a time (s).
+  // Cools the marks for a time [s].
   void advance(double seconds);
   void clear() { places_.clear(); }
   void append_to(Effects& effects) const { effects.scorches.assign(places_.begin(), places_.end()); }
@@ -55,42 +55,41 @@ class Scorches {
   std::deque<Scorch> places_;
 };
 
-// Chooses the preset of the pictures by how long they take: it goes down where that is too slow, at once to
-// the lowest where it is far too slow.
+// Selects the graphics preset by frame time: steps down if frames are too slow, directly to the lowest if
+// they are far too slow.
 class PresetChoice {
  public:
-  // `software`: pictures are computed by the processor, which can do only the lowest in time.
+  // `software`: frames are rendered by the processor, fast enough only with the lowest preset.
   explicit PresetChoice(bool software) : best_(software ? PicturePreset::kLow : PicturePreset::kHigh) {}
 
-  // What is drawn for a setting: itself, unless it is kAutomatic.
+  // Returns the preset for a setting: the setting itself, except for kAutomatic.
   PicturePreset choose(PicturePreset setting) const;
-  // The last picture took a time (s).
+  // Records the duration of the last frame [s].
   void took(double seconds);
 
  private:
   PicturePreset best_;
-  int slow_ = 0, seen_ = 0;  // pictures with this preset
+  int slow_ = 0, seen_ = 0;  // frames with this preset
 };
 
-// Chooses the resolution of pictures with the lowest preset, as a share of that of the window in each
-// direction: lower where they take too long, higher where there is time left.
+// Selects the resolution of frames with the lowest preset, as a fraction of that of the window in each
+// direction: lower if they take too long, higher if there is time left.
 class ResolutionChoice {
  public:
   static constexpr double kLeast = 0.5, kFirst = 0.7;
   double share() const { return share_; }
-  // The last picture took a time (s).
+  // Records the duration of the last frame [s].
   void took(double seconds);
 
  private:
   double share_ = kFirst;
-  int slow_ = 0, fast_ = 0;  // pictures, one after the other
+  int slow_ = 0, fast_ = 0;  // consecutive frames
 };
 
-// Whether the current OpenGL context draws without a graphics card.
+// Returns true if the current OpenGL context renders without a graphics card.
 bool draws_in_software();
 
-// The picture of a match: its world by night under floodlights, with the beams of all lasers and with what
-// they throw off.
+// Draws a match: its world at night under floodlights, with the beams of all lasers and their effects.
 class MatchPicture {
  public:
   // Fails if a shader is missing or does not compile.
@@ -98,13 +97,13 @@ class MatchPicture {
 
   // Shows the world of a match from now on.
   void show(const Match& match);
-  // Follows what the last tick changed; shows the match anew where a wave began, which brings other vehicles.
-  // To be called after every tick.
+  // Follows the changes of the last tick; reloads the match at the beginning of a wave, which brings other
+  // vehicles. Must be called after every tick.
   void follow(const Match& match);
-  // Lets time pass (s) for sparks and smoke.
+  // Advances sparks and smoke by a time [s].
   void advance(const Match& match, double seconds);
 
-  // Draws a picture. `preset` is not kAutomatic; with kLow `share` is that of a ResolutionChoice.
+  // Draws a frame. `preset` is not kAutomatic; with kLow, `share` is that of a ResolutionChoice.
   void draw(const Match& match, const CameraView& view, const Target& target, PicturePreset preset,
             double share = 1);
 
@@ -121,10 +120,10 @@ class MatchPicture {
   Particles particles_;
   Scorches scorches_;
   MatchGraph graph_;
-  std::optional<gl::Framebuffer> small_;  // a picture of a lower resolution
+  std::optional<gl::Framebuffer> small_;  // a frame of a lower resolution
 };
 
-// Draws matches as numbered pictures (frame-00000.png and so on) in a folder, without a screen. The OpenGL
+// Draws matches as numbered images (frame-00000.png and so on) in a folder, without a window. The OpenGL
 // context is current while this exists.
 struct MatchFrames {
   gl::OffscreenContext context;
@@ -136,25 +135,25 @@ struct MatchFrames {
   // Fails if OpenGL is not available or does not support the size. Precondition: the folder exists.
   static Result<MatchFrames> open(const std::filesystem::path& folder, int width, int height);
   double aspect() const { return static_cast<double>(frame.shape().width) / frame.shape().height; }
-  // Draws and writes the next picture. Fails if it cannot be written.
+  // Draws and writes the next image. Fails if it cannot be written.
   Status take(const Match& match, const CameraView& view);
 };
 
-// A film of a match, seen from behind the player's vehicle.
+// A film of a match from behind the player's vehicle.
 class MatchFilm {
  public:
   struct Options {
     std::filesystem::path folder;  // exists
     int width = 1280, height = 720;
     double frames_per_second = 30;    // > 0
-    std::optional<Vec3> eye, target;  // m; a camera that stands still, if both are given
+    std::optional<Vec3> eye, target;  // m; a fixed camera, if both are given
   };
 
   // Fails like MatchFrames::open.
   static Result<MatchFilm> begin(const Match& match, const Options& options);
 
-  // To be called after each tick, with the controls that the player had in it. Writes the pictures that are
-  // due. Fails if one cannot be written.
+  // Must be called after each tick, with the player's controls in it. Writes the images that are due. Fails
+  // if one cannot be written.
   Status follow(const Match& match, const Controls& controls);
 
  private:

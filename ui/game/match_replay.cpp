@@ -10,7 +10,7 @@ namespace kerf {
 namespace {
 
 constexpr double kSlow = 0.25;
-constexpr double kSpeedSeconds = 0.7;  // over which the speed is averaged
+constexpr double kSpeedSeconds = 0.7;  // averaging time of the speed
 
 }  // namespace
 
@@ -33,7 +33,7 @@ int MatchClock::advance(double seconds) {
 namespace {
 
 constexpr double kSlowMotionInReplay = 1.2;  // s
-constexpr double kSlowEnd = 3;               // s, of what comes after the match
+constexpr double kSlowEnd = 3;               // s, after the end of the match
 
 }  // namespace
 

@@ -12,22 +12,21 @@
 
 namespace kerf {
 
-// Tells how many ticks of a match a frame has to advance. A frame never advances more than kMaxTicks: where
-// the machine is too slow for more, the match runs in slow motion.
+// Computes the number of ticks that a frame has to advance, at most kMaxTicks: on a machine too slow for
+// more, the match runs in slow motion.
 class MatchClock {
  public:
   static constexpr int kMaxTicks = 8;
 
-  // The ticks that are due after a frame of a duration (s, >= 0).
+  // Returns the ticks that are due after a frame of a duration [s], >= 0.
   int advance(double seconds);
-  // For some time (s) of the player the match runs at a quarter of its speed.
+  // Runs the match at a quarter of its speed for some time [s] of the player.
   void slow_down(double seconds) { slow_s_ = seconds; }
   bool is_slow() const { return slow_s_ > 0; }
   double slow_left() const { return slow_s_; }  // s
-  // How many of the ticks that were due were dropped by the last advance().
+  // Due ticks that the last advance() dropped.
   int dropped() const { return dropped_; }
-  // The share of the ticks that were due in the last second or so and were not dropped: below 1 the machine
-  // is too slow.
+  // The fraction of due ticks not dropped in about the last second; below 1 the machine is too slow.
   double speed() const { return speed_; }
 
  private:
@@ -37,33 +36,34 @@ class MatchClock {
   double speed_ = 1;
 };
 
-// A moment of a match that is played again. A thread of its own plays the wave up to where the moment begins,
-// beside the frames.
+// The replay of a moment of a match. A thread simulates the wave up to the beginning of the moment,
+// concurrently with the frames.
 class MatchReplay {
  public:
-  // `controls` are those of the whole match. Precondition: they reach to the end of the moment.
+  // `controls` are those of the whole match. Precondition: they extend to the end of the moment.
   MatchReplay(const MatchSetup& setup, const MatchMoment& moment, std::vector<Controls> controls);
   ~MatchReplay();
   MatchReplay(const MatchReplay&) = delete;
   MatchReplay& operator=(const MatchReplay&) = delete;
 
   enum class State { kPreparing, kPlaying, kOver };
-  // Looks whether it can begin. Does not wait.
+  // Returns the state, after a check whether the preparation is finished. Does not wait.
   State state();
 
-  // The match where the replay is. Precondition of this and of what follows: it is not in preparation.
+  // The match at the current tick of the replay. Precondition of this and the following functions: state()
+  // is not kPreparing.
   const Match& match() const {
     KERF_ASSERT(match_ != nullptr);
     return *match_;
   }
   const ReplayCamera& camera() const { return camera_; }
-  // The ticks that are due after a frame of a duration (s); they are in slow motion where a vehicle falls in
-  // two.
+  // Returns the ticks that are due after a frame of a duration [s]; in slow motion while a vehicle is cut
+  // in two.
   int due(double seconds);
   bool is_slow() const { return clock_.is_slow(); }
-  // Advances by a tick. Does nothing once it is over.
+  // Advances by a tick. No-op once it is over.
   void tick();
-  // Ends it: state() is kOver from now on.
+  // Ends it: state() returns kOver from now on.
   void skip() { skipped_ = true; }
   void move_camera(double seconds) { camera_.follow(*match_, seconds); }
 
@@ -73,7 +73,7 @@ class MatchReplay {
   bool skipped_ = false;
   std::atomic<bool> stopped_ = false;
   std::future<std::unique_ptr<Match>> prepared_;
-  std::unique_ptr<Match> match_;  // null while it is prepared
+  std::unique_ptr<Match> match_;  // null during preparation
   MatchClock clock_;
   ReplayCamera camera_;
 };

@@ -15,10 +15,10 @@ namespace kerf {
 
 namespace {
 
-constexpr double kPartWithin = 0.5;    // m, of a place on the chassis to the part that it is named after
+constexpr double kPartWithin = 0.5;    // m, from a place on the chassis to the part that names it
 constexpr double kMiddleHeight = 0.8;  // m, of a vehicle over its origin
 
-// The name of a place on the chassis (m, in its frame), after the nearest part that hangs on it there.
+// Names a place on the chassis (m, in its frame) after the nearest part attached there.
 std::string name_on_chassis(const Vehicle& vehicle, const Vec3& at) {
   const VehicleDescription& what = vehicle.what();
   std::string name = "body";
@@ -84,8 +84,8 @@ namespace {
 constexpr double kRadiansPerPixel = 0.0022;
 constexpr double kWidthPerNotch = 0.1;
 constexpr double kDeadZone = 0.16;    // of a stick
-constexpr double kStickSpeed = 1.8;   // rad/s, of a stick that is held to its end
-constexpr double kTriggerHeld = 0.3;  // of the way of a trigger
+constexpr double kStickSpeed = 1.8;   // rad/s, of a fully deflected stick
+constexpr double kTriggerHeld = 0.3;  // of the travel of a trigger
 constexpr double kHelpReach = 0.06;   // rad, from the aim
 constexpr double kHelpPull = 2.2;     // 1/s
 constexpr double kHelpFar = 45;       // m

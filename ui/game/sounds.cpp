@@ -29,8 +29,8 @@ Wave noise(size_t samples, uint64_t seed) {
   return wave;
 }
 
-// A two-pole band-pass around a frequency (Hz) of a width (Hz). A loop is filtered twice in a row, so that
-// its end leads to its beginning.
+// A two-pole band-pass around a frequency [Hz] of a width [Hz]. A loop is filtered twice in succession, so
+// that its end joins its beginning.
 Wave band(const Wave& in, double frequency, double width, bool loop) {
   const double r = std::exp(-kPi * width / kSampleRate);
   const double a1 = 2 * r * std::cos(kFullTurn * frequency / kSampleRate), a2 = -r * r,
@@ -54,7 +54,7 @@ void add(Wave& to, const Wave& what, double gain) {
   for (size_t i = 0; i < std::min(to.size(), what.size()); ++i) to[i] += static_cast<float>(gain * what[i]);
 }
 
-// A sine that dies away: frequency (Hz), loudness, and the time (s) in which it falls to 1/e.
+// A damped sine: frequency [Hz], loudness, and the time [s] in which it decays to 1/e.
 struct Mode {
   double frequency, gain, decay;
 };
@@ -67,7 +67,7 @@ void ring(Wave& wave, const Mode& mode, double phase = 0) {
   }
 }
 
-// To a largest value of `peak`, with the first and last milliseconds faded unless it is a loop.
+// Scales to a maximum of `peak`, and fades the first and last milliseconds unless it is a loop.
 Wave finished(Wave wave, double peak, bool loop) {
   float most = 1e-9f;
   for (const float x : wave) most = std::max(most, std::abs(x));
@@ -187,7 +187,7 @@ namespace {
 constexpr size_t kLoops = static_cast<size_t>(Sounds::Loop::kCount);
 constexpr size_t kShots = static_cast<size_t>(Sounds::Shot::kCount);
 constexpr size_t kShotSources = 12;
-constexpr float kFullVolumeWithin = 5;  // m, within which sounds are at their full volume
+constexpr float kFullVolumeWithin = 5;  // m, radius of full volume
 
 void fill(ALuint buffer, const Wave& wave) {
   const auto samples = to_16_bits(wave);
@@ -202,8 +202,7 @@ void place(ALuint source, const Vec3& at, double gain, double pitch) {
   alSourcef(source, AL_PITCH, static_cast<float>(std::clamp(pitch, 0.1, 4.0)));
 }
 
-// While it exists nothing is written to standard error: the drivers that are tried where there is no device
-// complain there.
+// Suppresses standard error while it exists: the drivers tried without a device print messages there.
 class QuietErrors {
  public:
   QuietErrors() : kept_(::dup(STDERR_FILENO)) {
@@ -320,7 +319,7 @@ namespace {
 
 constexpr double kSoftImpact = 1.2, kLoudImpact = 9;  // m/s
 constexpr double kLargeSheet = 1.5;                   // m^2
-constexpr double kCuttingFade = 0.8;                  // of the gain that is left after a frame
+constexpr double kCuttingFade = 0.8;                  // fraction of the gain kept after a frame
 constexpr double kFullSpeed = 24;                     // m/s
 
 using Kind = Event::Kind;

@@ -10,26 +10,25 @@
 
 namespace kerf {
 
-// A piece of sound: samples from -1 to 1, 44,100 a second.
+// Sound samples from -1 to 1, at 44,100 Hz.
 using Wave = std::vector<float>;
 
 inline constexpr int kSampleRate = 44'100;
 
-// Sounds of the game, computed from sums of sine waves and filtered noise. Those that are called loops last a
-// second and go on without a click when they are repeated. Each call gives the same samples.
-Wave engine_loop();           // at idle; played faster it is one at speed
-Wave laser_loop();            // the hum of a beam
-Wave cutting_loop();          // the crackle where a beam bites
-Wave impact_sound();          // a car against something
-Wave sheet_sound();           // a piece of sheet metal that falls
-Wave explosion_sound();       // a vehicle that goes out of action
-Wave chime_sound(bool good);  // a wave that begins, or the end of a match
+// Sounds of the game, synthesised from sine waves and filtered noise. Loops last a second and repeat
+// without a click. Deterministic.
+Wave engine_loop();           // at idle; played faster, at speed
+Wave laser_loop();            // hum of a beam
+Wave cutting_loop();          // crackle of cutting
+Wave impact_sound();          // crash of a car
+Wave sheet_sound();           // falling piece of sheet metal
+Wave explosion_sound();       // destruction of a vehicle
+Wave chime_sound(bool good);  // beginning of a wave, or end of a match
 
-// The samples of a wave as whole numbers of 16 bits, clamped to their range.
+// Converts a wave to 16-bit integers, clamped to their range.
 std::vector<int16_t> to_16_bits(std::span<const float> wave);
 
-// Plays the sounds of the game through OpenAL. Where there is no device it is silent and every call does
-// nothing.
+// Plays the sounds of the game through OpenAL. Without a device it is silent and every call is a no-op.
 class Sounds {
  public:
   enum class Loop { kEngine, kLaser, kCutting, kCount };
@@ -40,20 +39,20 @@ class Sounds {
   Sounds(const Sounds&) = delete;
   Sounds& operator=(const Sounds&) = delete;
 
-  // Whether there is a device.
+  // Returns true if there is a device.
   bool on() const { return device_ != nullptr; }
 
   // Sets the volume of all sounds, 0 .. 1.
   void set_volume(double volume);
-  // Where the ears are (world, m), and which way they look (unit).
+  // Sets the position of the listener (world, m) and its direction (unit).
   void listen(const Vec3& at, const Vec3& forward);
-  // A loop that comes from a place, one for each `voice` (0 .. kVoices - 1); silent at a gain of 0. A pitch
-  // (> 0) of 2 plays it twice as fast.
+  // Sets a loop at a place, one for each `voice` (0 .. kVoices - 1); silent at a gain of 0. A pitch (> 0)
+  // of 2 doubles the speed.
   static constexpr size_t kVoices = 6;
   void set(Loop loop, size_t voice, const Vec3& at, double gain, double pitch = 1);
   // Plays a sound once at a place.
   void play(Shot shot, const Vec3& at, double gain, double pitch = 1);
-  // Stops everything, e.g. while the game is paused.
+  // Stops all sounds, e.g. while the game is paused.
   void hush();
 
  private:
@@ -61,18 +60,18 @@ class Sounds {
   std::unique_ptr<Device> device_;
 };
 
-// The sounds of a match, heard from the camera.
+// The sounds of a match at the camera.
 class MatchSounds {
  public:
-  // Takes the events of the last tick.
+  // Processes the events of the last tick.
   void hear(const Match& match);
-  // Sets engines and lasers. `volume` of all, 0 .. 1.
+  // Updates engines and lasers. `volume` of all, 0 .. 1.
   void advance(const Match& match, const Vec3& eye, const Vec3& forward, double volume);
   void hush() { sounds_.hush(); }
 
  private:
   Sounds sounds_;
-  double cutting_[Sounds::kVoices] = {};  // the gain of each voice
+  double cutting_[Sounds::kVoices] = {};  // gain of each voice
 };
 
 }  // namespace kerf

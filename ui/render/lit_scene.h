@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-// Draws bodies, ground and sky with their lights: first everything in ambient light, then for each light its
-// contribution outside its shadow, all in linear light.
+// Draws bodies, ground and sky with their lights, in linear light: first everything in ambient light, then
+// for each light its contribution outside its shadow.
 class LitScene {
  public:
   explicit LitScene(Shaders& shaders);
@@ -22,17 +22,17 @@ class LitScene {
   ShadowPass& shadows() { return shadows_; }
   const ShadowPass& shadows() const { return shadows_; }
 
-  // What shines in a picture by itself.
+  // The emissive parts of a frame.
   struct Shining {
     bool spot = false;  // the spot of the beam, which lights its environment
-    bool rims = false;  // the rims of cuts, and what is or was hot
+    bool rims = false;  // rims of cuts, and surfaces that are or were hot
   };
 
   // Draws into the colour and depth of `canvas`. Precondition: the uniform block of the frame is bound.
   void draw(const Subject& subject, const Shining& shining, const gl::Framebuffer& canvas);
 
  private:
-  // Variants of the programs with and without wire, glowing rims and spot, so that what is not needed is not
+  // Variants of the programs with and without wire, glowing rims and spot, so that unneeded terms are not
   // computed.
   static constexpr size_t kWire = 1, kRim = 2, kSpot = 4;
   struct BodyPrograms {
@@ -56,7 +56,7 @@ class LitScene {
   TonePass tone_;
   HeatRamps ramps_;
   gl::NoVertices no_vertices_;
-  size_t variant_ = 0;  // that the picture needs, without the spot
+  size_t variant_ = 0;  // for the frame, without the spot
   bool spot_ = false;
   std::optional<gl::Framebuffer> linear_;
   GLuint linear_beside_ = 0;  // the canvas whose depth buffer it shares

@@ -18,21 +18,21 @@ struct Pixels {
 // Reads a framebuffer (0: the window) from its lower left corner.
 Pixels read_pixels(unsigned framebuffer, int width, int height);
 
-// A part of a picture: as many columns and rows as there are from column x and row y on, but at most these.
-// Precondition: there is such a pixel, and the size is positive.
+// Crops an image to at most these columns and rows from column x and row y on. Precondition: there is such
+// a pixel, and the size is positive.
 Pixels cut_out(const Pixels& all, int x, int y, int width, int height);
 
-// The largest part of a picture around its middle that has the proportions of this size, made as small by
-// averaging; never larger. Preconditions: neither the picture nor the size is empty.
+// Returns the largest centred part of an image with the proportions of this size, downscaled to it by
+// averaging; never enlarges. Preconditions: neither the image nor the size is empty.
 Pixels shrunk(const Pixels& all, int width, int height);
 
 // The file of a frame of a film, counted from 0: "frame-00000.png" and so on.
 std::filesystem::path frame_file(const std::filesystem::path& folder, size_t frame);
 
-// Writes a PNG, whole or not at all. Precondition: there are as many bytes as the size says.
+// Writes a PNG atomically. Precondition: the number of bytes matches the size.
 Status write_png(const Pixels& pixels, const std::filesystem::path& file);
 
-// Reads a PNG. Nothing where the file is missing or damaged.
+// Reads a PNG. Returns nullopt if the file is missing or damaged.
 std::optional<Pixels> read_png(const std::filesystem::path& file);
 
 }  // namespace kerf

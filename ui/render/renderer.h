@@ -35,80 +35,82 @@ class Renderer {
   // Starts to show a world. `prepared` has its bodies as loaded, by Body::loaded_as; the smooth normals of
   // others are computed from their faces, which should be as loaded.
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
-  // Follows what a step changed in the world that is shown, which is `world` after the step: bodies are
-  // added, dropped and carried on one by one, and faces that changed are sent to the GPU with the next
-  // picture. A body that only moved sends nothing. `prepared` may lack bodies that came.
+  // Follows a change of the shown world; `world` is its state afterwards. Adds, drops and carries over
+  // individual bodies; changed faces are uploaded with the next frame. A body that only moved uploads
+  // nothing. `prepared` may lack created bodies.
   void follow(const World& world, const Delta& delta, PreparedBodies prepared = {});
-  // Sends every face of the world again, for the case that a Delta was lost. `prepared` may lack bodies, and
-  // the bases of bodies that are already shown.
+  // Uploads every face of the world again, in case a Delta was lost. `prepared` may lack bodies, and the
+  // bases of bodies that are already shown.
   void resend(const World& world, PreparedBodies prepared = {});
 
-  // How the bodies were shaded as loaded, for prepare_shading of bodies that will come.
+  // The shading of the bodies as loaded, for prepare_shading() of future bodies.
   const LoadedShadings& loaded_shadings() const { return loaded_; }
 
-  // Sends changed faces now instead of with the next picture, so that those that are removed before they were
-  // drawn are recorded with their current corners. O(changes).
+  // Uploads changed faces now instead of with the next frame, so that faces removed before they were drawn
+  // are recorded with their current corners. O(changes).
   void send_faces(const World& world);
 
-  // Sends all changes now: faces, and the heat of bodies. O(changes + hot faces).
+  // Uploads all changes now: faces, and the heat of bodies. O(changes + hot faces).
   void catch_up(const World& world);
 
-  // Draws a picture. Precondition: the world is the one that was shown, with all changes followed.
+  // Draws a frame. Precondition: the world is the shown one, with all changes followed.
   void draw(const World& world, const CameraView& view, const ViewOptions& options,
             std::optional<BeamPicture> beam, const Target& target);
 
-  // Shows the last picture again. Returns false if there is none of this size.
+  // Shows the last frame again. Returns false if there is none of this size.
   bool draw_again(const Target& target);
 
-  // The stencil counts of the shadow of one of the options' lights for a view, with one sample per pixel,
-  // with or without the ground. Preconditions: the options have this light, and the size is positive.
+  // Returns the stencil counts of the shadow of one of the options' lights for a view, with one sample per
+  // pixel, with or without the ground. Preconditions: the options have this light, and the size is
+  // positive.
   ShadowCounts shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
                              size_t light, ShadowMethod method, bool ground, int width, int height);
 
-  // A tracer of this shadow, which has traced no ray yet. The preconditions are those of shadow_counts().
+  // Returns a tracer of this shadow that has traced no ray yet. Preconditions as for shadow_counts().
   ShadowReference shadow_reference(const World& world, const CameraView& view, const ViewOptions& options,
                                    size_t light, bool ground, int width, int height);
 
-  // Draws the traced shadows over a picture that was just drawn to `target`. Precondition: it, the counts and
+  // Draws the traced shadows over a frame just drawn to `target`. Precondition: the tracer, the counts and
   // the target have the same size.
   void draw_reference(const ShadowReference& traced, const ShadowCounts& drawn, const Target& target) const;
 
-  // Traces the shadows of the inspected light for a whole picture that was just drawn to `target`, and draws
-  // them over it.
+  // Traces the shadows of the inspected light for a whole frame just drawn to `target`, and draws them over
+  // it.
   void draw_traced(const World& world, const CameraView& view, const ViewOptions& options,
                    const Target& target);
 
-  // The number of pixels that are lit by only one of two methods in the last picture that compared them.
+  // The number of pixels lit by only one of two methods in the last frame that compared them.
   size_t differing_pixels() const { return differing_; }
 
-  // Takes the shadow casters of its bodies, as far as these have some; they are of the world as it is.
+  // Takes the shadow casters of its bodies from `prepared`, if present. Precondition: they match the
+  // current world.
   void take_casters(PreparedBodies prepared);
 
   // The work for shadows since the renderer was created.
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
 
-  // Limits the number of faces of a newly shown body that one picture sends; later pictures send the rest.
-  // Without a limit every picture is complete. Precondition: faces > 0.
+  // Limits the number of faces of a newly shown body uploaded per frame; later frames upload the rest.
+  // Without a limit every frame is complete. Precondition: faces > 0.
   void limit_sending(uint32_t faces) {
     KERF_ASSERT(faces > 0);
     most_faces_sent_ = faces;
   }
-  // Whether faces are left to be sent by later pictures.
+  // Returns true if faces are left for later frames to upload.
   bool is_sending() const;
-  // The share of the faces that were sent, from 0 to 1.
+  // The fraction of uploaded faces, from 0 to 1.
   double sent_share() const;
 
   // Memory that grows with the number of faces.
   PictureMemory memory() const;
 
-  // The temperature of the hottest face as of the last picture (K).
+  // The temperature of the hottest face as of the last frame [K].
   double warmest() const;
 
-  // The number of bytes of faces sent to the GPU since the renderer was created.
+  // The number of bytes of faces uploaded since the renderer was created.
   size_t uploaded_bytes() const { return uploaded_; }
 
  private:
-  // The passes, in the order in which they draw.
+  // The passes, in drawing order.
   struct Passes {
     LitScene scene;
     BloomPass bloom;
@@ -153,32 +155,32 @@ class Renderer {
 
   Passes passes_;
   gl::Buffer uniforms_;
-  // Off-screen canvases for pictures; both are kept, so that switching between them is free.
+  // Off-screen canvases of frames; both are kept, so that switching is free.
   struct Canvas {
     std::optional<gl::Framebuffer> drawn, resolved;  // resolved: only with several samples
   };
   std::array<Canvas, 2> canvases_;  // without and with anti-aliasing
-  size_t canvas_ = 0;               // that of the last picture
+  size_t canvas_ = 0;               // of the last frame
 
   std::map<BodyId, BodyPicture> bodies_;
   LoadedShadings loaded_;
   std::map<BodyId, std::shared_ptr<const BaseFaces>> smooth_;  // by Body::loaded_as, while they are shown
   std::map<std::string, Paint> paints_;
-  Vec3 middle_{0};  // of the world as it was shown
+  Vec3 middle_{0};  // of the world when it was first shown
   FrameSpace space_;
   FrameUniforms frame_;
-  double near_ = 0;        // m, of the last picture
+  double near_ = 0;        // m, of the last frame
   double glow_width_ = 0;  // m
-  // The state of time and energy of which the GPU has the temperatures.
+  // The clock and energy to which the temperatures on the GPU belong.
   struct HeatMoment {
     Ticks clock = 0;
     EnergyLedger energy;
     friend bool operator==(const HeatMoment&, const HeatMoment&) = default;
   };
   std::optional<HeatMoment> heat_of_;
-  uint32_t finest_ = 0;  // most halvings of a face
+  uint32_t finest_ = 0;  // maximum halvings of a face
   bool contact_old_ = true;
-  bool shining_ = false;  // the last picture has something that glows
+  bool shining_ = false;  // the last frame contains something that glows
   size_t uploaded_ = 0;
   uint32_t most_faces_sent_ = DirtySlots::kAll;
   size_t differing_ = 0;

@@ -13,11 +13,11 @@
 
 namespace kerf {
 
-// For each pixel of a picture the visible face and the stencil count of a shadow. Rows start at the bottom.
+// For each pixel of a frame, the visible face and the stencil count of a shadow. Rows start at the bottom.
 struct ShadowCounts {
   int width = 0, height = 0;
   std::vector<uint32_t> faces;   // lower 24 bits: slot; upper 8: number of the body from 1; 0: sky
-  std::vector<uint8_t> stencil;  // lit where 0
+  std::vector<uint8_t> stencil;  // 0: lit
 
   static constexpr uint32_t kGround = 0xff000000u;
   static uint32_t mark(uint32_t body, uint32_t slot) { return (body % 127 + 1) << 24 | (slot & 0xffffffu); }
@@ -40,18 +40,19 @@ class ShadowProbe {
   std::optional<gl::Framebuffer> picture_;
 };
 
-// The number of pixels that are lit in only one of two pictures. Precondition: they have the same size.
+// Returns the number of pixels that are lit in only one of two frames. Precondition: they have the same
+// size.
 size_t differing_pixels(const ShadowCounts& a, const ShadowCounts& b);
 
-// A ray tracer for what a picture shows: all bodies in the order of their ids, pieces at their drawn
+// Returns a ray tracer for the drawn scene: all bodies in the order of their ids, pieces at their drawn
 // positions.
 ShadowRays rays_through(const Subject& subject);
 
-// Traces the shadows of a picture pixel by pixel, in rows from the bottom, in several calls.
+// Traces the shadows of a frame pixel by pixel, in rows from the bottom, over several calls.
 class ShadowReference {
  public:
-  // `near`: distance of the near plane along the view's forward axis, m; `ground`: its height (m) if it is
-  // visible and receives shadows. What `section` takes away is not seen and casts shadows.
+  // `near`: distance of the near plane along the view's forward axis, m; `ground`: its height [m] if it is
+  // visible and receives shadows. The side cut away by `section` is invisible but casts shadows.
   // Precondition: the size is positive.
   ShadowReference(ShadowRays rays, const CameraView& view, double near,
                   const std::optional<SectionPlane>& section, const Light& light,
@@ -65,7 +66,7 @@ class ShadowReference {
   int width() const { return width_; }
   int height() const { return height_; }
   // For each pixel the visible face as in ShadowCounts::faces and the number of surfaces that occlude the
-  // light; 0 in rows that are not traced yet.
+  // light; 0 in rows not traced yet.
   const std::vector<uint32_t>& faces() const { return faces_; }
   const std::vector<int>& occluders() const { return occluders_; }
 
@@ -84,18 +85,17 @@ class ShadowReference {
   std::vector<int> occluders_;
 };
 
-// The number of pixels that show the same face in both and are lit in only one. Rows that are not traced yet
-// do not count. Precondition: the pictures have the same size.
+// Returns the number of pixels that show the same face in both and are lit in only one. Ignores rows not
+// traced yet. Precondition: they have the same size.
 size_t differing_pixels(const ShadowCounts& drawn, const ShadowReference& traced);
 
-// Draws ray-traced shadows over a picture: dark where the light is occluded, pale where it is not, and
-// magenta where the shadow volumes, counted with one sample per pixel, disagree. Rows that are not traced yet
-// stay unchanged.
+// Draws ray-traced shadows over a frame: dark if the light is occluded, pale if not, and magenta if the
+// shadow volumes, counted with one sample per pixel, disagree. Rows not traced yet stay unchanged.
 class ReferencePass {
  public:
   explicit ReferencePass(Shaders& shaders);
 
-  // Draws over the whole bound framebuffer. Precondition: both are of pictures of the same size.
+  // Draws over the whole bound framebuffer. Precondition: both have the same size.
   void draw(const ShadowReference& traced, const ShadowCounts& drawn) const;
 
  private:
@@ -104,16 +104,15 @@ class ReferencePass {
   gl::NoVertices no_vertices_;
 };
 
-// Draws the construction of shadow volumes over a picture: the silhouette in blue, thin and light for
+// Draws the construction of shadow volumes over a frame: the silhouette in blue, thin and light for
 // multiplicity 1, stronger for 2 and violet above; the volumes as sheets and wire, blue from outside and
-// orange from inside; the stencil counts as a heat map; polygons that face the light in pale yellow and those
-// that face away in dark blue. A legend at the lower left explains the colours.
+// orange from inside; the stencil counts as a heat map; light-facing polygons in pale yellow and
+// back-facing ones in dark blue. A legend at the lower left explains the colours.
 class ShadowOverlay {
  public:
   explicit ShadowOverlay(Shaders& shaders);
 
-  // Draws for the light that the options inspect, over a picture whose depth is kept; its stencil is
-  // overwritten.
+  // Draws for the light that the options inspect, over a frame whose depth is kept; overwrites its stencil.
   void draw(const Subject& subject, ShadowPass& shadows, FaceNumbers& numbers,
             const gl::Framebuffer& picture) const;
 

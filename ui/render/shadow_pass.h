@@ -20,7 +20,7 @@
 
 namespace kerf {
 
-// A light as a body sees it that stands at `placement` and has these looks.
+// Transforms a light to the frame of a body at `placement` with these looks.
 LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
                           const BodyLooks& looks);
 
@@ -35,7 +35,7 @@ glm::vec4 light_colour(const Light& light, const FrameSpace& space, double diago
 Vec3 direction_to(const Light& light, const Vec3& from);
 
 // The shadow volume of one body for one light on the GPU: the sign of every face, in the same chunks as in
-// FaceBuffer, and the silhouette with one instance per edge. Updates send only changes.
+// FaceBuffer, and the silhouette with one instance per edge. Updates upload only changes.
 class VolumeBuffer {
  public:
   explicit VolumeBuffer(ShadowMethod method) : volume_(method) {}
@@ -46,15 +46,16 @@ class VolumeBuffer {
   // Memory of the buffers on the GPU, in bytes.
   size_t bytes() const;
 
-  // Sends the changes of the volume since the last call. Precondition: the volume has followed the caster.
+  // Uploads the changes of the volume since the last call. Precondition: the volume has followed the
+  // caster.
   void update(const ShadowCaster& caster);
 
   // Binds the signs of a chunk for `program`, which contains shadow_cap.vert and is in use.
   void bind_signs(const gl::Program& program, size_t chunk) const;
-  // Draws every side as often as its multiplicity demands, each with so many vertices. Precondition:
-  // `program`, which contains shadow_side.vert, is in use.
+  // Draws every side once per unit of its multiplicity, with `vertices_of_side` vertices each.
+  // Precondition: `program`, which contains shadow_side.vert, is in use.
   void draw_sides(const gl::Program& program, int vertices_of_side) const;
-  // Draws one instance with so many vertices per edge, whatever its multiplicity.
+  // Draws one instance of `vertices` vertices per edge, whatever its multiplicity.
   void draw_edges(int vertices) const;
 
  private:
@@ -85,7 +86,7 @@ class VolumeBuffer {
 
   ShadowVolume volume_;
   std::vector<Signs> signs_;  // by chunk
-  uint32_t signs_room_ = 0;   // of them all together
+  uint32_t signs_room_ = 0;   // of all chunks together
   Sides sides_;               // the silhouette; the shader draws at most two copies
   Sides many_;                // the remaining copies of edges with higher multiplicity
 };
@@ -93,9 +94,9 @@ class VolumeBuffer {
 // The work since the pass was created.
 struct ShadowWork {
   uint64_t casters = 0;  // whole bodies whose edges were found
-  uint64_t faces = 0;    // whose sign was computed, over all lights
-  uint64_t edges = 0;    // whose multiplicity was computed, over all lights
-  uint64_t rebuilt = 0;  // volumes computed from nothing
+  uint64_t faces = 0;    // signs computed, over all lights
+  uint64_t edges = 0;    // multiplicities computed, over all lights
+  uint64_t rebuilt = 0;  // volumes computed from scratch
 };
 
 // Counts for every pixel the surfaces that occlude a light, with shadow volumes in the stencil buffer (F.
@@ -109,26 +110,26 @@ class ShadowPass {
  public:
   explicit ShadowPass(Shaders& shaders);
 
-  // Discards all shadows, for another world or a Delta that was lost.
+  // Discards all shadows, for another world or after a lost Delta.
   void forget() { bodies_.clear(); }
   // Discards the shadows of one body.
   void forget(BodyId id) { bodies_.erase(id); }
   // Renames the body `from` to `to`, with its shadows.
   void carry_on(BodyId from, BodyId to);
-  // Follows changes of faces. Bodies that came or went have to be adopted or forgotten.
+  // Follows changes of faces. Added or removed bodies must be adopted or forgotten.
   void follow(const Delta& delta);
-  // Takes over a shadow caster of a body, in its picture frame. Precondition: the caster is not null.
+  // Takes over a shadow caster of a body, in its drawing frame. Precondition: the caster is not null.
   void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) {
     KERF_ASSERT(caster != nullptr);
     bodies_[id].caster = std::move(caster);
   }
 
-  // Counts into the stencil of what is bound, where the scissor lets it, the shadow of a light of
-  // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`
-  // and an invariant position, with depth func GL_LESS. Afterwards a pixel is lit where the stencil is 0, and
-  // with kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no
-  // shadow. Where something hides all that lies below a height (frame coordinates), volumes that light from
-  // above casts end there: what they cover beyond costs a software renderer most of their time.
+  // Counts the shadow of a light of subject.options into the stencil of the bound framebuffer, within the
+  // scissor. Casters must be in the depth buffer, drawn with `clip_from_frame * vec4(placed(...), 1.0)` and
+  // an invariant position, with depth func GL_LESS. Afterwards a pixel is lit if its stencil is 0, and with
+  // kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no shadow.
+  // If everything below the height `hidden_below` (frame coordinates) is hidden, volumes of light from
+  // above end there: the area they cover beyond takes most of the time of a software renderer.
   void count(const Subject& subject, size_t light, ShadowMethod method,
              std::optional<float> hidden_below = std::nullopt);
 
@@ -155,7 +156,7 @@ class ShadowPass {
     std::unique_ptr<ShadowCaster> caster;
     std::map<VolumeKey, Kept> volumes;
     DirtySlots dirty;
-    DirtySlots relabelled;  // slots whose label alone changed
+    DirtySlots relabelled;  // slots with a new label only
     std::shared_ptr<const PieceGroups> groups;
   };
 

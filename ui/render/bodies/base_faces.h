@@ -15,10 +15,10 @@
 
 namespace kerf {
 
-// How much area of a surface deviates how far from its facets; see BaseFaces::deviation().
+// A histogram of surface area by its deviation from the facets; see BaseFaces::deviation().
 class CurvedArea {
  public:
-  // Notes that the smooth normal at a corner of a face of this area deviates by an angle of this sine.
+  // Adds a face corner of this area whose smooth normal deviates by an angle of this sine.
   void note(double sine, double area) {
     if (sine < kFlat) return;
     by_sine_[std::min(static_cast<size_t>(sine * kSteps), kSteps - 1)] += area;
@@ -26,7 +26,7 @@ class CurvedArea {
   void add(const CurvedArea& other) {
     for (size_t i = 0; i < kSteps; ++i) by_sine_[i] += other.by_sine_[i];
   }
-  // The sine that nine tenths of the area do not exceed; 0 without area.
+  // Returns the sine that nine tenths of the area do not exceed; 0 without area.
   float deviation() const {
     constexpr double kLargeShare = 0.9;
     double all = 0, below = 0;
@@ -41,52 +41,52 @@ class CurvedArea {
 
  private:
   static constexpr size_t kSteps = 100;
-  static constexpr double kFlat = 0.01;  // deviations below it are none
+  static constexpr double kFlat = 0.01;  // smaller deviations count as flat
   std::array<double, kSteps> by_sine_{};
 };
 
-// The faces of a body as loaded, with smooth normals. The part of a split face interpolates the corner
-// normals of its base face, so that cutting never changes how a surface is shaded.
+// The faces of a body as loaded, with smooth normals. A part of a split face interpolates the corner
+// normals of its base face, so that cutting never changes the shading of a surface.
 //
 // The normal at a corner is the angle-weighted mean of the normals of those faces around its position whose
-// planes differ by less than 35 degrees from that of the corner's face. Positions are compared to the bit.
-// Construction takes expected linear time; memory is about 21 bytes per face if the surface is smooth and 61
-// if all edges are sharp.
+// planes differ by less than 35 degrees from that of the corner's face. Positions are compared bitwise.
+// Construction takes expected linear time; memory is about 21 bytes per face if the surface is smooth and
+// 61 if all edges are sharp.
 class BaseFaces {
  public:
   BaseFaces() = default;
-  // Precondition: the mesh is as loaded. Faces that were split or removed before are shaded flat.
+  // Precondition: the mesh is as loaded. Faces that were already split or removed are shaded flat.
   BaseFaces(const Mesh& mesh, const FloatFrame& frame);
-  // Builds the base faces of such a mesh; fails with cancelled() when stopped. `progress` may be null.
+  // Builds the base faces of such a mesh; fails with cancelled() if stopped. `progress` may be null.
   static Result<BaseFaces> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
-  // The bases of a body that was copied out of this one: its face i is face `faces[i]` of this one, or
-  // unknown if that is not valid. O(k log k) for k faces.
+  // Returns the bases of a body copied out of this one: its face i is face `faces[i]` of this one, or
+  // unknown if that is invalid. O(k log k) for k faces.
   BaseFaces pick(std::span<const FaceId> faces) const;
 
-  // The same faces with one normal at each position, the angle-weighted mean of those of all faces there,
-  // whatever edge they meet at. O(n log n).
+  // Returns the same faces with one normal per position, the angle-weighted mean over all faces there,
+  // whatever their dihedral angles. O(n log n).
   BaseFaces smoothed() const;
 
-  // The unit normals at three points in the plane of `base`, which are given in the body's float frame. A
-  // face that is unknown gives the flat normal of the points.
+  // Returns the unit normals at three points in the plane of `base`, given in the body's float frame. An
+  // unknown face gives the flat normal of the points.
   std::array<glm::vec3, 3> normals_at(FaceId base, const std::array<glm::vec3, 3>& points) const;
 
-  // The number of face slots as loaded, and the corners of a face in the float frame, nothing if the slot had
-  // no face.
+  // The number of face slots as loaded, and the corners of a face in the float frame; nullopt for an empty
+  // slot.
   uint32_t count() const { return static_cast<uint32_t>(faces_.size()); }
   std::optional<std::array<glm::vec3, 3>> corners(FaceId base) const;
 
-  // Whether the segment between two points in the plane of `base`, given in the float frame, lies on a side
-  // of it that no other face shared as loaded.
+  // Returns true if the segment between two points in the plane of `base`, given in the float frame, lies
+  // on a side of it that no other face shared as loaded.
   bool was_open(FaceId base, const glm::vec3& from, const glm::vec3& to) const;
-  // Whether a mesh has the faces as loaded: none was split or removed.
+  // Returns true if a mesh has the faces as loaded: none was split or removed.
   bool are_whole(const Mesh& mesh) const {
     return mesh.face_slots() == count() && mesh.live_faces() == live_;
   }
 
-  // The sine of the angle by which the smooth normals at the corners of faces deviate from the faces: that
-  // which nine tenths of the curved area do not exceed, 0 if nothing is curved.
+  // The sine of the angle between faces and the smooth normals at their corners that nine tenths of the
+  // curved area do not exceed; 0 if nothing is curved.
   float deviation() const { return deviation_; }
 
   // Memory allocated, in bytes.
@@ -105,12 +105,12 @@ class BaseFaces {
 
   bool knows(FaceId base) const { return base.index < faces_.size() && faces_[base.index][0] != kNone; }
 
-  uint32_t live_ = kNone;  // of the mesh as loaded; of a part of one, none that a mesh can have
+  uint32_t live_ = kNone;  // of the mesh as loaded; for a part of one, a value that no mesh has
   float deviation_ = 0;
   std::vector<uint8_t> open_;  // by face slot as loaded: bit i is set if the side after corner i was open
   std::vector<Corner> corners_;
   std::vector<std::array<uint32_t, 3>>
-      faces_;  // by face slot as loaded: indices into corners_; kNone where there was no face
+      faces_;  // by face slot as loaded: indices into corners_; kNone without a face
 };
 
 // Converts a unit vector to OpenGL's INT_2_10_10_10_REV and back.

@@ -19,13 +19,13 @@
 namespace kerf {
 
 // Loads the programs of passes from assets/shaders into the current context, and binds their blocks "Frame"
-// and "Paints". Whoever has created passes with it asks status(): after the first program that cannot be
-// loaded, all others are empty, and the passes must not draw.
+// and "Paints". Check status() after the creation of passes: after the first program that fails to load,
+// all others are empty, and the passes must not draw.
 class Shaders {
  public:
   Shaders();
 
-  // Takes the files as gl::Program::load does.
+  // Same file arguments as gl::Program::load.
   gl::Program load(const gl::ProgramFiles& files);
   const Status& status() const { return status_; }
 
@@ -38,13 +38,13 @@ class Shaders {
 inline constexpr GLuint kFrameBlock = 0;
 inline constexpr GLuint kPaintBlock = 1;
 
-// Whether a buffer is bound as the uniform block of the frame, as a precondition.
+// Returns true if a buffer is bound as the uniform block of the frame; for preconditions.
 bool is_frame_bound();
 
 // One body on the GPU: its faces, its paints and the looks of its pieces.
 class BodyPicture {
  public:
-  // `glow_width` (m) is that of RimDistance. Precondition: `prepared` was made for this body.
+  // `glow_width` [m] is that of RimDistance. Precondition: `prepared` was made for this body.
   BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared,
               double glow_width);
 
@@ -65,18 +65,18 @@ class BodyPicture {
   gl::Buffer paints_;
 };
 
-// The colours (linear light) of the pieces of a body, by their numbers from 1 on, over and over: each as far
-// as possible from the paints of the body and from the colours before it.
+// Returns the colours (linear light) of the pieces of a body, by number from 1 on, cyclically: each is as
+// far as possible from the paints of the body and from the colours before it.
 std::vector<glm::dvec3> piece_colours(const std::vector<std::string>& materials,
                                       const std::map<std::string, Paint>& paints);
 
-// Colour and gloss of up to 256 materials by index. A material without a paint looks like blue-grey painted
-// metal.
+// Returns colour and gloss of up to 256 materials by index. A material without a paint looks like blue-grey
+// painted metal.
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
                                    const std::map<std::string, Paint>& paints);
 
-// While it exists, programs that write gl_ClipDistance[0] draw only what the section plane of the options
-// leaves. Programs that do not write it must not draw meanwhile. Without a plane it does nothing.
+// While it exists, programs that write gl_ClipDistance[0] draw only the kept side of the options' section
+// plane. Programs that do not write it must not draw meanwhile. No-op without a plane.
 class SectionClip {
  public:
   explicit SectionClip(const ViewOptions& options) : workspace_(shown_section(options) != nullptr) {
@@ -92,18 +92,18 @@ class SectionClip {
   bool workspace_;
 };
 
-// What a pass draws, and with which options.
+// The input of a pass: what to draw, and with which options.
 struct Subject {
   const World& world;
   std::map<BodyId, BodyPicture>& bodies;
   const FrameSpace& space;
   const ViewOptions& options;
 
-  // The sides of faces that are not drawn.
+  // The culled sides of faces.
   GLenum culled() const { return options.cull_backs ? GL_BACK : GL_NONE; }
 };
 
-// Calls visit(id, body, picture) for every body of the world that has a picture, in the order of ids.
+// Calls visit(id, body, picture) for every body of the world that is on the GPU, in the order of ids.
 template <typename Visit>
 void for_each_body(const Subject& subject, const Visit& visit) {
   for (auto& [id, picture] : subject.bodies) {

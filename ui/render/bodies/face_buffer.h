@@ -19,44 +19,44 @@
 
 namespace kerf {
 
-// The faces of one body on the GPU. Every face slot of the mesh has a fixed slot of three corners, in chunks
-// of a fixed size, so that growing copies little: a chunk begins small and doubles up to that size, because
-// worlds have many small bodies. Each chunk has a list of its live slots, and only these are drawn. The
-// buffer follows Deltas, and the cost of an update is proportional to what changed. Labels of pieces lie in a
-// buffer of their own, so that a face with a new label sends its label alone.
+// The faces of one body on the GPU. Every face slot of the mesh has a fixed slot of three corners, in
+// chunks of a fixed size, so that growth copies little; a chunk begins small and doubles up to that size,
+// because worlds have many small bodies. Each chunk has a list of its live slots, and only these are drawn.
+// The buffer follows Deltas, and the cost of an update is proportional to the changes. Piece labels are in
+// a separate buffer, so that a relabelled face uploads only its label.
 class FaceBuffer {
  public:
-  // Uploads nothing yet. `glow_width` (m) is that of RimDistance. Precondition: `bases` is not null and
+  // Uploads nothing yet. `glow_width` [m] is that of RimDistance. Precondition: `bases` is not null and
   // belongs to the mesh, with the same frame.
   FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
              double glow_width);
 
   void follow(const BodyDelta& delta);
-  // Sends with the next update the groups of the faces instead of the labels of their pieces, or, if null,
-  // the labels again.
+  // Makes the next update upload the groups of the faces instead of the labels of their pieces, or, if
+  // null, the labels again.
   void group(const Mesh& mesh, const std::shared_ptr<const PieceGroups>& groups);
-  // Shades by other bases of the same faces, which the next update sends; null: by those of the beginning.
+  // Shades by other bases of the same faces from the next update on; null: by the initial ones.
   void shade(const Mesh& mesh, std::shared_ptr<const BaseFaces> bases);
-  // Whether shade() has set others.
+  // Returns true if shade() has set other bases.
   bool is_smooth() const { return smooth_; }
-  // Marks every slot as changed, for the case that Deltas were lost.
+  // Marks every slot as changed, in case Deltas were lost.
   void forget_all(const Mesh& mesh) {
     dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
     removed_.forget();
     if (heat_.any()) reheated_.mark_all(mesh.face_slots());
   }
 
-  // Uploads what changed from the current mesh. If every slot changed, uploads at most `most` of them; later
-  // calls upload the others. Returns the number of bytes sent.
+  // Uploads the changes of the current mesh. If every slot changed, uploads at most `most` of them; later
+  // calls upload the others. Returns the number of bytes uploaded.
   size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
-  // Uploads what is new of the heat of the body. Precondition: its mesh is that of the last update.
-  // `time_passed`: whether heat may have flowed since the last call. Returns the number of bytes sent.
+  // Uploads the changes of the body's heat. Precondition: its mesh is that of the last update.
+  // `time_passed`: heat may have flowed since the last call. Returns the number of bytes uploaded.
   size_t update_heat(const Body& body, bool time_passed);
-  // Uploads the numbers by which scalar fields colour the faces, as far as they are others than those sent
-  // last; null frees them. Returns the number of bytes sent.
+  // Uploads the changes of the scalar field that colours the faces; null frees it. Returns the number of
+  // bytes uploaded.
   size_t update_scalars(const std::shared_ptr<const FaceScalars>& scalars);
   const CornerHeat& heat() const { return heat_; }
-  // Whether slots are left for later calls.
+  // Returns true if slots are left for later calls.
   bool is_sending() const { return dirty_.has_all(); }
   // The number of slots, and how many of them are left for later calls.
   size_t slots() const { return corners_.size(); }
@@ -81,36 +81,36 @@ class FaceBuffer {
   // Draws with a program that needs face slots: its uniform first_slot is set to the slot of vertex 0.
   void draw_numbered(const gl::Program& program) const;
 
-  // Draws the loaded surface where faces were removed; see RemovedFaces.
+  // Draws the removed parts of the loaded surface; see RemovedFaces.
   void draw_removed(const Mesh& mesh);
   std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, *bases_); }
 
   const FloatFrame& frame() const { return frame_; }
   // See BaseFaces.
   float deviation() const { return bases_->deviation(); }
-  // Whether a cut has left a rim, which glows.
+  // Returns true if a cut has left a rim, which glows.
   bool has_rim() const { return rims_.any(); }
   // The number of live faces by their number of halvings; the last element includes all larger numbers.
   using Halvings = std::array<uint32_t, 64>;
   const Halvings& halvings_of_faces() const { return faces_of_; }
 
  private:
-  static constexpr uint32_t kGap = 4;  // largest gap of unchanged slots between ranges that are sent together
+  static constexpr uint32_t kGap = 4;  // largest gap of unchanged slots within one upload
 
   static constexpr uint8_t kDead = 0xff;
   using Corners = std::array<VertexId, 3>;
-  using Labels = std::array<uint16_t, 3>;  // of a face, once for each corner
+  using Labels = std::array<uint16_t, 3>;  // of a face, one per corner
   using Heat = std::array<HeatMark, 3>;
-  using Scalars = std::array<float, 3>;  // of a face, once for each corner
+  using Scalars = std::array<float, 3>;  // of a face, one per corner
 
   struct Chunk {
     gl::Buffer vertices, labels, indices;
     gl::VertexArray layout;
     LiveList live;
-    std::optional<gl::Buffer> heat;     // of chunks in which anything was ever hot
+    std::optional<gl::Buffer> heat;     // of chunks with faces that were ever hot
     std::optional<gl::Buffer> scalars;  // while a scalar field is shown
     uint32_t room = 0;                  // slots
-    // Makes room for so many slots, more than before. Frees the scalars.
+    // Reserves `slots` slots, more than before. Frees the scalars.
     void make_room(uint32_t slots);
     void make_heat();
     void read_heat() const;
@@ -118,7 +118,7 @@ class FaceBuffer {
     void free_scalars();
     void draw() const;
   };
-  // The one that has the slots of a range, which lies in one chunk; creates or enlarges it if necessary.
+  // Returns the chunk of a range, which lies in one chunk; creates or enlarges it if necessary.
   Chunk& chunk_of(const SlotRange& range);
   void count(const Mesh& mesh, uint32_t slot);
   void record_change(const Mesh& mesh, FaceId f, bool lives);
@@ -145,8 +145,8 @@ class FaceBuffer {
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;
   std::vector<Labels> staged_labels_;
-  std::vector<VertexId> moved_corners_;     // of faces that changed since the rims were found
-  std::vector<VertexId> reheated_corners_;  // the same since the heat was followed
+  std::vector<VertexId> moved_corners_;     // of faces changed since the last search for rims
+  std::vector<VertexId> reheated_corners_;  // of faces changed since the last update of heat
   std::vector<Corners> corners_;            // by slot, as last drawn
   std::vector<uint8_t> halvings_;           // by slot; kDead without a live face
   Halvings faces_of_{};

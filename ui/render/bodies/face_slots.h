@@ -28,11 +28,11 @@ static_assert(sizeof(FaceVertex) == 20);
 
 using FaceVertices = std::array<FaceVertex, 3>;
 
-// Maps the label of a piece to the 16 bits that the GPU has for it; only label 0 is mapped to 0.
+// Maps a piece label to 16 bits for the GPU; only label 0 is mapped to 0.
 uint16_t packed_piece(uint32_t label);
 
-// The three corners for the slot of f, whose corners are so far from the nearest rim, in widths; three equal
-// points if the face is dead.
+// Returns the three corners for the slot of f, with their distances from the nearest rim [widths]; three
+// equal points if the face is dead.
 FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
                            const std::array<float, 3>& rim);
 
@@ -49,14 +49,14 @@ class DirtySlots {
   void mark(std::span<const FaceId> faces);
   void mark_all(uint32_t slots);
   bool empty() const { return slots_.empty() && !has_all(); }
-  // Whether slots that mark_all marked are left.
+  // Returns true if slots marked by mark_all are left.
   bool has_all() const { return all_ > 0; }
-  // The number of slots that mark_all marked and that are left.
+  // The number of slots left of those marked by mark_all.
   uint32_t left() const { return all_ - from_; }
 
   // Returns and clears all of them as ascending ranges. Up to `gap` consecutive clean slots are included to
-  // join ranges, and no range crosses a multiple of `chunk`. Of the slots of mark_all only the first `most`
-  // are taken.
+  // join ranges, and no range crosses a multiple of `chunk`. Of the slots of mark_all, takes only the first
+  // `most`.
   static constexpr uint32_t kAll = 0xffffffffu;
   std::vector<SlotRange> take(uint32_t gap, uint32_t chunk, uint32_t most = kAll);
 
@@ -65,21 +65,21 @@ class DirtySlots {
   uint32_t from_ = 0, all_ = 0;  // everything between is dirty
 };
 
-// The slots of a chunk that are to be drawn, without gaps and in unspecified order: the last one takes the
-// place of a removed one. Removed faces therefore cost nothing to draw.
+// The slots of a chunk to draw, without gaps and in unspecified order: the last one replaces a removed one,
+// so removed faces cost nothing to draw.
 class LiveList {
  public:
-  // Makes room for so many slots, at least as many as before.
+  // Reserves `slots` slots, at least as many as before.
   void make_room(uint32_t slots) { place_.resize(slots, kNone); }
 
-  // Precondition of this and the next one: there is room for the slot.
+  // Precondition of contains() and set(): the slot is reserved.
   bool contains(uint32_t slot) const { return place_[slot] != kNone; }
-  // Adds or removes a slot. Returns whether that changed anything. Constant time.
+  // Adds or removes a slot. Returns true if that changed anything. O(1).
   bool set(uint32_t slot, bool live);
 
   std::span<const uint32_t> slots() const { return slots_; }
-  // The ranges of slots() that changed since the last call; ranges separated by at most `gap` unchanged
-  // places are joined.
+  // Returns the ranges of slots() changed since the last call; joins ranges separated by at most `gap`
+  // unchanged places.
   std::vector<SlotRange> take_changes(uint32_t gap);
 
   // Memory allocated, in bytes.
@@ -100,17 +100,15 @@ struct RemovedFace {
   FaceCorners corners{};
 };
 
-// The faces that were removed from a body.
+// The faces removed from a body.
 //
-// The surface as loaded is drawn slightly behind the remaining surface, so that it is visible exactly where
-// faces were removed, however they were split before. As individual faces, the base faces are known, and
-// those parts of base faces that were seen and are not tiny; at most kMost of them, so that memory is
-// bounded.
+// The surface as loaded is drawn slightly behind the remaining surface, so that it is visible exactly in
+// removed areas, however the faces were split before. Individually known are the base faces, and those
+// parts of them that were drawn and are not tiny; at most kMost, which bounds the memory.
 class RemovedFaces {
  public:
   static constexpr size_t kMost = 20'000;
-  static constexpr float kSmallest =
-      0.006f;  // longest edge below which parts are not recorded, in the float frame
+  static constexpr float kSmallest = 0.006f;  // minimum longest edge of recorded parts, in the float frame
 
   // Records the current corners of a part of a base face; may be called repeatedly.
   void saw(FaceId f, const FaceCorners& corners);
@@ -119,10 +117,10 @@ class RemovedFaces {
   // Reports that the slot has a face, perhaps again.
   void came_back(FaceId f) { parts_.erase(f.index); }
 
-  // All removed base faces and recorded parts.
+  // Returns all removed base faces and recorded parts.
   std::vector<RemovedFace> list(const Mesh& mesh, const BaseFaces& bases) const;
 
-  // Uploads the base faces that are incomplete, if forget() was called since. O(base faces) then.
+  // Uploads the incomplete base faces if forget() was called since the last update; O(base faces) then.
   void update(const Mesh& mesh, const BaseFaces& bases);
   // Reports that the mesh has changed.
   void forget() { old_ = true; }
@@ -130,7 +128,7 @@ class RemovedFaces {
   void draw() const;
 
  private:
-  std::unordered_map<uint32_t, FaceCorners> seen_;  // by slot; looked up, never walked
+  std::unordered_map<uint32_t, FaceCorners> seen_;  // by slot; only for lookup, never iterated
   std::map<uint32_t, RemovedFace> parts_;           // by slot
   gl::Buffer buffer_;
   gl::VertexArray layout_;

@@ -11,14 +11,14 @@
 
 namespace kerf {
 
-// What the physics of a world works with, to be drawn over the picture.
+// The state of a world's physics, drawn as an overlay.
 struct BodyMarks {
-  // Where two bodies, or a body and the ground, touch; in the world.
+  // A contact of two bodies, or of a body and the ground; in the world.
   struct ContactMark {
     Vec3 at{0};
     Vec3 normal{0};       // unit, towards the first body
-    double distance = 0;  // m, less the skins
-    double share = 0;     // of the largest impulse, from 0 to 1
+    double distance = 0;  // m, minus the skins
+    double share = 0;     // of the largest impulse, 0 to 1
   };
   // The points and chords of a body, in the frame of the body.
   struct ColliderMarks {
@@ -29,14 +29,14 @@ struct BodyMarks {
   struct CentreMark {
     enum class State { kAwake, kAsleep, kPinned };
     Vec3 centre{0};     // m, of mass, in the world
-    double radius = 0;  // m, of a sheet with the area of the body, laid out as a disc
+    double radius = 0;  // m, of a disc with the area of the body
     State state = State::kAwake;
   };
 
   struct JointMark {
     Joint::Kind kind = Joint::Kind::kWeld;
     Vec3 anchor{0};  // m, in the world
-    Vec3 axis{0};    // unit, in the world; of a weld without meaning
+    Vec3 axis{0};    // unit, in the world; undefined for a weld
   };
 
   std::vector<ContactMark> contacts;
@@ -45,33 +45,32 @@ struct BodyMarks {
   std::vector<JointMark> joints;
 };
 
-// Gathers what the switches ask for: contacts and colliders as of the last tick in which bodies moved. Null
-// if they ask for nothing. Linear in what is gathered.
+// Gathers the marks that the switches enable: contacts and colliders as of the last tick in which bodies
+// moved. Null if none is enabled. Linear in the result.
 std::shared_ptr<const BodyMarks> gather_body_marks(const World& world, const Physics& physics,
                                                    const ShowOptions& show);
 
-// Gathers the marks of a world in which no time has passed: contacts are those that the next tick would find
-// with all bodies awake. Copies the world.
+// Gathers the marks of a world in which no time has passed: contacts are those that the next tick would
+// find with all bodies awake. Copies the world.
 std::shared_ptr<const BodyMarks> body_marks_ahead(const World& world, const ShowOptions& show);
 
-// What a stage of a cut did, to be drawn over the picture. All places are in the frames of the bodies, in
-// metres.
+// The effect of a stage of a cut, drawn as an overlay. All positions are in the frames of the bodies [m].
 struct StageMarks {
   enum class Kind {
-    kSwept,    // the volume that the beam sweeps
-    kHit,      // a face that the beam touches
-    kBorn,     // a face that a split made
-    kRemoved,  // a face that was removed
-    // Boxes that a query of the tree visited; see TouchedWalk::Outcome.
+    kSwept,    // volume swept by the beam
+    kHit,      // face touched by the beam
+    kBorn,     // face created by a split
+    kRemoved,  // removed face
+    // Boxes that a tree query visited; see TouchedWalk::Outcome.
     kEntered,
     kCulled,
     kMissed,
     kTouched,
-    kLast,  // the one that was visited last
+    kLast,  // last visited box
   };
   struct Fill {
     Triangle corners;
-    uint32_t piece = 0;  // moves with this piece, if it is drawn elsewhere
+    uint32_t piece = 0;  // moves with this piece if it is displaced
     Kind kind = Kind::kHit;
   };
   struct Line {
@@ -85,8 +84,7 @@ struct StageMarks {
     std::vector<Line> lines;
   };
   std::vector<OfBody> bodies;
-  // The sets of a separation, which are drawn in two colours: the pieces that came off, and those that they
-  // came off.
+  // The sets of a separation, drawn in two colours: the separated pieces, and those they were attached to.
   std::vector<PieceId> came_off, stayed;
 };
 

@@ -15,13 +15,13 @@
 
 namespace kerf {
 
-// How the groups of one body's faces are looked at: a loose part as its own piece is, but moved with the
-// piece that it goes with.
+// The looks of the groups of one body's faces: a loose part has the look of its own piece, but moves with
+// the piece it is grouped with.
 class BodyLooks {
  public:
   BodyLooks(BodyId id, const ViewOptions& options);
 
-  // The groups that are not looked at plainly.
+  // The groups with a look other than the default.
   const std::map<uint32_t, PieceLook>& by_group() const { return by_group_; }
   const PieceLook& of(uint32_t group) const;
   // The look of the group of a face (see PieceGroups).
@@ -45,17 +45,17 @@ class BodyLooks {
 // The groups of the faces as ShadowCaster takes them.
 std::span<const uint32_t> labels_of(const std::shared_ptr<const PieceGroups>& groups);
 
-// The looks of one body's groups of faces on the GPU for programs that contain placed.glsl.
+// The looks of one body's groups of faces on the GPU, for programs that contain placed.glsl.
 class PieceLooks {
  public:
-  // Takes over the looks of the body. A part that no cut separated keeps its paint (see is_loaded_part).
-  // Returns whether anything changed. O(pieces).
+  // Applies the looks of the body. A part that no cut separated keeps its paint (see is_loaded_part).
+  // Returns true if anything changed. O(pieces).
   bool update(const Body& body, const BodyLooks& looks, const FrameSpace& space);
 
   // Binds the looks for `program`. Precondition: it is in use.
   void bind(const gl::Program& program) const;
 
-  // Whether any piece is hidden, displaced or turned; whether any is selected.
+  // Returns true if any piece is hidden, displaced or turned; or if any is selected.
   bool any_away() const { return any_away_; }
   bool any_selected() const { return any_selected_; }
 
@@ -64,7 +64,7 @@ class PieceLooks {
 
   std::map<uint32_t, PieceLook> looks_;  // by group
   std::map<uint32_t, bool> came_off_;    // by group
-  std::set<uint32_t> parts_;             // groups that are shown as the body itself is
+  std::set<uint32_t> parts_;             // groups with the look of the body itself
   UpAxis up_ = UpAxis::kY;               // of the displacements on the GPU
   gl::Buffer buffer_;
   gl::Texture table_;

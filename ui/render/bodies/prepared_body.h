@@ -10,34 +10,32 @@
 
 namespace kerf {
 
-// How a body was shaded when it was loaded. It does not change, and is shared by all pieces that were copied
-// out of the body.
+// The shading of a body as loaded. Immutable, and shared by all pieces copied out of the body.
 struct LoadedShading {
   FloatFrame frame;
   std::shared_ptr<const BaseFaces> bases;
 };
 using LoadedShadings = std::map<BodyId, LoadedShading>;  // by Body::loaded_as
 
-// Data for drawing a body that take long to compute. They involve no OpenGL, so that they can be prepared on
-// another thread.
+// Data for drawing a body that take long to compute. They involve no OpenGL, so another thread can prepare
+// them.
 struct PreparedBody {
-  FloatFrame frame;  // the frame in which its faces are drawn
+  FloatFrame frame;  // frame in which its faces are drawn
   std::shared_ptr<const BaseFaces> bases;
   std::unique_ptr<ShadowCaster> caster;  // null if not prepared yet
 };
 using PreparedBodies = std::map<BodyId, PreparedBody>;
 
-// Prepares the frame and the bases of a body: those with which it was loaded if `loaded` has them, so that a
-// piece is shaded as the body was, and otherwise new ones from its faces, which should be as loaded. Expected
-// linear time.
+// Prepares the frame and the bases of a body: those of `loaded` if it has them, so that a piece is shaded
+// like its body, otherwise new ones from its faces, which should be as loaded. Expected linear time.
 PreparedBody prepare_shading(const Body& body, const LoadedShadings& loaded = {});
-// Prepares the shading of every body of a world as loaded, or fails with cancelled() when stopped. `progress`
+// Prepares the shading of every body of a world as loaded, or fails with cancelled() if stopped. `progress`
 // may be null, here and below.
 Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress);
-// Adds the shadow casters of prepared bodies, in their current state, or fails with cancelled() when stopped.
+// Adds the shadow casters of prepared bodies, in their current state, or fails with cancelled() if stopped.
 // Expected linear time.
 Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress);
-// Prepares shading and shadows at the same time, for a world as loaded in which nothing is cut.
+// Prepares shading and shadows concurrently, for a world as loaded and uncut.
 Result<PreparedBodies> prepare_drawing(const World& world, const Progress* progress);
 
 // Memory used for drawing a world, in bytes.

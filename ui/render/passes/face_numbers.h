@@ -17,15 +17,15 @@ namespace kerf {
 struct LabelCandidate {
   FaceId face;
   FaceId base;                         // the loaded face that contains it
-  int body = 0;                        // an index chosen by the caller
-  bool removed = false;                // whether it was removed
-  std::array<glm::vec2, 3> corners{};  // pixels from the lower left of the picture
-  float depth = 0;                     // any measure that grows away from the eye
+  int body = 0;                        // an index defined by the caller
+  bool removed = false;                // it was removed
+  std::array<glm::vec2, 3> corners{};  // pixels from the lower left of the frame
+  float depth = 0;                     // any measure that increases with the distance from the eye
 
   glm::vec2 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0f; }
 };
 
-// A number to be drawn in the picture.
+// A number to draw.
 struct FaceLabel {
   uint32_t number = 0;
   bool removed = false;
@@ -38,14 +38,14 @@ struct DigitShape {
   float width = 6, height = 10;
 };
 
-// Chooses the numbers that are legible, nearest first: each lies within the picture and within its face, for
-// which `seen` returns whether it is visible at its middle, and overlaps no other number. O(n log n).
+// Selects legible numbers, nearest first: each lies within the frame and within its face, for which `seen`
+// must return true if its middle is visible, and overlaps no other number. O(n log n).
 std::vector<FaceLabel> place_labels(std::vector<LabelCandidate> candidates, glm::ivec2 picture,
                                     const DigitShape& digit,
                                     const std::function<bool(const LabelCandidate&)>& seen);
 
-// Draws the numbers of faces, including removed ones, over the picture. The faces are drawn into an
-// off-screen picture of face numbers that is read back, so that each number lies on its face.
+// Draws the numbers of faces, including removed ones, over a frame. Renders the faces into an off-screen ID
+// buffer and reads it back, so that each number lies on its face.
 class FaceNumbers {
  public:
   explicit FaceNumbers(Shaders& shaders);
@@ -61,7 +61,7 @@ class FaceNumbers {
     glm::vec2 place, style;
   };
   void make_bitmaps();
-  // The visible faces, four bytes per pixel as written by faces.vert.
+  // Returns the visible faces, four bytes per pixel as written by faces.vert.
   std::vector<uint8_t> look_which(const Subject& subject, int width, int height);
 
   gl::Program faces_, removed_, numbers_;

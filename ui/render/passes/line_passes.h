@@ -12,15 +12,15 @@
 
 namespace kerf {
 
-// Draws boxes of the tree and normals of faces as thin coloured lines with a dark outline. The lines of a
-// body are collected again when it has changed and is shown, in time linear in its size.
+// Draws the AABB tree's boxes and the normals of faces as thin coloured lines with a dark outline. Rebuilds
+// the lines of a body when it has changed and is shown, in time linear in its size.
 class LineOverlay {
  public:
   explicit LineOverlay(Shaders& shaders);
 
-  // Discards all collected lines.
+  // Discards all lines.
   void forget() { gathered_.clear(); }
-  // Discards the collected lines of one body.
+  // Discards the lines of one body.
   void forget(BodyId id) { gathered_.erase(id); }
   void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
             const glm::mat4& clip_from_frame, const ViewOptions& options);
@@ -48,13 +48,13 @@ class LineOverlay {
   std::map<BodyId, Gathered> gathered_;
 };
 
-// Draws ViewOptions::wire over the surfaces that are there. What lies deeper below a surface than
-// DrawnWire::depth is not seen.
+// Draws ViewOptions::wire over the visible surfaces. Edges deeper below a surface than DrawnWire::depth are
+// hidden.
 class WirePass {
  public:
   explicit WirePass(Shaders& shaders);
 
-  // Draws over the bound picture, whose depth buffer is used. The edges are sent once for each wire.
+  // Draws over the bound framebuffer, with depth test. Uploads the edges once per wire.
   void draw(const Subject& subject, const FrameUniforms& frame);
 
  private:
@@ -64,15 +64,15 @@ class WirePass {
 
   gl::Program program_;
   std::shared_ptr<const DrawnWire> sent_;
-  std::vector<Edges> edges_;  // by part of the wire that was sent
+  std::vector<Edges> edges_;  // by part of the uploaded wire
 };
 
-// Draws a line where the section plane cuts faces.
+// Draws the intersection of faces with the section plane as a line.
 class SectionPass {
  public:
   explicit SectionPass(Shaders& shaders);
 
-  // Draws over the bound picture, whose depth is that of the bodies. Costs nothing without a section plane.
+  // Draws over the bound framebuffer, whose depth is that of the bodies. No cost without a section plane.
   // Precondition: the uniform block of the frame is bound.
   void draw(const Subject& subject, int height) const;
 

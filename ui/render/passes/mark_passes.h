@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// Draws lines of any colours, each with a dark one under it, so that they show on anything.
+// Draws lines of any colour, each with a dark outline, so that they are visible on any background.
 class ColouredLines {
  public:
   explicit ColouredLines(Shaders& shaders);
@@ -20,10 +20,9 @@ class ColouredLines {
     glm::vec3 from, to;  // in the coordinates of FrameSpace
     glm::vec4 colour;
   };
-  // What a section plane leaves of a line: all or nothing, by its middle, or a part of it.
+  // Clipping of a line by the section plane: all or nothing, by its middle, or partially.
   enum class AtSection { kWhole, kPart };
-  // `half_width` is in pixels of a picture of usual height; see line.glsl. Precondition: blending
-  // is switched on.
+  // `half_width` is in pixels of a frame of usual height; see line.glsl. Precondition: blending is enabled.
   void draw(std::span<const Line> lines, float half_width, AtSection section = AtSection::kWhole);
 
  private:
@@ -32,15 +31,14 @@ class ColouredLines {
                           {{3, offsetof(Line, from)}, {3, offsetof(Line, to)}, {4, offsetof(Line, colour)}}};
 };
 
-// Draws the marks of ViewOptions::bodies over everything: contacts as their normals, the redder the larger
-// the impulse; colliders as chords and small crosses at their points; centres of mass as crosses, coloured by
-// whether the body moves, sleeps or is pinned; joints as their axes, hubs with a circle around it, and welds
-// as crosses.
+// Draws the marks of ViewOptions::bodies over everything: contacts as their normals, redder for larger
+// impulses; colliders as chords and small crosses at their points; centres of mass as crosses, coloured by
+// awake, asleep or pinned; joints as their axes, hubs with a circle around it, and welds as crosses.
 class BodyPass {
  public:
   explicit BodyPass(Shaders& shaders);
 
-  // Draws over the bound picture. Precondition: the uniform block of the frame is bound.
+  // Draws over the bound framebuffer. Precondition: the uniform block of the frame is bound.
   void draw(const Subject& subject, double diagonal);
 
  private:
@@ -50,13 +48,13 @@ class BodyPass {
 // The colour of a kind of marks as 0xrrggbb (sRGB).
 uint32_t colour_of(StageMarks::Kind kind);
 
-// Draws what a stage of a cut did: translucent faces and volumes, and lines around faces and boxes. What a
-// surface hides is not seen, except for the box that was visited last.
+// Draws the effect of a stage of a cut: translucent faces and volumes, and lines around faces and boxes.
+// Surfaces occlude the marks, except for the last visited box.
 class StagePass {
  public:
   explicit StagePass(Shaders& shaders);
 
-  // Draws ViewOptions::stage over the bound picture, whose depth buffer is used. O(marks).
+  // Draws ViewOptions::stage over the bound framebuffer, with depth test. O(marks).
   void draw(const Subject& subject);
 
  private:
@@ -75,14 +73,14 @@ class StagePass {
 // The colour of a node of the component graph as 0xrrggbb (sRGB).
 uint32_t colour_of(DrawnGraph::State state);
 
-// Draws a component graph on the faces whose graph it is: a disc on the middle of each face and a line over
-// each shared edge, and a line along each loop of removed faces; what a surface hides is not seen. Also the
-// outline of the face that is lit.
+// Draws a component graph on its faces, occluded by surfaces: a disc on the middle of each face, a line
+// over each shared edge, and a line along each loop of removed faces. Also outlines the highlighted face.
 class GraphPass {
  public:
   explicit GraphPass(Shaders& shaders);
 
-  // Draws over the bound picture, whose depth buffer is used, what the subject's options say. O(nodes).
+  // Draws the overlays that the subject's options enable over the bound framebuffer, with depth test.
+  // O(nodes).
   void draw(const Subject& subject, const FrameUniforms& frame);
 
  private:

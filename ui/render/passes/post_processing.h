@@ -10,13 +10,13 @@
 
 namespace kerf {
 
-// The destination of a picture: a rectangle of a framebuffer (0: the window) in pixels from its lower left
+// The destination of a frame: a rectangle of a framebuffer (0: the window) in pixels from its lower left
 // corner.
 struct Target {
   GLuint framebuffer = 0;
   int x = 0, y = 0;
   int width = 1, height = 1;
-  glm::vec2 shift{0};  // pixels by which the scene is drawn beside its place
+  glm::vec2 shift{0};  // sub-pixel shift of the scene [pixels]
 };
 
 // Maps the linear light of a scene to the eight bits of the screen, separately for every sample, so that
@@ -34,7 +34,7 @@ class TonePass {
   gl::NoVertices no_vertices_;
 };
 
-// Draws the glow around bright pixels: those that the alpha channel of a picture marks are blurred at a
+// Draws the glow around bright pixels: those marked by the alpha channel of a frame are blurred at a
 // quarter and at a sixteenth of its resolution and added to it.
 class BloomPass {
  public:
@@ -55,28 +55,28 @@ class BloomPass {
   std::optional<Level> near_, far_;
 };
 
-// The mean of several pictures of the same scene, each shifted by a part of a pixel: edges are as smooth as
-// with as many samples per pixel, but the pictures can be drawn in different frames, so that the work can be
-// given up between any two of them. (P. Haeberli, K. Akeley: The accumulation buffer, 1990.)
+// The mean of several frames of the same scene, each shifted by a fraction of a pixel: edges are as smooth
+// as with as many samples per pixel, but the work can be spread over time and abandoned after any frame.
+// (P. Haeberli, K. Akeley: The accumulation buffer, 1990.)
 class GatheredPicture {
  public:
   static constexpr int kPictures = 4;
 
   explicit GatheredPicture(Shaders& shaders);
 
-  // Starts anew with pictures of this size in pixels. Precondition: width and height are positive.
+  // Restarts with frames of this size in pixels. Precondition: width and height are positive.
   void begin(int width, int height);
-  // Adds the next picture, which `draw` draws to the target that it gets. Once the pictures are complete it
-  // takes the place of their share of the mean, so that a scene that changes slowly is followed.
-  // Precondition: begin() was called.
+  // Adds the next frame, which `draw` draws to the target it receives. Once complete, a further frame
+  // replaces its share of the mean, so that it follows a slowly changing scene. Precondition: begin() was
+  // called.
   void add(const std::function<void(const Target&)>& draw);
   bool complete() const { return count_ >= kPictures; }
 
-  // Whether there are pictures of the size of the target.
+  // Returns true if there are frames of the size of the target.
   bool can_show(const Target& target) const;
-  // Copies the mean of the pictures that are there to the target. Precondition: can_show(target).
+  // Copies the mean of the available frames to the target. Precondition: can_show(target).
   void show(const Target& target) const;
-  // Forgets all pictures.
+  // Discards all frames.
   void forget();
 
  private:
@@ -85,7 +85,7 @@ class GatheredPicture {
   gl::Program copy_;
   gl::NoVertices no_vertices_;
   std::optional<gl::Framebuffer> next_, sum_;
-  int count_ = 0;  // of pictures that were added
+  int count_ = 0;  // of added frames
 };
 
 }  // namespace kerf

@@ -9,17 +9,17 @@
 
 namespace kerf {
 
-// Clears the bound framebuffer and draws every face of every body, with depth, as a value that identifies it.
-// Back faces are omitted if the options cull them. `faces` is the program of faces.vert and mark.frag; it is
-// in use afterwards.
+// Clears the bound framebuffer and draws every face of every body, with depth, as a value that identifies
+// it. Back faces are omitted if the options cull them. `faces` is the program of faces.vert and mark.frag;
+// it is in use afterwards.
 void draw_marked_faces(const Subject& subject, const gl::Program& faces);
 
-// Draws a thin outline around selected pieces, also where other surfaces hide them.
+// Draws a thin outline around selected pieces, even if other surfaces hide them.
 class OutlinePass {
  public:
   explicit OutlinePass(Shaders& shaders);
 
-  // Draws over `picture` and leaves it bound. Costs nothing if no piece is selected.
+  // Draws over `picture` and leaves it bound. No cost if no piece is selected.
   void draw(const Subject& subject, const gl::Framebuffer& picture);
 
  private:
@@ -30,7 +30,7 @@ class OutlinePass {
   std::optional<gl::Framebuffer> mask_;
 };
 
-// Draws the removed surface over the picture, as a faint veil or filled red.
+// Draws the removed surface as a faint veil or in solid red.
 class VeilPass {
  public:
   explicit VeilPass(Shaders& shaders);
@@ -45,9 +45,9 @@ class VeilPass {
   gl::Program veil_, faces_;
 };
 
-// Draws the removed surface with a state, slightly behind the remaining one, so that it is visible only where
-// faces are missing. Bodies are numbered from 1 to 127 cyclically. Precondition: `program`, which contains
-// veil.vert, is in use.
+// Draws the removed surface with a state, slightly behind the remaining one, so that it is visible only
+// where faces are missing. Bodies are numbered from 1 to 127 cyclically. Precondition: `program`, which
+// contains veil.vert, is in use.
 void draw_removed(const Subject& subject, const gl::Program& program, gl::State state);
 
 }  // namespace kerf

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-constexpr float kPaperDark = 0.5f;  // how black the paper's quad is
+constexpr float kPaperDark = 0.5f;  // opacity of the paper's quad
 constexpr gl::Stencil kLitPixels{.test = GL_EQUAL};
 
 bool shows_edges(const ViewOptions& options) { return options.show.wire || options.show.face_numbers; }
@@ -19,7 +19,7 @@ bool casts_shadows(const ViewOptions& options) {
   return options.show.shadows == Shadows::kAll || options.show.shadow_compare;
 }
 
-// Draws what the section plane leaves of the bodies.
+// Draws the kept side of the section plane of the bodies.
 void draw_section(const Subject& subject, const gl::Program& program) {
   const SectionClip clip(subject.options);
   draw_bodies(subject, program);
@@ -97,9 +97,9 @@ void LitScene::add_direct(const Subject& subject, size_t light, std::optional<gl
   ground_.add_light(subject.space, place, colour);
 }
 
-// Lays black over what is in shadow, and then adds the glow of rims again.
+// Blends black over shadowed areas, and then adds the glow of rims again.
 void LitScene::darken_shadows(const Subject& subject) const {
-  // The quad lies as far as the sky, which stays as it is.
+  // The quad is as far as the sky, which stays unchanged.
   gl::State shadowed{.depth = GL_GREATER,
                      .writes_depth = false,
                      .blend = gl::Blend{GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},

@@ -93,7 +93,7 @@ namespace {
 constexpr double kSecondsAcross = 4;
 constexpr double kRest = 0.5, kRestAtEnd = 1;  // s
 
-// Whether a body would stop in mid-air if no time passed.
+// Returns true if a body would stop in mid-air if no time passed.
 bool is_in_motion(const World& world) {
   const std::vector<BodyId> ids = world.ids();
   return std::any_of(ids.begin(), ids.end(), [&](BodyId id) {
@@ -172,7 +172,7 @@ std::optional<BeamPicture> Film::beam_picture(const Document& document, const Po
   return picture_of_beam(document.world(), document.history().last_settings(), beam, far);
 }
 
-// Lets time go by and takes the frames that are due in it.
+// Advances the film and writes the frames that are due.
 Status Film::pass(double seconds, const World& world, const std::optional<BeamPicture>& beam) {
   KERF_ASSERT(seconds >= 0);
   clock_ += seconds;

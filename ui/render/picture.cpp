@@ -29,7 +29,7 @@ Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
 
 namespace {
 
-// A step that fails here failed when the journal was made too.
+// A step that fails here also failed when the journal was made.
 void replay_all(const Journal& journal, Document& document,
                 const std::function<void(const StepResult*)>& told) {
   Replay replay(journal, document);
@@ -38,7 +38,7 @@ void replay_all(const Journal& journal, Document& document,
     told(step ? &*step : nullptr);
     return Done{};
   };
-  (void)replay.run(how);  // nobody stops it
+  (void)replay.run(how);  // never stopped
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kSamples = 4;
 
-// Moves what a matrix projects by the shift of the target.
+// Shifts a projection by the shift of the target.
 glm::mat4 shifted(const glm::mat4& clip_from_frame, const Target& target) {
   glm::mat4 shift(1);
   shift[3].x = 2 * target.shift.x / static_cast<float>(target.width);
@@ -101,7 +101,7 @@ void Renderer::find_finest() {
   }
 }
 
-// Whether any surface is drawn otherwise because it is at a rim, is or was hot, or has a number.
+// Returns true if any surface looks different because of a rim, current or past heat, or a number.
 bool Renderer::has_rims(const ViewOptions& options) const {
   if (options.show.heat || options.scalar) return true;
   return options.rim_glow && !options.show.sizes &&
@@ -110,7 +110,7 @@ bool Renderer::has_rims(const ViewOptions& options) const {
          });
 }
 
-// Whether anything on a body shines, so that the picture needs bloom.
+// Returns true if anything on a body glows, so that the frame needs bloom.
 bool Renderer::glows(const ViewOptions& options) const {
   return !options.show.heat && !options.scalar && has_rims(options) &&
          std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
@@ -128,8 +128,7 @@ void Renderer::update_looks(const World& world, const ViewOptions& options) {
   }
 }
 
-// The bases of a body that are smooth everywhere; the same as by angle where it is not known how it was
-// loaded.
+// Returns the bases of a body that are smooth everywhere; those by angle if its loaded shading is unknown.
 std::shared_ptr<const BaseFaces> Renderer::smooth_bases(const Body& body) {
   const auto loaded = loaded_.find(body.loaded_as);
   if (loaded == loaded_.end()) return nullptr;
@@ -149,7 +148,7 @@ void Renderer::update_shading(const World& world, const ViewOptions& options) {
   }
 }
 
-// Bodies that the field leaves out have no numbers.
+// Bodies missing in the field have no numbers.
 void Renderer::update_scalars(const ViewOptions& options) {
   static const auto kNone = std::make_shared<const FaceScalars>();
   for (auto& [id, picture] : bodies_) {
@@ -162,7 +161,7 @@ void Renderer::update_scalars(const ViewOptions& options) {
   }
 }
 
-// The looks of pieces are in the frame of the eye, and so are set up after it.
+// The looks of pieces are in the frame of the eye, and are therefore updated after it.
 void Renderer::look_from(const World& world, const CameraView& view) {
   space_.eye = view.near().eye;
   space_.seen_from = view.eye;
@@ -261,7 +260,7 @@ void Renderer::draw_beams(const CameraView& view, const ViewOptions& options,
   if (beam) draw(*beam);
 }
 
-// A line where the two methods meet, and beside it, as a legend, the number of pixels on which they differ.
+// A line between the two methods, and next to it, as a legend, the number of differing pixels.
 void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& picture) {
   const ShadowOptions& shadow = subject.options.shadow;
   const size_t lights = std::min(subject.options.lights.size(), kMaxLights);
@@ -428,7 +427,7 @@ void Renderer::drop(BodyId id) {
 
 void Renderer::carry_on(BodyId from, BodyId to) {
   const auto found = bodies_.find(from);
-  if (found == bodies_.end()) return;  // the body came later in the same delta
+  if (found == bodies_.end()) return;  // the body was created later in the same delta
   bodies_.insert_or_assign(to, std::move(found->second));
   bodies_.erase(found);
   passes_.lines.forget(from);

@@ -172,7 +172,7 @@ using namespace overlay_colours;
 
 namespace {
 
-constexpr float kSheetReach = 0.9f;  // diagonals of the world that sheets are drawn long
+constexpr float kSheetReach = 0.9f;  // drawn length of sheets, in diagonals of the world
 
 // The colours of edges with one, two and more sides.
 std::array<glm::vec4, 3> silhouette_colours(float opacity) {
@@ -182,7 +182,7 @@ std::array<glm::vec4, 3> all_of(const glm::vec4& colour) { return {colour, colou
 
 constexpr float kCountOpacity = 0.78f;
 
-// Fields of colour in a row, each with its number; `row` counts strips from below.
+// A row of colour fields, each with its number; `row` counts strips from below.
 void draw_legend(std::span<const glm::vec4> colours, uint32_t first, int row, FaceNumbers& numbers,
                  int height) {
   const int zoom = 1 + height / 700, side = 22 * zoom, margin = 10 * zoom;
@@ -201,14 +201,14 @@ void draw_legend(std::span<const glm::vec4> colours, uint32_t first, int row, Fa
 
 }  // namespace
 
-// The light that is looked at and what is kept of it.
+// The inspected light and its data.
 struct ShadowOverlay::Inspected {
   const Subject& subject;
   ShadowPass& shadows;
   size_t light;
   ShadowMethod method;
   glm::vec4 in_frame;
-  int height;  // of the picture, pixels
+  int height;  // of the frame, pixels
 
   template <typename Visit>
   void for_each_volume(const Visit& visit) const {
@@ -261,7 +261,7 @@ void ShadowOverlay::draw_counts(const Inspected& seen, FaceNumbers& numbers) con
   gl::ScopedState state({});
   solid_.use();
   const auto fill = [&](GLenum test, size_t count, const glm::vec4& colour) {
-    // The quad lies as far as the sky, which has no count.
+    // The quad is as far as the sky, which has no count.
     state.set({.depth = GL_GREATER,
                .writes_depth = false,
                .blend = gl::kOver,
@@ -310,7 +310,7 @@ void ShadowOverlay::draw_volumes(const Inspected& seen) const {
   draw_lines(seen, 0.6f, 0, all_of(srgb(0xd6ebff, 0.75f)));
 }
 
-// Faint where something stands before it, then over a dark line where it is seen.
+// Faint if occluded; the visible part over a dark outline.
 void ShadowOverlay::draw_silhouette(const Inspected& seen, FaceNumbers& numbers) const {
   gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
   draw_lines(seen, 0.6f, 0, silhouette_colours(0.22f));

@@ -50,9 +50,9 @@ Vec3 direction_to(const Light& light, const Vec3& from) {
 
 namespace {
 
-constexpr int kSignsUnit = 4;         // of the textures; no program of shadow_cap.vert uses it for another
-constexpr int kCopies = 2;            // of a side that are drawn at once
-constexpr uint32_t kGapOfItems = 16;  // clean items worth sending to save a call
+constexpr int kSignsUnit = 4;  // of the textures; programs with shadow_cap.vert use it for nothing else
+constexpr int kCopies = 2;     // of a side that are drawn at once
+constexpr uint32_t kGapOfItems = 16;  // clean items worth uploading to save a call
 constexpr uint32_t kNoChunks = 0x80000000u;
 
 }  // namespace
@@ -106,7 +106,7 @@ void VolumeBuffer::send_signs(const ShadowVolume::Touched& touched) {
   }
 }
 
-// All signs are sent anew then.
+// All signs are uploaded again afterwards.
 void VolumeBuffer::make_room(uint32_t faces) {
   constexpr uint32_t kChunk = FaceBuffer::kChunkFaces;
   signs_room_ = faces <= kChunk ? std::bit_ceil(faces) : (faces + kChunk - 1) / kChunk * kChunk;
@@ -135,8 +135,8 @@ void VolumeBuffer::send_sides(const ShadowCaster& caster, const ShadowVolume::To
   sides_.count = static_cast<GLsizei>(edges.size());
 }
 
-// Few edges have more than two copies, but the silhouette must be walked for them; it is short beside the
-// mesh.
+// Few edges have more than two copies, but the search needs a pass over the silhouette, which is short
+// compared with the mesh.
 void VolumeBuffer::send_many(const ShadowCaster& caster) {
   std::vector<Side> more;
   for (const SilhouetteEdge& e : volume_.silhouette()) {
@@ -173,20 +173,19 @@ void VolumeBuffer::draw_edges(int vertices) const {
 
 namespace {
 
-// Writes the stencil alone.
+// Writes only the stencil.
 gl::State counting(const gl::Stencil& stencil) {
   return {.writes_depth = false, .writes_colour = false, .writes_alpha = false, .stencil = stencil};
 }
 
-// Counts the two sides of what is drawn where they lie behind the surface that is seen. `outward`: front
-// faces look out of the volume.
+// Counts both sides of geometry behind the visible surface. `outward`: front faces look out of the volume.
 gl::State counting_behind(bool outward) {
   if (outward) return counting({.front_behind = GL_DECR_WRAP, .back_behind = GL_INCR_WRAP});
   return counting({.front_behind = GL_INCR_WRAP, .back_behind = GL_DECR_WRAP});
 }
 
-// The least height of the unit vector towards a light for which volumes end at a floor: they get long below
-// it.
+// The minimum height of the unit vector towards a light for volumes that end at a floor: below it they get
+// long.
 constexpr float kMinRise = 0.1f;
 
 std::optional<float> floor_for(const glm::vec4& light, std::optional<float> floor) {
@@ -314,8 +313,8 @@ void ShadowPass::draw_sides(const Subject& subject, VolumeKey key, int vertices)
   });
 }
 
-// A section plane takes nothing from the caps; but they are drawn in two parts, so that the part that is seen
-// has been clipped to the very triangles of the picture.
+// A section plane removes nothing from the caps; but they are drawn in two parts, so that the visible part
+// is clipped to the very triangles of the frame.
 void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
   const NearCaps how = subject.options.shadow.near_caps;
   const SectionClip clip(subject.options);
@@ -332,11 +331,10 @@ void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
   }
 }
 
-// A triangle is drawn with its corners in the order that the picture has, so that its depths are the same to
-// the bit; whether its front looks out of the volume at its near cap depends on whether it faces the light,
-// and at its far cap it is the other way round. Near caps are clipped as the picture is; what lies at
-// infinity must not be clipped at all. Without a floor, all points at infinity of a light from one direction
-// are one, and there are no far caps.
+// Triangles are drawn with their corners in the order of the frame, so that their depths are bit-identical.
+// The front of a near cap looks out of the volume depending on whether it faces the light; at a far cap it
+// is the other way round. Near caps are clipped like the frame; geometry at infinity must not be clipped at
+// all. Without a floor, all points at infinity of a directional light coincide, and there are no far caps.
 void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light,
                                 std::optional<float> floor) {
   cap_.use();

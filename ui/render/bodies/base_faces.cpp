@@ -17,9 +17,9 @@ namespace kerf {
 namespace {
 
 constexpr double kCreaseCosine = 0.8191520442889918;  // 35 degrees
-constexpr size_t kLargestFan = 512;  // corners around a position; above it faces are shaded flat
+constexpr size_t kLargestFan = 512;  // corners around a position; faces with more are shaded flat
 constexpr double kOnSide = 1e-4;     // barycentric; positions are floats
-constexpr size_t kAlike = 8;         // so many normals at a position are looked through for one again
+constexpr size_t kAlike = 8;         // latest normals at a position searched for an equal one
 
 uint64_t position_hash(const Vec3& p) {
   return hash_combine(hash_combine(mix64(number_bits(p.x)), number_bits(p.y)), number_bits(p.z));
@@ -40,7 +40,7 @@ glm::vec3 flat_normal(const std::array<glm::vec3, 3>& t) {
   return n == glm::dvec3(0) ? glm::vec3(0, 1, 0) : glm::vec3(n);
 }
 
-// Weights of the three corners at p; the first corner alone where the triangle has no area.
+// Returns the weights of the three corners at p; the first corner alone if the triangle has no area.
 glm::dvec3 barycentric(const std::array<glm::vec3, 3>& t, const glm::vec3& p) {
   const glm::dvec3 a(t[0]), u = glm::dvec3(t[1]) - a, w = glm::dvec3(t[2]) - a, d = glm::dvec3(p) - a;
   const glm::dvec3 n = glm::cross(u, w);
@@ -67,8 +67,8 @@ glm::vec3 unpack_normal(uint32_t packed) {
   return {number(0), number(10), number(20)};
 }
 
-// Gathers the corners of faces around each position, in the order of their slots, and sums over each of these
-// fans. A corner is named by its side: three times its face, plus which of the corners it is.
+// Gathers the face corners around each position, in the order of their slots, and sums over each of these
+// fans. A corner is identified by its side: three times its face, plus its index.
 class BaseFaces::Builder {
  public:
   Builder(const Mesh& mesh, const FloatFrame& frame, BaseFaces& out)
@@ -80,7 +80,7 @@ class BaseFaces::Builder {
         angles_(3 * size_t{mesh.face_slots()}),
         position_(3 * size_t{mesh.face_slots()}, kNone) {}
 
-  // Whether it was not stopped.
+  // Returns false if it was stopped.
   bool run(const Progress* progress) {
     ProgressShares shares(progress);
     const Progress grouping = shares.next(0.3), measuring = shares.next(0.3), gathering = shares.next(0.1),
@@ -89,7 +89,7 @@ class BaseFaces::Builder {
   }
 
  private:
-  static constexpr size_t kItems = 1 << 14;  // a range
+  static constexpr size_t kItems = 1 << 14;  // per range
 
   bool group_vertices(const Progress* progress) {
     const Positions at = mesh_.positions();
@@ -190,7 +190,7 @@ class BaseFaces::Builder {
     }
   }
 
-  // The corner gathers the normals of those that are smooth to it.
+  // Sums the normals around the corner that join it smoothly.
   glm::dvec3 normal(uint32_t side, std::span<const uint32_t> fan) const {
     const glm::dvec3 own = planes_[side / 3];
     glm::dvec3 sum(0);
@@ -203,7 +203,7 @@ class BaseFaces::Builder {
     return sum == glm::dvec3(0) ? own : unit_or_zero(sum);
   }
 
-  // The index among `all`; one of the last few from `first` on, where that is the same.
+  // Returns the index among `all`; reuses one of the last few, from `first` on, if equal.
   static uint32_t corner(std::vector<Corner>& all, size_t first, const Corner& wanted) {
     const size_t from = std::max(first, all.size() - std::min(all.size(), kAlike));
     for (size_t i = from; i < all.size(); ++i) {
@@ -244,9 +244,9 @@ class BaseFaces::Builder {
   std::vector<glm::dvec3> planes_;    // by face: its unit normal
   std::vector<float> areas_;          // by face: twice its area
   std::vector<double> angles_;        // by side: at its corner
-  std::vector<uint32_t> position_;    // by side: the first vertex at its corner; kNone where there is no face
+  std::vector<uint32_t> position_;    // by side: the first vertex at its corner; kNone without a face
   std::vector<uint32_t> first_;       // by vertex: the lowest at the same position
-  std::vector<uint32_t> fan_end_;     // by vertex, in fans_; empty fans where another is the first
+  std::vector<uint32_t> fan_end_;     // by vertex, in fans_; empty fans for all but the first at a position
   std::unique_ptr<uint32_t[]> fans_;  // sides, by position
 };
 
@@ -332,7 +332,7 @@ double angle_at(const glm::dvec3& u, const glm::dvec3& w) {
 
 }  // namespace
 
-// Joins the corners of each position to one corner, and gives it its normal.
+// Merges the corners of each position into one, and computes its normal.
 class BaseFaces::Smoother {
  public:
   explicit Smoother(const BaseFaces& from) : smooth_(from) {}
@@ -371,7 +371,7 @@ class BaseFaces::Smoother {
     }
   }
 
-  // Calls visit(indices of corners, their positions, normal of twice the area) for faces that have an area.
+  // Calls visit(indices of corners, their positions, normal of twice the area) for faces with an area.
   template <typename Visit>
   void for_each_face(const Visit& visit) const {
     for (const auto& face : smooth_.faces_) {

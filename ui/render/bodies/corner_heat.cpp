@@ -15,10 +15,10 @@ namespace kerf {
 
 namespace {
 
-// The share of the trace of the matrix that is added to its diagonal, so that rounding decides nothing in
-// open directions.
+// Fraction of the matrix's trace added to its diagonal, so that rounding decides nothing in undetermined
+// directions.
 constexpr double kOpenShare = 1e-4;
-// How far the temperature of the vertex may lie beyond those of the faces, in the range of these.
+// Maximum deviation of the vertex beyond the temperatures of the faces, relative to their range.
 constexpr double kMaxBeyond = 0.5;
 
 double weight_of(const FaceSample& sample) {
@@ -80,12 +80,13 @@ std::array<LocalHeat, 2> fit_heat(const Vec3& vertex, std::span<const FaceSample
 
 namespace {
 
-constexpr double kColdWithin = 0.5;  // K, which nobody sees
+constexpr double kColdWithin = 0.5;  // K, invisible
 constexpr double kUnknown = -1;      // J, which no face has
-// How hot a corner may have been at the outline of what was hot, between the temperatures of the faces there.
+// The maximum temperature of a corner at the outline of the heated area, between the temperatures of its
+// faces.
 constexpr double kAtOutline = 0.25;
 
-// A half float; none is infinite.
+// Packs a half float; never infinite.
 uint16_t packed_half(double x) {
   constexpr double kLargest = 65504;
   return glm::packHalf1x16(static_cast<float>(std::clamp(x, -kLargest, kLargest)));
@@ -100,9 +101,9 @@ CornerTemperature packed(const LocalHeat& heat, double scale) {
   return corner;
 }
 
-// Faces that were never hot enough to keep their highest temperature tell nothing of it but that: it ends
-// between their centroids and those of the others, where it falls to, not where a face begins. Removes their
-// samples.
+// Faces that were never hot enough to keep their maximum temperature only bound it: the heated area ends
+// between their centroids and those of the others, where the temperature falls to the bound, not at the
+// edge of a face. Removes their samples.
 CornerTemperature hottest_at(const Vec3& vertex, std::vector<FaceSample>& samples, double scale) {
   const size_t cold =
       std::erase_if(samples, [](const FaceSample& s) { return s.temperatures[1] <= kAmbient; });
@@ -118,12 +119,12 @@ CornerTemperature hottest_at(const Vec3& vertex, std::vector<FaceSample>& sample
 
 }  // namespace
 
-// Makes the marks of vertices from what is known of the faces at them.
+// Computes the marks of vertices from the known temperatures of their faces.
 class CornerHeat::Fitter {
  public:
   Fitter(const CornerHeat& heat, const Body& body, double scale) : heat_(heat), body_(body), scale_(scale) {}
 
-  // Appends what is new at a vertex of the mesh.
+  // Appends the changed marks at a vertex of the mesh.
   void fit(VertexId v, NewMarks& found) {
     body_.mesh.star(v, star_);
     std::vector<FaceId>& faces = star_.faces;
@@ -171,7 +172,7 @@ class CornerHeat::Fitter {
   std::vector<FaceSample> samples_;
 };
 
-// Returns whether it was not in the list.
+// Returns true if it was not in the list.
 bool CornerHeat::list_corner(VertexId v) {
   if (is_listed_.size() <= v.index) is_listed_.resize(v.index + 1, 0);
   if (std::exchange(is_listed_[v.index], 1) != 0) return false;
@@ -195,7 +196,7 @@ void CornerHeat::forget_temperatures(const Body& body, std::span<const VertexId>
   }
 }
 
-// Lists the corners of faces that have another energy than at the last update.
+// Lists the corners of faces whose energy has changed since the last update.
 void CornerHeat::find_reheated(const Body& body) {
   const FaceColumns& columns = body.mesh.columns();
   const auto note = [&](FaceId f) {
@@ -217,7 +218,7 @@ void CornerHeat::find_reheated(const Body& body) {
   });
 }
 
-// Lists the corners of faces whose highest temperature is another one than at the last update.
+// Lists the corners of faces whose maximum temperature has changed since the last update.
 void CornerHeat::find_tinted(const Body& body) {
   const auto note = [&](FaceId f) {
     const double hottest = body.heat.hottest_of(body.mesh, f);

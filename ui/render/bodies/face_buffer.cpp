@@ -51,7 +51,7 @@ void FaceBuffer::Chunk::make_room(uint32_t slots) {
   glBindVertexArray(0);
 }
 
-// Corners that were never sent are cold. Without the buffer all are.
+// Corners that were never uploaded are cold; without the buffer all are.
 void FaceBuffer::Chunk::make_heat() {
   if (heat) return;
   const std::vector<Heat> cold(room);
@@ -143,7 +143,7 @@ size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
   return bytes;
 }
 
-// Strikes slots that died off the list, since their corners need not be sent, and returns the others.
+// Removes slots that died, since their corners need no upload, from the list, and returns the others.
 DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
   if (halvings_.size() < mesh.face_slots()) {
     halvings_.resize(mesh.face_slots(), kDead);
@@ -151,7 +151,7 @@ DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
   }
   DirtySlots born;
   for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
-    // An undo may have taken slots away that were never sent.
+    // An undo may have removed slots that were never uploaded.
     if (halvings_.size() < range.end) {
       halvings_.resize(range.end, kDead);
       corners_.resize(range.end);
@@ -177,7 +177,8 @@ void FaceBuffer::record_corners(const Mesh& mesh, uint32_t slot) {
   }
 }
 
-// Adds the faces that are drawn otherwise because a rim came or went near them. A mesh as loaded has no rim.
+// Adds the faces whose look changed because a rim near them was created or removed. A mesh as loaded has no
+// rim.
 void FaceBuffer::find_rims(const Mesh& mesh, DirtySlots& born) {
   std::vector<VertexId> changed = std::exchange(moved_corners_, {});
   if (heat_.any()) reheated_corners_.insert(reheated_corners_.end(), changed.begin(), changed.end());
@@ -202,7 +203,7 @@ std::array<float, 3> FaceBuffer::rim_of(const Mesh& mesh, FaceId f) const {
   return {widths(a), widths(b), widths(c)};
 }
 
-// A slot behind the last one was taken back with the command that made it: its face was never removed.
+// A slot behind the last one was undone with the command that created it: its face was never removed.
 void FaceBuffer::record_change(const Mesh& mesh, FaceId f, bool lives) {
   if (lives) {
     removed_.came_back(f);

@@ -46,7 +46,7 @@ void add_centres(const World& world, BodyMarks& marks) {
   }
 }
 
-// Where the first of the two parts is.
+// The position is that of the first of the two parts.
 void add_joints(const World& world, BodyMarks& marks) {
   for (const HeldJoint& held : held_joints(world)) {
     const Joint& joint = world.joints().all[held.joint];

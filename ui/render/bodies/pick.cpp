@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::max();
 
-// The distinct offsets at which pieces of a body are drawn, none of them included.
+// Returns the distinct offsets at which pieces of a body are drawn, including zero.
 std::vector<Vec3> offsets_of(const BodyLooks& looks) {
   std::vector<Vec3> offsets{Vec3(0)};
   for (const auto& [group, look] : looks.by_group()) {

@@ -53,11 +53,11 @@ std::span<const uint32_t> labels_of(const std::shared_ptr<const PieceGroups>& gr
 namespace {
 
 const glm::vec4 kNotTurned(0, 0, 0, 1);
-// Numbers beyond those of pieces, whose colours are those of the sets of a separation; body.vert knows them.
+// Numbers beyond those of pieces, for the colours of the sets of a separation; same values in body.vert.
 constexpr float kStayed = 65536, kCameOff = 65537;
-constexpr int kTextureUnit = 3;  // of the textures; no program that draws bodies uses it for another
+constexpr int kTextureUnit = 3;  // of the textures; programs that draw bodies use it for nothing else
 
-// Where the look moves the origin of the frame, which is the eye.
+// The position to which the look moves the origin of the frame, which is the eye.
 Vec3 moved_origin(const PieceLook& look, const FrameSpace& space) {
   return look.is_turned() ? look.turn * space.eye - space.eye + look.offset : look.offset;
 }
@@ -74,7 +74,7 @@ glm::vec4 packed(const PieceLook& look, std::optional<uint32_t> number, const Fr
   return {glm::vec3(space.turned(moved_origin(look, space)) / space.unit), look.hidden ? -1.0f : shown};
 }
 
-// The groups of parts that no cut separated, also where they are loose parts beside a piece.
+// Returns the groups of parts that no cut separated, including loose parts next to a piece.
 std::set<uint32_t> groups_of_parts(const Body& body, const BodyLooks& looks) {
   std::set<uint32_t> parts;
   for (uint32_t label = 1; label < body.pieces.size(); ++label) {

@@ -13,7 +13,8 @@ FloatFrame picture_frame(const Body& body) {
   return FloatFrame::around(body.bounds().min, body.bounds().max);
 }
 
-// Calls what(id, body, progress) for each body, in shares by their faces, until one fails.
+// Calls what(id, body, progress) for each body, with progress in proportion to their faces, until one
+// fails.
 template <typename What>
 Status for_each_body(const World& world, const Progress* progress, What what) {
   ProgressShares shares(progress);
@@ -26,7 +27,7 @@ Status for_each_body(const World& world, const Progress* progress, What what) {
   return Done{};
 }
 
-// The progress of two computations at the same time, each of which is half of the work.
+// The progress of two concurrent computations, each of which is half of the work.
 class JointProgress {
  public:
   explicit JointProgress(const Progress* whole) : whole_(whole) {}

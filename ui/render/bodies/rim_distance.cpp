@@ -19,7 +19,7 @@ float distance_from_segment(const glm::vec3& p, const glm::vec3& a, const glm::v
 
 }  // namespace
 
-// Ties are broken by the vertex, so that the order does not depend on how the queue was filled.
+// Ties are broken by vertex, so that the order does not depend on how the queue was filled.
 bool RimDistance::Entry::operator<(const Entry& other) const {
   return std::tie(other.distance, other.vertex.index) < std::tie(distance, vertex.index);
 }
@@ -29,8 +29,8 @@ class RimDistance::Search {
   Search(RimDistance& out, const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame)
       : out_(out), mesh_(mesh), bases_(bases), frame_(frame) {}
 
-  // Whether a change at the vertex can affect distances: it or a neighbour knows a rim, or it lies on one.
-  // Most vertices of a mesh that is shown for the first time are far from all rims.
+  // Returns true if a change at the vertex can affect distances: it or a neighbour has a rim side, or it is
+  // on a rim. Most vertices of a newly shown mesh are far from all rims.
   bool matters(VertexId v) {
     if (v.index >= mesh_.vertex_slots()) return false;
     if (out_.near_.contains(v.index)) return true;
@@ -39,7 +39,7 @@ class RimDistance::Search {
     return known || is_on_rim(v);
   }
 
-  // The vertices that a change at `changed` can affect, with the next ones beyond them.
+  // Returns the vertices that a change at `changed` can affect, with the next ones beyond them.
   std::vector<VertexId> reach(std::span<const VertexId> changed) {
     std::unordered_map<uint32_t, float> path;
     std::vector<VertexId> reached;
@@ -64,7 +64,7 @@ class RimDistance::Search {
     return reached;
   }
 
-  // Computes the distances of the vertices anew; those of all others are right unless these come nearer.
+  // Recomputes the distances of the vertices; all others are right unless these come closer.
   void renew(std::span<const VertexId> vertices, std::vector<VertexId>& affected) {
     for (const VertexId v : vertices) out_.near_.erase(v.index);
     for (const VertexId v : vertices) {
@@ -126,7 +126,7 @@ class RimDistance::Search {
     for_each_rim(v, [&](VertexId from, VertexId to) { offer(v, {kFar, at(from), at(to)}); });
   }
 
-  // Whether the side is the nearest that the vertex knows.
+  // Returns true if the side is the nearest known at the vertex.
   bool offer(VertexId v, const Near& side) {
     const float distance =
         distance_from_segment(at(v), side.from, side.to) + out_.behind_ * glm::distance(side.from, side.to);

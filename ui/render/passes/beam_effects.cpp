@@ -13,19 +13,19 @@ namespace kerf {
 
 namespace {
 
-constexpr double kLightReach = 14;   // radii that the spot's light reaches
+constexpr double kLightReach = 14;   // reach of the spot's light, in radii
 constexpr double kMinReach = 0.012;  // of the world's unit
 constexpr double kSpotRadii = 16;    // half the width of the spot, in radii of the beam
-constexpr double kMinSpot = 34;      // pixels, where the picture is high enough for them
-constexpr double kMaxSpot = 0.20;    // of the picture's height
-constexpr double kCoreOfBeam = 0.9;  // the width of the core over the radius of the beam
-constexpr double kMinCore = 1.2;     // pixels of a picture that is at most 800 high
-constexpr double kMaxCore = 3.2;     // the same
-constexpr double kHalo = 16;         // half the width of the ribbon over the largest width of the core
+constexpr double kMinSpot = 34;      // pixels, if the frame is high enough
+constexpr double kMaxSpot = 0.20;    // of the frame's height
+constexpr double kCoreOfBeam = 0.9;  // width of the core over the radius of the beam
+constexpr double kMinCore = 1.2;     // pixels, in frames up to 800 high
+constexpr double kMaxCore = 3.2;     // pixels, in frames up to 800 high
+constexpr double kHalo = 16;         // half the width of the ribbon over the maximum width of the core
 constexpr double kFade = 1.0;        // m before an end in mid-air
 constexpr double kMaxFade = 0.5;     // of the length of the beam
 
-// Pixels that a length across the view takes at a distance of one metre.
+// Returns the size [pixels] of a length across the view at a distance of one metre.
 double pixels_at_one_metre(const CameraView& view, double length, int height) {
   return length / view.tan_half_fov * 0.5 * height;
 }
@@ -104,7 +104,7 @@ void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, const 
 
 namespace {
 
-constexpr int kProbes = 8;  // rays on each circle around the beam that look for the rim of what it burns
+constexpr int kProbes = 8;  // rays on each circle around the beam that search for the edge of the burnt zone
 constexpr double kProbeRadius = 1.05;  // radii
 
 Vec3 any_perpendicular(const Vec3& d) {
@@ -160,9 +160,9 @@ namespace {
 constexpr double kSparksPerKilogram = 500, kPuffsPerKilogram = 27;
 constexpr size_t kMaxSparks = 1200, kMaxPuffs = 160;
 constexpr double kGravity = 9.81;       // m/s^2
-constexpr double kStreak = 0.028;       // s of flight that a streak shows
-constexpr double kSparkWidth = 0.0035;  // m, half of it
-constexpr double kBounce = 0.35;        // of the speed that a bounce leaves
+constexpr double kStreak = 0.028;       // s, duration of flight shown by a streak
+constexpr double kSparkWidth = 0.0035;  // m, half the width
+constexpr double kBounce = 0.35;        // fraction of the speed kept in a bounce
 constexpr double kDrag = 1.1;           // of smoke, 1/s
 
 double mixed(double a, double b, double share) { return a + (b - a) * share; }
@@ -257,7 +257,7 @@ void EffectsPass::draw(const Effects& effects, const FrameSpace& space) {
   draw_sparks(effects.sparks, space);
 }
 
-// Alpha is the share of light that blooms: smoke takes it away like the light itself.
+// Alpha is the share of light that blooms, which smoke attenuates like the light itself.
 void EffectsPass::draw_smoke(const std::vector<Puff>& puffs, const FrameSpace& space) {
   if (puffs.empty()) return;
   std::vector<std::pair<double, const Puff*>> far_first;
@@ -289,7 +289,7 @@ void EffectsPass::draw_sparks(const std::vector<Spark>& sparks, const FrameSpace
   send(corners);
 }
 
-// Scorches darken the surface under them first; then their glow is added.
+// First darkens the surface under the scorches, then adds their glow.
 void EffectsPass::draw_scorches(const std::vector<Scorch>& scorches, const FrameSpace& space) {
   if (scorches.empty()) return;
   std::vector<Corner> corners;

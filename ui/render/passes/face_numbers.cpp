@@ -14,9 +14,9 @@ namespace kerf {
 
 namespace {
 
-constexpr int kCell = 2;         // pixels of the grid of taken places
+constexpr int kCell = 2;         // pixels of the occupancy grid
 constexpr float kMargin = 3;     // pixels between numbers
-constexpr float kWithin = 0.6f;  // of a number's box that its face must hold
+constexpr float kWithin = 0.6f;  // fraction of a number's box that must be within its face
 
 float cross(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -37,13 +37,13 @@ bool holds(const LabelCandidate& face, const glm::vec2& size) {
   return true;
 }
 
-// Which places of the picture have a number.
+// An occupancy grid of the numbers in the frame.
 class TakenPlaces {
  public:
   explicit TakenPlaces(glm::ivec2 picture)
       : size_(picture / kCell + 1), taken_(static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y)) {}
 
-  // Takes the box if nothing of it is taken.
+  // Occupies the box if it is free. Returns false otherwise.
   bool take(const glm::vec2& low, const glm::vec2& high) {
     const glm::ivec2 from = glm::clamp(glm::ivec2(low) / kCell, glm::ivec2(0), size_ - 1);
     const glm::ivec2 to = glm::clamp(glm::ivec2(high) / kCell, glm::ivec2(0), size_ - 1);
@@ -111,9 +111,9 @@ constexpr std::array<std::array<std::string_view, kDigitHeight>, 10> kDigits{{
 
 constexpr int kCellWidth = kDigitWidth + 2, kCellHeight = kDigitHeight + 2;  // with a border
 constexpr int kAdvance = kDigitWidth + 1;
-constexpr int kHeightOfOneZoom = 1000;  // pixels of a picture whose numbers are drawn pixel by pixel
+constexpr int kHeightOfOneZoom = 1000;  // pixels of a frame with unscaled digits
 
-// The faces of all bodies as they are seen, live ones and those that are gone.
+// The visible faces of all bodies, live and removed.
 class Candidates {
  public:
   Candidates(const Subject& subject, const FrameUniforms& frame)
@@ -165,7 +165,7 @@ class Candidates {
   std::vector<LabelCandidate> all_;
 };
 
-// Whether the picture of marks shows this face at its middle, which lies in the picture.
+// Returns true if the ID buffer contains this face at its middle, which is in the frame.
 bool shows(const std::vector<uint8_t>& which, int width, const LabelCandidate& c) {
   const glm::ivec2 p(c.middle());
   const size_t at = 4 * (static_cast<size_t>(p.y) * static_cast<size_t>(width) + static_cast<size_t>(p.x));

@@ -11,8 +11,9 @@ namespace {
 constexpr int kContactPixels = 256;
 constexpr int kContactBlurs = 3;
 constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
-constexpr double kHidden = 0.1;  // of the height of the world: how far below the ground nothing is seen
-constexpr double kRadius = 14;   // of the disc, in diagonals of the world
+// of the height of the world: depth below the ground from which nothing is visible
+constexpr double kHidden = 0.1;
+constexpr double kRadius = 14;  // of the disc, in diagonals of the world
 
 }  // namespace
 

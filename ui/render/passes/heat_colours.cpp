@@ -18,10 +18,10 @@ namespace {
 
 constexpr int kRampsUnit = 7;
 constexpr int kSteps = 512;                      // of the table
-constexpr double kHottest = 4096;                // K, of its rows of temperatures
+constexpr double kHottest = 4096;                // K, end of the temperature rows
 constexpr double kBrightest = 12;                // of shown_glow
 constexpr double kMeltingLogLuminance = 11.757;  // of molten iron, 1811 K; cd/m^2
-constexpr double kMeltingGlow = 6.0;             // of what melts, in the units of the scene's light
+constexpr double kMeltingGlow = 6.0;             // of molten material, in the units of the scene's light
 
 template <typename T>
 struct Stop {
@@ -54,7 +54,7 @@ glm::dvec3 oklab_on_path(double s) {
 
 glm::dvec3 linear_heat_colour(double t) { return linear_along(oklab_on_path, t); }
 
-// The linear light that the tone mapping of light.glsl (`filmic`) maps to y.
+// The inverse of the tone mapping of light.glsl (`filmic`): returns the linear light mapped to y.
 float before_filmic(double y) {
   const double a = 2.51 - 2.43 * y, b = 0.03 - 0.59 * y;
   return static_cast<float>((-b + std::sqrt(b * b + 4 * 0.14 * y * a)) / (2 * a));
@@ -104,7 +104,7 @@ namespace {
 constexpr double kLabelEvery = 250;    // K
 constexpr double kLabelSpacing = 120;  // K, between a label and that of an end
 
-// The temperatures (K) with labels: both ends of the scale, and round numbers between them.
+// Returns the labelled temperatures [K]: both ends of the scale, and round numbers between them.
 std::vector<double> labelled(double end) {
   std::vector<double> at{kAmbient, end};
   for (double t = kLabelEvery; t < end - kLabelSpacing; t += kLabelEvery) {

@@ -15,19 +15,19 @@ namespace kerf {
 namespace {
 
 constexpr float kBoxFade = 0.80f;         // of the opacity, from one depth of the tree to the next
-constexpr float kHitFade = 0.87f;         // the same for boxes that the beam was in
-constexpr float kFaintest = 0.15f;        // what would be fainter is not drawn
-constexpr float kFaintestAsked = 0.10f;   // but boxes of a depth that was asked for are drawn at least so
-constexpr float kFaintestHit = 0.13f;     // but boxes that the beam was in are drawn at least so
-constexpr float kLeafFade = 0.97f;        // from one depth to the next where only leaves are drawn
+constexpr float kHitFade = 0.87f;         // the same for boxes hit by the beam
+constexpr float kFaintest = 0.15f;        // fainter boxes are not drawn
+constexpr float kFaintestAsked = 0.10f;   // minimum for boxes of a selected depth
+constexpr float kFaintestHit = 0.13f;     // minimum for boxes hit by the beam
+constexpr float kLeafFade = 0.97f;        // from one depth to the next if only leaves are drawn
 constexpr float kDarkHalfWidth = 1.3f;    // pixels
 constexpr float kColourHalfWidth = 0.6f;  // pixels
-constexpr size_t kMaxBoxes = 3500;        // those that are seen largest are drawn
-constexpr GLsizei kMaxDark = 200;         // lines beyond these are too many for a dark one under each
+constexpr size_t kMaxBoxes = 3500;        // the largest on screen are drawn
+constexpr GLsizei kMaxDark = 200;         // maximum number of lines with a dark outline
 constexpr int kVerticesOfBox = 12 * 6;
 
-// Deep boxes fade, so that the tree is a structure and not a fog; what was asked for by its depth is drawn
-// faintly all the same.
+// Deep boxes fade, to keep the structure of the tree readable; boxes of a selected depth are at least
+// faintly visible.
 float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
   const auto depth = static_cast<float>(box.depth);
   if (tree.leaves_only) return (box.hit ? 0.9f : 0.5f) * std::max(0.4f, std::pow(kLeafFade, depth));
@@ -122,13 +122,13 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
 namespace {
 
 constexpr float kWireHalfWidth = 0.6f, kDarkWireHalfWidth = 1.2f;  // pixels
-// Edges as long as these in the picture are drawn fully; shorter ones fade, so that a fine wire leaves the
-// surface in sight.
+// Edges at least this long in the frame are opaque; shorter ones fade, so that a fine wire does not hide
+// the surface.
 constexpr float kPlainEdge = 16, kMinOpacity = 0.12f;  // pixels
-constexpr float kEdgeWithDark = 5;                     // pixels; shorter edges have no room for a dark one
+constexpr float kEdgeWithDark = 5;                     // pixels; shorter edges have no dark outline
 
-// The length of the usual edge of a part in the picture where the middle of the part is, in pixels of a
-// picture of usual height.
+// Returns the usual length of a part's edges in the frame at the middle of the part, in pixels of a frame
+// of usual height.
 float pixels_of_edge(const DrawnWire::Part& part, const glm::mat4& from_part, const FrameSpace& space,
                      const FrameUniforms& frame) {
   const glm::mat4& m = frame.clip_from_frame;

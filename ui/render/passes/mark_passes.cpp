@@ -24,7 +24,7 @@ constexpr float kDarkAround = 0.8f;  // pixels
 ColouredLines::ColouredLines(Shaders& shaders)
     : program_(shaders.load({{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}})) {}
 
-// Dark ones first, a little wider.
+// First the dark outlines, slightly wider.
 void ColouredLines::draw(std::span<const Line> lines, float half_width, AtSection section) {
   if (lines.empty()) return;
   KERF_ASSERT(glIsEnabled(GL_BLEND));
@@ -60,7 +60,7 @@ class Lines {
   void add(const Vec3& from, const Vec3& to, const glm::vec4& colour) {
     lines_.push_back({space_.from_world(from), space_.from_world(to), colour});
   }
-  // Three lines that cross, along the axes of the world.
+  // Three crossing lines along the axes of the world.
   void add_cross(const Vec3& at, double arm, const glm::vec4& colour) {
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 way(0);
@@ -172,7 +172,7 @@ static_assert(kStageLooks.size() == static_cast<size_t>(Kind::kLast) + 1);
 
 const StageLook& stage_look(Kind kind) { return kStageLooks[static_cast<size_t>(kind)]; }
 
-// Places in the frame of a body, as they are drawn.
+// Converts positions in the frame of a body to drawn positions.
 class DrawnAt {
  public:
   DrawnAt(const Subject& subject, BodyId id)
@@ -237,8 +237,8 @@ constexpr float kLoopHalfWidth = 1.1f, kEarlierLoop = 0.45f;  // pixels; opacity
 constexpr float kMinRadius = 1.6f, kMaxRadius = 7;            // of a disc, pixels
 constexpr float kRadiusOfLink = 0.22f;                        // of the usual length of a link
 
-// Where nodes are drawn: moved with their bodies, displaced with their pieces, and not at all where these are
-// hidden.
+// The drawn positions of nodes: moved with their bodies and displaced with their pieces; none for hidden
+// pieces.
 class Places {
  public:
   Places(const Subject& subject, const DrawnGraph& graph) : subject_(subject), graph_(graph) {}
@@ -264,7 +264,7 @@ class Places {
   std::map<BodyId, BodyLooks> looks_;
 };
 
-// The length that half of the links exceed in the picture, in pixels of a picture of usual height.
+// Returns the median length of the links in the frame, in pixels of a frame of usual height.
 float usual_length(const std::vector<std::pair<glm::vec3, glm::vec3>>& links, const FrameUniforms& frame) {
   const glm::vec2 half = 0.5f * glm::vec2(frame.viewport.x, frame.viewport.y);
   std::vector<float> lengths;
@@ -326,7 +326,7 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
   draw_loops(subject, graph);
 }
 
-// The last one that is closed by then over the others.
+// Draws the last loop closed so far over the others.
 void GraphPass::draw_loops(const Subject& subject, const DrawnGraph& graph) {
   KERF_ASSERT(std::is_sorted(graph.loops.begin(), graph.loops.end(),
                              [](const auto& a, const auto& b) { return a.removal < b.removal; }));

@@ -51,8 +51,8 @@ BloomPass::BloomPass(Shaders& shaders)
 BloomPass::Level::Level(int width, int height)
     : glow({std::max(1, width), std::max(1, height), 1, false}), half_way(glow.shape()) {}
 
-// Shrinks the picture `from` into level.glow and blurs the result. Only bright pixels of a picture with a
-// size are taken; without a size (0) `from` is the glow of a level.
+// Downscales `from` into level.glow and blurs the result. With a size, takes only bright pixels of that
+// frame; without one (0), `from` is the glow of a level.
 void BloomPass::fill(Level& level, GLuint from, int width, int height) {
   const auto draw = [&](const gl::Program& program, GLuint picture, const glm::vec4& stride,
                         const gl::Framebuffer& to) {
@@ -85,7 +85,7 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
   fill(*near_, picture.colour_texture(), w, h);
   fill(*far_, near_->glow.colour_texture(), 0, 0);
 
-  // Most of a picture does not shine and is handed over as it is.
+  // Most of a frame does not glow and is copied unchanged.
   gl::blit(picture, target, x, y);
   glBindFramebuffer(GL_FRAMEBUFFER, target);
   glViewport(x, y, w, h);
@@ -99,7 +99,7 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
 
 namespace {
 
-// A rotated grid: no two pictures share a row or a column of their sub-pixels.
+// A rotated grid: no two frames share a row or a column of their sub-pixels.
 constexpr std::array<glm::vec2, GatheredPicture::kPictures> kShifts{
     glm::vec2(-0.125f, -0.375f), glm::vec2(0.375f, -0.125f), glm::vec2(0.125f, 0.375f),
     glm::vec2(-0.375f, 0.125f)};

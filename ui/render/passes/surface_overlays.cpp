@@ -94,7 +94,7 @@ VeilPass::VeilPass(Shaders& shaders)
     : veil_(shaders.load({{"frame.glsl", "veil.vert"}, {"frame.glsl", "light.glsl", "veil.frag"}})),
       faces_(shaders.load({{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}})) {}
 
-// Into the depth alone: pieces that are hidden or moved away are not gone, so no veil takes their place.
+// Writes only depth: hidden or displaced pieces are not removed, so no veil replaces them.
 void VeilPass::draw_what_is_away(const Subject& subject) const {
   const gl::ScopedState state({.writes_colour = false, .writes_alpha = false});
   faces_.use();

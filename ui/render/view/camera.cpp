@@ -14,12 +14,12 @@ constexpr double kPole = 1.5533;        // 89 degrees
 constexpr double kDefaultYaw = 0.66;    // 38 degrees to the right of the front
 constexpr double kDefaultPitch = 0.30;  // 17 degrees
 constexpr double kEaseSeconds = 0.043;  // to 1/e; nine tenths in 100 ms, 97 % in 150 ms
-constexpr double kNarrow = 1.25;        // a narrower picture shows as much sideways, and more above and below
-constexpr double kMaxWidth = 0.82;      // of the picture that a framed box may take
+constexpr double kNarrow = 1.25;        // a narrower frame shows the same width, and more above and below
+constexpr double kMaxWidth = 0.82;      // of the frame that a framed box may take
 constexpr double kTurn = 6.283185307179586;
 const double kFullPull = std::log(CameraView::kFarAway);
 
-// x and y span of the box in the picture, and whether all of it lies before the eye.
+// The x and y span of the box in the frame; tells whether all of it is in front of the eye.
 struct Extent {
   Vec2 low{1e300}, high{-1e300};
   bool in_front = true;
@@ -103,8 +103,8 @@ CameraView Camera::view_of(const State& s, double aspect) {
   return s.pull == kFullPull ? view.pulled(CameraView::kFarAway) : view.pulled(std::exp(s.pull));
 }
 
-// The distance at which the larger of the two spans fits, found by halving; then the pivot is moved so that
-// the box stands in the middle.
+// Finds by bisection the distance at which the larger of the two spans fits, then moves the pivot so that
+// the box is centred.
 void Camera::fit(State& state, const World::Bounds& bounds, double aspect, double fill) {
   KERF_ASSERT(aspect > 0 && fill > 0);
   const double diagonal = bounds.diagonal();
@@ -198,9 +198,9 @@ bool Camera::advance(double seconds) {
 
 namespace {
 
-constexpr double kMinDepth = 1e-4;  // of the focus: nearer to the plane of the eye nothing can be projected
+constexpr double kMinDepth = 1e-4;  // of the focus: minimum depth for projection
 
-// x and y span the picture from -depth to depth.
+// x and y span the frame from -depth to depth.
 struct ClipPoint {
   double x, y, depth;
 };
@@ -211,7 +211,7 @@ ClipPoint clip_point(const CameraView& view, const Vec3& p) {
           glm::dot(d, view.up) / view.tan_half_fov, view.parallel ? view.focus : glm::dot(d, view.forward)};
 }
 
-// Narrows the shares of a segment to those between which a quantity that is linear along it is not negative.
+// Clips the fractions of a segment to the range in which a quantity linear along it is not negative.
 void keep_positive(double at_from, double at_to, Vec2& share) {
   if (at_from < 0 && at_to < 0) share.y = -1;
   if (at_from < 0 && at_to >= 0) share.x = std::max(share.x, at_from / (at_from - at_to));

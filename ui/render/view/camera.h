@@ -10,78 +10,79 @@
 
 namespace kerf {
 
-// A view in world coordinates and double precision: a perspective view, or an orthographic one, whose rays
-// are parallel to `forward`. An orthographic view is described by the perspective view that it is the limit
-// of: the eye is kFarAway times as far from what is looked at, and the field of view is narrower by this
-// factor, so that lengths at the distance `focus` appear as large as before.
+// A view in world coordinates and double precision: perspective, or orthographic with rays parallel to
+// `forward`. An orthographic view is represented by the perspective view of which it is the limit: the eye
+// is kFarAway times as far from the target, and the field of view is narrower by this factor, so that
+// lengths at the distance `focus` keep their apparent size.
 struct CameraView {
   Vec3 eye{0, 0, 1};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // orthonormal
-  double focus = 1;                                     // m, distance of the point looked at
+  double focus = 1;                                     // m, distance of the view target
   double tan_half_fov = 0.3;                            // of half the vertical field of view
   double aspect = 16.0 / 9;                             // width over height
-  UpAxis up_axis = UpAxis::kY;                          // of the world, upright in the picture
+  UpAxis up_axis = UpAxis::kY;                          // axis of the world that is up in the frame
   bool parallel = false;                                // orthographic
-  double pull = 1;                                      // how many times as far away the eye is as in near()
+  double pull = 1;                                      // factor of the eye's distance relative to near()
 
   static constexpr double kFarAway = 1000;
 
   friend bool operator==(const CameraView&, const CameraView&) = default;
 
-  // Half the height (m) of what is seen at the distance `focus`.
+  // Half the visible height [m] at the distance `focus`.
   double half_height() const { return focus * tan_half_fov; }
-  // The ray through a point of the picture, from the eye or, in an orthographic view, from the plane of the
-  // eye: x from -1 (left) to 1 (right), y from -1 (bottom) to 1 (top).
+  // Returns the ray through a point of the frame, from the eye or, in an orthographic view, from the plane
+  // of the eye: x from -1 (left) to 1 (right), y from -1 (bottom) to 1 (top).
   Pose ray(double x, double y) const;
-  // The point of the picture at which p is seen, with its depth along `forward` (m) as z; x and y are
+  // Returns the point of the frame at which p is seen, with its depth along `forward` [m] as z; x and y are
   // undefined if z <= 0.
   Vec3 project(const Vec3& p) const;
-  // The perspective view, with the usual field of view, that shows lengths at the distance `focus` as large.
+  // Returns the perspective view with the usual field of view that shows lengths at the distance `focus` at
+  // the same size.
   CameraView near() const;
-  // The view whose eye is so many times as far away as that of near(), orthographic from kFarAway on.
-  // Precondition: times > 0.
+  // Returns the view whose eye is `times` times as far away as that of near(), orthographic from kFarAway
+  // on. Precondition: times > 0.
   CameraView pulled(double times) const;
 };
 
-// The view from an eye to a target. If the target coincides with the eye or lies vertically above or below
-// it, the nearest possible view is taken. Precondition: aspect > 0.
+// Returns the view from an eye to a target; the nearest valid view if the target coincides with the eye or
+// lies vertically above or below it. Precondition: aspect > 0.
 CameraView look_at(const Vec3& eye, const Vec3& target, double aspect);
 
 // A turntable camera: the eye moves on a sphere around a pivot and stops before the poles. Movements set a
 // goal, and advance() eases the view towards it by nine tenths of the distance in 100 ms.
 class Camera {
  public:
-  // Looks from the front (+Z), from one side and from above, so that the box fills the fraction `fill` of the
-  // picture's height. Precondition: aspect and fill are positive.
+  // Views the box from the front (+Z), from one side and from above, so that it fills the fraction `fill`
+  // of the frame's height. Precondition: aspect and fill are positive.
   void frame_default(const World::Bounds& bounds, double aspect, double fill = 0.64);
   // Frames the box without a change of direction.
   void frame(const World::Bounds& bounds, double aspect, double fill = 0.72);
   void look(const Vec3& eye, const Vec3& target);
 
-  // Which axis of the world is upright. Yaw, pitch and "front" are those of a world turned so that +Y points
-  // upwards (see to_y_up); the camera turns with it at once.
+  // Sets the up axis of the world, at once. Yaw, pitch and "front" are those of a world turned so that +Y
+  // points upwards (see to_y_up).
   void set_up_axis(UpAxis up) { now_.up = goal_.up = up; }
   UpAxis up_axis() const { return goal_.up; }
 
-  // Turns to a direction of view on the shorter way: yaw and pitch of the eye as seen from the pivot, in
-  // radians from +Z towards +X, and over the horizon.
+  // Turns by the shorter way to a view direction: yaw and pitch of the eye as seen from the pivot, in
+  // radians from +Z towards +X, and above the horizon.
   void turn_to(double yaw, double pitch);
   // The unit vector from the pivot to the eye, with +Y upwards.
   static Vec3 direction_of(double yaw, double pitch);
-  // Whether the camera is at, or on its way to, such a direction.
+  // Returns true if the camera is at, or on its way to, such a direction.
   bool is_turned_to(double yaw, double pitch) const;
-  // Makes the projection orthographic, or perspective again; lengths at the pivot stay as large as they are.
+  // Makes the projection orthographic, or perspective again; lengths at the pivot keep their apparent size.
   void set_parallel(bool parallel);
   bool parallel() const { return goal_.pull > 0; }
 
   void orbit(double right, double up);  // angles in radians around the pivot
-  // Shifts the view so that points at the pivot's depth follow a motion in the picture, in the units of
+  // Shifts the view so that points at the pivot's depth follow a motion in the frame, in the units of
   // CameraView::ray.
   void pan(double dx, double dy, double aspect);
   // Multiplies the distance by `factor` and keeps the point at the pivot's depth under x, y in place.
   void zoom(double factor, double x, double y, double aspect);
 
-  // Advances the motion by a time. Returns whether it is still in motion.
+  // Advances the motion by a time. Returns true if it is still in motion.
   bool advance(double seconds);
   // Jumps to the goal.
   void finish() { now_ = goal_; }
@@ -89,14 +90,14 @@ class Camera {
   CameraView view(double aspect) const { return view_of(now_, aspect); }
   Vec3 pivot() const { return now_.pivot; }
 
-  static constexpr double kTanHalfFov = 0.3057;  // 34 degrees vertically; more in a narrow picture
+  static constexpr double kTanHalfFov = 0.3057;  // 34 degrees vertically; more in a narrow frame
 
  private:
   struct State {
     Vec3 pivot{0};
     double distance = 1;
     double yaw = 0;    // radians from +Z towards +X
-    double pitch = 0;  // radians over the horizon
+    double pitch = 0;  // radians above the horizon
     double pull = 0;   // logarithm of CameraView::pull
     UpAxis up = UpAxis::kY;
   };
@@ -106,18 +107,19 @@ class Camera {
   State now_, goal_;
 };
 
-// A straight segment as a picture shows it.
+// A straight segment projected to the frame.
 struct ScreenSegment {
-  Vec2 from, to;       // its ends in pixels, from the lower left corner of the picture
-  Vec2 inverse_depth;  // 1 / m along the view's axis, at both ends; linear between them in the picture. In an
-                       // orthographic view both are that of the focus, for it shows all lengths as large
-  Vec2 share;          // of the whole segment that lies before either end, 0 to 1
+  Vec2 from, to;  // its ends in pixels, from the lower left corner of the frame
+  // 1 / m along the view's axis, at both ends, linear between them in the frame; in an orthographic view
+  // both are that of the focus
+  Vec2 inverse_depth;
+  Vec2 share;  // fractions of the whole segment in front of both ends, 0 to 1
 };
 
-// What is left of the segment between two points of the world (m) after it was clipped, in double precision,
-// against the plane of the eye and against the sides of the picture moved outward by `margin` pixels. Method:
-// Liang and Barsky, A new concept and method for line clipping, 1984, in homogeneous coordinates. Empty where
-// nothing is left. The picture is width x height pixels, both positive.
+// Returns the visible part of the segment between two points of the world [m], clipped in double precision
+// against the plane of the eye and against the sides of the frame moved outward by `margin` pixels. Method:
+// Liang and Barsky, A new concept and method for line clipping, 1984, in homogeneous coordinates. Empty if
+// nothing is visible. The frame is width x height pixels, both positive.
 std::optional<ScreenSegment> on_screen(const CameraView& view, const Vec3& from, const Vec3& to, int width,
                                        int height, double margin);
 

@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-// Where on the path the fraction t of its length is.
+// Returns the position on the path at the fraction t of its length.
 double even_place(const OklabPath& path, double t) {
   constexpr int kParts = 256;
   std::array<double, kParts + 1> length{};
@@ -67,7 +67,7 @@ namespace {
 
 constexpr double kFirstHue = 120, kLastHue = 350, kHueStep = 10;  // degrees: from green over blue to pink
 
-// What colours are chosen from, and how far each of them is from what is there.
+// A candidate colour, and its distance from the colours in use.
 struct Candidate {
   glm::dvec3 lab;
   double apart = std::numeric_limits<double>::infinity();

@@ -17,17 +17,18 @@ namespace kerf {
 // image processing, 2020): lightness from 0 to 1, then green to red, then blue to yellow.
 
 glm::dvec3 oklab_from_linear(const glm::dvec3& rgb);
-// Clamps colours that a screen does not have.
+// Clamps colours outside the gamut of the screen.
 glm::dvec3 linear_from_oklab(const glm::dvec3& lab);
-// A colour of this hue (degrees).
+// Returns a colour of this hue [degrees].
 glm::dvec3 oklab_of(double lightness, double chroma, double hue);
 
-// Linear light in sRGB, 0 .. 1.
+// Converts linear light to sRGB, 0 .. 1.
 glm::dvec3 screen_from_linear(const glm::dvec3& rgb);
 
 // A path through OKLab for s = 0 .. 1.
 using OklabPath = std::function<glm::dvec3(double s)>;
-// The linear light of the path at the fraction t of its length, so that equal steps of t look equally large.
+// Returns the linear light of the path at the fraction t of its length, so that equal steps of t look
+// equally large.
 glm::dvec3 linear_along(const OklabPath& path, double t);
 
 // The colour 0xRRGGBB in sRGB with an opacity from 0 to 1.
@@ -43,52 +44,52 @@ inline constexpr int kVerticesOfLine = 6;
 
 namespace kerf::overlay_colours {
 
-// What the views of shadows are drawn in, and their legends: 0xrrggbb (sRGB).
+// The colours of the shadow views and their legends: 0xrrggbb (sRGB).
 
-// Edges of a silhouette on which one side of the volumes lies, two sides, or more.
+// Silhouette edges with one volume side, two sides, or more.
 inline constexpr uint32_t kOneSide = 0xa8d4ff, kTwoSides = 0x4aa3ff, kMoreSides = 0xb07cff;
 
-// Sides of the volumes, seen from outside and from within.
+// Sides of the volumes, seen from outside and from inside.
 inline constexpr uint32_t kVolumeFront = 0x4aa3ff, kVolumeBack = 0xff8a3d;
 
-// Polygons that face the light, that are averted, and that lie edge-on.
+// Light-facing, back-facing and edge-on polygons.
 inline constexpr uint32_t kFacing = 0xf2dc9a, kAverted = 0x2c4a8c, kEdgeOn = 0x808890;
 
-// Where nothing keeps the light away; one occluder to this many, and more than that: dark blue over violet
-// and orange to pale yellow.
+// Lit; from one occluder to the size of the array, and more: dark blue over violet and orange to pale
+// yellow.
 inline constexpr uint32_t kLit = 0x20303a;
 inline constexpr std::array<uint32_t, 9> kCounts{0x1f4fa8, 0x5b3fb5, 0x93329f, 0xc23a7c, 0xe25a51,
                                                  0xf58233, 0xfbad2c, 0xf8d84e, 0xfffbd0};
 
-// Nodes of the component graph: the set that a traversal reaches, the other one, removed faces, and what no
-// traversal has come to.
+// Nodes of the component graph: the set reached by a traversal, the other set, removed faces, and nodes not
+// yet visited.
 inline constexpr uint32_t kReached = 0x4aa3ff, kApart = 0xf2dc9a, kRemoved = 0xff5a48, kUnmarked = 0x7d8896;
 
-// What a stage of a cut did: the volume that the beam sweeps, faces that it touches, and faces that a split
-// made; removed faces have the colour of the graph.
+// Marks of a stage of a cut: the volume swept by the beam, touched faces, and faces created by a split;
+// removed faces have the colour of the graph.
 inline constexpr uint32_t kSwept = 0xa8d4ff, kHit = 0xffd27a, kBorn = 0x4aa3ff;
 
-// Boxes that a query of the tree visits: those that it enters and culls, and of single faces those that the
-// beam misses and touches; and the one that it visited last.
+// Boxes visited by a tree query: entered and culled ones; of single faces those missed and touched by the
+// beam; and the last visited one.
 inline constexpr uint32_t kEntered = 0xb99aff, kCulled = 0x7d8896, kMissed = 0xf2dc9a, kTouched = 0xff6a4d,
                           kLast = 0xffffff;
 
-// Contacts, from those that carry nothing to those with the largest impulse; points and chords of colliders;
-// centres of mass of bodies that are awake, that sleep, and that are pinned.
+// Contacts, from no impulse to the largest; points and chords of colliders; centres of mass of awake,
+// sleeping and pinned bodies.
 inline constexpr uint32_t kLightContact = 0xf2dc9a, kHeavyContact = 0xff4a38, kColliderPoint = 0xb99aff,
                           kColliderChord = 0x56d0c8, kAwake = 0x5fd38a, kAsleep = 0x4aa3ff,
                           kPinned = 0xf4f7fb;
 
-// Joints that hold.
+// Active joints.
 inline constexpr uint32_t kHinge = 0xffd27a, kHub = 0x56d0c8, kWeld = 0xd27aff;
 
-// The wire that the tools of the Prepare panel would make.
+// The preview wire of the tools of the Prepare panel.
 inline constexpr uint32_t kPreview = 0x8fe3cf;
 
-// Loops that removed faces closed.
+// Loops closed by removed faces.
 inline constexpr uint32_t kLoop = 0xf4f7fb;
 
-// Pixels whose ray says otherwise than the picture, that it finds lit, and that it finds in shadow.
+// Pixels whose ray contradicts the frame, finds them lit, and finds them in shadow.
 inline constexpr uint32_t kWrong = 0xff28dc, kTracedLit = 0xece2be, kTracedShadow = 0x080c16;
 
 }  // namespace kerf::overlay_colours
@@ -106,15 +107,14 @@ constexpr BoxColours colours_of(BoxPalette palette) {
                                              : BoxColours{0xe69f00, 0x56b4e9};
 }
 
-// The colour of the selection: amber, or blue in the palette in which orange marks boxes that the beam has
-// hit.
+// The colour of the selection: amber, or blue in the palette that uses orange for hit boxes.
 constexpr uint32_t selection_colour(BoxPalette palette) {
   return palette == BoxPalette::kRedAndGreen ? 0xff9d2e : 0x4aa3ff;
 }
 
-// So many colours for pieces, in linear light: each is as far as possible, in OKLab, from all of `paints` and
-// from the colours before it. They are cool and not bright, for what is warm in the picture is hot. The same
-// paints give the same colours. O(count^2).
+// Returns `count` colours for pieces, in linear light: each is as far as possible, in OKLab, from all of
+// `paints` and from the colours before it. They are cool and not bright, because warm colours mean heat.
+// Deterministic. O(count^2).
 std::vector<glm::dvec3> piece_palette(std::span<const glm::dvec3> paints, size_t count);
 
 }  // namespace kerf

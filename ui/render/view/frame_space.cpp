@@ -8,9 +8,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double kNear = 0.004;       // of the distance to what is looked at
-constexpr double kRoom = 0.7;         // of the least depth that is seen
-constexpr double kParallelRoom = 16;  // diagonals of what is drawn: more than the radius of the ground
+constexpr double kNear = 0.004;       // of the distance to the view target
+constexpr double kRoom = 0.7;         // of the minimum visible depth
+constexpr double kParallelRoom = 16;  // in diagonals of the drawn bodies: more than the radius of the ground
 
 constexpr StageColours kDusk = {.sky_high = {0.0048, 0.0064, 0.0100, 0},
                                 .sky_low = {0.030, 0.038, 0.050, 0},
@@ -112,7 +112,7 @@ FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace&
 
 namespace {
 constexpr double kGapToGround =
-    5e-4;  // between the bodies and the ground, in diagonals: what lies flat shows
+    5e-4;  // gap between bodies and ground, in diagonals, which keeps flat parts visible
 constexpr double kEarthGravity = 9.81;  // m/s^2
 }  // namespace
 

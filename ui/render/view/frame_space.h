@@ -12,9 +12,10 @@
 
 namespace kerf {
 
-// The coordinates of the shaders: the axes of the world turned so that +Y points upwards (see to_y_up), with
-// the eye of the near view (see CameraView) at the origin and lengths divided by `unit`, a power of two near
-// the size of the world. Differences are computed in double, so that floats suffice at any place and size.
+// The coordinates of the shaders: the axes of the world turned so that +Y points upwards (see to_y_up),
+// with the eye of the near view (see CameraView) at the origin and lengths divided by `unit`, a power of
+// two near the size of the world. Differences are computed in double, so that floats suffice at any place
+// and size.
 struct FrameSpace {
   Vec3 eye{0};        // of the near view
   Vec3 seen_from{0};  // the eye itself, which is farther away in an orthographic view
@@ -24,7 +25,7 @@ struct FrameSpace {
   glm::vec3 from_world(const Vec3& p) const { return glm::vec3(turned(p - eye) / unit); }
   // A direction or displacement of the world with +Y upwards, not divided by the unit.
   Vec3 turned(const Vec3& v) const { return to_y_up(v, up); }
-  // The rotation of vectors from a frame that has this orientation in the world.
+  // The rotation of vectors from a frame with this orientation in the world.
   glm::dmat3 turn_from(const glm::dquat& orientation) const {
     const glm::dmat3 m = glm::mat3_cast(orientation);
     return {turned(m[0]), turned(m[1]), turned(m[2])};
@@ -40,8 +41,8 @@ struct FrameSpace {
   }
 };
 
-// The colours of the environment of a scene in linear light, a part of the uniform block "Frame"; frame.glsl
-// documents its members. They are uniforms because a software renderer would compute them anew for every
+// The colours of a scene's environment in linear light, a part of the uniform block "Frame"; frame.glsl
+// documents its members. They are uniforms because a software renderer would recompute them for every
 // pixel.
 struct StageColours {
   glm::vec4 sky_high{0}, sky_low{0}, sky_band{0};
@@ -51,8 +52,8 @@ struct StageColours {
 
 // The colours of a workshop at dusk, or by day.
 const StageColours& stage_colours(bool by_day);
-// The same for an eye under the ground, which is not drawn then: a lamp lights what it looks at from below,
-// and the environment are brighter than what is dark there.
+// The same for an eye below the ground, which is then not drawn: a lamp lights the target from below, and
+// the environment is brighter.
 StageColours stage_colours_from_below(bool by_day);
 
 // The uniform block "Frame" of the shaders; frame.glsl documents its members.
@@ -72,40 +73,37 @@ struct FrameUniforms {
   glm::vec4 face_view{0};
 };
 
-// The distance of the near plane along the forward axis of a view, in metres: as large as the visible box and
-// the ground (its height, m) allow, because the resolution of the depth buffer is proportional to it, and at
-// least a fraction of the focus. An orthographic view has as much depth before its focus as behind it: there
-// the plane lies so far before the focus that the box and the ground fit in, also where that is behind the
-// eye.
+// The distance of the near plane along the forward axis of a view [m]: as large as the visible box and the
+// ground (at its height, m) allow, because the resolution of the depth buffer is proportional to it, and at
+// least a fraction of the focus. An orthographic view has the same depth range in front of its focus as
+// behind it: there the plane lies so far before the focus that the box and the ground fit in, even if that
+// is behind the eye.
 double near_plane(const CameraView& view, const World::Bounds& drawn, double ground);
 
-// Where the depth buffer has a point at a depth along the forward axis (m), from 0 at the near plane to 1.
+// The depth-buffer value of a depth along the forward axis [m], from 0 at the near plane to 1.
 // Precondition: in a perspective view the depth is positive.
 double window_depth(const CameraView& view, double near, double depth);
 
 // The members that depend on the view: the matrix (near plane at `near` metres; no far plane, but in an
-// orthographic view one as far behind the focus), the axes and the viewport.
-// Precondition: the near plane is that of near_plane.
+// orthographic view one equally far behind the focus), the axes and the viewport. Precondition: the near
+// plane is that of near_plane.
 FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
                           int height);
 
-// The height (m, along the upward axis) of the ground that is drawn under a world: that on which its bodies
-// rest if there is one and it lies across the upward axis, else a little under the lowest point of the bodies
-// as they were loaded.
+// The height [m, along the up axis] of the drawn ground: the ground of the world if there is one and it is
+// perpendicular to the up axis, else slightly below the lowest point of the bodies as loaded.
 double height_of_drawn_ground(const World& world, UpAxis up);
 
-// The environment with the ground where it is drawn, and gravity of the earth against the upward axis in the
-// unit of the file.
+// The environment with the drawn ground, and earth gravity against the up axis in the unit of the file.
 Environment default_environment(const World& world, const FileFrame& frame);
 
-// The environment in which time passes: those of the world, with gravity in the unit of the file; the usual
-// ones where there is gravity and no ground yet.
+// The environment for simulation: that of the world, with gravity in the unit of the file; the default one
+// if there is gravity and no ground yet.
 Environment fitting_environment(const World& world, const FileFrame& frame);
 
-inline constexpr float kUsualHeight = 900;  // of a picture, pixels; line.glsl says it too
+inline constexpr float kUsualHeight = 900;  // of a frame, pixels; same value in line.glsl
 
-// The width in pixels of a line that is so wide in a picture of the usual height or less, in one of this
-// height.
+// Scales a line width [pixels] for frames of up to the usual height to one of this height.
 inline float scaled_width(float width, int height) {
   return width * std::max(1.0f, static_cast<float>(height) / kUsualHeight);
 }

@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
-constexpr double kUnitLengthError = 1e-12;  // by which the length of a unit vector may be off
+constexpr double kUnitLengthError = 1e-12;  // maximum error of the length of a unit vector
 
 std::string_view trimmed(std::string_view text, std::string_view what) {
   const size_t first = text.find_first_not_of(what);
@@ -55,7 +55,7 @@ SectionPlane SectionPlane::facing(const Vec3& point, const Vec3& way) {
   const double largest = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
   KERF_ASSERT(largest > 0);
   const bool unit =
-      std::abs(glm::length(way) - 1) < kUnitLengthError;  // so that a plane that is read back stays the same
+      std::abs(glm::length(way) - 1) < kUnitLengthError;  // so that reading a plane back does not change it
   return {point, unit ? way : glm::normalize(way / largest)};
 }
 

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// Cold colours, so that nobody takes a number for heat; lightness rises while the hue turns.
+// Cold colours, not to be mistaken for heat; lightness rises while the hue turns.
 glm::dvec3 linear_scalar_colour(double t) {
   const auto path = [](double s) {
     return oklab_of(0.27 + 0.66 * s, 0.07 + 0.03 * std::sin(kPi * s), 305 - 197 * s);
@@ -23,15 +23,15 @@ glm::vec3 scalar_colour(double t) { return glm::vec3(screen_from_linear(linear_s
 
 namespace {
 
-constexpr float kHitCounts = 5;  // times as large as it is
+constexpr float kHitCounts = 5;  // factor of a hit box's size
 
 struct Seen {
   float size = 0;  // of its diagonal, over its distance
   uint32_t box = 0;
 };
 
-// Row of the matrix that gives a coordinate; its first three numbers are as long as one unit of the body is
-// there.
+// The row of the matrix that gives a coordinate; the length of its first three numbers is that of one unit
+// of the body.
 glm::vec4 row(const glm::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
 
 }  // namespace

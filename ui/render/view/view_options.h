@@ -26,12 +26,12 @@
 
 namespace kerf {
 
-// Edges of a surface that pieces may become, to be drawn over the surface that they have.
+// A preview of the edges that pieces may get, drawn over their current surface.
 struct DrawnWire {
   struct Edge {
     glm::vec3 from, to;  // in the float frame
   };
-  // The edges of what becomes of one piece, which are drawn as the piece is: displaced, turned or hidden.
+  // The edges of one piece, displaced, turned or hidden like the piece.
   struct Part {
     PieceId piece;
     FloatFrame frame;  // of the coordinates of the world
@@ -39,16 +39,16 @@ struct DrawnWire {
     double mean_edge = 0;  // m
   };
   std::vector<Part> parts;
-  double depth = 0;  // m; edges up to so far below a surface are seen
+  double depth = 0;  // m; edges up to this depth below a surface are visible
 };
 
 // A number for each face slot of a body.
 using FaceScalars = std::vector<float>;
-// Of faces that have no number; slots behind the last one have none either.
+// The value of faces without a number; slots behind the last one have none either.
 inline constexpr float kNoScalar = std::numeric_limits<float>::max();
 
-// Numbers of faces that colour the bodies instead of their paints: those from `low` to `high` through
-// scalar_colour(), those beyond as the ends, and grey what has none.
+// A scalar field on the faces, which replaces the paints of bodies: numbers from `low` to `high` map to
+// scalar_colour(), those beyond are clamped, and faces without a number are grey.
 struct ScalarField {
   std::map<BodyId, std::shared_ptr<const FaceScalars>> of_bodies;  // not null
   float low = 0, high = 1;                                         // low < high
@@ -61,54 +61,53 @@ struct ScalarField {
 glm::dvec3 linear_scalar_colour(double t);
 glm::vec3 scalar_colour(double t);
 
-// A box of the tree to be drawn: its corners in the body's float frame, and in `style` 1 if the beam has hit
-// it, and its opacity.
+// A box of the AABB tree to draw: its corners in the body's float frame; `style` holds 1 if the beam has
+// hit it, and its opacity.
 struct BoxLine {
   glm::vec3 low, high;
   glm::vec2 style;
 };
 
-// Chooses at most `most` of the boxes that may be visible, those that appear largest, in descending order of
-// size. Boxes that the beam has hit count as larger than they are, because the user looks for them. A tree
-// has far more boxes than a picture can show; small ones matter from near and large ones from afar. O(n),
-// plus sorting of the visible boxes.
+// Selects at most `most` possibly visible boxes, the largest on screen, in descending order of size. Boxes
+// that the beam has hit count as larger, because they are of interest. A tree has far more boxes than fit a
+// frame; small ones matter from near and large ones from afar. O(n), plus sorting of the visible boxes.
 std::vector<BoxLine> choose_boxes(std::span<const BoxLine> boxes, const glm::mat4& clip_from_body,
                                   size_t most);
 
-// On what surfaces shadows are drawn.
+// The surfaces that receive shadows.
 enum class Shadows {
   kNone,
-  kGround,  // only on the ground, those of directional lights that shine from above
-  kAll,     // on all surfaces
+  kGround,  // only the ground, from directional lights above it
+  kAll,     // all surfaces
 };
 
-// What is drawn in addition to the picture: one flag for each name that `--show` accepts.
+// Overlays: one flag for each name that `--show` accepts.
 struct ShowOptions {
-  bool aabb = false;                   // all boxes of the tree
+  bool aabb = false;                   // all boxes of the AABB tree
   bool aabb_hit = false;               // only those that the beam has hit
   bool wire = false;                   // edges of the faces
   bool face_numbers = false;           // of live faces, and in red of removed ones
   bool graph = false;                  // nodes and links of ViewOptions::graph
-  bool pieces = false;                 // each piece in a colour of its own
-  bool sizes = false;                  // small faces warm, as the paper colours them
+  bool pieces = false;                 // each piece in its own colour
+  bool sizes = false;                  // small faces in warm colours, as in the paper
   bool heat = false;                   // temperatures by a scale, with a bar
-  bool section = false;                // only what lies under the section plane
-  bool contacts = false;               // where bodies touch, as of the last tick; see BodyMarks
-  bool colliders = false;              // points and chords by which bodies touch
+  bool section = false;                // only the kept side of the section plane
+  bool contacts = false;               // contacts of bodies, as of the last tick; see BodyMarks
+  bool colliders = false;              // points and chords of colliders
   bool centres = false;                // centres of mass, and which bodies sleep or are pinned
-  bool joints = false;                 // the joints that hold
+  bool joints = false;                 // active joints
   bool normals = false;                // a short line from the middle of every face
-  Shadows shadows = Shadows::kGround;  // `--show shadows` asks for kAll
+  Shadows shadows = Shadows::kGround;  // `--show shadows` sets kAll
   bool silhouette = false;             // edges of a light's silhouette, coloured by their multiplicity
   bool shadow_volumes = false;         // the volumes, fronts and backs in different colours
   bool shadow_stencil = false;         // number of occluding surfaces as colours, with a legend
-  bool shadow_facing = false;          // polygons that face the light and those that face away
+  bool shadow_facing = false;          // light-facing and back-facing polygons
   bool shadow_compare = false;         // two methods side by side, and the number of differing pixels
   bool shadow_reference = false;       // ray-traced shadows, and the pixels that differ
   friend bool operator==(const ShowOptions&, const ShowOptions&) = default;
 };
 
-// What the editor shows at first, and pictures for which nothing else is asked: shadows on all surfaces.
+// The default overlays of the editor and of images: shadows on all surfaces.
 ShowOptions default_show();
 
 // Parses names separated by commas; blanks around them and an empty list are accepted. The error for an
@@ -118,48 +117,47 @@ Result<ShowOptions> parse_show_list(std::string_view list);
 // The names that parse_show_list accepts, for --help: "aabb, aabb-hit, ...".
 std::string offered_show_names();
 
-// The two colours of the tree's boxes: where the beam is or was, and untouched.
+// The two colours of the tree's boxes: hit by the beam, and untouched.
 enum class BoxPalette {
   kRedAndGreen,    // the paper's: #ff6a4d solid, #3fbf7f dotted
   kOrangeAndBlue,  // for the colour-blind: #e69f00 solid, #56b4e9 dotted
 };
 
-// How kRobust draws the near caps of its volumes. A lit surface has to fail the depth test against its own
-// cap, which has the same depth. All values but kExact give wrong shadows; tests use them to show that they
-// detect such errors.
+// The drawing of near caps by kRobust. A lit surface must fail the depth test against its own cap, which
+// has the same depth. All values except kExact give wrong shadows, for tests that must detect such errors.
 enum class NearCaps {
   kExact,
   kLessOrEqual,  // equal depths pass
   kDisplaced,    // by one unit of depth towards the eye
 };
 
-// How shadows are drawn if ShowOptions enables them.
+// The drawing of shadows if ShowOptions enables them.
 struct ShadowOptions {
   ShadowMethod method = ShadowMethod::kRobust;
   NearCaps near_caps = NearCaps::kExact;
   // Length of the paper's volumes in diagonals of the world; those of kRobust extend to infinity.
   double extrusion = 4;
-  // Whether shadows are drawn as half-transparent black, as in the paper, instead of omitting the light.
+  // Draws shadows as half-transparent black, as in the paper, instead of omitting the light.
   bool paper_look = false;
-  // The method to the right of the split if ShowOptions compares two; `split` is a fraction of the picture's
+  // The method to the right of the split if ShowOptions compares two; `split` is a fraction of the frame's
   // width.
   ShadowMethod beside = ShadowMethod::kPaperOneVolume;
   double split = 0.5;
-  size_t inspected = 0;  // the light whose silhouette, volumes and counts are shown
+  size_t inspected = 0;  // the light with visible silhouette, volumes and counts
   friend bool operator==(const ShadowOptions&, const ShadowOptions&) = default;
 };
 
-// Which boxes of the tree are drawn when ShowOptions asks for them.
+// The boxes of the AABB tree to draw if ShowOptions enables them.
 struct TreeOverlay {
-  int deepest = 64;  // levels under the root
+  int deepest = 64;  // levels below the root
   bool leaves_only = false;
   bool hit_only = false;
-  std::optional<BodyId> body;  // the only body whose boxes are drawn; nothing: all
+  std::optional<BodyId> body;  // the only body whose boxes are drawn; nullopt: all
   BoxPalette palette = BoxPalette::kRedAndGreen;
   friend bool operator==(const TreeOverlay&, const TreeOverlay&) = default;
 };
 
-// How a piece is drawn. This does not change the world.
+// How a piece is drawn, without a change of the world.
 struct PieceLook {
   bool hidden = false;
   bool selected = false;  // drawn with an outline
@@ -186,53 +184,53 @@ struct FaceOfBody {
   friend bool operator==(const FaceOfBody&, const FaceOfBody&) = default;
 };
 
-// Which normals surfaces are shaded by.
+// The normals that surfaces are shaded by.
 enum class Shading {
   kByAngle,  // smooth where faces meet at less than 35 degrees (see BaseFaces)
   kSmooth,   // smooth everywhere
   kFlat,     // each face by its plane
 };
 
-// How the world is drawn.
+// The options for drawing a world.
 struct ViewOptions {
   ShowOptions show;
-  bool rim_glow = true;     // the rims of cuts glow
-  bool sparks = true;       // sparks and smoke fly where the laser of the editor bites
+  bool rim_glow = true;     // glow of the rims of cuts
+  bool sparks = true;       // sparks and smoke of the editor's laser
   bool antialias = true;    // four samples per pixel
-  bool two_sided = true;    // faces are lit on both sides; otherwise the back is black
-  bool cull_backs = false;  // backs are not drawn, as the paper first had it
-  bool ghost = false;       // removed faces are drawn as a faint veil
-  bool tint_pieces = true;  // what was cut off has a colour of its own; otherwise it keeps its paint
-  bool legends = true;      // colours of overlays are explained in the picture, by strips
+  bool two_sided = true;    // lights both sides of faces; otherwise the back is black
+  bool cull_backs = false;  // culls back faces, as the paper did at first
+  bool ghost = false;       // removed faces as a faint veil
+  bool tint_pieces = true;  // cut-off pieces have their own colour; otherwise they keep their paint
+  bool legends = true;      // legends of overlay colours as strips
   Shading shading = Shading::kByAngle;
-  double mark_scale = 1;                // of numbers and lines over the picture; 1 is for a screen
-  bool by_day = false;                  // the environment are bright, otherwise dark
-  std::optional<SectionPlane> section;  // where ShowOptions::section cuts; see shown_section()
+  double mark_scale = 1;                // of numbers and lines; 1 suits a screen
+  bool by_day = false;                  // bright environment, otherwise dark
+  std::optional<SectionPlane> section;  // plane of ShowOptions::section; see shown_section()
   TreeOverlay tree;
   std::vector<Light> lights = std::vector<Light>(1);  // only the first kMaxLights are used
   ShadowOptions shadow;
-  std::shared_ptr<const DrawnGraph> graph;    // what ShowOptions::graph draws; null: nothing
+  std::shared_ptr<const DrawnGraph> graph;    // for ShowOptions::graph; null: nothing
   std::shared_ptr<const ScalarField> scalar;  // colours the faces; null: their paints do
   std::optional<FaceOfBody> lit_face;         // outlined, if it is live
-  std::shared_ptr<const StageMarks> stage;    // what a stage of a cut did; null: nothing
+  std::shared_ptr<const StageMarks> stage;    // of a stage of a cut; null: nothing
   std::shared_ptr<const BodyMarks> bodies;    // of the physics; null: nothing
   std::shared_ptr<const Effects> effects;     // of lasers; null: nothing
-  std::shared_ptr<const DrawnWire> wire;      // of what pieces may become; null: nothing
-  std::map<PieceId, PieceLook> pieces;        // pieces that are not drawn with the default look
-  // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
-  // Values are not null.
+  std::shared_ptr<const DrawnWire> wire;      // preview of pieces; null: nothing
+  std::map<PieceId, PieceLook> pieces;        // pieces with a look other than the default
+  // The face groups of bodies with displaced pieces, for the current world; see spread_pieces(). Values are
+  // not null.
   std::map<BodyId, std::shared_ptr<const PieceGroups>> groups;
 };
 
-// What an option and a file may ask for.
+// The valid range in options and files.
 inline constexpr NumberRange kSpread{0, 100};
 
-// Sets the offset of every piece to `spread` (>= 0) times the vector from the centre of the world's bounds to
-// the piece's centre of area, and drops looks that are plain then. Loose parts go with the nearest piece (see
-// PieceGroups). If the spread is not 0, it costs as much as group_pieces() for each body.
+// Sets the offset of every piece to `spread` (>= 0) times the vector from the centre of the world's bounds
+// to the piece's centre of area, and drops looks that become default. Loose parts move with the nearest
+// piece (see PieceGroups). For a non-zero spread, costs group_pieces() for each body.
 void spread_pieces(const World& world, double spread, ViewOptions& look);
 
-// Does what spread_pieces() does, for a world that has not changed since the last call of either. O(pieces).
+// Like spread_pieces(), for a world that has not changed since the last call of either. O(pieces).
 void spread_further(const World& world, double spread, ViewOptions& look);
 
 }  // namespace kerf

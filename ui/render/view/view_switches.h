@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// The switches of the view, in the order in which menus and panels list them.
+// The switches of the view, in the order of menus and panels.
 enum class SwitchId {
   kShadows,
   kSilhouette,
@@ -43,33 +43,31 @@ enum class SwitchId {
 
 inline constexpr std::array kOffAndOn{"off", "on"};
 
-// A switch of the view: what menus, keys, panels, `--show` and the editor's report know of it. Most are off
-// or on; one with more states is taken through them by its key.
+// A switch of the view, as used by menus, keys, panels, `--show` and the editor's report. Most have two
+// states, off and on; the key of others cycles through their states.
 struct ViewSwitch {
   SwitchId id;
-  const char* show = "";    // the name that `--show` takes; empty: not one of its overlays
-  const char* report = "";  // the key in the editor's report; empty: not in it
+  const char* show = "";    // name in `--show`; empty: none of its overlays
+  const char* report = "";  // key in the editor's report; empty: not in it
   const char* label = "";   // in menus and panels; empty: in neither
-  char key = 0;             // the capital letter of the key that flips it; 0: none
-  const char* tip = "";     // what it does, for people
+  char key = 0;             // capital letter of its key; 0: none
+  const char* tip = "";     // tooltip
   bool in_menu = true;
-  bool in_view_panel = true;  // false where another panel has it
-  bool ends_group = false;    // a line under it in the menu
-  std::span<const char* const> states =
-      kOffAndOn;                                // their names for people, off first; `--show` sets the last
-  size_t (*get)(const ViewOptions&) = nullptr;  // the state, an index of `states`
+  bool in_view_panel = true;                        // false: in another panel
+  bool ends_group = false;                          // a separator after it in the menu
+  std::span<const char* const> states = kOffAndOn;  // display names, off first; `--show` sets the last
+  size_t (*get)(const ViewOptions&) = nullptr;      // the state, an index of `states`
   void (*set)(ViewOptions&, size_t) = nullptr;
 
   bool is_two_state() const { return states.size() == 2; }
-  // Goes to the state after the present one, and from the last to the first.
+  // Advances to the next state, cyclically.
   void flip(ViewOptions& look) const {
     KERF_ASSERT(get(look) < states.size());
     set(look, (get(look) + 1) % states.size());
   }
 };
 
-// The name of the action that flips it: "Shadows: none, ground, all", and its label where the states are off
-// and on.
+// The name of its action: "Shadows: none, ground, all", or its label for the states off and on.
 std::string action_name(const ViewSwitch& s);
 
 // All switches, indexed by their ids.

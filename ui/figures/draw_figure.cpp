@@ -167,7 +167,7 @@ Status draw_match_figure(const std::filesystem::path& file, Ticks tick, const gl
   if (!recording) return recording.error();
   if (tick == 0 || recording->controls.size() < tick)
     return bad_input(file.string() + ": the match has " + std::to_string(recording->controls.size()) +
-                     " ticks, and the figure wants the one after " + std::to_string(tick));
+                     " ticks, and the figure needs tick " + std::to_string(tick));
   auto rules = load_rules(recording->rules, nullptr, recording->player);
   if (!rules) return rules.error();
   auto drawn = MatchPicture::create();

@@ -58,8 +58,7 @@ Status film_fight(const std::filesystem::path& file, const FilmFormat& format, c
   if (!recording) return recording.error();
   auto rules = load_rules(recording->rules, nullptr, recording->player);
   if (!rules) return rules.error();
-  if (recording->controls.empty())
-    return bad_input(file.string() + ": the match has no tick that could be filmed");
+  if (recording->controls.empty()) return bad_input(file.string() + ": the match has no ticks to film");
   const MatchSetup setup{*rules, recording->seed, recording->difficulty};
   const auto moment = best_moment(setup, recording->controls, progress);
   if (!moment) return cancelled();
@@ -116,7 +115,7 @@ Status film_graph(const std::filesystem::path& work, const FilmFormat& format, c
   const auto picture = draw_first(work, format);
   if (!picture) return picture.error();
   const auto whole = graph_around_last_cut(*picture->document);
-  if (!whole) return bad_input(work.string() + ": no face is left, so there is no graph to film");
+  if (!whole) return bad_input(work.string() + ": all faces were removed, so there is no graph to film");
   OffscreenRenderer& renderer = *picture->renderer;
   return film_still(format, kTraversal + kAfterTraversal, progress, renderer, [&](double share) {
     const double done = std::min(1.0, share * (kTraversal + kAfterTraversal) / kTraversal);

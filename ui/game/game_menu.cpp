@@ -155,7 +155,7 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   MenuChoice choice = MenuChoice::kNone;
   if (replay == Replay::kPlaying) draw_caption("The best ten seconds");
   begin_menu("Result", 0.04f);
-  menu_heading(result.won ? "Won" : result.ended ? "Time is over" : "Lost", 2.2f);
+  menu_heading(result.won ? "Won" : result.ended ? "Time is up" : "Lost", 2.2f);
   if (!result.ended) ImGui::Text("%s", result.why.c_str());
   ImGui::Text("Score %.0f", result.score.score);
   ImGui::TextUnformatted(words_on_course(result).c_str());
@@ -179,9 +179,9 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
 namespace {
 
 constexpr const char* kWhatIsPlayed[] = {
-    "Five waves of one to five cars, against the clock. You have three cars.",
-    "Take a van apart in two minutes. Parts that come off whole count most.",
-    "Nobody fights. V brings another car to cut.",
+    "Survive five waves of enemy cars before time runs out. You have three cars.",
+    "Dismantle a van in two minutes. Intact parts score most.",
+    "No enemies. Press V to spawn a car to cut.",
 };
 
 // Draws a row of choices of equal width. Returns true if the selection changed.
@@ -213,17 +213,17 @@ MenuChoice draw_start_menu(const StartView& view) {
   MenuChoice choice = MenuChoice::kNone;
   begin_menu("Start", 0.04f, 27);
   menu_heading("Kerf", 2.6f);
-  ImGui::TextUnformatted("A laser on the roof, and whatever it cuts comes off.");
+  ImGui::TextUnformatted("Your car has a laser. Anything that you cut falls off.");
   ImGui::Spacing();
-  bool other = draw_choice("What is played", s.mode, kModeTitles);
+  bool other = draw_choice("Mode", s.mode, kModeTitles);
   ImGui::TextWrapped("%s", kWhatIsPlayed[static_cast<size_t>(s.mode)]);
   ImGui::Spacing();
   if (s.mode == GameMode::kWaves)
     other = draw_choice("Level", s.difficulty, std::array{"Easy", "Normal", "Hard"}) || other;
   other = draw_choice("Your car", s.vehicle, kVehicleTitles) || other;
-  ImGui::TextDisabled("What puts a car out");
-  ImGui::TextWrapped(
-      "%s", "Its engine or its driver's seat is cut off. Cut through a hub, and the wheel comes off.");
+  ImGui::TextDisabled("How to wreck a car");
+  ImGui::TextWrapped("%s",
+                     "Cut out its engine or its driver's seat. Cut through a hub to take off the wheel.");
   ImGui::Spacing();
   draw_scores(view.scores, "Best scores", 0, s.mode == GameMode::kWaves);
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));

@@ -344,7 +344,7 @@ std::string GameScreen::words_on_speed() const {
   std::string words;
   if (settings_.show_speed && frame_s_ > 0) words = std::to_string(std::lround(1 / frame_s_)) + " frames/s";
   if (clock_.speed() > kNoticedSpeed) return words;
-  return words + (words.empty() ? "" : ", ") + text_of("%.1f of real time", clock_.speed());
+  return words + (words.empty() ? "" : ", ") + text_of("%.1fx speed", clock_.speed());
 }
 
 void GameScreen::draw() {

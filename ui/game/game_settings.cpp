@@ -143,7 +143,7 @@ Result<size_t> add_high_score(const HighScore& score, const fs::path& file) {
                               {"seconds", s.seconds}});
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  if (error) return failed(file.parent_path().string() + ": the folder for the scores cannot be made");
+  if (error) return failed(file.parent_path().string() + ": cannot create the folder for the scores");
   if (const Status written = write_file_atomically(file, json.dump(2) + "\n"); !written)
     return written.error();
   return rank;

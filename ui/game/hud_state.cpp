@@ -19,7 +19,7 @@ std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
 
 std::string why_it_ended(const Match& match, size_t killer) {
   KERF_ASSERT(match.standing().over());
-  if (match.standing().phase == Standing::Phase::kWon) return "All enemies are out";
+  if (match.standing().phase == Standing::Phase::kWon) return "All enemies are wrecked";
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   if (own.alive) return match.seconds_left() > 0 ? "You gave up" : "Time is up";
   const bool known = killer != Match::kPlayer && killer < match.vehicles().size();
@@ -90,32 +90,32 @@ void HudState::tell(const Match& match, const Event& event) {
       }
       return;
     case Kind::kPieceOff:
-      if (event.points > 0) say("a piece is off", event.points, true);
+      if (event.points > 0) say("piece cut off", event.points, true);
       return;
     case Kind::kWheelLost:
-      if (!what || event.part >= what->wheels.size()) return say("a wheel is off", event.points, !own);
-      return say(whose + name_of_wheel(*what, event.part) + " is off", event.points, !own);
+      if (!what || event.part >= what->wheels.size()) return say("a wheel came off", event.points, !own);
+      return say(whose + name_of_wheel(*what, event.part) + " came off", event.points, !own);
     case Kind::kTurretLost:
     case Kind::kBarrelLost:
-      return say(whose + "laser is off", event.points, !own);
+      return say(whose + "laser came off", event.points, !own);
     case Kind::kVitalLost:
-      if (!what || event.part >= what->vitals.size()) return say("a part is gone", event.points, !own);
-      return say(whose + name_of_vital(*what, event.part) + " is gone", event.points, !own);
+      if (!what || event.part >= what->vitals.size()) return say("a part was cut off", event.points, !own);
+      return say(whose + name_of_vital(*what, event.part) + " was cut off", event.points, !own);
     case Kind::kInHalves:
-      return say(own ? "you are cut in two" : "cut in two", event.points, !own, true);
+      return say(own ? "you were cut in half" : "cut in half", event.points, !own, true);
     case Kind::kKilled:
-      return say(own ? "you are out" : "the " + (what ? what->name : "enemy") + " is out", event.points, !own,
-                 true);
+      return say(own ? "you are wrecked" : "the " + (what ? what->name : "enemy") + " is wrecked",
+                 event.points, !own, true);
     case Kind::kOverheated:
-      if (own) say("the laser is too hot", 0, false);
+      if (own) say("laser overheated", 0, false);
       return;
     case Kind::kRighted:
       if (own) say("back on your wheels", 0, true);
       return;
     case Kind::kCleanPart:
-      return say("a clean part", event.points, true);
+      return say("clean cut", event.points, true);
     case Kind::kCarLost:
-      return say(event.part == 0 ? "your last car comes" : "another car comes", 0, false, true);
+      return say(event.part == 0 ? "last car" : "next car", 0, false, true);
     case Kind::kWaveBegins:
       if (match.rules().description.targets) return;
       return say("wave " + std::to_string(event.part + 1), 0, true, true);
@@ -166,11 +166,12 @@ Lesson::Lesson(const Match& match) {
 std::optional<Lesson::Task> Lesson::task(const Match& match) const {
   switch (step_) {
     case Step::kDrive:
-      return Task{"Drive here: W A S D or the arrows", place_};
+      return Task{"Drive to the marker (WASD or arrow keys)", place_};
     case Step::kDrum:
-      return Task{"Cut this drum in two: the mouse aims, hold the left button", place_of(match, drum_)};
+      return Task{"Aim with the mouse and hold the left button to cut the drum in half",
+                  place_of(match, drum_)};
     case Step::kWheel:
-      return Task{"Cut a wheel off this car: drive within 18 m, draw the beam across",
+      return Task{"Get within 18 m of this car and sweep the beam through a wheel hub",
                   place_of(match, match.vehicles().back().chassis)};
     case Step::kDone:
       break;

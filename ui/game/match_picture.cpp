@@ -266,7 +266,7 @@ Result<MatchFrames> MatchFrames::open(const std::filesystem::path& folder, int w
   if (!picture) return picture.error();
   gl::Framebuffer frame({width, height, 1, false});
   if (!frame.complete())
-    return bad_input("--size: this machine draws no pictures of " + std::to_string(width) + "x" +
+    return bad_input("--size: this machine does not support images of " + std::to_string(width) + "x" +
                      std::to_string(height));
   return MatchFrames{std::move(*context), std::move(*picture), std::move(frame), folder};
 }

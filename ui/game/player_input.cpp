@@ -32,8 +32,8 @@ std::string name_on_chassis(const Vehicle& vehicle, const Vec3& at) {
   for (size_t i = 0; i < what.vitals.size(); ++i)
     offer(vehicle.model->vital_centres[i], vehicle.vital_works[i], name_of_vital(what, i));
   for (size_t i = 0; i < what.wheels.size(); ++i)
-    offer(what.wheels[i].hub, vehicle.wheels[i].attached, "mount of the " + name_of_wheel(what, i));
-  offer(what.turret.pivot, vehicle.gun.turret_attached, "mount of the laser");
+    offer(what.wheels[i].hub, vehicle.wheels[i].attached, "hub of the " + name_of_wheel(what, i));
+  offer(what.turret.pivot, vehicle.gun.turret_attached, "laser mount");
   return name;
 }
 

@@ -57,7 +57,7 @@ EGLDisplay device_display() {
 
 // Returns null on success, else the failed step. A surface requires the depth and stencil of a window.
 const char* open_context(EGLDisplay display, bool with_surface, EGLConfig& config, EGLContext& context) {
-  if (display == EGL_NO_DISPLAY) return "not offered";
+  if (display == EGL_NO_DISPLAY) return "is not available";
   if (!eglInitialize(display, nullptr, nullptr)) return "does not initialise";
   if (!eglBindAPI(EGL_OPENGL_API)) return "has no desktop OpenGL";
   const EGLint wanted[] = {EGL_SURFACE_TYPE,     EGL_PBUFFER_BIT,      EGL_RENDERABLE_TYPE,
@@ -95,8 +95,7 @@ Result<std::unique_ptr<OffscreenContext::Handles>> OffscreenContext::open(bool w
   };
   if (auto handles = attempt("EGL's surfaceless platform", surfaceless_display())) return handles;
   if (auto handles = attempt("EGL's device platform", device_display())) return handles;
-  return failed("OpenGL cannot be had without a screen: " + reasons +
-                "; install libegl1 and libgl1-mesa-dri");
+  return failed("Cannot create an OpenGL context: " + reasons + "; install libegl1 and libgl1-mesa-dri");
 }
 
 Result<OffscreenContext> OffscreenContext::create() {
@@ -110,8 +109,7 @@ Result<OffscreenContext> OffscreenContext::create_with_surface(int width, int he
   auto handles = open(true);
   if (!handles) return handles.error();
   OffscreenContext context(std::move(*handles));
-  if (!context.put_surface(width, height))
-    return failed("OpenGL without a screen offers no surface to draw on");
+  if (!context.put_surface(width, height)) return failed("Cannot create an off-screen OpenGL surface");
   report_gl_errors();
   return context;
 }

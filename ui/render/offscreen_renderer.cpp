@@ -34,14 +34,13 @@ OffscreenRenderer::OffscreenRenderer(gl::OffscreenContext context, gl::Framebuff
 
 Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const PictureOptions& options) {
   if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > kLargestSide) {
-    return bad_input("the size of a picture must be from 1x1 to " + std::to_string(kLargestSide) + "x" +
+    return bad_input("the size of an image must be from 1x1 to " + std::to_string(kLargestSide) + "x" +
                      std::to_string(kLargestSide));
   }
   auto context = gl::OffscreenContext::create();
   if (!context) return context.error();
   gl::Framebuffer picture({options.width, options.height, 1, false});
-  if (!picture.complete())
-    return failed("OpenGL has no room for a picture of this size; choose a smaller one");
+  if (!picture.complete()) return failed("OpenGL has no memory for an image of this size; use a smaller one");
   auto made = Renderer::create();
   if (!made) return made.error();
 

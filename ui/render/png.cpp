@@ -101,7 +101,7 @@ Status write_png(const Pixels& pixels, const std::filesystem::path& file) {
   };
   if (!stbi_write_png_to_func(append, &bytes, pixels.width, pixels.height, 3, pixels.rgb.data(),
                               3 * pixels.width)) {
-    return failed(file.string() + ": the picture cannot be packed");
+    return failed(file.string() + ": cannot compress the image");
   }
   return write_file_atomically(file, bytes);
 }

@@ -101,8 +101,7 @@ static void fit_into_screen(int& width, int& height) {
 Result<std::unique_ptr<Window>> DesktopWindow::open(int width, int height, const std::string& title) {
   glfwSetErrorCallback(nullptr);
   if (!glfwInit())
-    return failed(
-        "a window needs a display; `kerf render` draws without one, and `kerf play --headless` plays");
+    return failed("there is no display for a window; use `kerf render` or `kerf play --headless`");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -111,7 +110,7 @@ Result<std::unique_ptr<Window>> DesktopWindow::open(int width, int height, const
   GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (window == nullptr) {
     glfwTerminate();
-    return failed("this display offers no OpenGL 3.3; `kerf render` draws without it");
+    return failed("the display does not support OpenGL 3.3; `kerf render` needs no display");
   }
   glfwSetWindowSizeLimits(window, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window);

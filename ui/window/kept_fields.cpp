@@ -38,15 +38,15 @@ Json read_kept(const fs::path& file, std::string& fault) {
   fs::path bad = file;
   bad += ".bad";
   fs::rename(file, bad, error);
-  fault = error ? file.string() + ": cannot be read and cannot be set aside: the defaults are used"
-                : "The settings could not be read: they were set aside as " + bad.string();
+  fault = error ? file.string() + ": cannot be read or set aside; the defaults are used"
+                : "The settings could not be read; the file was set aside as " + bad.string();
   return Json::object();
 }
 
 Status write_kept(const Json& settings, const fs::path& file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  if (error) return failed(file.parent_path().string() + ": the folder for the settings cannot be made");
+  if (error) return failed(file.parent_path().string() + ": cannot create the folder for the settings");
   return write_file_atomically(file, settings.dump(2) + "\n");
 }
 

@@ -56,7 +56,7 @@ std::optional<double> NumberEntry::entered(std::string_view text, double present
   const double limited = low ? range.least : range.most;
   if (message != nullptr)
     message->say_before_change(std::string(name) + " is limited to " + shown(limited) + ", the " +
-                               (low ? "least" : "most") + " that it can be");
+                               (low ? "minimum" : "maximum") + " value");
   return limited;
 }
 

@@ -207,7 +207,7 @@ class Parser {
         value = finite(value * factor());
       } else if (take('/')) {
         const double by = factor();
-        value = by == 0 ? fail("it divides by zero") : finite(value / by);
+        value = by == 0 ? fail("division by zero") : finite(value / by);
       } else {
         break;
       }
@@ -231,7 +231,7 @@ class Parser {
   double primary() {
     if (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) return number();
     if (!take('(')) return fail(missing_number());
-    if (++depth_ > kMaxBrackets) return fail("there are too many brackets");
+    if (++depth_ > kMaxBrackets) return fail("too many nested brackets");
     const double value = sum();
     --depth_;
     if (fault_.empty() && !take(')')) fail(at_ == text_.size() ? "a \")\" is missing" : unread());
@@ -288,7 +288,7 @@ class Parser {
   static bool is_tiny(const std::string& digits) { return std::strtod(digits.c_str(), nullptr) < 1; }
 
   std::string missing_number() const {
-    if (at_ == text_.size()) return "a number is missing at its end";
+    if (at_ == text_.size()) return "a number is missing at the end";
     if (peek() == ',') return unread();
     return quoted(word()) + " is not a number";
   }
@@ -312,14 +312,16 @@ class Parser {
   std::string unread() const {
     const std::string_view rest = text_.substr(at_);
     if (rest.find(',') != std::string_view::npos)
-      return "a comma is not read: write a point before decimals, and spaces between thousands";
+      return "commas are not supported: use a decimal point, and spaces between thousands";
     if (peek() == ')') return "a \")\" has no \"(\"";
     if (is_digit(peek()) || peek() == '.' || peek() == '(')
       return quoted(trimmed(rest)) + " is not one number";
     const bool goes_on = rest.find_first_of("0123456789(", word().size()) != std::string_view::npos;
-    if (goes_on && factor_of(word(), unit_)) return "the unit stands at the end, and holds for all of it";
+    if (goes_on && factor_of(word(), unit_))
+      return "the unit must be at the end; it applies to the whole expression";
     const std::string known = units_text(unit_);
-    return quoted(trimmed(rest)) + " is not read: " + (known.empty() ? "the number has no unit" : known);
+    return quoted(trimmed(rest)) +
+           " is not understood: " + (known.empty() ? "the number has no unit" : known);
   }
 
   std::string_view text_;

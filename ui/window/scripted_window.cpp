@@ -27,7 +27,7 @@ constexpr int kFramesToSettle = 4;
 Result<EventScript> EventScript::open(const std::filesystem::path& file, Vec2 size) {
   if (file == "-") return EventScript(nullptr, "standard input", size);
   auto steps = std::make_unique<std::ifstream>(file);
-  if (!*steps) return bad_input(file.string() + ": cannot be read; it should hold a step a line");
+  if (!*steps) return bad_input(file.string() + ": cannot be read; expected one step per line");
   return EventScript(std::move(steps), file.string(), size);
 }
 
@@ -54,7 +54,7 @@ Result<bool> EventScript::begin_frame(bool moving, const Answer& answer) {
     const std::string where = name_ + ":" + std::to_string(line_);
     const auto step = nlohmann::json::parse(*line, nullptr, false);
     if (!step.is_object() || step.size() != 1)
-      return bad_input(where + ": a step must be an object with one key, like {\"move\": [100, 200]}");
+      return bad_input(where + ": a step must be an object with one key, such as {\"move\": [100, 200]}");
     const auto next = take(step.begin().key(), JsonValue(step, where)[step.begin().key()], answer);
     if (!next) return next.error();
     if (*next == Next::kStep) continue;
@@ -121,7 +121,7 @@ Status EventScript::print_answer(const JsonValue& value, const Answer& answer) c
   if (!what) return what.error();
   std::optional<std::string> text = answer(*what);
   if (*what == "title") text = nlohmann::json(title_).dump();
-  if (!text) return value.wrong("the screen that is shown has no such answer");
+  if (!text) return value.wrong("the current screen has no such answer");
   std::printf("%s\n", text->c_str());
   std::fflush(stdout);
   return Done{};
@@ -172,7 +172,7 @@ Status VirtualInput::hear(const std::string& name, const JsonValue& value) {
   if (name == "size") return resize(value);
   if (name == "focus") return focus(value);
   if (name == "close") return close(value);
-  return value.wrong("there is no such step");
+  return value.wrong("unknown step");
 }
 
 int VirtualInput::mods() const {
@@ -217,7 +217,7 @@ Status VirtualInput::hold_key(const JsonValue& value, bool down) {
   const auto name = value.text();
   if (!name) return name.error();
   const auto key = key_named(*name);
-  if (!key) return value.wrong("there is no key \"" + *name + "\"");
+  if (!key) return value.wrong("unknown key \"" + *name + "\"");
   if (down) {
     keys_.insert(*key);
     put(InputEvent::Kind::kKey, *key);

@@ -29,7 +29,7 @@ bool unit_combo(FileUnit& unit) {
   int chosen = static_cast<int>(unit);
   const bool changed = ImGui::Combo("##unit", &chosen, "mm\0cm\0m\0in\0");
   mark_last_item("unit");
-  tooltip("What one unit of the file is. It changes the lengths in labels, never positions.");
+  tooltip("Length of one file unit. It changes displayed lengths, never positions.");
   if (changed) unit = static_cast<FileUnit>(chosen);
   return changed;
 }
@@ -38,7 +38,7 @@ bool up_axis_combo(UpAxis& up) {
   int chosen = static_cast<int>(up);
   const bool changed = ImGui::Combo("##up", &chosen, "+Y\0+Z\0");
   mark_last_item("up axis");
-  tooltip("The axis of the file that points upwards. It turns the picture, never positions.");
+  tooltip("Up axis of the file. It turns the view, never positions.");
   if (changed) up = static_cast<UpAxis>(chosen);
   return changed;
 }

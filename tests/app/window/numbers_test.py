@@ -26,7 +26,7 @@ class Numbers(WindowTest):
         report = self.type_into_slider(editor, "radius", "1/4 in")
         self.assertAlmostEqual(report["laser"]["radius"], 0.00635, delta=1e-9)
         for text, reason in (("abc-5", '"abc" is not a number'), ("1e999", '"1e999" is too large'),
-                             ("1,5", "a comma is not read"), ("4 00", "is not one number"),
+                             ("1,5", "commas are not supported"), ("4 00", "is not one number"),
                              ("3 W", "the units are mm, cm, m, in and ft")):
             report = self.type_into_slider(editor, "radius", text)
             self.assertAlmostEqual(report["laser"]["radius"], 0.00635, delta=1e-9)

@@ -19,7 +19,7 @@ constexpr double kMaxWidth = 0.82;      // of the frame that a framed box may ta
 constexpr double kTurn = 6.283185307179586;
 const double kFullPull = std::log(CameraView::kFarAway);
 
-// The x and y span of the box in the frame; tells whether all of it is in front of the eye.
+// The x and y span of the box in the frame; `in_front`: all of it is in front of the eye.
 struct Extent {
   Vec2 low{1e300}, high{-1e300};
   bool in_front = true;

@@ -91,8 +91,8 @@ std::string section_text(const SectionPlane& plane) {
 }
 
 Result<SectionPlane> parse_section(std::string_view text) {
-  const auto wrong = bad_input(
-      "a section plane is written as its point and its normal, x,y,z x,y,z, like \"0,0.5,0 0,1,0\"");
+  const auto wrong =
+      bad_input("a section plane needs a point and a normal, x,y,z x,y,z, such as \"0,0.5,0 0,1,0\"");
   constexpr std::string_view kOption = "--section";
   text = trimmed(text, kBlanks);
   if (text.starts_with(kOption)) text.remove_prefix(kOption.size());

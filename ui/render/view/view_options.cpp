@@ -101,7 +101,7 @@ Result<ShowOptions> parse_show_list(std::string_view list) {
       continue;
     }
     return bad_input("--show: '" + std::string(word) +
-                     "' is not the name of an overlay; there is: " + offered_show_names());
+                     "' is not an overlay; valid names: " + offered_show_names());
   }
   return look.show;
 }

@@ -9,7 +9,6 @@
 
 namespace kerf {
 
-// A dimension line over a figure.
 struct Ruler {
   Vec3 from{0}, to{0};  // m, in the world
   std::string text;
@@ -38,7 +37,6 @@ struct FigureFilms {
   std::filesystem::path shadow;  // a scene whose first light rotates
 };
 
-// The content of a file of figures.
 struct FigureList {
   std::vector<Figure> figures;
   FigureFilms films;

@@ -132,7 +132,6 @@ void draw_panel(ImDrawList& list, const Panel& panel, const std::vector<DiagramT
   list.AddText({panel.centre.x - 0.5f * size.x, panel.centre.y + 0.72f * panel.scale}, kStroke, label);
 }
 
-// Draws an arrow from one panel to the next.
 void draw_arrow(ImDrawList& list, ImVec2 at) {
   const float em = ImGui::GetFontSize();
   list.AddLine({at.x - em, at.y}, {at.x + 0.6f * em, at.y}, kStroke, 0.14f * em);

@@ -23,7 +23,6 @@ struct DiagramTriangle {
 // OneToFour, so the neighbours of split parts are closed as in every mesh.
 std::vector<std::vector<DiagramTriangle>> split_stages(const Vec2& beam, double radius);
 
-// Returns the corners of the triangle that is cut.
 std::array<Vec2, 3> diagram_triangle();
 
 // Draws the stages side by side with the current ImGui context, over the whole image.

@@ -16,7 +16,6 @@ class GameScreen;
 class Window;
 struct WindowOptions;
 
-// The options of a game in a window.
 struct GameOptions {
   MatchSetup setup;
   bool chosen_difficulty = false;  // setup.difficulty was requested; otherwise the settings determine it
@@ -34,7 +33,6 @@ struct LeftMatch {
   std::vector<Controls> played;  // in its ticks
 };
 
-// The result of a game in a window.
 struct GameOutcome {
   LeftMatch last;  // its match is not null
   std::vector<double> frame_seconds;
@@ -55,7 +53,6 @@ class WindowedGame {
   // Plays until the player leaves. Another call resumes there, with the menu that was open.
   void play(FrameLoop& loop);
 
-  // The state in which it was left.
   bool wants_inspection() const;
   GuiLook look() const;
   const Match& match() const;

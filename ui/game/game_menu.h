@@ -11,8 +11,6 @@
 
 namespace kerf {
 
-// Elements of the game's menus.
-
 // Begins a menu at a fraction of the width of the window, centred vertically, at least `least_width` em
 // wide. Ends with ImGui::End().
 void begin_menu(const char* name, float across, float least_width = 22);
@@ -26,7 +24,6 @@ bool menu_button(const char* label, const char* landmark);
 // nothing for an empty list. `fights`: such matches are won or lost.
 void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights);
 
-// The player's choice in a menu.
 enum class MenuChoice {
   kNone,
   kResume,
@@ -54,10 +51,8 @@ struct MenuView {
   LeavingWays ways;
 };
 
-// Draws the pause menu over the window.
 MenuChoice draw_pause_menu(const MenuView& view);
 
-// The result of a match.
 struct MatchResult {
   bool won = false;
   bool ended = false;  // neither won nor lost, without enemies

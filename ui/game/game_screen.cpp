@@ -73,7 +73,6 @@ void GameScreen::start() {
   enter(State::kPlaying);
 }
 
-// Opens its menu.
 void GameScreen::go_on_with(LeftMatch left) {
   options_.setup = left.match->setup();
   match_ = std::move(left.match);

@@ -24,7 +24,6 @@ namespace kerf {
 // while the match runs.
 class GameScreen : public Screen {
  public:
-  // The player's intention when the screen is over.
   enum class Leave { kStay, kAway, kInspect };
 
   // The window must outlive it. Precondition: an ImGui context is current.
@@ -36,7 +35,6 @@ class GameScreen : public Screen {
   Leave leave() const { return leave_; }
   // Must be called before the screen is shown, and again after it was left.
   void go_on();
-  // The player's camera.
   View view() const;
   const Match& match() const { return *match_; }
   // Precondition: the screen is over and is not used afterwards.

@@ -11,7 +11,6 @@
 
 namespace kerf {
 
-// The mode of a match.
 enum class GameMode {
   kWaves,    // the standard match
   kTrial,    // dismantling a vehicle against the clock
@@ -20,7 +19,6 @@ enum class GameMode {
 inline constexpr std::array kModeNames{"waves", "trial", "sandbox"};
 inline constexpr std::array kModeTitles{"Waves", "Time trial", "Sandbox"};
 
-// The player's vehicle.
 enum class OwnVehicle { kHatchback, kBuggy, kPickup, kVan };
 inline constexpr std::array kVehicleNames{"hatchback", "buggy", "pickup", "van"};
 inline constexpr std::array kVehicleTitles{"Hatchback", "Buggy", "Pick-up", "Van"};
@@ -31,7 +29,6 @@ Result<std::shared_ptr<const Rules>> load_mode(GameMode mode, OwnVehicle vehicle
 // Loads the rules of the tutorial (see Lesson).
 Result<std::shared_ptr<const Rules>> load_lesson(OwnVehicle vehicle);
 
-// Graphics quality.
 enum class PicturePreset {
   kAutomatic,  // the best one that is fast enough on this machine
   kLow,        // half the resolution or more (see ResolutionChoice), no shadows, no anti-aliasing
@@ -75,7 +72,6 @@ GameSettings settings_to_keep(const GameSettings& now, const GameSettings& kept,
 // Writes the settings atomically and creates missing folders.
 Status write_game_settings(const GameSettings& settings, const std::filesystem::path& file);
 
-// The result of a finished match.
 struct HighScore {
   double score = 0;
   std::string rules, difficulty;

@@ -42,7 +42,6 @@ class HudPaint {
   ImVec2 size_;
 };
 
-// The input of the HUD in addition to the match.
 struct HudView {
   const Match& match;
   const HudState& state;

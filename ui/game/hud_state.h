@@ -29,7 +29,6 @@ struct Notice {
 // The recent events of a match for the HUD.
 class HudState {
  public:
-  // Processes the events of the last tick.
   void hear(const Match& match);
   // Shows a line that is not an event of the match.
   void note(std::string text) { say(std::move(text), 0, true); }

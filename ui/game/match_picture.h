@@ -46,7 +46,6 @@ class Scorches {
 
   // Adds a mark at the end of a beam if that is on a wall or the ground.
   void burn(const Match& match, const BeamPicture& beam, const Sight& sight);
-  // Cools the marks for a time [s].
   void advance(double seconds);
   void clear() { places_.clear(); }
   void append_to(Effects& effects) const { effects.scorches.assign(places_.begin(), places_.end()); }
@@ -95,12 +94,10 @@ class MatchPicture {
   // Fails if a shader is missing or does not compile.
   static Result<MatchPicture> create();
 
-  // Shows the world of a match from now on.
   void show(const Match& match);
   // Follows the changes of the last tick; reloads the match at the beginning of a wave, which brings other
   // vehicles. Must be called after every tick.
   void follow(const Match& match);
-  // Advances sparks and smoke by a time [s].
   void advance(const Match& match, double seconds);
 
   // Draws a frame. `preset` is not kAutomatic; with kLow, `share` is that of a ResolutionChoice.

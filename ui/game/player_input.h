@@ -39,7 +39,6 @@ class PlayerInput {
   void poll(const Window& window, double seconds, const GameSettings& settings);
   // Releases all input; the next mouse motion begins at its position then.
   void release_all();
-  // Aims straight ahead.
   void reset();
   // Turns the aim by these angles [rad], within the limits of the vehicle.
   void turn(double left, double up);

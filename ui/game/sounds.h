@@ -39,18 +39,15 @@ class Sounds {
   Sounds(const Sounds&) = delete;
   Sounds& operator=(const Sounds&) = delete;
 
-  // Returns true if there is a device.
   bool on() const { return device_ != nullptr; }
 
-  // Sets the volume of all sounds, 0 .. 1.
-  void set_volume(double volume);
+  void set_volume(double volume);  // of all sounds, 0 .. 1
   // Sets the position of the listener (world, m) and its direction (unit).
   void listen(const Vec3& at, const Vec3& forward);
   // Sets a loop at a place, one for each `voice` (0 .. kVoices - 1); silent at a gain of 0. A pitch (> 0)
   // of 2 doubles the speed.
   static constexpr size_t kVoices = 6;
   void set(Loop loop, size_t voice, const Vec3& at, double gain, double pitch = 1);
-  // Plays a sound once at a place.
   void play(Shot shot, const Vec3& at, double gain, double pitch = 1);
   // Stops all sounds, e.g. while the game is paused.
   void hush();
@@ -63,7 +60,6 @@ class Sounds {
 // The sounds of a match at the camera.
 class MatchSounds {
  public:
-  // Processes the events of the last tick.
   void hear(const Match& match);
   // Updates engines and lasers. `volume` of all, 0 .. 1.
   void advance(const Match& match, const Vec3& eye, const Vec3& forward, double volume);

@@ -53,7 +53,6 @@ class ScopedState {
   ScopedState(const ScopedState&) = delete;
   ScopedState& operator=(const ScopedState&) = delete;
 
-  // Replaces the state for the rest of the scope.
   void set(const State& state);
 
  private:

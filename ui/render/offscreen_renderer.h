@@ -29,9 +29,7 @@ class OffscreenRenderer {
   void show_bodies_ahead(const World& world);
   const CameraView& view() const { return view_; }
   ViewOptions& look() { return look_; }
-  // The target of the last image.
   const gl::Framebuffer& framebuffer() const { return picture_; }
-  // Draws an image.
   void draw(const World& world, const std::optional<BeamPicture>& beam);
   // Writes the last image as a PNG atomically.
   Status write(const std::filesystem::path& png) const;
@@ -68,7 +66,6 @@ class Film {
   Status follow(const Document& document, const StepResult* step);
   // Follows a step without filming it.
   void leave_out(const Document& document, const StepResult* step);
-  // Writes the last frames.
   Status end(const Document& document);
 
  private:

@@ -22,7 +22,6 @@ namespace kerf {
 Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
                    const std::function<void(const StepResult&)>& told, const Progress* progress = nullptr);
 
-// The options of an image.
 struct PictureOptions {
   int width = 1280, height = 720;   // pixels, 1 .. 16384
   std::optional<Vec3> eye, target;  // m; if both are empty, the scene's view or one from the front

@@ -110,7 +110,6 @@ class Renderer {
   size_t uploaded_bytes() const { return uploaded_; }
 
  private:
-  // The passes, in drawing order.
   struct Passes {
     LitScene scene;
     BloomPass bloom;

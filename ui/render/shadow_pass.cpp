@@ -173,7 +173,6 @@ void VolumeBuffer::draw_edges(int vertices) const {
 
 namespace {
 
-// Writes only the stencil.
 gl::State counting(const gl::Stencil& stencil) {
   return {.writes_depth = false, .writes_colour = false, .writes_alpha = false, .stencil = stencil};
 }

@@ -43,7 +43,6 @@ class VolumeBuffer {
   ShadowVolume& volume() { return volume_; }
   const ShadowVolume& volume() const { return volume_; }
 
-  // Memory of the buffers on the GPU, in bytes.
   size_t bytes() const;
 
   // Uploads the changes of the volume since the last call. Precondition: the volume has followed the
@@ -59,7 +58,6 @@ class VolumeBuffer {
   void draw_edges(int vertices) const;
 
  private:
-  // An edge as the GPU reads it.
   struct Side {
     glm::vec3 low, high;  // in the body's float frame
     uint32_t piece;       // packed_piece of its label
@@ -91,7 +89,6 @@ class VolumeBuffer {
   Sides many_;                // the remaining copies of edges with higher multiplicity
 };
 
-// The work since the pass was created.
 struct ShadowWork {
   uint64_t casters = 0;  // whole bodies whose edges were found
   uint64_t faces = 0;    // signs computed, over all lights
@@ -112,7 +109,6 @@ class ShadowPass {
 
   // Discards all shadows, for another world or after a lost Delta.
   void forget() { bodies_.clear(); }
-  // Discards the shadows of one body.
   void forget(BodyId id) { bodies_.erase(id); }
   // Renames the body `from` to `to`, with its shadows.
   void carry_on(BodyId from, BodyId to);

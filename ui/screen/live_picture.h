@@ -68,7 +68,6 @@ class TracedShadows {
   bool waits_ = false;  // for a static viewport
 };
 
-// The content of a viewport, and its area of the window.
 struct Shot {
   const World& world;
   CameraView view;
@@ -93,7 +92,6 @@ class LivePicture {
   // Returns the renderer of the second world, which the first call creates.
   Result<Renderer*> second();
 
-  // The memory of both renderers.
   PictureMemory memory() const;
 
   // Draws one viewport, or two if `second` is not null. Precondition: second() was called before if so.
@@ -104,7 +102,6 @@ class LivePicture {
   // Draws drafts, without shadows and with one sample per pixel, until the shadow casters of a large, newly
   // opened scene are ready.
   void draft(bool wanted) { draft_ = wanted; }
-  // Returns true if the last frame was a draft.
   bool shows_draft() const { return shows_draft_; }
   // Returns true if another frame is needed although nothing moves.
   bool busy() const {
@@ -122,13 +119,11 @@ class LivePicture {
   // Frames after a change of heat until the accumulated frame shows none of the earlier heat.
   static constexpr int kHeatPictures = 4 * GatheredPicture::kPictures;
 
-  // A renderer with its accumulated frame.
   struct Drawn {
     Renderer renderer;
     GatheredPicture gathered;
   };
 
-  // How the last frame was drawn.
   enum class Quality {
     kRough,     // with one sample per pixel, to be in time
     kFinished,  // as requested, with several samples or one

@@ -32,9 +32,7 @@ class Screen {
 
   // Keys and characters held back from the next frame.
   virtual KeyboardHold keyboard_hold() const { return KeyboardHold::kNone; }
-  // The look of the panels in the next frame.
   virtual GuiLook look() const = 0;
-  // Processes user input.
   virtual void hear(const Input& input) = 0;
   // Advances everything that moves or waits, for at most the duration of a frame.
   virtual void advance() = 0;
@@ -51,7 +49,6 @@ class Screen {
   virtual double least_frame() const { return 0; }
   // Called before waiting for an event while nothing moves.
   virtual void rest() {}
-  // Returns true if the screen is to be left.
   virtual bool over() const = 0;
 
   // Returns the answer to a query of the script that drives the window, as JSON; nullopt for an unknown

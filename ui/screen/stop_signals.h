@@ -10,7 +10,6 @@ class StopSignals {
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
-  // Returns true if one of the signals arrived.
   bool came() const;
   // The signal that arrived during the lifetime of the last such object; 0: none.
   static int last();

@@ -10,7 +10,6 @@ struct GLFWwindow;
 
 namespace kerf {
 
-// A GLFW window on the desktop.
 class DesktopWindow final : public Window {
  public:
   // Opens a window of a size in screen coordinates. Fails if there is no display or no OpenGL 3.3.

@@ -80,9 +80,7 @@ class Gui {
   // Begins a frame and returns its events: as many of those received as one frame can show in their order
   // (see GuiInput). Each frame must end before the next one begins.
   std::vector<InputEvent> begin_frame(KeyboardHold hold);
-  // Returns true if events wait for the next frame.
   bool input_waits() const { return input_.waits(); }
-  // Draws the panels over the content of the window.
   void end_frame();
 
  private:

@@ -6,7 +6,6 @@ namespace kerf {
 
 enum class Theme { kDark, kLight };
 
-// The settings that determine the look of the panels.
 struct GuiLook {
   Theme theme = Theme::kDark;
   BoxPalette palette = BoxPalette::kRedAndGreen;  // determines the accent colour

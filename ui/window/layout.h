@@ -54,7 +54,6 @@ class Landmarks {
   // available by text().
   explicit Landmarks(std::optional<std::filesystem::path> file) : file_(std::move(file)) {}
 
-  // Clears the landmarks of the last frame.
   void begin_frame() { areas_.clear(); }
   // Records a landmark; the last one of a name in a frame counts.
   void mark(std::string name, const Area& area) { areas_.insert_or_assign(std::move(name), area); }

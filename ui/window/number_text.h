@@ -40,12 +40,10 @@ class NumberFormat {
   const char* text_;
 };
 
-// The format of a float or a double.
 struct RealFormat : NumberFormat {
   consteval RealFormat(const char* text) : NumberFormat(text, "aefgAEFG") {}
 };
 
-// The format of an int.
 struct WholeFormat : NumberFormat {
   consteval WholeFormat(const char* text) : NumberFormat(text, "d") {}
 };
@@ -62,7 +60,6 @@ bool is_noise(double value, double scale);
 // Formats an area in a unit that suits its size: "2.75 cm²"; "none" for 0.
 std::string area_text(double square_metres);
 
-// The physical quantity of a number in a text field.
 enum class Quantity {
   kPlain,   // no unit except that of the field
   kLength,  // mm, cm, m, in, ft, and others from nm to km
@@ -70,7 +67,6 @@ enum class Quantity {
   kPower,   // W, kW
 };
 
-// The unit of the number in a text field.
 struct NumberUnit {
   Quantity quantity = Quantity::kPlain;
   double size = 1;        // of one unit in metres, radians or watts, > 0

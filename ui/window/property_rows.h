@@ -28,7 +28,6 @@ std::string fitted_number(double value, const RealFormat& format, std::string_vi
 
 // Returns the label of an ImGui widget with its visible part fitted; its ID is unchanged.
 std::string fitted_label(const std::string& label, float width);
-// Returns the visible part of a label.
 std::string visible_part(const std::string& label);
 
 // ImGui::BeginCombo() with the selected value fitted into it.
@@ -56,7 +55,6 @@ struct TipPicture {
 // no button held. Placed next to the item's window if there is space, so that it covers no other widget.
 void tooltip(const char* text, const std::optional<TipPicture>& picture = std::nullopt);
 
-// A row with a text, explained by a tooltip.
 void figure_row(const char* name, const std::string& value, const char* meaning);
 
 struct Slider {

@@ -8,7 +8,6 @@
 
 namespace kerf {
 
-// Current colours of the panels.
 namespace colours {
 inline ImU32 text() { return ImGui::GetColorU32(ImGuiCol_Text); }
 inline ImU32 secondary() { return ImGui::GetColorU32(ImGuiCol_TextDisabled); }

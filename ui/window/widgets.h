@@ -12,10 +12,8 @@
 
 namespace kerf {
 
-// Converts a point of the window to ImGui's type.
 inline ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-// Converts an OpenGL texture to ImGui's type.
 inline ImTextureID to_im_texture(unsigned name) {
   return reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(name));
 }
@@ -33,7 +31,6 @@ bool up_axis_combo(UpAxis& up);
 // stop button. Returns true if the button was pressed.
 bool draw_progress(const Area& picture, const std::string& title, double fraction, bool can_stop);
 
-// User input to a splitter in a frame.
 struct SplitterMove {
   std::optional<double> dragged;  // new coordinate across the splitter, screen coordinates
   bool reset = false;             // double-clicked
@@ -70,7 +67,6 @@ struct Question {
 // Processes a key press (GLFW_KEY_*) while the question is open.
 void question_key(Question& question, int key);
 
-// Draws the question, if open, as a modal window.
 void draw_question(Question& question);
 
 }  // namespace kerf

@@ -33,7 +33,6 @@ struct InputEvent {
 // its end. Precondition: from <= to.
 void spread_times(std::span<InputEvent> events, double from, double to);
 
-// A key with modifiers.
 struct KeyChord {
   int key = 0;   // GLFW_KEY_*; 0: none
   int mods = 0;  // GLFW_MOD_CONTROL, SHIFT, ALT
@@ -72,14 +71,12 @@ class Window {
   virtual Vec2 pixel_size() const = 0;  // of the framebuffer
   virtual float scale() const = 0;      // of text, as suggested by the display
   virtual void set_title(const std::string& title) = 0;
-  // Presents the frame.
   virtual void swap() = 0;
 
   // Waits for events up to a time in seconds; 0 only polls.
   virtual void wait(double seconds) = 0;
   // Returns the events since the last call, in order.
   virtual std::vector<InputEvent> take_events() = 0;
-  // Returns the files dropped on the window since the last call.
   virtual std::vector<std::filesystem::path> take_drops() = 0;
   // Returns true if the user has requested to close the window since the last call. It stays open.
   virtual bool take_close() = 0;
@@ -110,7 +107,6 @@ class Window {
 // Converts a rectangle of the window to whole pixels of its framebuffer, from the upper left corner.
 Area pixels_of(const Area& area, const Window& window);
 
-// The requested window.
 struct WindowOptions {
   int width = 0, height = 0;                    // screen coordinates
   std::optional<std::filesystem::path> events;  // the script of a window without a screen (see EventScript)

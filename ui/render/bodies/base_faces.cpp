@@ -152,7 +152,7 @@ class BaseFaces::Builder {
     return true;
   }
 
-  // After gather().
+  // Precondition: gather() was called.
   std::span<const uint32_t> fan(size_t v) const {
     const size_t begin = v > 0 ? fan_end_[v - 1] : 0;
     return {fans_.get() + begin, fan_end_[v] - begin};

@@ -89,7 +89,6 @@ class BaseFaces {
   // curved area do not exceed; 0 if nothing is curved.
   float deviation() const { return deviation_; }
 
-  // Memory allocated, in bytes.
   size_t bytes() const;
 
  private:

@@ -56,7 +56,6 @@ class BodyPicture {
 
   // Sets placements and paints in `program`, which is in use and draws faces.
   void bind(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;
-  // Binds and draws the faces.
   void draw(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;
 
  private:

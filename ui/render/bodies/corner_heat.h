@@ -74,7 +74,6 @@ class CornerHeat {
   std::array<HeatMark, 3> of(const Mesh& mesh, FaceId f) const;
 
  private:
-  // Of a face at the last update.
   struct Known {
     double energy = 0;  // J
     double now = kAmbient, hottest = kAmbient;

@@ -86,7 +86,6 @@ class FaceBuffer {
   std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, *bases_); }
 
   const FloatFrame& frame() const { return frame_; }
-  // See BaseFaces.
   float deviation() const { return bases_->deviation(); }
   // Returns true if a cut has left a rim, which glows.
   bool has_rim() const { return rims_.any(); }

@@ -82,7 +82,6 @@ class LiveList {
   // unchanged places.
   std::vector<SlotRange> take_changes(uint32_t gap);
 
-  // Memory allocated, in bytes.
   size_t bytes() const { return (slots_.capacity() + place_.capacity()) * sizeof(uint32_t); }
 
  private:
@@ -94,7 +93,6 @@ class LiveList {
 
 using FaceCorners = std::array<glm::vec3, 3>;  // in the body's float frame
 
-// A removed face with its last known corners.
 struct RemovedFace {
   FaceId face, base;
   FaceCorners corners{};
@@ -112,17 +110,14 @@ class RemovedFaces {
 
   // Records the current corners of a part of a base face; may be called repeatedly.
   void saw(FaceId f, const FaceCorners& corners);
-  // Reports that the face of a slot was removed.
   void died(FaceId f, FaceId base);
   // Reports that the slot has a face, perhaps again.
   void came_back(FaceId f) { parts_.erase(f.index); }
 
-  // Returns all removed base faces and recorded parts.
   std::vector<RemovedFace> list(const Mesh& mesh, const BaseFaces& bases) const;
 
   // Uploads the incomplete base faces if forget() was called since the last update; O(base faces) then.
   void update(const Mesh& mesh, const BaseFaces& bases);
-  // Reports that the mesh has changed.
   void forget() { old_ = true; }
   // Draws them; attribute 0 is the position, 1 the index of the base face.
   void draw() const;

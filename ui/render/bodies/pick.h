@@ -8,7 +8,6 @@
 
 namespace kerf {
 
-// The first face on a ray.
 struct Pick {
   BodyId body;
   FaceId face;

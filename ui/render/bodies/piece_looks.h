@@ -24,7 +24,6 @@ class BodyLooks {
   // The groups with a look other than the default.
   const std::map<uint32_t, PieceLook>& by_group() const { return by_group_; }
   const PieceLook& of(uint32_t group) const;
-  // The look of the group of a face (see PieceGroups).
   const PieceLook& of(const Mesh& mesh, FaceId f) const {
     return of(groups_ ? groups_->of(mesh, f) : mesh.data(f).piece);
   }

@@ -115,7 +115,6 @@ class Particles {
 
   bool empty() const { return sparks_.empty() && puffs_.empty(); }
   void clear();
-  // Appends the particles to draw.
   void append_to(Effects& effects) const;
 
  private:

@@ -25,7 +25,6 @@ struct LabelCandidate {
   glm::vec2 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0f; }
 };
 
-// A number to draw.
 struct FaceLabel {
   uint32_t number = 0;
   bool removed = false;

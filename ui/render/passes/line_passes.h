@@ -18,9 +18,7 @@ class LineOverlay {
  public:
   explicit LineOverlay(Shaders& shaders);
 
-  // Discards all lines.
   void forget() { gathered_.clear(); }
-  // Discards the lines of one body.
   void forget(BodyId id) { gathered_.erase(id); }
   void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
             const glm::mat4& clip_from_frame, const ViewOptions& options);
@@ -29,7 +27,6 @@ class LineOverlay {
   struct Stick {
     glm::vec3 from, to;
   };
-  // The lines of one body.
   struct Gathered {
     std::vector<BoxLine> all_boxes;
     gl::Stream<BoxLine> boxes{

@@ -52,7 +52,6 @@ constexpr double kCentreOfRadius = 0.15;
 constexpr double kHalfAxis = 0.025, kHubCircle = 0.012, kWeldArm = 0.006;
 constexpr int kCircleSides = 16;
 
-// Appends lines between points of the world.
 class Lines {
  public:
   Lines(const FrameSpace& space, std::vector<Line>& lines) : space_(space), lines_(lines) {}

@@ -76,7 +76,6 @@ class GatheredPicture {
   bool can_show(const Target& target) const;
   // Copies the mean of the available frames to the target. Precondition: can_show(target).
   void show(const Target& target) const;
-  // Discards all frames.
   void forget();
 
  private:

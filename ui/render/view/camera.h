@@ -84,7 +84,6 @@ class Camera {
 
   // Advances the motion by a time. Returns true if it is still in motion.
   bool advance(double seconds);
-  // Jumps to the goal.
   void finish() { now_ = goal_; }
 
   CameraView view(double aspect) const { return view_of(now_, aspect); }

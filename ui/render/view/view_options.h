@@ -177,7 +177,6 @@ struct BodyMarks;
 struct Effects;
 struct DrawnWire;
 
-// A face of a body.
 struct FaceOfBody {
   BodyId body;
   FaceId face;
@@ -191,7 +190,6 @@ enum class Shading {
   kFlat,     // each face by its plane
 };
 
-// The options for drawing a world.
 struct ViewOptions {
   ShowOptions show;
   bool rim_glow = true;     // glow of the rims of cuts

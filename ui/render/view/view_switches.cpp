@@ -24,7 +24,6 @@ void set(ViewOptions& look, size_t state) {
   auto& value = member_of<member>(look);
   value = static_cast<std::remove_reference_t<decltype(value)>>(state);
 }
-// The switch of a member.
 template <auto member>
 constexpr ViewSwitch of(ViewSwitch s) {
   s.get = get<member>;

@@ -118,7 +118,7 @@ class RemovedFaces {
 
   // Uploads the incomplete base faces if forget() was called since the last update; O(base faces) then.
   void update(const Mesh& mesh, const BaseFaces& bases);
-  void forget() { old_ = true; }
+  void forget() { old_ = true; }  // after a change of the mesh
   // Draws them; attribute 0 is the position, 1 the index of the base face.
   void draw() const;
 

@@ -55,14 +55,14 @@ Result<Vec3> parse_point(const std::string& option, const std::string& text) {
 
 void PictureArguments::add_to(CLI::App& command) {
   command.add_option("--size", size, "Width and height in pixels, WxH (1280x720)");
-  command.add_option("--eye", eye, "Where the camera stands, x,y,z in metres");
-  command.add_option("--target", target, "What it looks at, x,y,z in metres");
+  command.add_option("--eye", eye, "Camera position, x,y,z in metres");
+  command.add_option("--target", target, "Point at the centre of the view, x,y,z in metres");
   command.add_option("--section", section,
-                     "Draws what lies under a plane alone: its point and its normal, \"x,y,z x,y,z\", as the "
+                     "Hides everything above a plane: its point and its normal, \"x,y,z x,y,z\", as the "
                      "editor copies them");
   command.add_option(
       "--show", show,
-      "Overlays, separated by commas (shadows, unless the scene says otherwise): " + offered_show_names());
+      "Overlays, separated by commas (those of the scene, or shadows): " + offered_show_names());
 }
 
 Result<PictureOptions> PictureArguments::parse() const {
@@ -102,8 +102,7 @@ Status check_picture_name(const std::string& option, const std::string& file) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (ending.empty() || ending == ".png") return Done{};
-  return bad_input(option + ": " + file +
-                   ": pictures are written as PNG only; choose a name that ends in .png");
+  return bad_input(option + ": " + file + ": images are written as PNG only; use a name that ends in .png");
 }
 
 }  // namespace kerf

@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-// The size of a picture in pixels.
+// Image size in pixels.
 struct PixelSize {
   int width = 0, height = 0;
 };
@@ -23,13 +23,13 @@ Result<PixelSize> parse_size(const std::string& text);
 // Parses "x,y,z", three finite numbers. The error names `option`.
 Result<Vec3> parse_point(const std::string& option, const std::string& text);
 
-// Parses a text that consists of one finite number. Returns false for any other text.
+// Returns true and sets `value` if the text is one finite number.
 bool parse_number(std::string_view text, double& value);
 
-// Whether a text is a number within a range; if not, what it must be.
+// Returns "" if the text is a number within the range, else what it must be.
 std::string check_number(const std::string& text, const NumberRange& range, bool whole);
 
-// The help of an option with its limits at the end.
+// Returns the help of an option with the limits appended.
 std::string help_with_limits(const std::string& help, const NumberRange& range);
 
 template <typename T>
@@ -41,8 +41,8 @@ struct NumberOf<std::optional<T>> {
   using Type = T;
 };
 
-// Adds an option for a number, or an optional one. Its help ends with the limits of the range, and another
-// value is a wrong command line.
+// Adds an option for a number, optional or not. Its help ends with the limits, and parsing rejects values
+// outside them.
 template <typename T>
 CLI::Option* add_number(CLI::App& command, const std::string& name, T& x, const NumberRange& range,
                         const std::string& help) {
@@ -59,22 +59,22 @@ class App;
 
 namespace kerf {
 
-// The options of the command line for rendering a picture.
+// Command line options for rendering an image.
 struct PictureArguments {
   std::string size = "1280x720", eye, target, section, show;
 
-  // Adds the options to a subcommand; parsing fills this object.
+  // Adds the options to a subcommand. Parsing fills this object.
   void add_to(CLI::App& command);
   // Checks the options. The error names the first wrong one.
   Result<PictureOptions> parse() const;
 };
 
-// If the command line does not say what to show, sets what the scene asks for, or if that does not say it
-// either, what the editor shows at first. The error names `file`, the scene's file.
+// If --show is not given, sets the overlays of the scene or, if it has none, those that the editor starts
+// with. The error names `file`, the scene's file.
 Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
                      PictureOptions& options);
 
-// Checks that a file for a picture does not have the ending of another format: only PNG is written.
+// Checks that the extension of an image file is .png or missing.
 Status check_picture_name(const std::string& option, const std::string& file);
 
 }  // namespace kerf

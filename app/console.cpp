@@ -11,7 +11,7 @@
 namespace kerf {
 
 Status flush_output() {
-  return std::cout.flush() ? Status(Done{}) : failed("standard output cannot be written");
+  return std::cout.flush() ? Status(Done{}) : failed("cannot write to standard output");
 }
 
 void warn(const std::string& warning) { std::cerr << "kerf: warning: " << warning << '\n'; }
@@ -24,10 +24,10 @@ void tell(const MeshReport& report) {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenUpdates{100};
-// Nothing is shown for work that takes less time than this.
+// Shorter work shows nothing.
 constexpr std::chrono::milliseconds kBeforeFirst{200};
 constexpr const char* kClearLine = "\r\x1b[K";
-constexpr size_t kLongestWork = 60;  // so that the line does not wrap: a wrapped one cannot be overwritten
+constexpr size_t kLongestWork = 60;  // a wrapped line could not be overwritten
 
 volatile std::sig_atomic_t interrupt_seen = 0;
 

@@ -19,8 +19,8 @@ namespace kerf {
 
 namespace {
 
-// A point near the middle. Its coordinates are multiples of a power of two, the largest that is at most the
-// diagonal, so that differences to it are rounded as little as can be.
+// Returns a point near the centre. Its coordinates are multiples of the largest power of two that is at most
+// the diagonal, which minimises the rounding of differences to it.
 Vec3 near_origin(const World::Bounds& bounds) {
   const double diagonal = bounds.diagonal();
   if (!(diagonal > 0) || !std::isfinite(diagonal)) return bounds.min;
@@ -63,7 +63,7 @@ class CutRun {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // A scene stands alone; its own strokes are cut unless there is a path.
+  // A scene must be the only file; its own strokes are cut unless --path is given.
   Status read_scene_description() {
     for (const std::string& file : options_.meshes) {
       auto scene = read_description(file);
@@ -72,7 +72,8 @@ class CutRun {
         strokes_ = scene->strokes;
         scene_ = std::move(*scene);
       } else if (std::filesystem::path(file).extension() == ".json") {
-        return bad_input(file + ": a scene is cut alone: name its meshes in it");
+        return bad_input(file +
+                         ": a scene cannot be combined with other files; list the meshes in the scene");
       } else {
         scene_.bodies.push_back(std::move(scene->bodies.front()));
       }
@@ -95,7 +96,7 @@ class CutRun {
     }
     std::string names;
     for (const Material& material : *materials) names += (names.empty() ? "" : ", ") + material.name;
-    return bad_input("--material: \"" + *options_.material + "\" is unknown; there is: " + names);
+    return bad_input("--material: \"" + *options_.material + "\" is unknown; the materials are: " + names);
   }
 
   Status check_outputs(const PiecesFolder& folder) const {
@@ -108,7 +109,7 @@ class CutRun {
     if (options_.journal.empty()) return Done{};
     if (folder.may_write(options_.journal))
       return bad_input("--journal: " + options_.journal +
-                       " is a name of the pieces or of the report: choose another");
+                       " is a name of a piece or of the report; use another name");
     return inputs.check("--journal", options_.journal);
   }
 
@@ -143,7 +144,7 @@ class CutRun {
     diagonal_ = bounds_.diagonal();
     if (options_.recentre) job_.origin = near_origin(bounds_);
     document_ = Document(std::move(world));
-    document_.set_window(0);  // nothing is taken back here
+    document_.set_window(0);  // no undo here
     document_.set_face_budget(usual_face_budget(machine_memory()));
     return turn_shells();
   }
@@ -182,8 +183,8 @@ class CutRun {
     if (job_.thermal && scales_removal(settings) && !told_scaled_) {
       told_scaled_ = true;
       std::cerr
-          << "kerf: faces may stay wider than the kerf (two radii) at this resolution: they are removed for "
-             "the energy of a strip of them as wide as the kerf\n";
+          << "kerf: faces may be wider than the kerf (two radii) at this resolution: each is removed for "
+             "the energy of a strip as wide as the kerf\n";
     }
     for (const Command& command : stroke_commands(stroke, settings)) document_.apply(command);
     const size_t moves = document_.waiting();
@@ -197,8 +198,8 @@ class CutRun {
     return Done{};
   }
 
-  // Makes the given number of moves, in as many steps as they take, and after the last one completes the
-  // search for parts that came apart.
+  // Executes the given number of moves in as many steps as needed. After the last move it completes the
+  // search for separated parts.
   Status step(size_t moves, const Progress& progress) {
     auto began = Clock::now();
     QueueRun how;
@@ -216,7 +217,7 @@ class CutRun {
     return ran;
   }
 
-  // Lets the pieces fall.
+  // Simulates the falling pieces.
   Status settle() {
     if (!options_.settle) return Done{};
     ProgressLine line("falling");
@@ -232,7 +233,7 @@ class CutRun {
     return Done{};
   }
 
-  // Writes the head of the journal, so that a place that cannot be written to is known before the cut.
+  // Writes the head of the journal, so that an unwritable path is reported before the cut.
   Status begin_journal() {
     if (options_.journal.empty()) return Done{};
     auto file = AtomicFile::open(options_.journal);
@@ -267,7 +268,7 @@ class CutRun {
   World::Bounds bounds_;  // as loaded
   double diagonal_ = 0;
   CutJob job_;
-  size_t loaded_notes_ = 0;  // the first notes of job_, which were said on loading
+  size_t loaded_notes_ = 0;  // the first notes of job_, reported on loading
   bool told_scaled_ = false;
 };
 

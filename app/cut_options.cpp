@@ -24,47 +24,43 @@ Names format_names() {
   return names;
 }
 
-// The options that a settings file may hold, too, each once: its key, what is allowed, and its help.
+// Visits the options that a settings file may contain: key, allowed values, help.
 template <typename Visitor>
 void visit_options(CutOptions& o, Visitor& v) {
-  v.number("radius", o.radius, kPositive,
-           "Radius of the beam in metres (diagonal/400, or what the path file says)");
-  v.range("range", o.range, "MIN,MAX: where along the beam it cuts, in metres (0 to 10 diagonals)");
+  v.number("radius", o.radius, kPositive, "Beam radius in metres (diagonal/400, or that of the path file)");
+  v.range("range", o.range, "MIN,MAX: the part of the beam that cuts, in metres (0 to 10 diagonals)");
   v.choice("pattern", o.pattern, {"volume", "rays4"}, "volume or rays4 (volume)");
   v.choice("scheme", o.scheme, {"one-to-four", "longest-edge"},
            "How faces are split: one-to-four or longest-edge (longest-edge)");
-  v.choice("rim", o.rim, {"faces", "smooth"}, "How the rim is left: faces or smooth (faces)");
+  v.choice("rim", o.rim, {"faces", "smooth"}, "Rim of the cut: faces or smooth (faces)");
   v.flag("solid", o.solid,
          "The meshes are solids: walls along the kerf close the pieces (implies --rim smooth)");
   v.flag("turn-shells", o.turn_shells,
-         "Closed parts that lie in others and face the same way are turned, so that they are cavities");
+         "Turn closed parts inside others that face the same way, which makes them cavities");
   v.number("target-edge", o.target_edge, kPositive,
            "Longest edge under the beam in metres (radius/4; thermal: radius)");
   v.number("tolerance", o.tolerance, kPositive,
-           "Instead: how far what is removed may overshoot the beam, in metres");
+           "Instead: how far removed faces may reach out of the beam, in metres");
   v.whole("depth", o.depth, 0, Resolution::kLargestDepth, "Instead: levels under the base face");
-  v.whole("steps", o.steps, 1, 1'000'000,
-          "How many steps each stroke is cut in (as many as the sweep needs)");
+  v.whole("steps", o.steps, 1, 1'000'000, "Number of steps per stroke (as many as the sweep needs)");
   v.choice("model", o.model, {"geometric", "thermal"},
-           "What the beam does to a face: geometric removes it at once, thermal heats it until it has "
-           "the energy that its material needs (geometric)");
-  v.text("material", o.material,
-         "What the sheets are made of (mild-steel); kerf materials lists what there is");
-  v.number("power", o.power, kPositive, "Of the beam in watts (2000, or what the path file says)");
+           "Removal of faces: geometric removes them at once, thermal heats each until it has the "
+           "energy that its material needs (geometric)");
+  v.text("material", o.material, "Material of the sheets (mild-steel); kerf materials lists them");
+  v.number("power", o.power, kPositive, "Beam power in watts (2000, or that of the path file)");
   v.choice("assist", o.assist, {"none", "oxygen"},
-           "The gas that is blown into the cut, for the thermal model: in oxygen mild steel burns (none)");
+           "Assist gas of the thermal model: mild steel burns in oxygen (none)");
   v.choice("format", o.format, format_names(),
-           ("Of the pieces: " + list_mesh_endings("") + " (obj)").c_str());
-  v.flag("split-all", o.split_all, "Every connected component is a piece");
+           ("Format of the pieces: " + list_mesh_endings("") + " (obj)").c_str());
+  v.flag("split-all", o.split_all, "Make every connected component a piece");
   v.flag("recentre", o.recentre,
-         "The files hold coordinates about an origin near the meshes, which the report states (\"origin\")");
+         "Write coordinates relative to an origin near the meshes, stated in the report (\"origin\")");
   v.number("settle", o.settle, kFall,
-           "For how many seconds the pieces fall after the last stroke; they are written where "
+           "Simulate this many seconds of falling after the last stroke, and write the pieces where "
            "they are then");
   v.number("ground", o.ground, kFinite,
            "With --settle: height of the ground in metres (the lowest point of all meshes)");
-  v.number("thickness", o.thickness, kThickness.range,
-           "Thickness of the sheets that the faces stand for, in metres (0.001)");
+  v.number("thickness", o.thickness, kThickness.range, "Thickness of the sheets, in metres (0.001)");
   v.number("density", o.density, kDensity.range, "Density of the sheets in kg/m3 (7850, that of mild steel)");
 }
 
@@ -92,7 +88,7 @@ struct Offer {
   }
 };
 
-// Takes one entry of a settings file, unless the command line has the option.
+// Reads one entry of a settings file, unless the command line has the option.
 struct FileEntry {
   const std::string& key;
   const JsonValue& value;
@@ -147,7 +143,7 @@ struct Keys {
   void flag(const char* key, bool&, const char*) { all.emplace_back(key); }
 };
 
-// Checks the values; the first that is wrong is told.
+// Checks the values. The error names the first wrong one.
 struct Check {
   Status status = Done{};
 
@@ -165,7 +161,7 @@ struct Check {
     if (!x || std::find(names.begin(), names.end(), *x) != names.end()) return;
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    expect(false, key, "\"" + *x + "\" is not offered by this version; there is: " + list);
+    expect(false, key, "\"" + *x + "\" is not a valid value; the values are: " + list);
   }
   void range(const char*, const std::optional<std::string>& x, const char*) {
     if (!x || !status) return;
@@ -199,12 +195,11 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
       .add_option("MESH", o.meshes,
                   "Mesh files (" + list_mesh_titles(", ") + "), cut together, or a scene (.json)")
       ->required();
-  command.add_option("--path", o.path, "The strokes of the laser (JSON); without it nothing is cut");
+  command.add_option("--path", o.path, "The strokes of the laser (JSON); without it no stroke is cut");
   command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();
   Offer offer{command};
   visit_options(o, offer);
-  command.add_option("--journal", o.journal,
-                     "Where to write the journal (.kerf) of the cut, for kerf replay");
+  command.add_option("--journal", o.journal, "The file for the journal (.kerf) of the cut, for kerf replay");
   command.add_option("--settings", o.settings, "A JSON file with the same keys; the command line wins");
 }
 
@@ -225,7 +220,7 @@ Status merge_settings_file(CutOptions& o) {
     const JsonValue value = root[item.key()];
     FileEntry entry{
         item.key(), value,
-        value.wrong("is not a setting that this version has" + nearest_name_hint(item.key(), keys.all))};
+        value.wrong("is not a setting of this version" + nearest_name_hint(item.key(), keys.all))};
     visit_options(o, entry);
     if (!entry.status) return entry.status;
   }
@@ -249,10 +244,10 @@ namespace {
 Status check_solid(const CutOptions& o) {
   if (!o.solid) return Done{};
   if (o.pattern == "rays4")
-    return bad_input("--solid: walls need the whole volume of the beam: leave --pattern rays4 out");
+    return bad_input("--solid: walls need the whole volume of the beam; remove --pattern rays4");
   if (o.model == "thermal")
-    return bad_input("--solid: walls need the geometric model: leave --model thermal out");
-  if (o.rim == "faces") return bad_input("--solid: walls need a smooth rim: leave --rim faces out");
+    return bad_input("--solid: walls need the geometric model; remove --model thermal");
+  if (o.rim == "faces") return bad_input("--solid: walls need a smooth rim; remove --rim faces");
   return Done{};
 }
 
@@ -263,9 +258,9 @@ Status check_cut_options(CutOptions o) {
   visit_options(o, check);
   if (!check.status) return check.status;
   if (o.target_edge.has_value() + o.tolerance.has_value() + o.depth.has_value() > 1) {
-    return bad_input("--target-edge, --tolerance and --depth: choose one of them");
+    return bad_input("--target-edge, --tolerance and --depth: give only one of them");
   }
-  if (o.ground && !o.settle) return bad_input("--ground: needs --settle, without which nothing falls");
+  if (o.ground && !o.settle) return bad_input("--ground: requires --settle");
   return check_solid(o);
 }
 

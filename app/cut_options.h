@@ -15,7 +15,7 @@ class App;
 
 namespace kerf {
 
-// The options of `kerf cut`. An empty option has a default that depends on the meshes and the path file.
+// Options of `kerf cut`. The default of an empty option depends on the meshes and the path file.
 struct CutOptions {
   std::vector<std::string> meshes;
   std::string path, out, settings, journal;
@@ -30,22 +30,21 @@ struct CutOptions {
   bool turn_shells = false;
 };
 
-// Adds the options to the subcommand; parsing fills `options`, which must outlive it.
+// Adds the options to the subcommand. Parsing fills `options`, which must outlive it.
 void add_cut_options(CLI::App& command, CutOptions& options);
 
-// Fills the options that the command line left empty from the file of --settings, a JSON object with the same
-// keys. Fails with one sentence that names the file and the key; some options may be filled then.
+// Fills empty options from the file of --settings, a JSON object with the same keys. The error names the file
+// and the key; some options may be filled then.
 Status merge_settings_file(CutOptions& options);
 
 // Checks the values in the order of the options. The error names the first wrong option.
 Status check_cut_options(CutOptions options);
 
-// Makes the rim smooth, which alone can be closed by walls, where the options neither name one nor ask for a
-// beam that leaves none.
+// Makes the rim smooth, as walls require, unless the options name a rim or a beam that leaves none.
 void prefer_smooth_rim(CutOptions& options);
 
-// The settings of one stroke. Options take precedence over the laser of the path file, and that over the
-// defaults for a bounding box with this diagonal (m). Precondition: check_cut_options() succeeded.
+// Returns the settings of one stroke. Options take precedence over the laser of the path file, and that over
+// the defaults for a bounding box with this diagonal [m]. Precondition: check_cut_options() succeeded.
 CutSettings stroke_settings(const CutOptions& options, const StrokePath& stroke, double diagonal);
 
 // Parses "MIN,MAX", an interval in metres.

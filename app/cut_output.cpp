@@ -55,7 +55,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kReport = "report.json";
 
-// Whether a name is that of a piece, piece-NNNN.ENDING.
+// Returns true for the name of a piece, piece-NNNN.EXTENSION.
 bool is_piece_name(std::string_view name) {
   constexpr std::string_view kStem = "piece-";
   if (!name.starts_with(kStem)) return false;
@@ -68,7 +68,7 @@ bool is_piece_name(std::string_view name) {
   return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(digits) + 1, name.end(), is_letter);
 }
 
-// The pieces that a report lists; those of a report that cannot be read are none.
+// Returns the pieces that a report lists; none if it cannot be read.
 std::set<std::string> listed_pieces(const fs::path& report) {
   std::set<std::string> names;
   const auto text = read_text_file(report);
@@ -83,18 +83,18 @@ std::set<std::string> listed_pieces(const fs::path& report) {
   return names;
 }
 
-// The results of earlier runs in a folder, while a new one is written.
+// Results of earlier runs in the folder, while a new one is written.
 class EarlierResult {
  public:
   explicit EarlierResult(const fs::path& folder)
       : folder_(folder), report_(folder / kReport), kept_(previous_version(report_)) {
-    pieces_ = listed_pieces(kept_);  // where a run before failed
+    pieces_ = listed_pieces(kept_);  // left by a failed run
     pieces_.merge(listed_pieces(report_));
   }
 
   const std::set<std::string>& pieces() const { return pieces_; }
 
-  // Takes the report out of the way.
+  // Renames the earlier report.
   Status begin() const {
     std::error_code error;
     if (!fs::exists(report_, error)) return Done{};
@@ -103,8 +103,8 @@ class EarlierResult {
     return Done{};
   }
 
-  // Removes the pieces of a result that did not become whole, except those that replaced earlier ones: the
-  // next run knows them by the report that was kept.
+  // Removes the pieces of an incomplete result, except those that replaced earlier ones, which the kept
+  // report lists for the next run.
   void remove_new(const std::vector<WrittenPiece>& written) const {
     std::error_code error;
     for (const WrittenPiece& piece : written) {
@@ -112,7 +112,7 @@ class EarlierResult {
     }
   }
 
-  // Removes what the new result does not have.
+  // Removes earlier pieces that the new result lacks.
   void remove_all_but(const std::vector<WrittenPiece>& written) {
     for (const WrittenPiece& piece : written) pieces_.erase(piece.file);
     std::error_code error;
@@ -132,7 +132,7 @@ struct Part {
   const Body* body = nullptr;
 };
 
-// The pieces of a world, largest area first. They are copied on several threads.
+// Returns the pieces of a world, largest area first. Copies them on several threads.
 std::vector<Part> parts_of(const World& world, bool split_all) {
   struct Group {
     const Body* body;
@@ -156,7 +156,7 @@ bool any_has_moved(const World& world) {
   return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).motion != Motion{}; });
 }
 
-// Whether nothing moves the body any more. What is pinned, or has no mass, never moves.
+// Returns true if the body is at rest. Bodies that are pinned or have no mass never move.
 bool rests(const Body& body, const MassProperties& mass) {
   return body.motion.asleep || body.pinned || !(mass.mass > 0);
 }
@@ -193,7 +193,7 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   return piece;
 }
 
-// Writes several pieces at a time. Returns those that were written, and fails if these are not all.
+// Writes several pieces at a time. Appends those that were written, and fails if some are missing.
 Status write_pieces(const World& world, const PiecesFolder& folder, const Vec3& origin,
                     std::vector<WrittenPiece>& written) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
@@ -209,7 +209,7 @@ Status write_pieces(const World& world, const PiecesFolder& folder, const Vec3& 
     if (result && !*result && status) status = result->error();
   }
   if (!status || written.size() == parts.size()) return status;
-  return failed("stopped before all pieces were written; there is no report");
+  return failed("stopped before all pieces were written, so there is no report");
 }
 
 }  // namespace
@@ -233,7 +233,7 @@ bool PiecesFolder::may_write(const fs::path& file) const {
 Status PiecesFolder::make() const {
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) return failed(path + ": the folder cannot be made: " + error.message());
+  if (error) return failed(path + ": cannot create the folder: " + error.message());
   return Done{};
 }
 

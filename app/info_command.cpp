@@ -57,7 +57,7 @@ Status run_info(const std::string& file) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("info", "What is in a mesh file, as JSON on standard output");
+  CLI::App* command = app.add_subcommand("info", "Describe a mesh file as JSON on standard output");
   auto file = std::make_shared<std::string>();
   command->add_option("MESH", *file, "A mesh file: " + list_mesh_titles())->required();
   on_call(
@@ -83,7 +83,7 @@ Status run_materials() {
 
 void add_materials_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
-      app.add_subcommand("materials", "The table of materials with sources, as JSON on standard output");
+      app.add_subcommand("materials", "Print the materials with sources as JSON on standard output");
   on_call(*command, invocation, run_materials, "kerf materials");
 }
 

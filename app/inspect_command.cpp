@@ -70,7 +70,7 @@ Json to_json(const TouchedWalk& walk) {
           {"boxes", std::move(boxes)}};
 }
 
-// The queries of the tree for the volumes of a sweep.
+// Returns the queries of the tree for the volumes of a sweep.
 Json queries_json(const World& world, const StageRecord& sweep) {
   Json queries = Json::array();
   const Body& body = world.body(sweep.body);
@@ -93,12 +93,12 @@ Json to_json(const World& world, const StageRecord& record) {
   return stage;
 }
 
-// Executes documents up to the move of a number, and records the stages of that one.
+// Executes documents up to a given move and records its stages.
 class MoveSearch {
  public:
   MoveSearch(Document& document, size_t number) : document_(document), number_(number) {}
 
-  // Executes the queue of the document. Returns whether the move was found and recorded.
+  // Executes the queue of the document. Returns true if the move was found and recorded.
   Result<bool> search(const Progress* progress) {
     while (document_.waiting() > 0) {
       if (progress && !progress->report(0)) return cancelled();
@@ -112,7 +112,7 @@ class MoveSearch {
     return false;
   }
   const Json& found() const { return found_; }
-  // The number of moves that were executed.
+  // Returns the number of executed moves.
   size_t moves() const { return moves_; }
 
  private:
@@ -155,7 +155,7 @@ Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const P
   MoveSearch moves(document, number);
   const auto run = [&](const std::vector<Command>& commands) -> Result<bool> {
     for (const Command& command : commands) {
-      (void)document.apply(command, progress);  // what fails here failed when the journal was recorded
+      (void)document.apply(command, progress);  // a failure here also occurred when recording
       if (const Result<bool> found = moves.search(progress); !found || *found) return found;
     }
     return false;
@@ -166,7 +166,7 @@ Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const P
   if (found && !*found) found = run(file.journal.commands);
   if (!found) return found.error();
   if (!*found)
-    return bad_input("--step " + std::to_string(number) + ": the strokes of this file have only " +
+    return bad_input("--step " + std::to_string(number) + ": the strokes of the file have only " +
                      std::to_string(moves.moves()) + " moves of the beam");
   Json json = {{"step", number}};
   json.update(moves.found());
@@ -181,7 +181,8 @@ struct InspectArguments {
   std::optional<size_t> step;
 };
 
-// The trees of all bodies as the editor draws them: {"bodies": [{"body": "car", "faces": 5008, "boxes":
+// Returns the trees of all bodies as the editor draws them: {"bodies": [{"body": "car", "faces": 5008,
+// "boxes":
 // [{"min": [..], "max": [..], "depth": 0, "leaf": false, "hit": false}]}]}, parents before children, in the
 // frame of each body. O(boxes).
 nlohmann::ordered_json tree_json(const World& world) {
@@ -201,7 +202,7 @@ nlohmann::ordered_json tree_json(const World& world) {
   return {{"bodies", std::move(bodies)}};
 }
 
-// A step that fails here failed when the journal was made, too.
+// A step that fails here also failed during recording.
 Status replay_all(const Journal& journal, Document& document) {
   ProgressLine line("replaying");
   const Progress progress = line.progress();
@@ -218,8 +219,8 @@ Status cut_all(const std::vector<StrokePath>& strokes, Document& document) {
       document, strokes, [](const StepResult&) {}, &progress);
 }
 
-// The document of any file that Kerf opens, at its end: the strokes of a scene are cut, the commands of a
-// journal replayed. Fails with an error that names the file, or with stopped() after Ctrl-C.
+// Opens any file of Kerf, cuts the strokes of a scene or replays the commands of a journal. Fails with an
+// error that names the file, or with stopped() after Ctrl-C.
 Result<Document> load_document(const std::filesystem::path& file) {
   auto work = load_file(file);
   if (!work) return work.error();
@@ -263,7 +264,7 @@ Status write_what(const InspectArguments& a) {
 Status inspect(const InspectArguments& a) {
   catch_interrupts();
   if (a.graph + a.tree + a.step.has_value() != 1)
-    return bad_input("inspect: say what to inspect: --graph, --tree or --step N");
+    return bad_input("inspect: give one of --graph, --tree and --step N");
   if (const Status written = write_what(a); !written) return written;
   return flush_output();
 }
@@ -271,19 +272,19 @@ Status inspect(const InspectArguments& a) {
 }  // namespace
 
 void add_inspect_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command =
-      app.add_subcommand("inspect", "What the debug views show of a scene, a journal or a mesh, as JSON");
+  CLI::App* command = app.add_subcommand(
+      "inspect", "Print the data of the debug views of a scene, a journal or a mesh as JSON");
   auto a = std::make_shared<InspectArguments>();
   command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
   auto* graph = command->add_flag(
       "--graph", a->graph,
-      "The component graph after the last cut: faces as nodes, and an edge for two faces that share one; "
-      "and the pieces, with what they came off and what holds them");
-  command->add_flag("--dot", a->dot, "Write the graph in the language of Graphviz instead of JSON")
-      ->needs(graph);
-  command->add_flag("--tree", a->tree, "The boxes of the tree after the last cut, and where the beam was");
+      "The component graph after the last cut: faces as nodes, shared edges as links; and the pieces with "
+      "their origins and supports");
+  command->add_flag("--dot", a->dot, "Write the graph for Graphviz instead of JSON")->needs(graph);
+  command->add_flag("--tree", a->tree,
+                    "The boxes of the tree after the last cut, and whether the beam hit them");
   add_number(*command, "--step", a->step, {1, 1e9},
-             "The stages of this move of the beam, counted from 1, with the walk through the tree");
+             "The stages of this move of the beam, counted from 1, with its tree queries");
   on_call(
       *command, invocation, [a] { return inspect(*a); }, "kerf inspect assets/scenes/figure-09.kerf --graph");
 }

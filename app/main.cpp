@@ -23,7 +23,7 @@ int report_error(const kerf::Error& error) {
   return error.code == kerf::ErrorCode::kBadInput ? 2 : 1;
 }
 
-// The limit that the environment variable KERF_THREADS sets, or none. Fails if it is not a whole number from
+// Returns the limit in the environment variable KERF_THREADS, if set. Fails if it is not a whole number from
 // 1 to 1024.
 kerf::Result<std::optional<kerf::ThreadLimit>> threads_of_environment() {
   constexpr size_t kMost = 1024;
@@ -37,14 +37,14 @@ kerf::Result<std::optional<kerf::ThreadLimit>> threads_of_environment() {
   return std::optional(kerf::ThreadLimit(threads));
 }
 
-// The command that was given, as its help is asked for: "kerf cut", or "kerf" without one.
+// Returns the given command for a hint at its help: "kerf cut", or "kerf" without one.
 std::string asked_of(const CLI::App& app) {
   std::string name = app.get_name();
   for (const CLI::App* command : app.get_subcommands()) name += " " + command->get_name();
   return name;
 }
 
-// The error of a command line that cannot be parsed. A misspelt option comes with the nearest one.
+// Returns the error of an invalid command line, with the nearest option to a misspelt one.
 kerf::Error parse_error(const CLI::App& app, const CLI::ParseError& wrong) {
   const CLI::App* command = &app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
@@ -90,20 +90,19 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // An exceeded quota and a closed pipe are reported as failed writes instead of ending the program by a
-  // signal.
+  // An exceeded quota and a closed pipe become failed writes instead of signals.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   kerf::let_interrupts_end();
   // A fixed threshold returns large arrays to the system when they are freed; glibc would raise it otherwise.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  // A software renderer frees with each picture what it needs for the next one: that much is kept.
+  // Keeps the memory that a software renderer frees and allocates again with each frame.
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {
-    return report_error(kerf::failed("there is not enough memory for this"));
+    return report_error(kerf::failed("out of memory"));
   } catch (const std::exception& fault) {
-    return report_error(kerf::failed(std::string("stopped by an unexpected fault: ") + fault.what()));
+    return report_error(kerf::failed(std::string("unexpected error: ") + fault.what()));
   }
 }

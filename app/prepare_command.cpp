@@ -37,11 +37,11 @@ Status check(const PrepareOptions& o) {
   if (o.faces && o.error) return bad_input("--simplify-error: cannot be given together with --simplify");
   if (!o.faces && !o.error && !o.subdivide && !o.smooth && !o.turn_shells) {
     return bad_input(
-        "nothing is to be done: give --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
+        "nothing is to be done; give --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
   }
   if (o.subdivide && !subdivision_named(*o.subdivide)) {
     return bad_input("--subdivide: \"" + *o.subdivide +
-                     "\" is not offered by this version; there is: loop, sqrt3, midpoint");
+                     "\" is not a valid value; the values are: loop, sqrt3, midpoint");
   }
   if (!mesh_format(std::filesystem::path(o.out).extension().string()))
     return bad_input("--out: " + o.out + " must end in " + list_mesh_endings());
@@ -98,7 +98,7 @@ class PrepareRun {
     return step("smoothing", [&](const Progress* p) { return smooth(mesh_, times, {}, p); });
   }
 
-  // Lets a tool make a new mesh, which the next one gets.
+  // Runs a tool that makes a new mesh for the next one.
   template <typename Tool>
   Status step(const char* work, Tool tool) {
     ProgressLine line(work);
@@ -120,8 +120,8 @@ class PrepareRun {
   void tell_what_stayed(size_t target) const {
     if (target == 0 || made_.triangles.size() <= target) return;
     std::cerr << "kerf: note: " << made_.triangles.size()
-              << " faces are left, because no more can go without moving boundaries or features or turning a "
-                 "face over\n";
+              << " faces are left, because removing more would move boundaries or features or flip a "
+                 "face\n";
   }
 
   Status write() const {
@@ -160,11 +160,12 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       "are.");
   command->add_option("MESH", o->mesh, "A mesh file: " + list_mesh_titles())->required();
   command
-      ->add_option("--out", o->out, "The file to write; its ending says the format: " + list_mesh_endings(""))
+      ->add_option("--out", o->out,
+                   "The file to write; its extension sets the format: " + list_mesh_endings(""))
       ->required();
   command->add_flag("--turn-shells", o->turn_shells,
-                    "Turn closed parts that lie in others and face the same way, so that they are cavities");
-  add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "To at most so many faces");
+                    "Turn closed parts inside others that face the same way, which makes them cavities");
+  add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "Simplify to at most this many faces");
   add_number(*command, "--simplify-error", o->error, kPositive,
              "Instead: as few as keep the old and the new surface within about this distance of each other, "
              "in metres");
@@ -172,7 +173,7 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       "--subdivide", o->subdivide,
       "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
   add_number(*command, "--smooth", o->smooth, {1, kMaxSmoothing},
-             "How often vertices move half the way to their neighbours' middle");
+             "Number of passes that move each vertex halfway to the mean of its neighbours");
   on_call(
       *command, invocation, [o] { return PrepareRun(*o).run(); },
       "kerf prepare assets/meshes/knot.obj --simplify 2000 --out light.obj");

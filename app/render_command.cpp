@@ -44,7 +44,7 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", a->out, "The PNG to write")->required();
   a->picture.add_to(*command);
   add_number(*command, "--spread", a->spread, kSpread,
-             "How far the pieces are drawn apart, in distances from the middle (0)");
+             "Explosion of the pieces, in distances from the centre (0)");
   on_call(
       *command, invocation, [a] { return render(*a); },
       "kerf render assets/scenes/sphere.json --out ball.png --size 640x360");
@@ -146,8 +146,9 @@ void add_figures_command(CLI::App& app, Invocation& invocation) {
   command->add_option(
       "--film", a->film,
       "A folder for the films: the car cut in two, a fight, the traversal of the graph and the "
-      "shadow volume, each as numbered pictures in a folder of its own");
-  command->add_option("--size", a->size, "Size of each picture, of figures with the caption, WxH (1280x720)");
+      "shadow volume, each as numbered images in its own folder");
+  command->add_option("--size", a->size,
+                      "Size of each image, for figures including the caption, WxH (1280x720)");
   command->add_option("--list", a->list, "A file (.json) that describes the figures (assets/figures.json)");
   on_call(
       *command, invocation, [a] { return run(*a); }, "kerf figures --out figures --size 160x95");

@@ -54,16 +54,15 @@ Status judge(const std::string& file, uint64_t hash, const Recording& recording,
   if (expected && *expected != hash) return differs(*expected, ", as --expect says");
   if (!recording.hash || *recording.hash == hash) return Done{};
   if (recording.machine == machine_kind())
-    return differs(*recording.hash, ": the match went otherwise than when it was recorded");
+    return differs(*recording.hash, ": the match differs from the recorded one");
   warn(file + ": bodies moved on another kind of machine (" + recording.machine +
-       "), so the match ended otherwise here");
+       "), so the match ended differently here");
   return Done{};
 }
 
-// Plays the recording of a match again, prints the hash of its end, and holds it against the one that was
-// recorded and, if given, an expected one. Films it if `film` is given. Fails if lines had to be left out, if
-// the hash differs from either, unless another kind of machine explains that it differs from the recorded
-// one, and for bad input.
+// Replays a recorded match, prints the final hash, and compares it with the recorded and the expected one, if
+// any. Films it if `film` is given. Fails if lines were left out, if the hash differs from either, unless it
+// was recorded on another kind of machine, and for bad input.
 Status replay_match(const std::filesystem::path& file, const std::optional<uint64_t>& expected,
                     const std::optional<MatchFilm::Options>& film) {
   const auto recording = read_recording(file);
@@ -80,9 +79,8 @@ Status replay_match(const std::filesystem::path& file, const std::optional<uint6
   const auto files = hash_of_files(recording->rules, (*rules)->description);
   if (!files) return files.error();
   if (*files != recording->files)
-    return bad_input(
-        file.string() + ": the rules " + recording->rules.string() +
-        " or files that they name are others than the match was played with: put the old ones back");
+    return bad_input(file.string() + ": the rules " + recording->rules.string() +
+                     " or files that they name have changed since the match was recorded; restore them");
   Match match({*rules, recording->seed, recording->difficulty});
   if (const Status played = play(match, *recording, film); !played) return played;
   const uint64_t hash = state_hash(match.world());
@@ -131,7 +129,7 @@ class ReplayRun {
   }
 
   Status run_match() const {
-    if (!arguments_.out.empty()) return bad_input("--out: a match is not written to a folder");
+    if (!arguments_.out.empty()) return bad_input("--out: not available for matches");
     std::optional<MatchFilm::Options> film;
     if (!arguments_.frames.empty()) {
       const auto picture = arguments_.picture.parse();
@@ -195,7 +193,7 @@ class ReplayRun {
     return film_ ? film_->end(document) : Done{};
   }
 
-  // A step that fails failed when the journal was made, too, or the hash will tell.
+  // A step that fails also failed during recording; otherwise the hash differs.
   Status note(const Replay& replay, const Document& document, const Result<StepResult>& step) {
     if (interrupted()) return stopped();
     if (step) {
@@ -219,7 +217,7 @@ class ReplayRun {
     }
   }
 
-  // The film leaves out what was undone and strokes that were cut again.
+  // The film leaves out undone commands and strokes that were recut.
   Status film(const Replay& replay, const Document& document, const StepResult* step) {
     if (!film_) return Done{};
     if (lasting_[replay.applied() - 1]) return film_->follow(document, step);
@@ -237,9 +235,8 @@ class ReplayRun {
   Status judge(const Replay& replay, uint64_t hash) const {
     if (!replay.other_machine().empty()) {
       warn(arguments_.journal + ": bodies moved on another kind of machine (" + replay.other_machine() +
-           "), so they were put where they were there" +
-           (replay.cut_otherwise() ? "; a stroke that was drawn while they moved has cut otherwise here"
-                                   : ""));
+           "), so their recorded poses are used" +
+           (replay.cut_otherwise() ? "; a stroke that was drawn while they moved cut differently here" : ""));
     }
     if (!work_.journal.damage.empty() && !work_.journal.torn) return failed(work_.journal.damage);
     if (const auto& d = replay.difference()) {
@@ -266,8 +263,8 @@ class ReplayRun {
   CutJob job_;
   std::optional<Film> film_;
   std::vector<bool> lasting_;    // by command of the journal
-  std::vector<size_t> strokes_;  // the number of strokes that last, up to and with each command
-  std::vector<bool> met_;        // by stroke that lasts: it met something
+  std::vector<size_t> strokes_;  // number of lasting strokes up to and including each command
+  std::vector<bool> met_;        // by lasting stroke: true if it hit a mesh
   Clock::time_point step_began_;
 };
 
@@ -275,16 +272,16 @@ class ReplayRun {
 
 void add_replay_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
-      "replay", "Replay a journal, print the hash of its end and hold it against those recorded");
+      "replay", "Replay a journal, print its final hash and compare it with the recorded ones");
   auto a = std::make_shared<ReplayArguments>();
   command->add_option("JOURNAL", a->journal, "A journal (.kerf)")->required();
-  command->add_option("--out", a->out, "A folder for the pieces and report.json, as kerf cut writes them");
-  command->add_option("--expect", a->expect, "The hash that the end must have");
-  auto* frames = command->add_option("--frames", a->frames,
-                                     "A folder for a film in numbered PNGs: the beam goes at a steady speed, "
-                                     "across the diagonal of all meshes in four seconds; what was undone is "
-                                     "left out");
-  add_number(*command, "--fps", a->frames_per_second, {1, 1000}, "Frames a second of the film (30)")
+  command->add_option("--out", a->out, "A folder for the pieces and report.json, like that of kerf cut");
+  command->add_option("--expect", a->expect, "The expected final hash");
+  auto* frames =
+      command->add_option("--frames", a->frames,
+                          "A folder for a film in numbered PNGs: the beam crosses the diagonal of all "
+                          "meshes in four seconds, and undone commands are left out");
+  add_number(*command, "--fps", a->frames_per_second, {1, 1000}, "Frames per second of the film (30)")
       ->needs(frames);
   a->picture.add_to(*command);
   on_call(

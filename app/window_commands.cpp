@@ -35,7 +35,7 @@ Status edit(const EditorArguments& a) {
   options.default_scene = assets_folder() / "scenes" / "car.json";
   for (const std::string& file : a.files) {
     if (!std::filesystem::exists(file)) {
-      return bad_input(file + ": there is no such file, and this version has no such command");
+      return bad_input(file + ": no such file or command");
     }
     options.files.emplace_back(file);
   }
@@ -62,14 +62,13 @@ void add_editor(CLI::App& app, Invocation& invocation) {
   auto a = std::make_shared<EditorArguments>();
   app.add_option("FILE", a->files,
                  "Scenes (.json) and meshes to open together in the editor, or a journal (.kerf)");
-  app.add_option("--report", a->report, "Where the editor writes what happened, as JSON, when it ends");
+  app.add_option("--report", a->report, "The file for the JSON report of the session");
   app.add_option("--size", a->size, "Size of the editor's window, WxH");
   constexpr auto kHidden = "";  // from the help: these are for the tests of the window
-  app.add_option("--landmarks", a->landmarks, "Where the editor keeps the places of its widgets, as JSON")
-      ->group(kHidden);
+  app.add_option("--landmarks", a->landmarks, "The file for the places of widgets, as JSON")->group(kHidden);
   app.add_option("--events", a->events, "A script of input that drives the editor without a screen")
       ->group(kHidden);
-  app.add_flag("--own-font", a->own_font, "Draw the panels as where no font is installed")->group(kHidden);
+  app.add_flag("--own-font", a->own_font, "Draw the panels without an installed font")->group(kHidden);
   invocation = [a] { return edit(*a); };
 }
 
@@ -92,7 +91,7 @@ nlohmann::ordered_json times_of(std::vector<double> seconds) {
   return {{"p50", at(0.5)}, {"p99", at(0.99)}, {"max", at(1)}};
 }
 
-// "won", "lost", or "quit" where a match is not over.
+// Returns "won", "lost", or "quit" if the match is not over.
 const char* result_of(const Match& match) {
   switch (match.standing().phase) {
     case Standing::Phase::kWon:
@@ -104,8 +103,8 @@ const char* result_of(const Match& match) {
   }
 }
 
-// The outcome of a match, for --report: frames and frame_ms of the pictures (none without a window), and of
-// the core ticks and tick_ms (nothing in a window), then the match itself.
+// Returns the outcome of a match for --report: frames and frame_ms (none without a window), ticks and tick_ms
+// (none in a window), then the match itself.
 nlohmann::ordered_json match_report(const Match& match, const std::vector<double>& frame_s,
                                     const std::vector<double>& tick_s) {
   const Standing& standing = match.standing();
@@ -169,7 +168,7 @@ class PlayRun {
       if (file.empty()) continue;
       const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
       if (!std::filesystem::is_directory(folder))
-        return bad_input(std::string(option) + ": there is no folder " + folder.string());
+        return bad_input(std::string(option) + ": no such folder: " + folder.string());
     }
     starts_ = arguments_.rules.empty() && arguments_.driver.empty() && arguments_.seconds == 0;
     if (arguments_.rules.empty()) arguments_.rules = (assets_folder() / "games" / "standard.json").string();
@@ -224,7 +223,7 @@ class PlayRun {
     return outcome->inspect ? inspect(std::move(outcome->last), outcome->view) : Status(Done{});
   }
 
-  // F5 in the editor leads back to the match.
+  // F5 in the editor returns to the match.
   static Status inspect(LeftMatch left, const View& view) {
     const auto scene = save_match_as_scene(*left.match, view);
     if (!scene) return scene.error();
@@ -287,23 +286,20 @@ class PlayRun {
 }  // namespace
 
 void add_play_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("play", "The game: a car with a laser on its roof against others");
+  CLI::App* command = app.add_subcommand("play", "Play the game: car combat with roof-mounted lasers");
   auto a = std::make_shared<PlayArguments>();
   command->add_option("SCENE", a->rules, "The rules of a match (.json); the standard match without it");
-  command->add_option(
-      "--driver", a->driver,
-      "Who drives: bot, or still for a car that does nothing; you in a window, if it is not given");
+  command->add_option("--driver", a->driver, "Driver: bot, or still for a parked car (you, in a window)");
   command->add_option("--difficulty", a->difficulty,
-                      "easy, normal or hard (in a window as it was last set there, otherwise normal)");
-  add_number(*command, "--seed", a->seed, {0, kMaxSeed}, "The seed of everything that is random (1)");
+                      "easy, normal or hard (the last setting in a window, otherwise normal)");
+  add_number(*command, "--seed", a->seed, {0, kMaxSeed}, "Random seed (1)");
   add_number(*command, "--seconds", a->seconds, {0, kMaxSeconds},
-             "Ends the match after so many seconds of its own time; 0: it goes on");
-  command->add_flag("--headless", a->headless, "Without a window, as fast as it goes");
-  command->add_option("--report", a->report, "A JSON file for what came of the match");
-  command->add_option("--record", a->record, "A file (.kerf) from which kerf replay plays the match again");
+             "Stop after this many seconds of match time; 0: no limit");
+  command->add_flag("--headless", a->headless, "Run without a window, as fast as possible");
+  command->add_option("--report", a->report, "The file for the JSON report of the match");
+  command->add_option("--record", a->record, "The file for the recording (.kerf), for kerf replay");
   command->add_option("--size", a->size, "Size of the window, WxH");
-  command->add_option("--landmarks", a->landmarks, "Where the game keeps the places of its widgets, as JSON")
-      ->group("");
+  command->add_option("--landmarks", a->landmarks, "The file for the places of widgets, as JSON")->group("");
   command->add_option("--events", a->events, "A script of input that drives the game without a screen")
       ->group("");
   on_call(

@@ -1,10 +1,10 @@
-# cmake --install: the program with all that it opens, and the library with its face. The target `distribution` builds
-# what is installed, and nothing else.
+# cmake --install: the program with its data, and the library with its public headers. The target `distribution`
+# builds exactly these.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS kerf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# Pictures are for the pages, and generators for whoever works on the project.
+# Images of the pages and generator scripts are not installed.
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf
   PATTERN "pictures" EXCLUDE PATTERN "install" EXCLUDE PATTERN "*.py" EXCLUDE PATTERN "*.md" EXCLUDE
   PATTERN "__pycache__" EXCLUDE)
@@ -15,7 +15,7 @@ install(FILES ${extras}/kerf.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packa
 install(FILES ${extras}/kerf.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME kerf)
 install(FILES ${CMAKE_BINARY_DIR}/kerf.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
-# find_package(kerf) gives kerf::core and kerf::c, which are the same library with and without C++20.
+# find_package(kerf) provides kerf::core and kerf::c: the same library with and without C++20.
 add_library(kerf_face_cpp INTERFACE)
 target_link_libraries(kerf_face_cpp INTERFACE kerf_shared)
 target_compile_features(kerf_face_cpp INTERFACE cxx_std_20)
@@ -34,8 +34,8 @@ install(EXPORT kerf_targets NAMESPACE kerf:: DESTINATION ${package} FILE kerfCon
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake DESTINATION ${package})
 
-# cpack -G DEB. shlibdeps finds what is linked; the rest is opened at run time: OpenGL with its drivers, what GLFW loads,
-# and the font of the panels.
+# cpack -G DEB. shlibdeps finds linked libraries; the others are opened at run time: OpenGL with its drivers,
+# libraries that GLFW loads, and the font of the panels.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kerf)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})

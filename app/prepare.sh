@@ -1,9 +1,9 @@
 # shellcheck shell=bash disable=SC2154
-# Sourced by app/run and tests/run, which set `root` to the checkout: installs, configures and builds, so that
-# both stand on one build folder. Everything said here, by its tools too, goes to standard error.
+# Sourced by app/run and tests/run, which set `root` to the checkout. Installs, configures and builds in one
+# folder for both. All output, including that of tools, goes to standard error.
 
-# Whoever configures first needs GoogleTest; what else the tests need, tests/run adds. GLFW opens the last line's
-# libraries by itself and its package does not ask for them. The panels are written in Roboto.
+# Configuring needs GoogleTest; tests/run adds the other packages of the tests. GLFW loads the libraries in the last
+# line at run time, without a dependency of its package. Roboto is the font of the panels.
 packages=(cmake ninja-build g++ pkg-config ccache libgl1 libegl1 libgl1-mesa-dri libegl-mesa0 libglfw3-dev
   libimgui-dev libglm-dev nlohmann-json3-dev libepoxy-dev libstb-dev libcli11-dev libbullet-dev libopenal-dev
   libtbb-dev libopenmesh-dev libgtest-dev fonts-roboto-unhinted
@@ -15,15 +15,15 @@ fail() {
   exit 1
 }
 
-# prepare_release TARGET: in build/, the same for everyone, so that alternating commands configure nothing anew.
+# prepare_release TARGET: builds in build/ with the same options for all commands, so none configures again.
 prepare_release() {
   local options=(-DCMAKE_BUILD_TYPE=Release)
   [[ ${CI:-} != true ]] || options+=(-DKERF_WARNINGS_AS_ERRORS=ON)
   prepare "$root/build" "$1" "${options[@]}"
 }
 
-# prepare FOLDER TARGET CMAKE_OPTION...: ends the script with 1 where it fails. One caller at a time works on a
-# folder; the lock ends with the parenthesis, before kerf or ctest runs.
+# prepare FOLDER TARGET CMAKE_OPTION...: builds a target, or ends the script with 1. A lock on the folder admits one
+# caller at a time; it ends with the parenthesis, before kerf or ctest runs.
 prepare() {
   local folder=$1 target=$2 options=("${@:3}")
   [[ -d $folder ]] || mkdir -p "$folder"
@@ -42,7 +42,7 @@ prepare() {
 }
 
 install_missing() {
-  command -v apt-get >/dev/null || return 0  # not of Debian's family: cmake names what it does not find
+  command -v apt-get >/dev/null || return 0  # not a Debian system: cmake reports missing packages
   local installed package missing=()
   # shellcheck disable=SC2016  # these are dpkg-query's variables
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null) || true
@@ -52,16 +52,16 @@ install_missing() {
   ((${#missing[@]})) || return 0
 
   local by_hand="apt-get install --no-install-recommends ${missing[*]}"
-  ((EUID == 0)) || command -v sudo >/dev/null || fail "packages are missing and there is no sudo; as root: $by_hand"
+  ((EUID == 0)) || command -v sudo >/dev/null || fail "packages are missing and sudo is not installed; run as root: $by_hand"
   say "installing ${missing[*]}"
-  ((EUID == 0)) || sudo true || fail "sudo did not let this user install packages; as root: $by_hand"
+  ((EUID == 0)) || sudo true || fail "this user may not install packages with sudo; run as root: $by_hand"
   apt_get --simulate install "${missing[@]}" &>/dev/null || update_lists || true
-  # Lists that are out of date name files that the mirror no longer has.
+  # Outdated lists name files that the mirror no longer has.
   apt_get install "${missing[@]}" || { update_lists && apt_get install "${missing[@]}"; } ||
     fail "could not install ${missing[*]}"
 }
 
-# apt waits for another's lock on the packages by itself, but not for one on their lists.
+# apt waits for the lock on the packages, but not for the one on their lists.
 update_lists() {
   local tries=20
   until apt_get update; do
@@ -70,7 +70,7 @@ update_lists() {
   done
 }
 
-# Without the lock's descriptor: a daemon that a package starts would hold the lock for ever.
+# Closes the descriptor of the lock, which a daemon started by a package would hold for ever.
 apt_get() {
   local become=()
   ((EUID == 0)) || become=(sudo)
@@ -78,8 +78,8 @@ apt_get() {
     -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" 9>&-
 }
 
-# Anew where the folder was configured for another path (a moved checkout), otherwise, by hand, or not to the end, and
-# when clang++, which builds the fuzzers, or the libraries that only benchmarks use have come or gone since.
+# Configures again if the last run was for another path (a moved checkout), had other options, was done by hand or did
+# not finish, or if clang++ (for the fuzzers) or the libraries of the benchmarks were installed or removed since.
 configure() {
   local stamp=$folder/.configured wanted
   wanted="$root ${options[*]} $(single_option) $(command -v clang++ || true)"
@@ -92,8 +92,7 @@ configure() {
   printf '%s\n' "$wanted" >"$stamp"
 }
 
-# Sources are compiled in groups, or each by itself with KERF_SINGLE=1. A folder stays as it is until KERF_SINGLE
-# is 0 or 1.
+# Sources are compiled in groups, or one by one with KERF_SINGLE=1. A folder keeps its mode until KERF_SINGLE is set.
 single_option() {
   local single=${KERF_SINGLE:-}
   [[ -n $single ]] || single=$(sed -n 's/^KERF_SINGLE:BOOL=//p' "$folder/CMakeCache.txt" 2>/dev/null) || true
@@ -103,8 +102,8 @@ single_option() {
   esac
 }
 
-# ccache takes paths below the checkout as relative ones, so a fresh clone finds what another has compiled, and learns
-# from the compiler which headers a source includes.
+# ccache treats paths below the checkout as relative, so clones share its results, and gets the included headers from
+# the compiler.
 compile() {
   local all_steps all_groups
   all_steps=$(ninja -C "$folder" -t commands "$target" | wc -l)
@@ -114,10 +113,9 @@ compile() {
     fail "could not build $target in $folder"
 }
 
-# show_progress: what ninja prints, without the names of what it builds. On a terminal a line says how far the build is
-# and about how long it still takes; in a log such a line is written after 2 seconds and every 15 from then on, so that
-# nothing is said where there is next to nothing to build. The filter outlives an interrupt, or ninja would die on the
-# broken pipe before it ends its compilers.
+# show_progress: prints the output of ninja without target names. A terminal gets a progress line with the estimated
+# time left; a log gets one after 2 seconds and then every 15, so a short build prints nothing. The filter survives an
+# interrupt, because ninja would otherwise die on the broken pipe before it ends its compilers.
 show_progress() {
   trap '' INT
   local line next_line=2 groups=0
@@ -136,9 +134,8 @@ show_progress() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
-# show_step DONE ALL SECONDS: the time left is that of as much work as was done so far, where a group of sources is as
-# much as ten other steps. Among the steps of this build there are as many groups, in proportion, as in a build from
-# scratch. One step for each processor is under way, and half done.
+# show_step DONE ALL SECONDS: estimates the time left from the work done. A group of sources counts as ten other steps,
+# the share of groups is that of a full build, and one step per processor is half done.
 show_step() {
   local ended=$1 all=$2 seconds=$3 groups_of_all work done text bar left
   [[ -t 2 ]] || ((seconds >= next_line)) || return 0

@@ -1,4 +1,4 @@
-# Writes the commit of the checkout ROOT into the header OUT unless it holds it already; an empty one where there is no git.
+# Writes the commit of the checkout ROOT to the header OUT if it changed; an empty one without git.
 set(commit "")
 find_program(GIT git)
 if(GIT AND EXISTS ${ROOT}/.git)

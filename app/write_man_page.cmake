@@ -1,7 +1,7 @@
-# Writes the man page OUT of the program KERF of VERSION from its help and that of its subcommands.
+# Writes the man page OUT of program KERF, version VERSION, from its help and that of its subcommands.
 cmake_policy(SET CMP0007 NEW)
 
-# Text as troff takes it: nothing of it is a request.
+# Escapes text for troff, so that no part of it is a request.
 function(escaped result text)
   string(REPLACE "\\" "\\e" text "${text}")
   string(REPLACE "-" "\\-" text "${text}")

@@ -1,7 +1,7 @@
-# add_suites(TARGET FILE...): the tests of a program that was made from these files.
+# add_suites(TARGET FILE...): adds the tests of a program that was built from these files.
 #
-# Each test is a process of its own. With sanitizers a process takes more than a second to begin and to end, so that
-# each suite is one there: a suite is named by the first argument of TEST, TEST_F or TEST_P.
+# Each test is a process. With sanitizers a process takes more than a second to start and end, so each suite is one: the
+# first argument of TEST, TEST_F or TEST_P.
 include(GoogleTest)
 
 function(add_suites target)

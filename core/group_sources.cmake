@@ -1,10 +1,11 @@
 # group_sources(OUT FILE...): returns the sources to compile in place of the given absolute paths.
 #
-# Without KERF_SINGLE the files of a folder are compiled in groups of at most about sixteen. A group is a generated
-# source that includes its members by their paths from the root, which takes a third of the time. The group of a file
-# follows from a hash of its name, so a new file changes only one group; the number of groups is a power of two and
-# doubles as a folder grows. A folder of fewer than six files joins the folder above it. Names in anonymous namespaces of
-# files that can share a group must differ. With KERF_SINGLE each file is compiled by itself, for frequent edits.
+# Without KERF_SINGLE the files of a folder are compiled in groups of at most about sixteen. A group is a
+# generated source that includes its members by their paths from the root, which takes a third of the time. The
+# group of a file follows from a hash of its name, so a new file changes only one group; the number of groups is
+# a power of two and doubles as a folder grows. A folder of fewer than six files joins the folder above it.
+# Names in anonymous namespaces of files that can share a group must differ. With KERF_SINGLE each file is
+# compiled by itself, for frequent edits.
 #
 # precompile_singly(TARGET HEADER...): precompiles headers for a target with KERF_SINGLE. Headers of Kerf are excluded,
 # because each change of one would recompile the whole target.

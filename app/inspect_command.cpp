@@ -17,6 +17,7 @@
 #include "core/graph/graph_text.h"
 #include "core/tree/touched_walk.h"
 #include "core/world/world.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/render/picture.h"
 
 namespace kerf {
@@ -82,7 +83,7 @@ Json queries_json(const World& world, const StageRecord& sweep) {
 Json to_json(const World& world, const StageRecord& record) {
   Json stage = {{"stage", name(record.kind)}};
   if (world.contains(record.body)) stage["body"] = world.body(record.body).name;
-  stage["words"] = words(record, FileUnit::kMetre);
+  stage["words"] = stage_label(record, FileUnit::kMetre);
   if (record.kind == Kind::kHit || record.kind == Kind::kHitAgain) stage["hit"] = to_json(record.hit);
   for (const BodyDelta& d : record.done.delta.bodies) {
     stage["born"] = to_json(d.born);

@@ -13,6 +13,7 @@
 #include "core/game/match/recording.h"
 #include "core/physics/physics.h"
 #include "core/world/world.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/game/match_picture.h"
 #include "ui/render/offscreen_renderer.h"
 
@@ -254,7 +255,7 @@ class ReplayRun {
   std::string place_of(const StateMark& mark) const {
     if (mark.commands == 0) return "before the first command";
     return "after command " + std::to_string(mark.commands) + " (" +
-           words(work_.journal.commands[mark.commands - 1], FileUnit::kMetre) + ")";
+           command_label(work_.journal.commands[mark.commands - 1], FileUnit::kMetre) + ")";
   }
 
   ReplayArguments arguments_;

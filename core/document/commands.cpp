@@ -27,18 +27,6 @@ constexpr std::array kModels{"geometric", "thermal"};
 constexpr double kMaxMoves = 1e9;
 constexpr Ticks kMaxTicks = Ticks{1} << 40;
 
-std::string fineness(const Resolution& r, FileUnit unit) {
-  switch (r.rule) {
-    case Resolution::Rule::kTargetEdge:
-      return "edges of " + length_label(r.target_edge, unit);
-    case Resolution::Rule::kTolerance:
-      return "within " + length_label(r.tolerance, unit);
-    case Resolution::Rule::kDepth:
-      return std::to_string(r.depth) + (r.depth == 1 ? " level" : " levels");
-  }
-  return "";
-}
-
 }  // namespace
 
 // The settings of a stroke: everything on which the result of its cut depends.
@@ -63,11 +51,6 @@ static void describe(Fields& f, CutSettings& s) {
   f.whole("most-faces", s.max_faces, 1, uint64_t{1} << 32, CutSettings::kMaxFaces);
 }
 
-std::string BeginStroke::words(FileUnit unit) const {
-  return "Stroke, radius " + length_label(settings.laser.radius, unit) +
-         (settings.laser.pattern == Pattern::kRays4 ? ", four rays" : "");
-}
-
 void describe(Fields& f, BeginStroke& c) {
   f.object("settings", c.settings);
   describe(f, c.pose);
@@ -83,10 +66,6 @@ void describe(Fields& f, StopStroke& c) {
   f.whole("ticks", c.ticks, 0, kMaxTicks, 0);
 }
 
-std::string Recut::words(FileUnit unit) const {
-  return "Cut the stroke again, " + fineness(settings.resolution, unit);
-}
-
 void describe(Fields& f, Recut& c) { f.object("settings", c.settings); }
 
 void describe(Fields& f, AdvanceTime& c) {
@@ -95,15 +74,11 @@ void describe(Fields& f, AdvanceTime& c) {
   f.flag("joins", c.joins, false);
 }
 
-std::string DragBody::words(const std::string& piece_name) const { return "Pull " + piece_name; }
-
 void describe(Fields& f, DragBody& c) {
   piece_field(f, c.piece);
   f.vector("at", c.at);
   f.vector("to", c.to);
 }
-
-std::string MovePiece::words(const std::string& piece_name) const { return "Move " + piece_name; }
 
 void describe(Fields& f, MovePiece& c) {
   piece_field(f, c.piece);
@@ -119,8 +94,6 @@ Result<Delta> MovePiece::run(World& world, uint32_t generation, const Progress*)
       });
 }
 
-std::string DuplicatePiece::words(const std::string& piece_name) const { return "Duplicate " + piece_name; }
-
 void describe(Fields& f, DuplicatePiece& c) {
   piece_field(f, c.piece);
   describe(f, c.to);
@@ -134,10 +107,6 @@ Result<Delta> DuplicatePiece::run(World& world, uint32_t generation, const Progr
   return delta;
 }
 
-std::string HidePiece::words(const std::string& piece_name) const {
-  return (hidden ? "Hide " : "Show ") + piece_name;
-}
-
 void describe(Fields& f, HidePiece& c) {
   piece_field(f, c.piece);
   f.flag("hidden", c.hidden);
@@ -149,8 +118,6 @@ Result<Delta> HidePiece::run(World& world, uint32_t generation, const Progress*)
       [&](const Body& body) { return body.hidden != hidden; }, [&](Body& own) { own.hidden = hidden; });
 }
 
-std::string DeletePiece::words(const std::string& piece_name) const { return "Delete " + piece_name; }
-
 void describe(Fields& f, DeletePiece& c) { piece_field(f, c.piece); }
 
 Result<Delta> DeletePiece::run(World& world, uint32_t generation, const Progress*) const {
@@ -160,10 +127,6 @@ Result<Delta> DeletePiece::run(World& world, uint32_t generation, const Progress
   world.remove(change.went.front());
   delta.append(std::move(change));
   return delta;
-}
-
-std::string RenamePiece::words(const std::string& piece_name) const {
-  return "Name " + piece_name + " " + name;
 }
 
 void describe(Fields& f, RenamePiece& c) {
@@ -187,10 +150,6 @@ Result<Delta> RenamePiece::run(World& world, uint32_t, const Progress*) const {
   return delta;
 }
 
-std::string PinPiece::words(const std::string& piece_name) const {
-  return (pinned ? "Pin " : "Unpin ") + piece_name;
-}
-
 void describe(Fields& f, PinPiece& c) {
   piece_field(f, c.piece);
   f.flag("pinned", c.pinned);
@@ -205,10 +164,6 @@ Result<Delta> PinPiece::run(World& world, uint32_t generation, const Progress*) 
       });
 }
 
-std::string SetSheetProperties::words(const std::string& piece_name) const {
-  return "Material of " + piece_name;
-}
-
 void describe(Fields& f, SetSheetProperties& c) {
   piece_field(f, c.piece);
   describe(f, c.sheet);
@@ -218,10 +173,6 @@ Result<Delta> SetSheetProperties::run(World& world, uint32_t generation, const P
   return edit_piece(
       world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.sheet != sheet; },
       [&](Body& own) { own.sheet = sheet; });
-}
-
-std::string SetSolid::words(const std::string& piece_name) const {
-  return piece_name + (solid ? " as a solid" : " as a sheet");
 }
 
 void describe(Fields& f, SetSolid& c) {
@@ -234,8 +185,6 @@ Result<Delta> SetSolid::run(World& world, uint32_t generation, const Progress*) 
       world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.solid != solid; },
       [&](Body& own) { make_solid(own, solid); });
 }
-
-std::string SimplifyPiece::words(const std::string& piece_name) const { return "Simplify " + piece_name; }
 
 void describe(Fields& f, SimplifyPiece& c) {
   piece_field(f, c.piece);
@@ -256,8 +205,6 @@ Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progre
       progress);
 }
 
-std::string SubdividePiece::words(const std::string& piece_name) const { return "Subdivide " + piece_name; }
-
 void describe(Fields& f, SubdividePiece& c) {
   piece_field(f, c.piece);
   f.choice("scheme", c.scheme, kSubdivisionNames);
@@ -274,10 +221,6 @@ Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progr
       progress);
 }
 
-std::string SmoothPiece::words(const std::string& piece_name) const {
-  return "Smooth " + piece_name + (times == 1 ? "" : ", " + std::to_string(times) + " times");
-}
-
 void describe(Fields& f, SmoothPiece& c) {
   piece_field(f, c.piece);
   f.whole("times", c.times, 1, kMaxSmoothing);
@@ -290,10 +233,6 @@ Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress
         return smooth(mesh, times, heeded.kept, working);
       },
       progress);
-}
-
-std::string TurnShells::words(const std::string& piece_name) const {
-  return "Turn inner shells of " + piece_name;
 }
 
 void describe(Fields& f, TurnShells& c) { piece_field(f, c.piece); }

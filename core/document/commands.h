@@ -33,7 +33,6 @@ struct BeginStroke {
   Pose pose;
 
   static constexpr const char* kName = "begin-stroke";
-  std::string words(FileUnit unit) const;
 };
 void describe(Fields& f, BeginStroke& c);
 
@@ -43,14 +42,12 @@ struct MoveBeam {
   double time = 0;  // s since the stroke began, not descending; all 0 if times are unknown
 
   static constexpr const char* kName = "move-beam";
-  std::string words() const { return "Move the beam"; }
 };
 void describe(Fields& f, MoveBeam& c);
 
 // Ends the running stroke: switches the beam off and smooths a smooth rim.
 struct EndStroke {
   static constexpr const char* kName = "end-stroke";
-  std::string words() const { return "End the stroke"; }
 };
 
 // Ends the last stroke at a place of its path, before the end of its moves, for strokes that take long to
@@ -62,7 +59,6 @@ struct StopStroke {
   Ticks ticks = 0;  // after those moves, for which the beam stays on while bodies move
 
   static constexpr const char* kName = "stop-stroke";
-  std::string words() const { return "Stop the stroke"; }
 };
 void describe(Fields& f, StopStroke& c);
 
@@ -71,11 +67,8 @@ struct Recut {
   CutSettings settings;
 
   static constexpr const char* kName = "recut";
-  std::string words(FileUnit unit) const;
 };
 void describe(Fields& f, Recut& c);
-
-class Fields;
 
 // Advances time by a number of ticks (see core/base/tick.h), in which all changes of the world happen that
 // no other command makes. Does not end a running stroke; takes effect when the moves before it have been
@@ -90,8 +83,6 @@ struct AdvanceTime {
   static constexpr const char* kName = "advance-time";
   // Maximum in one line of a journal: each second of a run is a line of its own.
   static constexpr Ticks kMaxInALine = kTicksPerSecond;
-
-  std::string words() const { return bodies ? "Time with moving bodies" : "Time"; }
 };
 void describe(Fields& f, AdvanceTime& c);
 
@@ -103,23 +94,18 @@ struct DragBody {
   Vec3 to{0};  // the far end of the spring, in the world [m]
 
   static constexpr const char* kName = "drag-body";
-  std::string words(const std::string& piece_name) const;
 };
 void describe(Fields& f, DragBody& c);
 
 struct ReleaseBody {
   static constexpr const char* kName = "release-body";
-  std::string words() const { return "Let go"; }
 };
 
 // Begins a history step in which bodies move: the AdvanceTime commands that follow, up to the next stroke
 // or edit, belong to it and are undone with it.
 struct Play {
   static constexpr const char* kName = "play";
-  std::string words() const { return "Play"; }
 };
-
-class Fields;
 
 // Commands that change a piece as a whole. Except for DuplicatePiece, they first make the piece a body of
 // its own if it is none (see edit_piece). run() executes the command (see ImmediateCommand).
@@ -129,7 +115,6 @@ struct MovePiece {
   Placement to;
 
   static constexpr const char* kName = "move-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, MovePiece& c);
@@ -140,7 +125,6 @@ struct DuplicatePiece {
   Placement to;
 
   static constexpr const char* kName = "duplicate-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, DuplicatePiece& c);
@@ -150,7 +134,6 @@ struct HidePiece {
   bool hidden = true;
 
   static constexpr const char* kName = "hide-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, HidePiece& c);
@@ -159,7 +142,6 @@ struct DeletePiece {
   PieceId piece;
 
   static constexpr const char* kName = "delete-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, DeletePiece& c);
@@ -170,7 +152,6 @@ struct RenamePiece {
   std::string name;
 
   static constexpr const char* kName = "rename-piece";
-  std::string words(const std::string& piece_name) const;
   size_t weight() const { return name.size(); }
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
@@ -182,7 +163,6 @@ struct PinPiece {
   bool pinned = true;
 
   static constexpr const char* kName = "pin-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, PinPiece& c);
@@ -194,7 +174,6 @@ struct SetSheetProperties {
   Sheet sheet;
 
   static constexpr const char* kName = "set-sheet-properties";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SetSheetProperties& c);
@@ -206,12 +185,9 @@ struct SetSolid {
   bool solid = true;
 
   static constexpr const char* kName = "set-solid";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SetSolid& c);
-
-class Fields;
 
 // Commands that replace the mesh of a piece and make it a body of its own (see remake_piece). run()
 // executes the command (see ImmediateCommand).
@@ -222,7 +198,6 @@ struct SimplifyPiece {
   SimplifyTarget target;
 
   static constexpr const char* kName = "simplify-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SimplifyPiece& c);
@@ -233,7 +208,6 @@ struct SubdividePiece {
   Subdivision scheme = Subdivision::kLoop;
 
   static constexpr const char* kName = "subdivide-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SubdividePiece& c);
@@ -243,7 +217,6 @@ struct SmoothPiece {
   size_t times = 1;
 
   static constexpr const char* kName = "smooth-piece";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SmoothPiece& c);
@@ -253,12 +226,9 @@ struct TurnShells {
   PieceId piece;
 
   static constexpr const char* kName = "turn-shells";
-  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, TurnShells& c);
-
-class Fields;
 
 // Adds a body to the world from a mesh file.
 struct AddMesh {
@@ -266,7 +236,6 @@ struct AddMesh {
   std::string name;
 
   static constexpr const char* kName = "add-mesh";
-  std::string words() const { return "Add " + name; }
   size_t weight() const { return file.native().size() + name.size(); }
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
@@ -276,7 +245,6 @@ struct SetEnvironment {
   Environment around;
 
   static constexpr const char* kName = "set-environment";
-  std::string words() const { return "Gravity and ground"; }
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SetEnvironment& c);
@@ -284,13 +252,11 @@ void describe(Fields& f, SetEnvironment& c);
 // Undoes the last history step; a stroke with all its moves is one step.
 struct Undo {
   static constexpr const char* kName = "undo";
-  std::string words() const { return "Undo"; }
 };
 
 // Redoes the history step that was undone last.
 struct Redo {
   static constexpr const char* kName = "redo";
-  std::string words() const { return "Redo"; }
 };
 
 // All changes of the world are commands. A stroke consists of a beginning, poses in world coordinates and
@@ -298,8 +264,6 @@ struct Redo {
 //
 // Each kind of command is a struct with, in addition to its data:
 //   kName      its name in a journal
-//   words()    a description for the user: "Stroke, radius 4 mm"; words(unit) if it contains lengths,
-//              words(piece_name) if it names a piece
 //   weight()   the memory that it owns in addition to its own size [bytes]; only if it owns some
 // and, if it has data, describe(), the table of its keys in a journal (see Fields). Kinds are always
 // distinguished by std::visit, so that a missing case does not compile.
@@ -336,21 +300,6 @@ inline std::optional<PieceId> piece_of(const Command& command) {
     return std::nullopt;
   };
   return std::visit(named, command);
-}
-
-// Returns a description of the command for the user, e.g. "Stroke, radius 4 mm". `unit` is the display
-// unit. The piece is named `piece_name`, or by its number if that is empty.
-inline std::string words(const Command& command, FileUnit unit, const std::string& piece_name = "") {
-  const auto told = [&](const auto& c) {
-    if constexpr (requires { c.words(unit); }) {
-      return c.words(unit);
-    } else if constexpr (requires { c.words(piece_name); }) {
-      return c.words(piece_name.empty() ? piece_words(c.piece) : piece_name);
-    } else {
-      return c.words();
-    }
-  };
-  return std::visit(told, command);
 }
 
 inline size_t weight(const Command& command) {

@@ -1,10 +1,8 @@
 #include "core/document/single_step.h"
 
 #include "core/base/assert.h"
-#include "core/base/number_format.h"
 #include "core/cut/cut_step.h"
 #include "core/document/cut_effects.h"
-#include "core/mesh/files/mesh_format.h"
 
 namespace kerf {
 
@@ -28,47 +26,9 @@ StageKind kind_of(UnfinishedMove::Stage stage) {
   return StageKind::kHit;
 }
 
-std::string close_words(size_t removed) {
-  if (removed == 0) return "Close the rim: no face was left inside the boundary of the stroke.";
-  return "Close the rim: " + count_text(removed, "face") + " inside the boundary of the stroke " +
-         (removed == 1 ? "was" : "were") + " removed.";
-}
-
-// "1 face was", "3 faces were", "no face was".
-std::string faces_were(size_t count) {
-  if (count == 0) return "no face was";
-  return count_text(count, "face") + (count == 1 ? " was" : " were");
-}
-
-size_t new_pieces(const Delta& delta) {
-  size_t all = 0;
-  for (const BodyDelta& body : delta.bodies) all += body.new_pieces.size();
-  return all;
-}
-
 size_t count_specks(const Delta& delta, const Document& document) {
   if (!document.history().last_cut()) return 0;
   return new_specks(document.world(), delta, document.history().last_settings().laser.radius).size();
-}
-
-std::string sweep_words(const StageRecord& record, FileUnit unit) {
-  const double way = glm::length(record.move->to.origin - record.move->from.origin);
-  const std::string moves = way > 0 ? "moves by " + length_label(way, unit) : "stays";
-  return "Sweep: the origin of the beam " + moves + ", which sweeps " +
-         count_text(record.beam.size(), "volume") + " of radius " +
-         length_label(record.beam.front().radius(), unit) + ".";
-}
-
-std::string separate_words(size_t pieces, size_t specks) {
-  std::string all = pieces > 0 ? count_text(pieces, "piece") : "";
-  if (specks > 0) all += (all.empty() ? "" : ", ") + count_text(specks, "speck");
-  return "Separate: " + (all.empty() ? "no piece" : all) + " came off.";
-}
-
-std::string left_words(const StageRecord& record) {
-  if (record.left == 0) return "";
-  return " " + count_text(record.left, "face") + (record.left == 1 ? " is" : " are") +
-         " left for this stage.";
 }
 
 // Joins in pairs, because appending one after the other would take quadratic time.
@@ -207,31 +167,6 @@ Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* 
   }
   outcome.delta = joined(std::move(changes));
   return outcome;
-}
-
-std::string words(const StageRecord& record, FileUnit unit) {
-  const StepStatistics& statistics = record.done.statistics;
-  switch (record.kind) {
-    case StageKind::kSweep:
-      return sweep_words(record, unit);
-    case StageKind::kHit:
-    case StageKind::kHitAgain:
-      return std::string(record.kind == StageKind::kHit ? "Hit" : "Hit again, after the splits") +
-             ": the beam touches " + count_text(record.hit.size(), "face") + "; the tree tested " +
-             count_text(statistics.tested.boxes, "box slot") + " and " +
-             count_text(statistics.tested.faces, "face") + ".";
-    case StageKind::kRefine:
-      return "Refine: " + faces_were(statistics.faces_made) + " made by splits." + left_words(record);
-    case StageKind::kRemove:
-      return "Remove: " + faces_were(record.done.delta.removed_faces) + " removed." + left_words(record);
-    case StageKind::kSeparate:
-      return separate_words(new_pieces(record.done.delta) - record.specks, record.specks);
-    case StageKind::kCloseRim:
-      return close_words(record.done.delta.removed_faces);
-    case StageKind::kTime:
-      return "Time: a tick passed.";
-  }
-  return {};
 }
 
 }  // namespace kerf

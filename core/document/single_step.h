@@ -34,9 +34,6 @@ struct StageRecord {
   StepResult done;          // changes and statistics of the stage
 };
 
-// A description of the stage for the user, one sentence. `unit` is the display unit.
-std::string words(const StageRecord& record, FileUnit unit);
-
 // Executes the queue of a document stage by stage, and steps back within the last stroke. The result equals
 // that of Document::step, to the bit. The document must outlive it, and no other code may execute its queue
 // in the meantime.

@@ -10,6 +10,10 @@
 namespace kerf {
 namespace {
 
+const char* name_of(const Command& command) {
+  return std::visit([]<typename C>(const C&) { return C::kName; }, command);
+}
+
 // Settings that the kinds of cut differ in.
 struct Kind {
   const char* name;
@@ -103,7 +107,7 @@ Status print_preparation(const char* mesh) {
       const Outcome outcome = document.apply(own);
       if (!outcome.ok()) return outcome.error();
       if (!outcome.delta.came.empty()) piece.body = outcome.delta.came.front();
-      print(mesh, words(own, FileUnit::kMetre).c_str(), document.world());
+      print(mesh, name_of(own), document.world());
     }
   }
   return Done{};

@@ -86,11 +86,4 @@ Vec3 from_y_up(const Vec3& v, UpAxis up);
 // The coordinate of v along the upward axis.
 double height_of(const Vec3& v, UpAxis up);
 
-// Labels of lengths, which are given in file units, in the unit of the open document.
-
-// Returns "2.75 mm", "0.3 in", with three significant digits.
-std::string length_label(double length, FileUnit unit);
-// Returns the unit of that label, with its size in file units.
-LengthUnit label_unit(double length, FileUnit unit);
-
 }  // namespace kerf

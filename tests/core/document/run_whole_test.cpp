@@ -2,6 +2,7 @@
 
 #include "core/document/commands.h"
 #include "core/document/document.h"
+#include "core/document/journal_text.h"
 #include "core/document/stroke_settings.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
@@ -31,7 +32,7 @@ std::vector<Command> path_of(const Document& document) {
 
 std::vector<std::string> lines_of(const Document& document) {
   std::vector<std::string> lines;
-  for (const Command& command : document.journal()) lines.push_back(words(command, FileUnit::kMetre));
+  for (const Command& command : document.journal()) lines.push_back(*command_text(command, {}));
   return lines;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/base/tick.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/gizmo.h"

@@ -10,6 +10,7 @@
 
 #include "core/base/assert.h"
 #include "core/joints/joined_parts.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/render/passes/mark_passes.h"

@@ -12,6 +12,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/file_frames.h"

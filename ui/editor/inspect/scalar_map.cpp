@@ -11,6 +11,7 @@
 #include "core/base/deterministic_math.h"
 #include "core/base/parallel.h"
 #include "core/mesh/face_batches.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/render/bodies/rim_distance.h"
 #include "ui/window/number_text.h"

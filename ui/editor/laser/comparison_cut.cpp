@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/laser_controls.h"

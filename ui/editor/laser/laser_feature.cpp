@@ -13,6 +13,7 @@
 #include "core/document/document.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/laser/laser_overlay.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/gizmo.h"
 #include "ui/editor/shared/laser_controls.h"

@@ -12,6 +12,7 @@
 #include "core/heat/lumped_cut.h"
 #include "core/mesh/measures.h"
 #include "ui/editor/laser/stroke_watch.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"

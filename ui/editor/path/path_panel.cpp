@@ -8,6 +8,7 @@
 #include "core/base/geometry.h"
 #include "core/document/stroke_path.h"
 #include "core/document/stroke_settings.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"

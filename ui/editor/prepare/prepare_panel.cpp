@@ -9,6 +9,7 @@
 #include "core/base/assert.h"
 #include "core/mesh/remesh/openmesh_tools.h"
 #include "ui/editor/prepare/preparation.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"

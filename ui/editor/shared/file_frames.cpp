@@ -10,6 +10,7 @@
 #include "core/base/assert.h"
 #include "core/document/commands.h"
 #include "core/mesh/files/mesh_format.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/window/number_text.h"
 
@@ -92,23 +93,6 @@ std::string names_of(const HistoryStep& step) {
   return text;
 }
 
-std::string how(const CutSettings& settings, FileUnit unit) {
-  return "radius " + length_label(settings.laser.radius, unit) +
-         (settings.laser.pattern == Pattern::kRays4 ? ", four rays" : "");
-}
-
-std::string how_again(const Resolution& resolution, FileUnit unit) {
-  switch (resolution.rule) {
-    case Resolution::Rule::kTargetEdge:
-      return "edges of " + length_label(resolution.target_edge, unit);
-    case Resolution::Rule::kTolerance:
-      return "within " + length_label(resolution.tolerance, unit);
-    case Resolution::Rule::kDepth:
-      return std::to_string(resolution.depth) + (resolution.depth == 1 ? " level" : " levels");
-  }
-  return "";
-}
-
 // The number of the stroke among all of the history, from 1.
 size_t number_of(const History& history, size_t stroke) {
   size_t number = 0;
@@ -121,11 +105,12 @@ size_t number_of(const History& history, size_t stroke) {
 std::string step_words(const History& history, size_t step, FileUnit unit) {
   KERF_ASSERT(step < history.size());
   const HistoryStep& of = history.step(step);
-  if (!history.cuts(step)) return words(of.commands().front(), unit, of.piece_name);
+  if (!history.cuts(step)) return command_label(of.commands().front(), unit, of.piece_name);
   const std::string cut = "Cut " + std::to_string(number_of(history, history.base_of(step)));
   const CutSettings& settings = history.settings_of(step);
-  if (of.kind() == HistoryStep::Kind::kStroke) return cut + ": " + names_of(of) + how(settings, unit);
-  return cut + " again: " + names_of(of) + how_again(settings.resolution, unit);
+  if (of.kind() == HistoryStep::Kind::kStroke)
+    return cut + ": " + names_of(of) + beam_label(settings.laser, unit);
+  return cut + " again: " + names_of(of) + resolution_label(settings.resolution, unit);
 }
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"

@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "core/document/commands.h"
 #include "core/document/text/world_fields.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/workspace.h"
@@ -228,7 +229,7 @@ void WorldChanges::forget() {
 // --------------------------------------------------------------------------------------------------------
 
 void WorldChanges::apply(const Command& command) {
-  change(words(command, workspace_.view.frame.unit), is_quick(workspace_.work.document, command),
+  change(command_label(command, workspace_.view.frame.unit), is_quick(workspace_.work.document, command),
          [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
@@ -255,7 +256,7 @@ void WorldChanges::step_through_history(bool back) {
   }
   const Command command = back ? Command(Undo{}) : Command(Redo{});
   change(
-      words(command, workspace_.view.frame.unit), is_quick(document, command),
+      command_label(command, workspace_.view.frame.unit), is_quick(document, command),
       [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, said);
 }
 

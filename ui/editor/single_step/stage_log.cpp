@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
+#include "ui/editor/shared/command_labels.h"
 
 namespace kerf {
 
@@ -213,7 +214,7 @@ void QueryWalk::mark(StageMarks& marks) const {
 
 // A stage that is executed again says the same; one of another queue does not.
 void StageLog::note(const World& world, const StageRecord& stage, FileUnit unit) {
-  std::string sentence = words(stage, unit);
+  std::string sentence = stage_label(stage, unit);
   if (done_ < told_.size() && told_[done_] != sentence) told_.resize(done_);
   while (!sweeps_.empty() && sweeps_.back() > told_.size()) sweeps_.pop_back();
   if (done_ == told_.size()) told_.push_back(std::move(sentence));

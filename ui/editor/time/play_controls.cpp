@@ -10,6 +10,7 @@
 #include "core/document/text/json.h"
 #include "core/world/heat_flow.h"
 #include "core/world/rigid_body.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"

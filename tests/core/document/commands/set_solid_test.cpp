@@ -52,11 +52,6 @@ TEST_F(SolidBox, changes_nothing_where_it_is_as_asked_and_fails_where_there_is_n
   EXPECT_FALSE(body().solid);
 }
 
-TEST_F(SolidBox, is_described_in_the_history) {
-  EXPECT_EQ(words(SetSolid{piece(), true}, FileUnit::kMetre, "box"), "box as a solid");
-  EXPECT_EQ(words(SetSolid{piece(), false}, FileUnit::kMetre, "box"), "box as a sheet");
-}
-
 TEST_F(SolidBox, copies_of_it_are_solid) {
   ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
   ASSERT_TRUE(document_.apply(DuplicatePiece{piece(), {}}).ok());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/made_meshes.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/file_frames.h"
 
 namespace kerf::test {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/support/made_meshes.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/single_step/stage_cut.h"
 
 namespace kerf {
@@ -168,12 +169,12 @@ TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
   ASSERT_TRUE(single.go_back_to(11, note).ok());
   EXPECT_EQ(log.done(), 11u);
   EXPECT_EQ(log.told(), told);
-  EXPECT_EQ(words(*log.last(), FileUnit::kMetre), told[10]);
+  EXPECT_EQ(stage_label(*log.last(), FileUnit::kMetre), told[10]);
   log.restart();
   StageRecord other;
   other.kind = StageKind::kTime;
   log.note(document.world(), other, FileUnit::kMetre);
-  EXPECT_EQ(log.told(), (std::vector<std::string>{words(other, FileUnit::kMetre)}))
+  EXPECT_EQ(log.told(), (std::vector<std::string>{stage_label(other, FileUnit::kMetre)}))
       << "the queue is another one";
   log.forget();
   EXPECT_EQ(log.told().size(), 0u);

@@ -1,4 +1,5 @@
 #include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/command_labels.h"
 
 #include <gtest/gtest.h>
 

@@ -41,7 +41,7 @@ void AabbTree::rebuild(const Mesh& mesh, TreeFrame frame) {
   loose_ = 0;
 }
 
-// A zero of either sign becomes +0, so that the bounds do not show from which corner they come.
+// Zeros of either sign become +0, so that the bounds do not depend on which corner they come from.
 void AabbTree::set_bounds(const Bounds& bounds) { bounds_ = {bounds.min + Vec3(0), bounds.max + Vec3(0)}; }
 
 void AabbTree::enlarge_bounds(const Vec3& corner) {
@@ -130,7 +130,7 @@ unsigned hit_lanes(const Mesh& mesh, const FaceBlock& block) {
   return lanes;
 }
 
-// For each node whether a face below it was hit.
+// Returns by node whether a face below it was hit.
 std::vector<bool> hit_nodes(const TreeStore& tree, const Mesh& mesh) {
   std::vector<bool> hit(tree.nodes.size());
   std::vector<uint32_t> order{tree.root};  // parents before children
@@ -187,8 +187,8 @@ void AabbTree::for_each_box(const Mesh& mesh, const std::function<void(const Box
 
 namespace {
 
-// A side of the bounds: the least (sides 0 to 2) or the largest (3 to 5) coordinate along an axis.
-// Coordinates are negated where the least is sought, so that the largest value is sought on every side.
+// A side of the bounds: the minimum (sides 0 to 2) or the maximum (3 to 5) coordinate along an axis.
+// Coordinates are negated for the minimum, so that every side seeks the largest value.
 struct ExtremeSide {
   explicit ExtremeSide(unsigned side) : axis(static_cast<int>(side % 3)), plane(side), least(side < 3) {}
 
@@ -206,16 +206,16 @@ float coordinate(__m128 v, int axis) {
   return xyz[axis];
 }
 
-// The search for the largest value of a side: depth first, a box being passed over if no corner in it can
-// exceed the best one found. Rounding to floats is monotonic and boxes are rounded outward, so that a box
-// whose float lies below that of a corner has only lesser corners.
+// A depth-first search for the largest value of a side, which skips a box if no corner in it can exceed the
+// best one found. Rounding to floats is monotonic and boxes are rounded outward, so that a box whose float
+// lies below that of a corner has only lesser corners.
 class ExtremeSearch {
  public:
   ExtremeSearch(const TreeStore& tree, const Mesh& mesh, ExtremeSide side)
       : tree_(tree), mesh_(mesh), side_(side) {}
 
-  // Returns the largest value. Preconditions: `start` is that of a corner, and no corner exceeds `bound`, at
-  // which the search ends.
+  // Returns the largest value; stops when it reaches `bound`. Preconditions: `start` is the value of a
+  // corner, and no corner exceeds `bound`.
   double run(double bound, double start) {
     set_best(start);
     std::vector<Child> stack{Child::node(tree_.root)};
@@ -231,7 +231,7 @@ class ExtremeSearch {
       for (uint32_t s = 0; s < kNodeWidth; ++s) {
         if (!node.child[s].none() && may_exceed(reach(node, s))) stack.push_back(node.child[s]);
       }
-      // The one that reaches farthest is opened first.
+      // Opens the farthest-reaching child first.
       for (size_t i = first; i + 1 < stack.size(); ++i) {
         if (reach_of(stack[i]) > reach_of(stack.back())) std::swap(stack[i], stack.back());
       }

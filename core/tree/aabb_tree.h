@@ -31,16 +31,16 @@ struct QueryCounts {
 
 // A bounding volume hierarchy of axis-aligned boxes over the live faces of a mesh: nodes of up to eight
 // children (I. Wald, C. Benthin, S. Boulos: Getting rid of packets, 2008) over blocks of up to four faces. It
-// is built once and then edited. The parts of a split face take its place in its block, and a full block is
-// split in two; a removed face leaves its block, and the boxes above shrink. The cost of an edit depends on
-// the number of faces edited and on the depth of the tree, not on the size of the mesh.
+// is built once and then edited: the parts of a split face replace it in its block, a full block is split in
+// two, and boxes above a removed face shrink. The cost of an edit depends on the number of faces edited and
+// on the depth of the tree, not on the size of the mesh.
 //
 // Boxes and corners are stored as floats of (x - origin) times a power of two, and boxes are rounded outward.
-// They only cull; the decision is made with the mesh's doubles. Every query and edit takes the mesh that the
-// tree was built over, and every edit of that mesh must be followed by replace, remove, refit or update.
+// They only cull; exact tests use the mesh's doubles. Every query and edit takes the mesh that the tree was
+// built over, and every edit of that mesh must be followed by replace, remove, refit or update.
 //
-// The tree is a cache: which faces a query finds depends on the mesh alone, never on the shape of the tree,
-// the history of its edits or the instruction set. Queries change nothing and may run on several threads.
+// The tree is a cache: query results depend on the mesh alone, never on the shape of the tree, the history of
+// its edits or the instruction set. Queries are read-only and may run on several threads.
 class AabbTree {
  public:
   AabbTree() = default;
@@ -48,39 +48,38 @@ class AabbTree {
   // Builds the tree top-down with the surface area heuristic; see build_tree. O(n log n).
   explicit AabbTree(const Mesh& mesh, Simd simd = best_simd());
 
-  // Builds the same tree, or fails with cancelled() when stopped. `progress` may be null.
+  // Builds the same tree; fails with cancelled() when stopped. `progress` may be null.
   static Result<AabbTree> build(const Mesh& mesh, const Progress* progress);
 
-  // Appends every face that meets the closed volume exactly once, in no particular order, and to `near`,
-  // unless it is null, every face whose box may meet the volume. The volume is in the frame of the mesh.
+  // Appends each face that meets the closed volume once, in unspecified order, and to `near`, unless it is
+  // null, each face whose box may meet the volume. The volume is in the frame of the mesh.
   QueryCounts touched(const Mesh& mesh, const SweptCylinder& beam, std::vector<FaceId>& out,
                       std::vector<FaceId>* near = nullptr) const;
 
   // Appends all faces that the ray crosses at lengths within the closed range, nearest first. Each surface is
-  // crossed once: where the ray goes through an edge or a corner, a fixed rule chooses one of the faces there
-  // (see ShearedRay). Faces parallel to the ray are not crossed. Precondition: the direction is a unit
-  // vector.
+  // crossed once: at an edge or a corner, a fixed rule selects one of the adjacent faces (see ShearedRay).
+  // Faces parallel to the ray are not crossed. Precondition: the direction is a unit vector.
   void crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const;
 
   // Finds the crossings of several rays; out[i] receives those of rays[i]. Up to four rays of equal direction
-  // cost about as much as one if the distance between them is smaller than a face. Precondition: `out` has as
+  // cost about as much as one if they are closer together than the size of a face. Precondition: `out` has as
   // many elements as `rays`.
   void crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,
                  std::span<std::vector<RayHit>> out) const;
 
-  // The first of the crossings, or nothing if there is none. Same precondition.
+  // Returns the first of the crossings, or nullopt if there is none. Same precondition.
   std::optional<RayHit> nearest(const Mesh& mesh, const Pose& ray, Interval range) const;
 
-  // Replaces the leaves of the faces `gone` by leaves of the faces `born`; a face may be in both lists.
-  // Replacements may be reported late, after the mesh was edited further, as long as their order is kept.
-  // Preconditions: neither list is empty, all faces of `gone` are in the tree, and `born` lies within the
-  // bounding box of `gone`, but for what enlarge_bounds() was told.
+  // Replaces the leaves of one set of faces by those of another; a face may be in both. Replacements may be
+  // reported late, after further edits of the mesh, in their original order. Preconditions: neither set is
+  // empty, the old faces are in the tree, and the new ones lie within their bounding box, extended by the
+  // corners passed to enlarge_bounds().
   void replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born);
-  // Makes all replacements in their order; faster than one call for each.
+  // Applies all replacements in order; faster than one call for each.
   void replace(const Mesh& mesh, std::span<const Replacement> all);
 
-  // Adds leaves for faces wherever they lie, each where the boxes above grow least, and enlarges these boxes.
-  // Precondition: the faces are not in the tree, and it is not empty. O(depth) for each.
+  // Adds leaves for faces anywhere, each where the boxes above grow least, and enlarges these boxes.
+  // Preconditions: the faces are not in the tree, and it is not empty. O(depth) for each.
   void add(const Mesh& mesh, std::span<const FaceId> faces);
 
   // Removes the leaf of a face. Precondition: the face is in the tree.
@@ -90,9 +89,9 @@ class AabbTree {
   // Precondition: the faces are in the tree.
   void refit(const Mesh& mesh, std::span<const FaceId> faces);
 
-  // Makes the leaves of these faces agree with the mesh, whatever has happened to them: adds, refits and
-  // removes. Faces may be listed more than once. O(depth) for each; rebuilds the tree where that is quicker.
-  // Their boxes are those of a tree that was built over the mesh as it was first, and edited since.
+  // Adds, refits or removes the leaves of these faces so that they agree with the mesh, whatever was edited.
+  // Faces may be repeated. O(depth) for each; rebuilds the tree if that is quicker. The boxes equal those of
+  // a tree that was built over the original mesh and edited since.
   void update(const Mesh& mesh, std::vector<FaceId> faces);
 
   // A box of the tree, for display, in metres in the frame of the mesh.
@@ -102,23 +101,21 @@ class AabbTree {
     bool leaf = false;  // the box of one face
     bool hit = false;   // it contains a face with FaceData::hit
   };
-  // Visits all boxes, parents before children. A block of one face is visited once, as the box of that face.
-  // O(n).
+  // Visits all boxes, parents before children; a block of one face once, as the box of that face. O(n).
   void for_each_box(const Mesh& mesh, const std::function<void(const Box&)>& visit) const;
 
   size_t leaf_count() const { return leaf_count_; }
-  // The number of boxes that for_each_box visits. O(1).
+  // Number of boxes that for_each_box visits. O(1).
   size_t box_count() const;
 
-  // The bounds of the corners of all faces, exact to the bit; zero for an empty tree. fit_bounds() makes them
-  // so again after remove() and refit(), by a search that takes O(depth) where another face reaches as far.
+  // Bounds of the corners of all faces, exact to the bit; zero for an empty tree. After remove() and refit(),
+  // fit_bounds() restores exactness, in O(depth) if another face reaches as far.
   const Bounds& bounds() const { return bounds_; }
   void fit_bounds(const Mesh& mesh);
-  // Includes a corner of a face that a later replace() adds.
+  // Enlarges the bounds to include a corner of a face that a later replace() adds.
   void enlarge_bounds(const Vec3& corner);
 
-  // Rebuilds the tree in another shape now and then where choices are varied (see Shuffle); otherwise does
-  // nothing.
+  // Occasionally rebuilds the tree in another shape if choices are varied (see Shuffle); otherwise a no-op.
   void vary(const Mesh& mesh);
 
   // Memory allocated, in bytes.

@@ -217,15 +217,15 @@ constexpr size_t kOneThread = 1 << 14;
 constexpr size_t kSmallRange = 4096;
 constexpr double kGathering = 0.13, kSorting = 0.67;  // of the time; the rest is writing
 
-// A block of the tree that is still a range of the sorted faces.
+// A block that is still a range of the sorted faces.
 struct PlannedBlock {
   uint32_t first, count;  // primitives
   uint32_t parent, slot;  // parent among the nodes of the same part
 };
 
-// A part of the tree in the making, whose records will be consecutive. A large one is a single node over
-// smaller parts. A small one holds its nodes and blocks, in depth-first order and numbered from 0; one of a
-// few faces is just a block.
+// A part of the tree under construction, whose records will be consecutive. A large one is a single node over
+// smaller parts. A small one holds its nodes and blocks, in depth-first order and numbered from 0, or a
+// single block.
 struct Part {
   PrimitiveRange range;
   std::vector<Part> children;
@@ -293,8 +293,8 @@ class TreeBuilder {
     std::array<PrimitiveRange, kNodeWidth> range;
     uint32_t count = 1;
 
-    // The child of the largest area among those with more than `more_than` and at most `at_most` faces, or
-    // null.
+    // Returns the child of the largest area among those with more than `more_than` and at most `at_most`
+    // faces, or null.
     PrimitiveRange* largest(size_t more_than, size_t at_most) {
       PrimitiveRange* best = nullptr;
       for (uint32_t i = 0; i < count; ++i) {
@@ -312,7 +312,7 @@ class TreeBuilder {
   };
 
   // Splits the child of the largest area until the node is full or each child is small enough to be a node of
-  // blocks only. The remaining slots take the blocks of such children directly where all blocks of a child
+  // blocks only. The remaining slots receive the blocks of such children directly if all blocks of a child
   // fit, because visiting a node with few blocks costs as much as visiting a full one.
   Children open(const PrimitiveRange& range) {
     Children c;
@@ -385,7 +385,7 @@ class TreeBuilder {
     return static_cast<uint32_t>(part.blocks.size() - 1);
   }
 
-  // Gives the records of all parts their places in the store, in depth-first order.
+  // Assigns consecutive records in the store to all parts, in depth-first order.
   void number(Part& part) {
     part.first_node = nodes_;
     part.first_block = blocks_;
@@ -423,7 +423,7 @@ class TreeBuilder {
     }
   }
 
-  // A part without children, and the node that it hangs on.
+  // A part without children, and its parent node.
   struct WholePart {
     const Part* part;
     uint32_t parent, slot;
@@ -448,7 +448,7 @@ class TreeBuilder {
     put_faces(part);
   }
 
-  // Blocks of one face stay without a count, because the store counts them (see run()).
+  // Leaves the count of single-face blocks unset, because the store counts them (see run()).
   void put_block(uint32_t b, uint32_t node, uint32_t slot, uint32_t count) {
     FaceBlock& block = store_.blocks.edit(b);
     block.parent = node;

@@ -12,9 +12,9 @@
 
 namespace kerf {
 
-// The progress of sorting faces into a tree on several threads; only the thread that made it reports. Sorting
-// a range of n faces takes time in proportion to n log2 n, so a split accounts for the difference between the
-// range and its two parts.
+// Progress of sorting faces into a tree on several threads; only the constructing thread reports. Sorting n
+// faces takes time in proportion to n log2 n, so a split accounts for the difference between the range and
+// its two parts.
 class SortProgress {
  public:
   // `progress` may be null; it must outlive this object.
@@ -40,8 +40,8 @@ struct Primitive {
   static constexpr uint32_t kNumberTag = 0x40000000u;
   __m128 low, high;
 
-  // The number is encoded as a float that is neither subnormal nor infinite, so that arithmetic on the lane
-  // is not slowed down. Precondition: number < 2^29.
+  // The number is encoded as a float that is neither subnormal nor infinite, to keep arithmetic on the lane
+  // fast. Precondition: number < 2^29.
   static Primitive make(const FloatBox& box, uint32_t number) {
     assert(number < 1u << 29);
     const __m128 tagged = _mm_castsi128_ps(_mm_set1_epi32(static_cast<int>(number | kNumberTag)));
@@ -54,7 +54,7 @@ struct Primitive {
   __m128 centre2() const { return _mm_add_ps(low, high); }
 };
 
-// Consecutive primitives, their bounding box and that of their centres.
+// Consecutive primitives with their bounding box and that of their centres.
 struct PrimitiveRange {
   std::span<Primitive> items;
   FloatBox bounds;
@@ -71,23 +71,22 @@ struct RangePair {
 };
 // Splits a range at the plane for which the surface area heuristic over binned centroids is cheapest; the
 // cost of a part is its area times the number of blocks of `block` primitives that it fills. Reorders the
-// items. If all centroids coincide, it splits the range at its middle. Preconditions: the range holds at
-// least two primitives, block > 0. O(n).
+// items. Splits at the middle if all centroids coincide. Preconditions: the range holds at least two
+// primitives, block > 0. O(n).
 RangePair split_binned(const PrimitiveRange& range, uint32_t block);
-// Splits a range at its middle, in whatever order its items are. Same precondition. O(n).
+// Splits a range at its middle, in the given order of its items. Same precondition. O(n).
 RangePair split_in_half(const PrimitiveRange& range);
 
 // The shape of a tree; the default gives the fastest queries.
 struct TreeShape {
-  uint32_t block = kBlockWidth;  // faces in a block, at most; 1 .. kBlockWidth
-  bool halved = false;           // ranges are split at their middle, in whatever order their faces are
+  uint32_t block = kBlockWidth;  // maximum number of faces in a block, 1 .. kBlockWidth
+  bool halved = false;           // splits ranges at their middle, in the given order
 };
 
-// Builds a tree over the live faces of a mesh, top-down: the child with the largest area is split until the
-// node is full, and each split is the best one of the surface area heuristic over binned centroids (I. Wald:
-// On fast construction of SAH-based bounding volume hierarchies, 2007), where the cost of a part is its area
-// times the number of blocks that its faces fill. O(n log n). `progress` may be null. Returns false when it
-// was stopped; the store must be discarded then. Precondition: the store is empty.
+// Builds a tree over the live faces of a mesh, top-down: the child with the largest area is split by
+// split_binned until the node is full (I. Wald: On fast construction of SAH-based bounding volume
+// hierarchies, 2007). O(n log n). `progress` may be null. Returns false when stopped; the store must be
+// discarded then. Precondition: the store is empty.
 bool build_tree(TreeStore& store, const Mesh& mesh, const TreeFrame& frame, const Progress* progress,
                 TreeShape shape = {});
 

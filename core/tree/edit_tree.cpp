@@ -18,8 +18,8 @@ void prefetch(const Record& record) {
     __builtin_prefetch(reinterpret_cast<const char*>(&record) + at);
 }
 
-// How many replacements ahead each kind of record is prefetched. A face that an earlier replacement has yet
-// to create has no place and is not prefetched.
+// Number of replacements by which each kind of record is prefetched ahead. A face that an earlier replacement
+// has yet to create has no place and is not prefetched.
 constexpr size_t kPlaceAhead = 6, kBlockAhead = 4, kNodeAhead = 2;
 void prefetch_block(const TreeStore& tree, FaceId f) {
   const uint32_t place = tree.place(f);
@@ -56,7 +56,7 @@ void grow_block(TreeStore& tree, uint32_t b, const FloatBox& box) {
   grow_above(tree, parent, box);
 }
 
-// Recomputes the boxes of the node and of its ancestors up to the first that does not change.
+// Recomputes the boxes of the node and its ancestors up to the first unchanged one.
 void shrink_above(TreeStore& tree, uint32_t n) {
   for (; n != tree.root; n = tree.nodes[n].parent) {
     const WideNode& node = tree.nodes[n];
@@ -128,11 +128,11 @@ float area_of_both(const FloatBox& a, const FloatBox& b) {
   return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(sum, y), z));
 }
 
-// The cheapest of the partitions considered of a full block's faces and one more into two blocks.
+// Finds the cheapest partition of a full block's faces and one more into two blocks.
 struct Parting {
   FloatBox added;
-  // The area of both boxes as the bits of a float, whose last four are replaced by the mask of the lanes that
-  // stay apart from the added face: the minimum of such words is found without branches.
+  // The area of both boxes as the bits of a float, with the last four replaced by the mask of the lanes
+  // separated from the added face: the minimum of such words is found without branches.
   uint32_t best = 0xffffffffu;
 
   void consider(uint32_t lanes, const FloatBox& stays, const FloatBox& goes) {
@@ -142,8 +142,8 @@ struct Parting {
   uint32_t staying() const { return best & 15; }
 };
 
-// Chooses among the ten partitions of a full block's four faces and a fifth into two and three faces the one
-// with the smallest total area. Returns the mask of the lanes of the part without the added face.
+// Finds the partition of a full block's four faces and a fifth into two and three faces with the smallest
+// total area, among all ten. Returns the mask of the lanes of the part without the added face.
 unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
   const auto lane = lane_boxes(full);
   Parting parting{added};
@@ -161,8 +161,8 @@ unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
   return parting.staying();
 }
 
-// Inserts a new block beside b: into a free slot of b's node or, if there is none, with b into a new node
-// that takes b's slot.
+// Inserts a new block as a sibling of b: into a free slot of b's node or, if there is none, together with b
+// into a new node that takes b's slot.
 void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
   const uint32_t parent = tree.blocks[b].parent, slot = tree.blocks[b].slot;
   const FloatBox stays = tree.block_box(tree.blocks[b]), goes = tree.block_box(tree.blocks[fresh]);
@@ -233,7 +233,7 @@ void hoist(TreeStore& tree, uint32_t n, uint32_t slot) {
   shrink_above(tree, tree.root);
 }
 
-// Removes or shrinks a node that has lost a child.
+// Removes or shrinks a node after it lost a child.
 void settle(TreeStore& tree, uint32_t n) {
   const WideNode& node = tree.nodes[n];
   uint32_t children = 0, last = 0;
@@ -250,8 +250,8 @@ void settle(TreeStore& tree, uint32_t n) {
 
 }  // namespace
 
-// The parent of the block `home` is prefetched while the new faces are computed; the box of `home` grows once
-// for all of them.
+// Prefetches the parent of the block `home` while the new faces are computed, and grows the box of `home`
+// once for all of them.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
                    std::span<const FaceId> born) {
   assert(!gone.empty() && !born.empty());
@@ -310,7 +310,7 @@ namespace {
 
 float area_of(const FloatBox& box) { return 0.5f * area_of_both(box, box); }
 
-// The block below the slot of a node that grows least when a box is added on the way to it.
+// Returns the block found from the root by following the slot whose box grows least with the added box.
 uint32_t block_that_grows_least(const TreeStore& tree, const FloatBox& added) {
   for (uint32_t n = tree.root;;) {
     const WideNode& node = tree.nodes[n];

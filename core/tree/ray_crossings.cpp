@@ -72,7 +72,7 @@ inline int sign_of_cross(Vec2 a, Vec2 b) {
   return compare(Product(a.x, b.y), Product(a.y, b.x));
 }
 
-// Whether the ray passes to the left of a -> b. Ties are broken as if the ray were displaced by an
+// Returns true if the ray passes to the left of a -> b. Ties are broken as if the ray were displaced by an
 // infinitesimal amount towards +x and a smaller one towards +y.
 inline bool is_left(Vec2 a, Vec2 b) {
   const double left = a.x * b.y, right = a.y * b.x;
@@ -82,7 +82,7 @@ inline bool is_left(Vec2 a, Vec2 b) {
   return a.y != b.y ? a.y > b.y : a.x < b.x;
 }
 
-// A sum that does not depend on the order of its arguments.
+// Returns a sum that does not depend on the order of its arguments.
 double sum_in_order(double a, double b, double c) {
   const double low = std::min(a, b), high = std::max(a, b);
   return (std::min(low, c) + std::max(high, c)) + std::max(low, std::min(high, c));
@@ -113,8 +113,8 @@ std::optional<double> ShearedRay::cross(const Triangle& t) const {
   if (left % 3 != 0) return std::nullopt;
   const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
   const double sum = sum_in_order(a, b, c);
-  // A triangle whose image is a single point is parallel to the ray. One whose image has an area that rounds
-  // to zero is still crossed.
+  // A triangle projected to a single point is parallel to the ray. One whose projected area rounds to zero is
+  // still crossed.
   if (p[0] == p[1] && p[1] == p[2]) return std::nullopt;
   if (sum == 0) return sum_in_order(z[0], z[1], z[2]) / 3 * per_z_;
   return sum_in_order(a * z[0], b * z[1], c * z[2]) / sum * per_z_;
@@ -148,13 +148,13 @@ void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
   store(q.far_plane, _mm_blendv_ps(highs, lows, down));
 }
 
-// Whether the rays may meet the box.
+// Returns true if the rays may meet the box.
 bool may_meet(const RayQuery& q, const FloatBox& box) {
   const __m128 down = _mm_load_ps(q.direction);  // blends by sign
   const __m128 near = _mm_blendv_ps(box.low, box.high, down), far = _mm_blendv_ps(box.high, box.low, down);
   const __m128 entry = _mm_mul_ps(_mm_sub_ps(near, _mm_load_ps(q.near_origin)), _mm_load_ps(q.near_slope));
   const __m128 exit = _mm_mul_ps(_mm_sub_ps(far, _mm_load_ps(q.far_origin)), _mm_load_ps(q.far_slope));
-  // Compares every entry with every exit, those of the axes and those of the range.
+  // Compares every entry with every exit, including the limits of the range.
   const __m128 from = _mm_insert_ps(entry, _mm_set_ss(q.t_low), 3 << 4),
                to = _mm_insert_ps(exit, _mm_set_ss(q.t_high), 3 << 4);
   const __m128 to2 = _mm_min_ps(to, _mm_shuffle_ps(to, to, _MM_SHUFFLE(2, 3, 0, 1)));
@@ -200,7 +200,7 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   }
   const double reach = tree.reach(), scale = tree.frame.scale;
   const double lost = kBoxSlack * (8 * reach + far), error = reach * kPlaneRoundings + lost;
-  // From so far away that rounding decides where they pass, rays meet nothing; beyond, floats overflow.
+  // Rays from so far away that rounding decides their path hit nothing; beyond, floats overflow.
   constexpr double kMaxError = 1e30;
   if (!(error < kMaxError) || nearest > (reach + error) * (reach + error)) return false;
   // t = 0 is a plane across the rays in front of all boxes.
@@ -227,7 +227,7 @@ Triangle triangle_of(Positions positions, const FaceBlock& block, unsigned lane)
           positions[block.vertex[2][lane]]};
 }
 
-// The crossing of a listed face, if there is one within the range.
+// Returns the crossing of a listed face, or nullopt if there is none within the range.
 std::optional<RayHit> test_face(Positions positions, const ShearedRay& ray, Interval range, uintptr_t word) {
   const FaceBlock& block = *block_of(word);
   const unsigned lane = lane_of(word);

@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-// A unit vector perpendicular to d, built from the coordinate axis to which d is least parallel.
+// Returns a unit vector perpendicular to d, built from the coordinate axis least parallel to d.
 Vec3 any_across(const Vec3& d) {
   int least = 0;
   for (int i = 1; i < 3; ++i) {
@@ -22,7 +22,7 @@ Vec3 any_across(const Vec3& d) {
   return glm::normalize(glm::cross(d, e));
 }
 
-// Squared distance of the origin from the segment a b, in the plane.
+// Returns the squared distance of the origin from the segment a b, in the plane.
 double distance2_to_segment(Vec2 a, Vec2 b) {
   const Vec2 ab = b - a;
   const double length2 = glm::dot(ab, ab), along = -glm::dot(a, ab);
@@ -32,7 +32,7 @@ double distance2_to_segment(Vec2 a, Vec2 b) {
   return area * area / length2;
 }
 
-// Whether the closed triangle contains the origin; false for a degenerate triangle.
+// Returns true if the closed triangle contains the origin; false for a degenerate triangle.
 bool holds_origin(Vec2 a, Vec2 b, Vec2 c) {
   const double ab = cross2(a, b), bc = cross2(b, c), ca = cross2(c, a);
   const bool left = ab >= 0 && bc >= 0 && ca >= 0, right = ab <= 0 && bc <= 0 && ca <= 0;
@@ -50,7 +50,7 @@ struct Polygon {
   }
 };
 
-// The part of the polygon where sign * (depth - limit) >= 0.
+// Returns the part of the polygon where sign * (depth - limit) >= 0.
 template <typename Point>
 Polygon<Point> clip(const Polygon<Point>& in, double limit, double sign) {
   Polygon<Point> out;
@@ -66,7 +66,7 @@ Polygon<Point> clip(const Polygon<Point>& in, double limit, double sign) {
   return out;
 }
 
-// Whether the disc of this squared radius around the origin meets the region that the moving polygon sweeps.
+// Returns true if the disc of this squared radius around the origin meets the region swept by the polygon.
 template <typename Point>
 bool disc_meets_sweep(const Polygon<Point>& p, double radius2, bool tilts) {
   for (int i = 0; i < p.count; ++i) {
@@ -155,9 +155,9 @@ bool SweptCylinder::contains(const Triangle& t) const {
   });
 }
 
-// The minimum over the motion of measure(distance from the axis minus the radius, depth beyond the ends of
-// the range). Both arguments are convex functions of time, so that ternary search finds the minimum. No
-// search is needed where the ends of the range do not move.
+// Returns the minimum over the motion of measure(distance from the axis minus the radius, depth beyond the
+// ends of the range). Both arguments are convex functions of time, so that ternary search finds the minimum;
+// it is skipped if the ends of the range do not move.
 template <typename Measure>
 double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const {
   const Interval depth = depth_contained();

@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-// The interval of one axis of the beam's slab in the frame of the tree, widened by all rounding errors.
+// Returns an axis interval of the beam's slab in the frame of the tree, widened by all rounding errors.
 SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis, const Vec3& slab_origin,
                           Interval interval) {
   SlabQuery::Axis a;
@@ -35,7 +35,7 @@ SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis,
   return a;
 }
 
-// A corner of the box around the tree, in the frame of the mesh.
+// Returns a corner of the box around the tree, in the frame of the mesh.
 Vec3 corner(const TreeStore& tree, __m128 p) {
   alignas(16) float xyz[4];
   _mm_store_ps(xyz, p);
@@ -44,7 +44,7 @@ Vec3 corner(const TreeStore& tree, __m128 p) {
 
 }  // namespace
 
-// Depths beyond the tree are cut off, so that the far end of a tilting beam does not widen the slab.
+// Clamps depths to the tree, so that the far end of a tilting beam does not widen the slab.
 SlabQuery beam_slab(const TreeStore& tree, const SweptCylinder& beam) {
   assert(tree.root != kNoIndex);
   const Vec3 low = corner(tree, tree.root_box().low), high = corner(tree, tree.root_box().high);
@@ -93,7 +93,7 @@ float projection(const SlabQuery::Axis& a, const std::array<float, 3>& p) {
   return a.direction[0] * p[0] + a.direction[1] * p[1] + a.direction[2] * p[2];
 }
 
-// The interval that the box misses, planes in the order low x, y, z, high x, y, z.
+// Returns the interval that the box misses; planes in the order low x, y, z, high x, y, z.
 Side missed_by(const SlabQuery& q, const std::array<float, 6>& plane) {
   for (const auto& [index, side] : kOrder) {
     const SlabQuery::Axis& a = q.axis[index];
@@ -123,7 +123,7 @@ std::array<float, 6> planes_of(const WideNode& node, uint32_t slot) {
   return planes;
 }
 
-// As the query has them, i.e. without rounding outward.
+// Returns the planes as in the query, i.e. without rounding outward.
 std::array<float, 6> planes_of(const FaceBlock& block, uint32_t lane) {
   std::array<float, 6> planes{};
   for (size_t k = 0; k < 3; ++k) {
@@ -136,7 +136,7 @@ std::array<float, 6> planes_of(const FaceBlock& block, uint32_t lane) {
 
 }  // namespace
 
-// Nodes are traversed breadth first and blocks after them, in the order of the query.
+// Traverses nodes breadth-first and blocks after them, in the order of the query.
 class TouchedTrace {
  public:
   TouchedTrace(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam)

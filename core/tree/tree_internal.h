@@ -12,31 +12,30 @@
 
 namespace kerf {
 
-// Edits of a tree in place. Each accesses only the records that it changes and their ancestors. See AabbTree
+// In-place edits of a tree. Each accesses only the records that it changes and their ancestors. See AabbTree
 // for the preconditions.
 
-// Replaces the leaves of `gone` by leaves of `born`, which go into the block of the first face of `gone`. A
-// block that overflows is split in two; if its node is full, the two halves get a new node in its slot. Boxes
-// above are enlarged where necessary.
+// Replaces the leaves of one set of faces by those of another, which are added to the block of the first old
+// face. An overflowing block is split in two; if its node is full, the two halves get a new node in its slot.
+// Enlarges the boxes above if necessary.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
                    std::span<const FaceId> born);
-// Makes all replacements in their order and prefetches the records of the following ones.
+// Applies all replacements in order and prefetches the records of the following ones.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 
-// Adds a leaf to the block that is found by following, from the root, the box that grows least in area.
-// Preconditions: the face is not in the tree, and the tree is not empty.
+// Adds a leaf to the block found from the root by following the box that grows least in area. Preconditions:
+// the face is not in the tree, and the tree is not empty.
 void add_face(TreeStore& tree, const Mesh& mesh, FaceId f);
 
-// Removes a leaf. A block or a node that becomes empty is removed as well, a node with a single child is
-// replaced by that child, and the boxes above shrink up to the first that does not change.
+// Removes a leaf, and a block or node that becomes empty; replaces a node with a single child by that child,
+// and shrinks the boxes above up to the first unchanged one.
 void remove_face(TreeStore& tree, FaceId f);
 
 // Updates the leaf of a face whose corners have moved and enlarges the boxes above it.
 void refit_face(TreeStore& tree, const Mesh& mesh, FaceId f);
 
-// The lists of one traversal. They lie in this object, i.e. on the caller's stack, as long as they are short.
-// Construction and destruction are cheap, because a ray that misses everything takes only one or two hundred
-// instructions.
+// The lists of one traversal, on the caller's stack while they are short. Construction and destruction are
+// cheap, because a ray that misses everything takes only one or two hundred instructions.
 class WalkScratch : public WalkLists {
  public:
   WalkScratch()
@@ -45,9 +44,9 @@ class WalkScratch : public WalkLists {
   WalkScratch(const WalkScratch&) = delete;
   WalkScratch& operator=(const WalkScratch&) = delete;
 
-  // The faces that the traversal listed, as face_word().
+  // Faces that the traversal listed, as face_word().
   std::span<const uintptr_t> found() const { return {faces.items, faces.count}; }
-  // The faces whose boxes the traversal met, likewise.
+  // Faces whose boxes the traversal met, likewise.
   std::span<const uintptr_t> met() const { return {boxes.items, boxes.count}; }
 
  private:
@@ -67,24 +66,24 @@ class WalkScratch : public WalkLists {
 };
 
 // A watertight ray-triangle test. Axes are permuted and sheared so that the ray becomes the z axis (S. Woop,
-// C. Benthin, I. Wald: Watertight ray/triangle intersection, 2013). A corner has the same image in every face
-// that it belongs to, the side of an edge on which the ray passes is decided exactly, and ties are broken by
+// C. Benthin, I. Wald: Watertight ray/triangle intersection, 2013). A corner has the same projection in all
+// of its faces, the side of an edge on which the ray passes is decided exactly, and ties are broken by
 // symbolic perturbation (H. Edelsbrunner, E. Mücke: Simulation of simplicity, 1990). A ray from outside
-// therefore crosses a closed surface an even number of times, also through edges and corners.
+// therefore crosses a closed surface an even number of times, even through edges and corners.
 class ShearedRay {
  public:
   ShearedRay() = default;
   // Precondition: the direction is a unit vector.
   explicit ShearedRay(const Pose& ray);
-  // Makes the sheared ray of a parallel ray. Precondition: its direction equals that of this ray.
+  // Returns the sheared ray of a parallel ray. Precondition: its direction equals that of this ray.
   ShearedRay beside(const Pose& ray) const {
     ShearedRay other = *this;
     other.origin_ = ray.origin;
     return other;
   }
 
-  // The length along the ray, in metres, at which its line crosses the triangle, whatever the orientation of
-  // the triangle; nothing if it misses the triangle or is parallel to it. The length may be negative.
+  // Returns the signed length along the ray [m] at which its line crosses the triangle of any orientation, or
+  // nullopt if it misses the triangle or is parallel to it.
   std::optional<double> cross(const Triangle& t) const;
 
  private:
@@ -94,11 +93,11 @@ class ShearedRay {
   int x_ = 0, y_ = 1, z_ = 2;
 };
 
-// The exact sign (1, 0 or -1) of a.x * b.y - a.y * b.x. Precondition: all coordinates are finite.
+// Returns the exact sign (1, 0 or -1) of a.x * b.y - a.y * b.x. Precondition: all coordinates are finite.
 int side_of(Vec2 a, Vec2 b);
 
-// An oriented box that contains the part of a swept volume within the tree, in the frame of the tree and
-// widened by all rounding errors, so that no face that touches the volume is culled. Axis 0 is the direction
+// Returns an oriented box, in the frame of the tree, around the part of a swept volume within the tree,
+// widened by all rounding errors so that no face that touches the volume is culled. Axis 0 is the direction
 // of the beam, 1 that of its motion and 2 the one across both. The volume is in the frame of the mesh.
 // Precondition: the tree has a root.
 SlabQuery beam_slab(const TreeStore& tree, const SweptCylinder& beam);

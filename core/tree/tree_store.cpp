@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-// The reciprocal of the largest power of two not above x, limited so that it stays finite. Precondition: x is
+// Returns the reciprocal of the largest power of two not above x, clamped to stay finite. Precondition: x is
 // positive and finite.
 double power_of_two_over(double x) {
   KERF_ASSERT(x > 0 && std::isfinite(x));
@@ -110,7 +110,7 @@ void TreeStore::set_place(FaceId f, uint32_t place) {
   places_.edit(f.index) = place + 1;
 }
 
-// A tree as built fills its blocks to about nine tenths and its nodes to about one half.
+// A newly built tree fills its blocks to about nine tenths and its nodes to about one half.
 void TreeStore::reserve(uint32_t faces, uint32_t slots) {
   nodes.grow_on_huge_pages();
   blocks.grow_on_huge_pages();

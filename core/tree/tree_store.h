@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-// An axis-aligned box in the frame of a tree, empty by default. The fourth lanes carry no meaning.
+// An axis-aligned box in the frame of a tree, empty by default. The fourth lanes are unused.
 struct FloatBox {
   __m128 low = _mm_set1_ps(std::numeric_limits<float>::infinity());
   __m128 high = _mm_set1_ps(-std::numeric_limits<float>::infinity());
@@ -23,7 +23,7 @@ struct FloatBox {
     high = _mm_max_ps(high, h);
   }
   void add(const FloatBox& other) { add(other.low, other.high); }
-  // Whether the other box lies within this one.
+  // Returns true if the other box lies within this one.
   bool holds(const FloatBox& other) const {
     const __m128 within = _mm_and_ps(_mm_cmple_ps(low, other.low), _mm_cmpge_ps(high, other.high));
     return (_mm_movemask_ps(within) & 7) == 7;
@@ -40,7 +40,7 @@ struct FloatBox {
   }
 };
 
-// Bounds in float for the doubles that these floats were rounded from; see kFloatSlack.
+// Returns bounds in float for the doubles that these floats were rounded from; see kFloatSlack.
 inline __m128 float_slack(__m128 x) {
   const __m128 size = _mm_andnot_ps(_mm_set1_ps(-0.0f), x);
   return _mm_add_ps(_mm_mul_ps(size, _mm_set1_ps(kFloatSlack)), _mm_set1_ps(kFloatLeast));
@@ -48,7 +48,7 @@ inline __m128 float_slack(__m128 x) {
 inline __m128 round_down(__m128 x) { return _mm_sub_ps(x, float_slack(x)); }
 inline __m128 round_up(__m128 x) { return _mm_add_ps(x, float_slack(x)); }
 
-// The minimum and the maximum of each of three rows of four floats, in the lanes 0 to 2 of the result.
+// Return the minimum and the maximum of each of three rows of four floats, in lanes 0 to 2.
 inline __m128 least_of_rows(__m128 x, __m128 y, __m128 z) {
   __m128 w = z;
   _MM_TRANSPOSE4_PS(x, y, z, w);
@@ -60,17 +60,17 @@ inline __m128 most_of_rows(__m128 x, __m128 y, __m128 z) {
   return _mm_max_ps(_mm_max_ps(x, y), _mm_max_ps(z, w));
 }
 
-// The coordinates of a tree's boxes: (x - origin) * scale, so that a mesh of any size at any place lies
-// within about [-1, 1] and the precision of floats suffices for culling.
+// The coordinates of a tree's boxes: (x - origin) * scale, so that any mesh lies within about [-1, 1] and the
+// precision of floats suffices for culling.
 struct TreeFrame {
   Vec3 origin{0};
   double scale = 1;  // a power of two
 
-  // Returns the frame for faces with these bounds, the identity if there are none.
+  // Returns the frame for faces with these bounds, the identity if they are empty.
   static TreeFrame around(const Bounds& bounds);
 
   Vec3 to_tree(const Vec3& p) const { return (p - origin) * scale; }
-  // The point in the frame of the tree, rounded to the nearest floats; the fourth lane is zero.
+  // Returns the point in the frame of the tree, rounded to the nearest floats; the fourth lane is zero.
   __m128 to_floats(const Vec3& point) const {
     const double* p = &point.x;
     const __m128d factor = _mm_set1_pd(scale);
@@ -84,12 +84,12 @@ struct TreeFrame {
 // A face as the tree stores it: its vertices and their positions as floats in the frame of the tree.
 struct TreeFace {
   TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : TreeFace(frame, mesh, mesh.positions(), f) {}
-  // Takes mesh.positions() from the caller, who converts many faces.
+  // The caller passes mesh.positions(), to convert many faces.
   TreeFace(const TreeFrame& frame, const Mesh& mesh, Positions positions, FaceId f)
       : vertex(mesh.corners(f)), face(f) {
     for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(positions[vertex[i]]);
   }
-  // Face i of a batch that was read.
+  // Face i of a batch.
   TreeFace(const TreeFrame& frame, const TriangleBatch& batch, uint32_t i)
       : vertex(batch.corners(i)), face(batch.face(i)) {
     for (int k = 0; k < 3; ++k) corner[k] = frame.to_floats(batch.triangle(i)[k]);
@@ -105,7 +105,7 @@ struct TreeFace {
   FaceId face;
 };
 
-// Makes a node without parent and children.
+// Resets a node to one without parent and children.
 void make_empty(WideNode& node);
 
 // Sets the box of a slot. Precondition: slot < kNodeWidth.
@@ -121,8 +121,8 @@ struct TreeCounts {
   double reach = 0;
 };
 
-// The records of a tree and the links between them. Every block and every node but the root occupies a slot
-// of its parent; the root, if there is one, is a node. Freed records are reused, the last freed first.
+// The records of a tree and their links. Every block and every node but the root occupies a slot of its
+// parent; the root, if any, is a node. Freed records are reused, the last freed first.
 class TreeStore : private TreeCounts {
  public:
   TreeFrame frame;
@@ -139,7 +139,7 @@ class TreeStore : private TreeCounts {
   uint32_t single_count() const { return TreeCounts::single_count; }  // blocks of one face
   void set_count(uint32_t block, uint32_t count);
 
-  // The place of a face as block * kBlockWidth + lane; kNoIndex if the face is not in the tree.
+  // Returns the place of a face as block * kBlockWidth + lane; kNoIndex if the face is not in the tree.
   uint32_t place(FaceId f) const { return f.index < places_.size() ? places_[f.index] - 1 : kNoIndex; }
   void set_place(FaceId f, uint32_t place);
   void prefetch_place(FaceId f) const {
@@ -150,7 +150,7 @@ class TreeStore : private TreeCounts {
 
   // Writes the face into a lane of a block. Precondition: lane < kBlockWidth.
   void put(const TreeFace& face, uint32_t block, uint32_t lane);
-  // Returns true if the lane holds the face with these corners, whichever of them comes first.
+  // Returns true if the lane holds the face with these corners, starting from any of them.
   bool holds(const TreeFace& face, uint32_t block, uint32_t lane) const;
   FloatBox face_box(const FaceBlock& block, uint32_t lane) const;
   FloatBox block_box(const FaceBlock& block) const;
@@ -164,7 +164,7 @@ class TreeStore : private TreeCounts {
 
   const FloatBox& root_box() const { return TreeCounts::root_box; }
   void set_root_box(const FloatBox& box);
-  // The radius of a sphere around the origin of the frame that contains the tree, in the frame.
+  // Radius of a sphere around the origin of the frame that contains the tree, in the frame.
   double reach() const { return TreeCounts::reach; }
   TreeView view() const {
     static_assert(decltype(nodes)::kShift == TreeView::kShift &&
@@ -175,7 +175,7 @@ class TreeStore : private TreeCounts {
   size_t bytes() const;
 
  private:
-  Records<uint32_t> places_;  // the place plus one, so that zeroed memory means that the face is absent
+  Records<uint32_t> places_;  // the place plus one; 0, as in zeroed memory, if the face is absent
 };
 
 }  // namespace kerf

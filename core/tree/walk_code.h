@@ -20,8 +20,8 @@ class WalkCode {
     list.items[list.count++] = word;
   }
 
-  // Ensures room for `more` words. A loop reserves what it may add beforehand, so that it calls no function
-  // and keeps its variables in registers.
+  // Reserves room for `more` words. A loop reserves its maximum beforehand, so that it calls no function and
+  // keeps its variables in registers.
   static void make_room(WalkLists& lists, WordList& list, uint32_t more) {
     while (list.count + more > list.capacity) lists.grow(lists, list);
   }
@@ -139,15 +139,15 @@ class WalkCode {
         x[i] = Float4::load(b.corner[i][shear.across[0]]) - shear_x * z;
         y[i] = Float4::load(b.corner[i][shear.across[1]]) - shear_y * z;
       }
-      // The bound has to hold only where the ray meets the triangle; the triangle's extent then bounds all
-      // coordinates relative to the ray.
+      // The bound must hold only where the ray meets the triangle, whose extent then bounds all coordinates
+      // relative to the ray.
       const Float4 wide = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
       const Float4 tall = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);
       const Float4 extent = max(wide, tall) + Float4::all(2 * q.error);
       error = extent * (extent * Float4::all(kEdgeRoundings) + Float4::all(8 * q.error));
     }
 
-    // Masks of the faces that the ray may cross and of those that it certainly crosses.
+    // Masks of the faces that the ray may cross and of those that it surely crosses.
     struct Lanes {
       unsigned may, sure;
     };
@@ -165,7 +165,7 @@ class WalkCode {
 
   // The walks ----------------------------------------------------------------------------------------------
 
-  // Visits nodes breadth-first, which gives prefetches time to complete.
+  // Visits nodes breadth-first, which leaves prefetches time to complete.
   static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     push(lists, lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
     for (uint32_t next = 0; next < lists.nodes.count;) {
@@ -175,8 +175,8 @@ class WalkCode {
     }
   }
 
-  // Opens the listed nodes from index `next` on for as long as the lists have room. Returns the index of the
-  // first node left.
+  // Opens the listed nodes from index `next` on while the lists have room. Returns the index of the first
+  // node left.
   static uint32_t open_listed(const TreeView& tree, const RayQuery& q, WalkLists& lists, uint32_t next) {
     const RaySlabs slabs(q);
     uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
@@ -213,7 +213,7 @@ class WalkCode {
     }
   }
 
-  // Holds the corners twice, to test two rays at a time.
+  // The corners twice, to test two rays at a time.
   struct ShearedTwice {
     explicit ShearedTwice(const ShearedBlock& b) : error(Float8::twice(b.error)) {
       for (int i = 0; i < 3; ++i) {
@@ -233,7 +233,7 @@ class WalkCode {
     Float8 x[3], y[3], error;
   };
 
-  // Missing rays are replaced by copies of the first one, whose results are masked out.
+  // Copies of the first ray replace missing rays; their results are masked out.
   static void rays(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
     if (lists.blocks.count == 0) return;
@@ -308,7 +308,7 @@ class WalkCode {
   }
 
   // Lists the faces of a block that the ray may cross up to t_high. Returns the smallest t by which the ray
-  // has certainly crossed one of them, or t_high.
+  // has surely crossed one of them, or t_high.
   static float list_near_faces(const FaceBlock& b, const Shear& shear, const RayQuery& q, float t_high,
                                WordList& faces) {
     const auto lanes = ShearedBlock(b, shear, q).hold(shear.pass[0]);
@@ -339,7 +339,7 @@ class WalkCode {
                                           : reinterpret_cast<uintptr_t>(take_node(tree, bits));
   }
 
-  // Returns the nearest child that the ray meets, or 0 if there is none, and pushes the others, nearest last.
+  // Returns the nearest child that the ray meets, or 0, and pushes the others, nearest last.
   static uintptr_t open_near_first(const TreeView& tree, const WideNode& node, const RaySlabs& slabs,
                                    NearStack& stack) {
     const Float8 entry = slabs.entry(node);
@@ -369,7 +369,7 @@ class WalkCode {
     return nearest;
   }
 
-  // Inserts a pair into the part of the stack from `first` on, which is sorted with the farthest entry first.
+  // Inserts a pair into the part of the stack from `first` on, which is sorted farthest first.
   static void sink(NearStack& stack, uint32_t first, uintptr_t key, uintptr_t word) {
     uint32_t at = stack.count;
     for (; at > first && stack.items[at - 2] < key; at -= 2) {
@@ -383,7 +383,7 @@ class WalkCode {
 
   // Slabs of any orientation -------------------------------------------------------------------------------
 
-  // A mask of the boxes that meet the interval of an axis.
+  // Returns a mask of the boxes that meet the interval of an axis.
   template <typename Float>
   static unsigned meets_axis(const SlabQuery::Axis& a, const float* planes, uint32_t stride) {
     const auto sum = [&](const uint32_t(&plane)[3]) {

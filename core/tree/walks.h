@@ -6,8 +6,6 @@
 
 namespace kerf {
 
-// The two kinds of record of a tree.
-
 inline constexpr uint32_t kNodeWidth = 8;
 inline constexpr uint32_t kBlockWidth = 4;
 
@@ -29,7 +27,7 @@ struct Child {
 struct alignas(64) WideNode {
   float plane[6][kNodeWidth];
   Child child[kNodeWidth];
-  uint32_t parent;  // kNoIndex at the root; in a free record the next free one
+  uint32_t parent;  // kNoIndex at the root; the next free record in a free one
   uint8_t slot;     // in the parent
 };
 static_assert(sizeof(WideNode) == 256);
@@ -39,7 +37,7 @@ static_assert(sizeof(WideNode) == 256);
 // lines.
 struct alignas(32) FaceBlock {
   float corner[3][3][kBlockWidth];  // by corner, axis, lane
-  uint32_t parent;                  // of a free record the next free one
+  uint32_t parent;                  // the next free record in a free one
   uint8_t slot;                     // in the parent
   uint8_t count;
   uint32_t face[kBlockWidth];
@@ -52,8 +50,7 @@ inline constexpr int kNextAxis[] = {1, 2, 0};
 // Results of longest_axis, indexed by its three comparisons.
 inline constexpr int kLongestAxis[] = {0, 0, 1, 0, 2, 2, 1, 0};
 
-// The index of the largest of three absolute components, the first of them if several are equal. Free of
-// branches.
+// Returns the index of the largest of three absolute components, the first of equal ones, without branches.
 template <typename T>
 [[gnu::always_inline]] inline int longest_axis(T x, T y, T z) {
   return kLongestAxis[unsigned{x >= y} | unsigned{y >= z} << 1 | unsigned{z > x} << 2];
@@ -62,13 +59,13 @@ template <typename T>
 // The instruction set that traversals of a tree use. Results do not depend on it.
 enum class Simd : uint8_t { kSse4, kAvx2 };
 
-// The best one that the processor supports and that GLIBC_TUNABLES does not disable.
+// Returns the best one that the processor supports and GLIBC_TUNABLES does not disable.
 Simd best_simd();
 
-// Tree traversals: they cull in single precision and list the faces that may be results. Each is written once
-// over vectors of floats and compiled for each instruction set. Sources compiled for a newer instruction set
-// share only plain data and functions that are always inlined with the rest of the program, so that the
-// linker never picks a copy of a shared function that older processors cannot execute.
+// Tree traversals cull in single precision and list the faces that may be results. Each is written once over
+// vectors of floats and compiled for each instruction set. Sources compiled for a newer instruction set share
+// only plain data and always-inlined functions with the rest of the program, so that the linker never picks a
+// copy of a shared function that older processors cannot execute.
 
 // The records of a tree.
 struct TreeView {
@@ -103,9 +100,9 @@ struct WalkLists {
 };
 
 // Parallel rays, prepared for tests against boxes and triangles, in the frame of the tree. The parameter t is
-// measured along the direction from a point in front of all boxes, so that it is positive within the tree.
+// the distance from a point in front of all boxes, so that it is positive within the tree.
 struct RayQuery {
-  // Slab test, by axis: the planes of a box that the ray enters and leaves by, and the factors in t = (plane
+  // Slab test, by axis: the planes of a box by which the ray enters and leaves, and the factors in t = (plane
   // - origin) * slope, all rounded so that no box is missed. Fourth elements are padding.
   alignas(16) uint32_t near_plane[4];
   alignas(16) uint32_t far_plane[4];
@@ -120,8 +117,8 @@ struct RayQuery {
   alignas(16) float passing[kBlockWidth][4];
   float error;  // bound of the error of a sheared coordinate
   uint32_t rays;
-  // The positions of the mesh's vertices by chunk, three doubles each, which the caller's exact test of a
-  // listed face will read; they are prefetched.
+  // The positions of the mesh's vertices by chunk, three doubles each, prefetched for the caller's exact test
+  // of listed faces.
   static constexpr uint32_t kPositionShift = 19;
   const char* const* positions;
 };
@@ -129,7 +126,7 @@ struct RayQuery {
 // An oriented box in the frame of the tree: for each axis the interval that a projection must meet.
 struct SlabQuery {
   struct Axis {
-    // The planes of an axis-aligned box that give the least and the largest projection onto this axis.
+    // The planes of an axis-aligned box with the minimum and maximum projection onto this axis.
     uint32_t low_plane[3], high_plane[3];
     float direction[3];
     float low, high;
@@ -145,8 +142,8 @@ struct Walks {
   void (*rays)(const TreeView&, const RayQuery&, WalkLists&);
   // Lists candidates that include the first face that the ray crosses; visits near boxes first.
   void (*nearest)(const TreeView&, const RayQuery&, WalkLists&);
-  // Lists the faces that may meet the oriented box, and in `boxes` those whose boxes may meet it. Returns the
-  // number of boxes tested.
+  // Lists the faces that may meet the oriented box, and in `boxes` those whose boxes may. Returns the number
+  // of boxes tested.
   uint64_t (*slab)(const TreeView&, const SlabQuery&, WalkLists&);
 };
 

@@ -25,7 +25,7 @@ void bisect(const BeamMove& move, size_t parts, std::vector<BeamMove>& out) {
   bisect({middle, move.to, 0.5 * move.seconds}, parts / 2, out);
 }
 
-// The seconds for which a pulsed beam has been on after `t` seconds.
+// Returns the time (s) that a pulsed beam has been on after `t` seconds.
 double seconds_on(const Laser& laser, double t) {
   const double period = 1 / laser.pulse_rate, whole = std::floor(t / period);
   return laser.duty * period * whole + std::min(t - whole * period, laser.duty * period);
@@ -39,7 +39,7 @@ double emitted_energy(const Laser& laser, double from, double to) {
   return laser.power * (seconds_on(laser, to) - seconds_on(laser, from));
 }
 
-// Starts from the axis of the world that is least parallel to d.
+// Starts from the world axis least parallel to d.
 Vec3 across(const Vec3& d) {
   const Vec3 size = glm::abs(d);
   const Vec3 e = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
@@ -89,8 +89,8 @@ namespace {
 
 constexpr double kFibreWavelength = 1.07e-6;  // m
 
-// exp(-2 kBundleSpacing^2). The square of the distance of a point from the axis is a whole multiple of that
-// of the spacing and a third of it, so its profile is a power of this, but for a factor that all have.
+// exp(-2 kBundleSpacing^2). The squared distance of a point from the axis is an integer multiple of the
+// squared spacing plus a third of it, so its profile is a power of this, but for a common factor.
 constexpr double kOneSpacing = 0.83527021141127200;
 static_assert(kBundleSpacing == 0.3);
 constexpr double kSpacingsAFace = 0.6;  // the spacing is at most this share of a face
@@ -120,7 +120,7 @@ std::vector<BundleRay> gaussian_bundle(int halvings) {
   double sum = 0;
   for (int i = -steps; i <= steps; ++i) {
     for (int j = -steps; j <= steps; ++j) {
-      const int square = i * i + i * j + j * j + i + j;  // of the distance, in spacings, less a third
+      const int square = i * i + i * j + j * j + i + j;  // squared distance in spacings, minus a third
       if (square > farthest) continue;
       const Vec2 at(i + 0.5 * j + 0.5, kHalfRoot3 * (j + 1.0 / 3));
       rays.push_back({spacing * at, to_the_power(profile, square)});

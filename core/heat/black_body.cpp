@@ -114,7 +114,7 @@ constexpr std::array<std::array<double, 3>, 95> kColourMatching = {{
 
 constexpr double kSecondRadiation = 1.438776877e-2;  // m K, Planck's h c / k
 
-// Spectral radiance at a wavelength (m) but for a constant factor.
+// Returns the spectral radiance at a wavelength (m), up to a constant factor.
 double planck(double wavelength, double temperature) {
   const double squared = wavelength * wavelength;
   return 1e-30 /
@@ -131,7 +131,7 @@ Vec3 tristimulus(double temperature) {
   return sum;
 }
 
-// From CIE XYZ to linear sRGB with the white D65 (IEC 61966-2-1).
+// Converts CIE XYZ to linear sRGB with white D65 (IEC 61966-2-1).
 Vec3 linear_srgb(const Vec3& xyz) {
   return {glm::dot(Vec3(3.2404542, -1.5371385, -0.4985314), xyz),
           glm::dot(Vec3(-0.9692660, 1.8760108, 0.0415560), xyz),

@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// How near centroids may count as, relative to the square root of the area and to the edge. This bounds the
+// Minimum distance of centroids relative to the square root of the area and to the edge, which bounds the
 // conductances of slivers.
 constexpr double kNearestByArea = 0.1;
 constexpr double kNearestByEdge = 1e-3;
@@ -132,7 +132,7 @@ void HeatSolver::sort_by_rows(const std::vector<HeatRegion::Link>& links, double
   std::partial_sum(row_end_.begin(), row_end_.end(), row_end_.begin());
   columns_.resize(2 * links.size());
   weights_.resize(2 * links.size());
-  // Each row end is that of the row before it until its own entries are in place.
+  // Each row end is that of the previous row until its own entries are placed.
   for (const HeatRegion::Link& link : links) {
     const double weight = seconds * link.conductance;
     for (const auto& [row, column] : {std::pair(link.a, link.b), std::pair(link.b, link.a)}) {
@@ -200,15 +200,15 @@ void HeatSolver::solve(const std::vector<HeatRegion::Link>& links, const HeatEqu
 
 namespace {
 
-// The share of its heat that a face may lose in one step for the losses to be accurate, and up to which they
-// are taken in the middle of the step; from two on, that could be more than it has.
+// Maximum share of its heat that a face may lose in one step: for accurate losses, and for the midpoint rule
+// (from two on, that loss could exceed its heat).
 constexpr double kAccurateLoss = 0.1;
 constexpr double kGentleLoss = 1;
 
-// Losses of hotter faces are those at this temperature (K), so that they stay finite.
+// Temperature at which losses are capped (K), so that they stay finite.
 constexpr double kHottestLoss = 1e5;
 
-// Bounds of iterations that end after a few passes in practice.
+// Bounds of iterations, which end after a few passes in practice.
 constexpr int kPasses = 24;
 constexpr int kPhasePasses = 12;
 
@@ -242,14 +242,14 @@ double HeatStep::capacity(const HeatRegion::Node& node, Phase phase) const {
   return node.mass * (phase == Phase::kLiquid ? substance_.heat_liquid : substance_.heat_solid);
 }
 
-// The energy of a node at the ambient, were its phase the same down to there.
+// Returns the energy of a node extrapolated to the ambient in its phase.
 double HeatStep::offset(const HeatRegion::Node& node, Phase phase) const {
   if (phase == Phase::kSolid) return 0;
   return node.mass * (enthalpy_of_removal(substance_) - substance_.heat_liquid * changing_rise_);
 }
 
-// The loss as a linear function of the rise at the end of the step. A gentle one is that in the middle of the
-// step, by the tangent at its beginning; any other is proportional to the rise at the end.
+// Returns the loss as a linear function of the rise at the end of the step. A small loss is evaluated in the
+// middle of the step, by the tangent at its beginning; a large one is proportional to the rise at the end.
 HeatStep::LossLine HeatStep::loss_line(double rise) const {
   const double temperature = kAmbient + std::min(rise, kHottestLoss);
   const double per_kelvin = heat_lost_per_kelvin(substance_, loss_, temperature);
@@ -258,7 +258,7 @@ HeatStep::LossLine HeatStep::loss_line(double rise) const {
   return {(per_kelvin - 0.5 * slope) * rise, 0.5 * slope};
 }
 
-// Faces beyond the transition do not last and do not make the step shorter.
+// Ignores faces beyond the transition, which are short-lived and must not shorten the step.
 double HeatStep::accurate_time() const {
   double hottest = 0;
   for (const HeatRegion::Node& node : region_.nodes()) hottest = std::max(hottest, rise_of(node));
@@ -336,8 +336,8 @@ double HeatStep::joules_after(size_t i) const {
   return offset(node, phases_[i]) + capacity(node, phases_[i]) * rises_[i];
 }
 
-// Gives nodes the phase that the solution asks for; whether any changed. Phases change one at a time, because
-// a node that passes the transition within one step is in it in between.
+// Updates phases to the solution; returns true if any changed. Phases change one at a time, because a node
+// that crosses the transition within one step is in it in between.
 bool HeatStep::correct_phases() {
   const auto& nodes = region_.nodes();
   bool changed = false;
@@ -355,7 +355,7 @@ bool HeatStep::correct_phases() {
   return changed;
 }
 
-// Adds the faces around those that became hot; whether there are any.
+// Adds the faces around those that became hot; returns true if there are any.
 bool HeatStep::reach_further() {
   const uint32_t count = region_.size();
   for (uint32_t i = 0; i < count; ++i) {
@@ -366,7 +366,7 @@ bool HeatStep::reach_further() {
   return true;
 }
 
-// The sums over all nodes balance exactly for the solution times a factor that is 1 but for the tolerance of
+// The sums over all nodes balance exactly for the solution times a factor that is 1 up to the tolerance of
 // the solver.
 void HeatStep::take_energies() {
   auto& nodes = region_.nodes();

@@ -6,12 +6,11 @@
 
 namespace kerf {
 
-// The faces of a mesh between which heat flows during a step, and how well each pair of neighbours conducts.
+// The faces of a mesh between which heat flows during a step, and the conductances between neighbours.
 //
-// Neighbours conduct k h L / d (k conductivity, h thickness, L common edge, d distance of the centroids when
-// one face is turned about the edge into the plane of the other). Around an edge of n > 2 faces each conducts
-// to the next by index, with (n - 1) / n of that, so that one face against all others sees what it would if
-// they all met in the edge.
+// Neighbours conduct k h L / d (k conductivity, h thickness, L common edge, d distance of the centroids with
+// both faces unfolded into one plane). Around an edge of n > 2 faces each conducts to the next by index, with
+// (n - 1) / n of that, so that one face against all others conducts as if they all met in the edge.
 class HeatRegion {
  public:
   struct Node {
@@ -26,30 +25,30 @@ class HeatRegion {
     double conductance;  // W/K
   };
 
-  // The arrays of a region, which the next one may use again so that no memory is allocated for it: 4 bytes a
-  // slot of the largest mesh, and what the largest region took.
+  // The arrays of a region, which the next one may reuse to avoid allocation: 4 bytes per face slot of the
+  // largest mesh, plus the arrays of the largest region.
   class Memory {
     friend class HeatRegion;
     std::vector<Node> nodes;
     std::vector<Link> links;
-    std::vector<FaceId> neighbours;       // of all nodes, one after the other
-    std::vector<uint32_t> neighbour_end;  // by node: where its neighbours end
+    std::vector<FaceId> neighbours;       // of all nodes, concatenated
+    std::vector<uint32_t> neighbour_end;  // by node: the end of its neighbours
     std::vector<uint8_t> surrounded;      // by node
     std::vector<uint32_t> node_of;        // by slot of a face
   };
 
-  // The region is empty at first. The thickness is in m. Precondition: no other region uses the memory at the
-  // same time.
+  // Starts with an empty region. The thickness is in m. Precondition: no other region uses the memory
+  // meanwhile.
   HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
              Memory& memory);
   ~HeatRegion();
   HeatRegion(const HeatRegion&) = delete;
   HeatRegion& operator=(const HeatRegion&) = delete;
 
-  // Adds a face with the energy that it has in the mesh, and its links to the faces that are there; nothing
-  // happens if it is there. Precondition: it is live. Constant time, linear in the degrees of rings.
+  // Adds a face with its energy in the mesh, and its links to the faces already added; a no-op if it was
+  // added before. Precondition: it is live. O(1), linear in the degrees of rings.
   void add(FaceId f);
-  // Adds all neighbours of a node; nothing happens if that was done before.
+  // Adds all neighbours of a node; a no-op if that was done before.
   void surround(uint32_t node);
   bool contains(FaceId f) const;
 
@@ -82,8 +81,8 @@ class HeatRegion {
 };
 
 // The equations diagonal[i] x[i] - sum over links of seconds * conductance * x[other] = right[i], solved by
-// conjugate gradients with a Jacobi preconditioner. They are symmetric; each diagonal includes what its links
-// have, so that they are positive definite. An unknown whose diagonal is 0 keeps its value.
+// conjugate gradients with a Jacobi preconditioner. They are symmetric, and positive definite because each
+// diagonal includes the terms of its links. An unknown whose diagonal is 0 keeps its value.
 struct HeatEquations {
   std::vector<double> diagonal;  // J/K
   std::vector<double> right;     // J
@@ -92,7 +91,7 @@ struct HeatEquations {
 
 class HeatSolver {
  public:
-  // Improves x (K) until the residual over the diagonal is nowhere more than 1e-7 of the largest x, or after
+  // Iterates x (K) until the residual over the diagonal is at most 1e-7 of the largest x everywhere, or for
   // 2,000 iterations. O(links) each.
   void solve(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
              std::vector<double>& x);
@@ -104,21 +103,21 @@ class HeatSolver {
     double largest = 0;  // |x|
     void add(double scaled, double residual, double x);
   };
-  // Rows have the entries in the order of the links, and so sums have the bits of a walk over these.
+  // Keeps the order of the links within each row, so that sums are equal to the bit to those over the links.
   void sort_by_rows(const std::vector<HeatRegion::Link>& links, double seconds, size_t rows);
-  // A row of the matrix times x.
+  // Returns a row of the matrix times x.
   double row_times(size_t row, double diagonal, const std::vector<double>& x) const;
   void begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
              const std::vector<double>& x);
 
   Norms norms_;
   std::vector<double> residual_, inverse_, direction_, product_;
-  // The entries of the matrix beside the diagonal, negated (J/K), row after row, and where each row ends.
+  // The off-diagonal entries of the matrix, negated (J/K), row after row, and the end of each row.
   std::vector<uint32_t> columns_, row_end_;
   std::vector<double> weights_;
 };
 
-// Up to this much above the ambient a face counts as cold (K).
+// Rise above the ambient up to which a face counts as cold (K).
 inline constexpr double kColdRise = 0.5;
 
 // One implicit step of conduction and losses over the nodes of a region; see conduct().
@@ -126,18 +125,18 @@ class HeatStep {
  public:
   class Memory;
 
-  // Precondition: no other step uses the memory at the same time.
+  // Precondition: no other step uses the memory meanwhile.
   HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness,
            Memory& memory);
 
-  // Advances the energies by `seconds` (> 0) or, where losses would not be accurate, by less, but at least by
-  // `least`. Returns the time by which they were advanced.
+  // Advances the energies by `seconds` (> 0) or, to keep losses accurate, by less, but at least by `least`.
+  // Returns the time advanced.
   double advance(double seconds, double least);
-  // Whether any node is hot.
+  // Returns true if any node is hot.
   bool any_hot() const;
 
  private:
-  // The relation of energy and temperature of a node: below the transition, in it, or beyond.
+  // The relation of energy and temperature of a node: below, in or beyond the transition.
   enum class Phase : uint8_t { kSolid, kChanging, kLiquid };
   struct LossLine {
     double constant, slope;  // W/m^2 and W/(m^2 K) of the rise
@@ -174,7 +173,7 @@ class HeatStep {
   std::vector<LossLine>& loss_lines_;
 };
 
-// The arrays of a step, which the next one may use again.
+// The arrays of a step, which the next one may reuse.
 class HeatStep::Memory {
   friend class HeatStep;
   HeatEquations equations;
@@ -186,7 +185,7 @@ class HeatStep::Memory {
   std::vector<LossLine> loss_lines;
 };
 
-// Working memory of conduct(), so that a tick of heat allocates nothing once it has grown.
+// Working memory of conduct(); a tick allocates nothing once it has grown.
 struct HeatMemory {
   HeatRegion::Memory region;
   HeatStep::Memory step;

@@ -37,10 +37,9 @@ double FaceHeat::stored(const Mesh& mesh) const {
 namespace {
 
 constexpr int kMaxSteps = 64;  // in one call
-// How fast faces cool that are almost as cold as the ambient (K/s). A beam that heats more slowly is not
-// felt.
+// Cooling rate of faces almost as cold as the ambient (K/s). Slower heating by a beam has no effect.
 constexpr double kRestRate = 0.5;
-constexpr double kTintedFrom = 500;  // K; below it no surface keeps a trace
+constexpr double kTintedFrom = 500;  // K; below it no surface discolours
 
 // The body whose heat flows.
 struct HotBody {
@@ -55,13 +54,13 @@ struct HotBody {
   }
 };
 
-// The energy that a resting face loses in a time (J): all that it has if it has no mass.
+// Returns the energy that a resting face loses in a time (J): all of it if it has no mass.
 double resting_loss(const Substance& substance, double joules, double mass, double seconds) {
   return mass > 0 ? std::min(joules, mass * substance.heat_solid * kRestRate * seconds) : joules;
 }
 
-// Adds the hot faces and those around them to the region. The others that have heat rest for the time; what
-// they lose is returned (J).
+// Adds the hot faces and those around them to the region. The other warm faces rest for the time; returns the
+// energy that they lose (J).
 double gather(const HotBody& body, const std::vector<FaceId>& warm, double seconds, HeatRegion& region) {
   std::vector<FaceId> mild;
   double rested = 0;
@@ -91,7 +90,7 @@ double gather(const HotBody& body, const std::vector<FaceId>& warm, double secon
   return rested;
 }
 
-// Writes the energies to the mesh and returns by how much they are less than what is there (J).
+// Writes the energies to the mesh. Returns by how much they decrease (J).
 double store(const HotBody& body, const HeatRegion& region) {
   double before = 0, after = 0;
   for (const HeatRegion::Node& node : region.nodes()) {

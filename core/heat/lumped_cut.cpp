@@ -36,7 +36,7 @@ double peclet_per_speed(const LumpedCut& cut) {
   return cut.kerf * s.density * s.heat_solid / (4 * s.conductivity);
 }
 
-// The power that the cut takes per thickness (W/m).
+// Returns the power that the cut takes per thickness (W/m).
 double power_per_thickness(const LumpedCut& cut, double speed) {
   const Substance& s = cut.substance;
   const double burning = cut.oxygen ? burning_heat(s, speed) : 0;
@@ -62,8 +62,9 @@ double conduction_loss(double peclet) {
 
 namespace {
 
-// A speed (m/s) at which the power is enough: with oxygen the highest of many that the burning front keeps up
-// with, because a cut that needs what burns may need a speed; else the least. Nothing if there is none.
+// Returns a speed (m/s) at which the power is sufficient: with oxygen the highest of many samples up to the
+// speed of the burning front, because combustion may need a minimum speed; else the lowest speed. Returns
+// nullopt if there is none.
 std::optional<double> possible_speed(const LumpedCut& cut, double available) {
   const double least = cut.substance.conductivity == 0 ? 0 : kLosses.front().peclet / peclet_per_speed(cut);
   constexpr int kTried = 400;

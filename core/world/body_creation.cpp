@@ -34,7 +34,7 @@ void sort_by_loaded_face(Remeshed& r, const PieceCopy& copy) {
   r.origins = std::move(sorted.origins);
 }
 
-// Parts of loaded faces as parts of the triangles, which are in the order of these.
+// Converts parts of loaded faces to parts of the triangles, which are sorted by loaded face.
 std::vector<MeshPart> parts_of(const Remeshed& r, const PieceCopy& copy, std::span<const MeshPart> parts) {
   std::vector<uint32_t> loaded;
   for (const FaceId origin : r.origins) loaded.push_back(copy.loaded[origin.index]);
@@ -49,7 +49,7 @@ std::vector<MeshPart> parts_of(const Remeshed& r, const PieceCopy& copy, std::sp
   return own;
 }
 
-// Gives the piece its label, and counts it and its components.
+// Labels the piece, and counts it and its components.
 void label_faces(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
   Piece whole = made.pieces[0];
   LoadedComponents components;
@@ -80,7 +80,7 @@ void add_energy(Body& made, size_t face, double joules) {
   if (joules != 0) made.heat.set_energy(made.mesh, f, made.heat.energy_of(made.mesh, f) + joules);
 }
 
-// The triangles that stem from one face share its energy by area, and were as hot as it was.
+// Shares the energy of each face by area with its triangles, which keep its highest temperature.
 void share_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
   std::vector<bool> left(copy.faces.size(), false);
   for (size_t first = 0, last = 0; first < r.origins.size(); first = last) {
@@ -102,16 +102,15 @@ void share_heat(Body& made, const Body& body, const PieceCopy& copy, const Remes
   }
 }
 
-// The heat of followed faces that lies on a triangle.
+// Heat of followed faces that lies on a triangle.
 struct Covered {
   double joules = 0;
   double area = 0;  // of the quarters that lie on it (m^2)
-  double rise = 0;  // of the highest temperatures over the ambient, integrated over this area (K m^2)
+  double rise = 0;  // highest temperatures above the ambient, integrated over this area (K m^2)
 };
 
-// Each triangle takes the energy of the quarters that lie on it. The highest temperature that it ever had is
-// taken to be the mean over its area of theirs, where it was cold between them: a large triangle that covers
-// little that was hot was not hot.
+// Gives each triangle the energy of the quarters that lie on it. Its highest temperature becomes the mean of
+// theirs over its area, with the ambient between them: a large triangle over a small hot spot was not hot.
 void collect_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
   std::vector<Covered> covered(copy.faces.size());  // by the face from which the triangle stems
   for (const FollowedFace& followed : r.followed) {

@@ -12,11 +12,11 @@
 
 namespace kerf {
 
-// Loads a mesh file with load_mesh and makes a body of it with make_body. Fails like these; `progress` may be
-// null.
+// Loads a mesh file with load_mesh and makes a body of it with make_body, with their errors. `progress` may
+// be null.
 Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress);
 
-// A piece whose mesh is about to be remade: its faces copied out of its body.
+// A piece to be remeshed, with its faces copied from its body.
 struct PieceCopy {
   uint32_t label = 0;
   std::vector<FaceId> faces;         // of the body, ascending
@@ -28,10 +28,10 @@ struct PieceCopy {
 // Copies a piece. Precondition: it has faces. O(n log n).
 PieceCopy copy_piece(const Body& body, uint32_t label);
 
-// Makes the body that takes the place of a piece. Triangles are brought to the order of the loaded faces from
-// which they stem, so that `parts`, which are of loaded faces, become parts of the new ones. What is not of
-// faces is copied from `body`. Fails like build_mesh and make_body; `progress` may be null. Precondition:
-// `remeshed` was made of `copy.mesh`, which was made of `body`, and has triangles.
+// Makes the body that replaces a piece. Triangles are sorted by the loaded faces they stem from, so that
+// `parts` of loaded faces become parts of the new ones. All data but the faces is copied from `body`. Fails
+// like build_mesh and make_body; `progress` may be null. Precondition: `remeshed` was made of `copy.mesh`,
+// which was made of `body`, and has triangles.
 Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
                          std::span<const MeshPart> parts, const Progress* progress);
 

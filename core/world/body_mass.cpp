@@ -13,10 +13,10 @@ namespace kerf {
 
 namespace {
 
-// In units of the frame below, cubed. A volume below this one cannot be told from the rounding of its sum.
+// Minimum volume, in units of the frame below, cubed. Smaller ones are indistinguishable from rounding.
 constexpr double kMinVolume = 1e-9;
 
-// The cube around a piece, in units of which the piece reaches from -1 to 1 around its middle, or nearly so.
+// The cube around a piece, scaled so that the piece extends about from -1 to 1 around its middle.
 struct PieceFrame {
   static constexpr int kMaxExponent = 1000;
   static constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ struct PieceFrame {
   int exponent = 0;
 };
 
-// The same triangle from the corner that comes first, so that rounding does not depend on where it begins.
+// Rotates a triangle to its lexicographically first corner, so that rounding does not depend on its start.
 Triangle from_first_corner(const Triangle& t) {
   size_t first = 0;
   for (size_t i = 1; i < 3; ++i) {
@@ -70,7 +70,7 @@ struct FixedVolumeSums {
   }
 };
 
-// Mass properties in the units of a frame as those in metres.
+// Converts mass properties from the units of a frame to metres.
 MassProperties in_metres(const MassProperties& p, const PieceFrame& frame) {
   return {std::ldexp(p.mass, 3 * frame.exponent), frame.middle + std::ldexp(1.0, frame.exponent) * p.centre,
           std::ldexp(1.0, 5 * frame.exponent) * p.inertia};
@@ -81,7 +81,7 @@ bool has_inertia(const MassProperties& p) {
   return std::isfinite(p.mass) && p.mass > 0 && std::isfinite(sum) && sum > 0;
 }
 
-// One of each label; those of pieces that are open stay empty.
+// Sums by label; those of open pieces stay empty.
 struct LabelledSums {
   std::vector<bool> closed;
   std::vector<PieceFrame> frames;
@@ -141,8 +141,8 @@ const EnclosedPiece* enclosed_piece(const Body& body, uint32_t label) {
 
 namespace {
 
-// Lengths in units of 2^exponent m, in which a body as loaded reaches from -1 to 1 around its middle: then
-// all its areas and moments are in the range of FixedSum.
+// Lengths in units of 2^exponent m, in which a loaded body extends from -1 to 1 around its middle, so that
+// its areas and moments are in the range of FixedSum.
 struct Unit {
   explicit Unit(const Body& body) : origin(body.middle()) {
     const Vec3 reach = 0.5 * body.loaded.max - 0.5 * body.loaded.min;
@@ -162,7 +162,7 @@ struct Unit {
   double scale = 1;
 };
 
-// The corners in an order that depends on their positions alone, and so the rounding of what follows.
+// Sorts the corners by position, so that rounding is independent of their order.
 Triangle sorted(Triangle t) {
   if (precedes(t[1], t[0])) std::swap(t[0], t[1]);
   if (precedes(t[2], t[1])) std::swap(t[1], t[2]);

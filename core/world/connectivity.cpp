@@ -36,7 +36,7 @@ Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, c
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!pace.step()) return cancelled();
     if (!mesh.is_live(FaceId(f))) continue;
-    const uint32_t first = together.find(f);  // the least: its number is known by now
+    const uint32_t first = together.find(f);  // the lowest face: its number is already known
     if (first == f) {
       table.of_base[f] = table.left.size();
       table.left.push_back({});

@@ -19,35 +19,34 @@
 
 namespace kerf {
 
-// Some live faces of a mesh, counted.
+// Number and area of some live faces of a mesh.
 struct FaceCounts {
   size_t faces = 0;
   double area = 0;  // m^2
 };
 
-// The connected components of a mesh as loaded. What is left of a component belongs to the piece that is its
-// home: 0, or the piece that joints hold it to. Whatever was cut off a component is connected itself and is
-// counted by its piece (Piece::cut_off), so that the counts of the connected part of a face are always known
-// without a search.
+// The connected components of a mesh as loaded. The remaining faces of a component belong to its home piece:
+// 0, or the piece that joints hold it to. Each part cut off a component is connected itself and is counted by
+// its piece (Piece::cut_off), so that the counts of the connected part of a face are known without a search.
 struct LoadedComponents {
   static constexpr uint32_t kNone = 0xffffffffu;
 
   std::vector<uint32_t> of_base;  // by base face; all lists are empty if the mesh is connected
-  Records<FaceCounts> left;       // by component: its faces that have the label of its home
+  Records<FaceCounts> left;       // by component: its faces with the label of its home
   Records<uint32_t> home;         // by component: a label
-  // By component: the one that a wall joined it to, plus one, or 0; up to the last that was joined.
+  // By component: the one that a wall joined it to, plus one, or 0; shorter if no later one was joined.
   Records<uint32_t> joined;
 
-  // The component of a base face, together with those that walls have joined to it. Precondition: the mesh
-  // was not connected.
+  // Returns the component of a base face, merged with those that walls have joined to it. Precondition: the
+  // mesh was not connected.
   uint32_t of(FaceId base) const {
     uint32_t component = of_base[base.index];
     while (component < joined.size() && joined[component] != 0) component = joined[component] - 1;
     return component;
   }
 
-  // The component of faces with this base face and this label, or kNone if they were cut off it. A connected
-  // mesh has none.
+  // Returns the component of faces with this base face and this label, or kNone if they were cut off it or
+  // the mesh is connected.
   uint32_t at_home(FaceId base, uint32_t label) const {
     if (of_base.empty()) return kNone;
     const uint32_t component = of(base);
@@ -58,11 +57,11 @@ struct LoadedComponents {
     return of_base.capacity() * sizeof(uint32_t) + left.bytes() + home.bytes() + joined.bytes();
   }
 
-  // Makes two components one, that with the lower number. Precondition: both are roots, i.e. values of of(),
+  // Merges two components into that with the lower number. Precondition: both are roots, i.e. values of of(),
   // differ, and have the same home.
   void join(uint32_t a, uint32_t b);
 
-  // The changes of a command (see ChangeOf).
+  // Changes made by a command (see ChangeOf).
   class Change;
   template <typename Self>
   static auto parts(Self& self) {
@@ -72,47 +71,47 @@ struct LoadedComponents {
 
 class LoadedComponents::Change : public ChangeOfParts<LoadedComponents> {};
 
-// Counts the components of a mesh as loaded, whose number is known. Fails with cancelled() when stopped;
-// `progress` may be null. O(n), or constant time if the mesh is connected.
+// Counts the faces of the components of a mesh as loaded, whose number is known. Fails with cancelled() when
+// stopped; `progress` may be null. O(n), or O(1) if the mesh is connected.
 Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, const Progress* progress);
 
-// One of the two sides of a joint: the faces that carry it, which are those parts of some base faces that are
-// within a distance of a point. All are of one connected component.
+// One side of a joint: the faces that carry it, i.e. the parts of some base faces within a distance of a
+// point. All are of one connected component.
 struct JointSide {
   std::vector<uint32_t> faces;  // base faces of the body as loaded, ascending and not empty
   bool carries(FaceId loaded) const { return std::ranges::binary_search(faces, loaded.index); }
   uint32_t component = 0;                                   // of LoadedComponents
   Vec3 point{0};                                            // m, in the frame of the body
   double radius = std::numeric_limits<double>::infinity();  // m
-  // Of a hinge: how near to its anchor the faces are that hold the pin, m. A beam that burns away what is
-  // within this distance has cut the hinge, although it has passed between the faces of both sides.
+  // For a hinge, the distance from its anchor to the faces that hold the pin [m]. A beam that removes all
+  // faces within it has cut the hinge, although it has passed between the faces of both sides.
   double reaches_pin = std::numeric_limits<double>::infinity();
 };
 
-// A joint holds two parts of a mesh together that are not connected, or not any more once they are cut apart.
+// A joint between two parts of a mesh that are not connected, or no longer once they are cut apart.
 //
-// A joint holds as long as, of each side, faces are left, all of these hang together, and those of a hinge
-// reach its pin. That follows from the faces alone (see held_joints in core/joints), so that undo and replay
-// need no state of joints.
+// A joint holds while each side has remaining faces, these are connected, and those of a hinge reach its pin.
+// That follows from the faces alone (see held_joints in core/joints), so that undo and replay need no state
+// of joints.
 struct Joint {
   enum class Kind : uint8_t {
-    kWeld,   // the parts are one
-    kHinge,  // they turn about the axis, within limits
-    kHub,    // they turn about the axis freely, as a wheel does
+    kWeld,   // the parts move as one
+    kHinge,  // rotation about the axis, within limits
+    kHub,    // free rotation about the axis, as of a wheel
   };
   Kind kind = Kind::kWeld;
-  BodyId body;  // as which the parts were loaded (Body::loaded_as)
+  BodyId body;  // with which the parts were loaded (Body::loaded_as)
   std::array<JointSide, 2> sides;
   Vec3 anchor{0};                  // m, a point of the axis, in the frame of the body
   Vec3 axis{0, 1, 0};              // unit, in the frame of the body
-  std::optional<Interval> limits;  // rad, by which the second part turns about the axis against the first
+  std::optional<Interval> limits;  // angle of the second part relative to the first [rad]
 };
 
-// All joints of a world; they stay what they are while it is cut.
+// All joints of a world; cuts do not change them.
 struct Joints {
   std::vector<Joint> all;
 
-  // Both sides of each joint of a body.
+  // Returns both sides of each joint of a body.
   std::vector<const JointSide*> sides_of(BodyId body) const {
     std::vector<const JointSide*> sides;
     for (const Joint& joint : all) {
@@ -122,26 +121,26 @@ struct Joints {
   }
 };
 
-// A breadth-first search over faces that started from one or more seeds.
+// A breadth-first search over faces from one or more seeds.
 struct SearchFront {
-  std::vector<ReachedFace> frontier;  // faces from index `next` on are still to be visited
+  std::vector<ReachedFace> frontier;  // faces from index `next` on are unvisited
   size_t next = 0;
   size_t looked_at = 0;           // faces visited
   size_t faces = 0;               // live faces among them
-  double area = 0;                // of these, m^2
+  double area = 0;                // of the live faces, m^2
   uint32_t lowest = 0xffffffffu;  // the lowest slot reached
-  bool compared = false;          // with the only other one that grows in its component
-  bool likely_larger = false;     // than that one
+  bool compared = false;          // with the only other growing front of its component
+  bool likely_larger = false;     // estimated to be larger than that one
   bool exhausted() const { return next == frontier.size(); }
 };
 
-// A search for separated parts that extends over several steps; see PartSearch.
+// A search for separated parts that may span several steps; see PartSearch.
 struct OpenSearch {
   enum class Stage { kNone, kGrow, kRelabel };
   static constexpr uint32_t kLookedAt = 0x80000000u;
 
   Stage stage = Stage::kNone;
-  bool asked_again = false;  // another search has to follow for removals since this one started
+  bool asked_again = false;  // removals since the start of this search need another one
   PagedArray<uint32_t>
       mark;  // by face slot: the front that reached it plus one, or 0; plus kLookedAt once visited
   std::vector<SearchFront> fronts;
@@ -149,12 +148,11 @@ struct OpenSearch {
   std::vector<FaceId> seed;            // by front
   std::vector<uint32_t> group;         // by front: the component of its seed before the removals
   std::vector<uint32_t> group_parent;  // by group: union-find of groups that were connected
-  // By front, also by those that were merged into others, while faces are relabelled; 0 if they keep their
-  // label.
+  // By front, including merged ones, while faces are relabelled; 0 to keep the label.
   std::vector<uint32_t> new_label;
-  uint32_t next_slot = 0;  // the first face slot that is not relabelled yet
+  uint32_t next_slot = 0;  // the first face slot not yet relabelled
 
-  // The front that has reached the face, or null.
+  // Returns the front that has reached the face, or null.
   SearchFront* front_of(FaceId f) { return const_cast<SearchFront*>(std::as_const(*this).front_of(f)); }
   const SearchFront* front_of(FaceId f) const {
     const uint32_t marked = mark.get(f.index) & ~kLookedAt;
@@ -163,9 +161,9 @@ struct OpenSearch {
     while (front_parent[front] != front) front = front_parent[front];
     return &fronts[front];
   }
-  // The label that relabelling will give to the face; 0 if it keeps its own.
+  // Returns the label that relabelling will give to the face; 0 if it keeps its own.
   uint32_t label_to_be(FaceId f) const { return stage == Stage::kRelabel ? label_of(mark.get(f.index)) : 0; }
-  // The label that relabelling will give to faces with a mark. Precondition: faces are being relabelled.
+  // Returns the label that relabelling gives faces with a mark. Precondition: faces are being relabelled.
   uint32_t label_of(uint32_t marked) const {
     const uint32_t front = marked & ~kLookedAt;
     return front == 0 ? 0 : new_label[front - 1];
@@ -179,29 +177,28 @@ struct OpenSearch {
   }
 };
 
-// The records of core/edit about the faces that were removed from a body. It may be discarded at any time
-// between two strokes, because the mesh contains the same information.
+// Records of core/edit about faces removed from a body. They may be discarded between two strokes, because
+// the mesh contains the same information.
 struct SeparationState {
   PagedArray<uint32_t>
       joined;  // by vertex slot: its parent in the union-find of CutLoops plus one, or 0 if unknown
 
-  // Pairs of a removed face and a former neighbour, since the last call of settle() or since an open search
-  // began.
+  // Pairs of a removed face and a former neighbour, since the last settle() or the start of an open search.
   std::vector<std::pair<FaceId, FaceId>> ties;
   PagedArray<uint32_t> tie_place;  // scratch of TieClusters
 
-  // About the removals since the last call of settle().
+  // Removals since the last call of settle().
   size_t first_tie = 0;
-  int64_t loops = 0;         // loops that the cut has closed, minus `alone`
-  int64_t alone = 0;         // removed faces that had no neighbour
-  bool any_closed = false;   // whether any loop was closed, regardless of `alone`
-  bool over_rings = false;   // a removed face was connected over a ring, so that `loops` is inconclusive
+  int64_t loops = 0;         // loops closed by the cut, minus `alone`
+  int64_t alone = 0;         // removed faces without a neighbour
+  bool any_closed = false;   // true if any loop was closed, regardless of `alone`
+  bool over_rings = false;   // a removed face was connected over a ring: `loops` is inconclusive
   bool cannot_know = false;  // such a face had more than one neighbour
 
-  // Whether faces that carry joints were removed, or parts separated, since joints were last looked at (see
-  // hold_parts).
+  // True if joints must be checked (see hold_parts): faces that carry joints were removed, or parts
+  // separated.
   bool joints_asked = false;
-  // Whether walls were made since cavities were last looked at (see hold_cavities).
+  // True if cavities must be checked (see hold_cavities): walls were added.
   bool cavities_asked = false;
 
   OpenSearch search;
@@ -216,7 +213,7 @@ struct SeparationState {
     return joined.bytes() + ties.capacity() * sizeof(ties[0]) + tie_place.bytes() + search.bytes();
   }
 
-  // Undo records none of it: it is discarded when the faces are exchanged (see ChangeOf).
+  // Not recorded for undo: exchanging the faces discards it (see ChangeOf).
   struct Change {
     void begin(SeparationState&) {}
     void end(SeparationState&) {}

@@ -60,7 +60,7 @@ namespace {
 // The two axes of each product in VolumeMoments::second.
 constexpr std::array<std::array<int, 2>, 6> kProducts{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
-// The inertia about a point at this offset from where all of a mass is.
+// Returns the inertia of a point mass about a point at this offset.
 glm::dmat3 inertia_of_point(double mass, const Vec3& offset) {
   return mass * (glm::dmat3(glm::dot(offset, offset)) - glm::outerProduct(offset, offset));
 }

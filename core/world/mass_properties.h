@@ -10,8 +10,8 @@ namespace kerf {
 // First and second moments of area of some triangles: the integrals of x and of x x^T over their surface,
 // where x is the position relative to a fixed origin. Together with the area these ten sums give mass, centre
 // and inertia of a thin shell, and they can be added and subtracted face by face. Rounding errors grow with
-// the distance from the origin (to the fourth power of distance / size of what is left), so the origin
-// should lie near the middle of the mesh.
+// the distance from the origin (as (distance / remaining size)^4), so the origin should lie near the middle
+// of the mesh.
 struct AreaMoments {
   Vec3 first{0};                   // m^3
   std::array<double, 6> second{};  // m^4: xx, yy, zz, xy, xz, yz
@@ -21,9 +21,9 @@ struct AreaMoments {
   friend bool operator==(const AreaMoments&, const AreaMoments&) = default;
 };
 
-// The moments of one triangle of the given area (m^2; triangle_area(t)), exact but for rounding: with
-// corners p, q, r relative to the origin and s = p + q + r they are area / 3 * s and
-// area / 12 * (p p^T + q q^T + r r^T + s s^T).
+// Returns the moments of one triangle of the given area (m^2; triangle_area(t)), exact but for rounding: with
+// corners p, q, r relative to the origin and s = p + q + r they are area / 3 * s and area / 12 * (p p^T + q
+// q^T + r r^T + s s^T).
 AreaMoments area_moments(const Triangle& t, double area, const Vec3& origin);
 
 // Mass properties of a rigid body.
@@ -33,16 +33,16 @@ struct MassProperties {
   glm::dmat3 inertia{0.0};  // kg m^2, about the centre, along the axes of the frame of the triangles
 };
 
-// Mass properties of a shell that is thin compared with its size. `area` and `moments` are the sums over its
-// faces, relative to `origin`; thickness in m, density in kg/m^3, both positive. A shell without area, as far
-// as rounding can tell (area <= 0), has no mass and its centre at the origin. Constant time.
+// Returns the mass properties of a thin shell. `area` and `moments` are the sums over its faces, relative to
+// `origin`; thickness in m, density in kg/m^3, both positive. A shell without area up to rounding (area <= 0)
+// has no mass and its centre at the origin. O(1).
 MassProperties shell_mass(double area, const AreaMoments& moments, const Vec3& origin, double thickness,
                           double density);
 
 // Moments of the volume that some triangles enclose: the integrals of 1, of x and of x x^T, where x is the
-// position relative to a fixed origin. They are signed sums of the tetrahedra between the origin and each
-// triangle, and so they mean something only where the triangles are closed (see closed_pieces). The origin
-// should lie near the middle of the triangles (see AreaMoments).
+// position relative to a fixed origin. They are signed sums over the tetrahedra between the origin and each
+// triangle, and meaningful only for closed triangles (see closed_pieces). The origin should lie near the
+// middle of the triangles (see AreaMoments).
 struct VolumeMoments {
   double volume = 0;               // m^3
   Vec3 first{0};                   // m^4
@@ -52,22 +52,21 @@ struct VolumeMoments {
   friend bool operator==(const VolumeMoments&, const VolumeMoments&) = default;
 };
 
-// The share of one triangle, exact but for rounding: with corners p, q, r relative to the origin, the signed
-// volume v = p . (q x r) / 6 and s = p + q + r it is v, v / 4 * s and v / 20 * (p p^T + q q^T + r r^T + s
-// s^T).
+// Returns the contribution of one triangle, exact but for rounding: with corners p, q, r relative to the
+// origin, the signed volume v = p . (q x r) / 6 and s = p + q + r it is v, v / 4 * s and v / 20 * (p p^T + q
+// q^T + r r^T + s s^T).
 VolumeMoments volume_moments(const Triangle& t, const Vec3& origin);
 
-// Mass properties of a solid body from the sums over the triangles around it, relative to `origin`. The
-// density is positive (kg/m^3). What encloses no volume, as far as rounding can tell (volume <= 0), has no
-// mass and its centre at the origin. Constant time.
+// Returns the mass properties of a solid body from the sums over its triangles, relative to `origin`. The
+// density is positive (kg/m^3). Without a volume up to rounding (volume <= 0) the mass is 0 and the centre is
+// at the origin. O(1).
 MassProperties solid_mass(const VolumeMoments& moments, const Vec3& origin, double density);
 
-// Mass properties of two bodies that move as one. Those of the first are returned as they are where the
-// second has no mass, and the other way round.
+// Returns the mass properties of two bodies that move as one; those of one if the other has no mass.
 MassProperties together(const MassProperties& a, const MassProperties& b);
 
-// What is known of the volume of a piece of a solid body since the body was weighed. It holds as long as the
-// piece has as many faces as then and their area to the bit; other pieces are open, as far as is known.
+// The volume of a piece of a solid body when it was last computed. It is valid while the piece has the same
+// number of faces and, to the bit, their area; other pieces count as open.
 struct EnclosedPiece {
   MassProperties solid;  // of density 1, in the frame of the body
   size_t faces = 0;

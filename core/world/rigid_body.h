@@ -24,19 +24,19 @@ struct Placement {
 
   Vec3 to_world(const Vec3& p) const { return orientation * p + position; }
   Vec3 to_body(const Vec3& p) const { return glm::conjugate(orientation) * (p - position); }
-  // A pose of the world in the body's frame. An identity placement preserves every bit.
+  // Converts a pose from the world to the body's frame. An identity placement preserves every bit.
   Pose to_body(const Pose& pose) const {
     return {to_body(pose.origin), glm::conjugate(orientation) * pose.direction};
   }
 };
 
-// The rigid motion of a body in world axes. The velocity is that of the point of the body that lies at the
-// origin of its frame, i.e. at Placement::position: so it stays what it is when a cut moves the centre of
-// mass, and a piece that is detached inherits its motion by a copy.
+// The rigid motion of a body in world axes. The velocity is that of the body's point at the origin of its
+// frame, i.e. at Placement::position: a cut that moves the centre of mass does not change it, and a detached
+// piece copies its motion.
 struct Motion {
   Vec3 velocity{0};    // m/s
   Vec3 spin{0};        // rad/s
-  uint32_t quiet = 0;  // ticks for which the body was slow enough to fall asleep
+  uint32_t quiet = 0;  // ticks slow enough to fall asleep
   bool asleep = false;
 
   friend bool operator==(const Motion&, const Motion&) = default;
@@ -46,18 +46,17 @@ struct Motion {
     quiet = 0;
     asleep = false;
   }
-  // The velocity of the point of the body that is at p in the world, m/s.
+  // Returns the velocity of the body's point at p in the world, m/s.
   Vec3 velocity_at(const Vec3& p, const Placement& placement) const {
     return velocity + glm::cross(spin, p - placement.position);
   }
 };
 
-// The sheet that the faces of a body stand for. Precondition of its use: thickness and density are positive.
+// The sheet that the faces of a body represent. Precondition of its use: thickness and density are positive.
 struct Sheet {
   double thickness = 0.001;  // m
-  double density =
-      7850;             // kg/m^3, of mild steel; what the body weighs (vehicles are given their weight by it)
-  Substance substance;  // the material, which tells how it is heated and cut
+  double density = 7850;     // kg/m^3, of mild steel; determines the mass (set from the weight of vehicles)
+  Substance substance;       // the material, for heating and cutting
   friend bool operator==(const Sheet&, const Sheet&) = default;
 };
 
@@ -65,9 +64,8 @@ struct Sheet {
 struct Environment {
   Vec3 gravity{0, -9.81, 0};     // m/s^2
   std::optional<double> ground;  // m, the height of a plane on which bodies rest, against gravity
-  // How many units of length of the world are a metre: 1000 where positions are in millimetres, and gravity,
-  // the ground and all velocities with them. The lengths and speeds by which bodies touch and come to rest
-  // follow it.
+  // Units of length of the world per metre: 1000 if positions, gravity, the ground and all velocities are in
+  // millimetres. Contact distances and rest speeds scale with it.
   double metre = 1;
 
   friend bool operator==(const Environment&, const Environment&) = default;
@@ -79,7 +77,7 @@ struct Environment {
   }
 };
 
-// A damped spring without length that holds one point of a piece, for a person who drags it.
+// A damped zero-length spring that holds a point of a piece while a user drags it.
 struct Spring {
   PieceId piece;
   Vec3 at{0};  // m, in the frame of the body
@@ -88,10 +86,10 @@ struct Spring {
   friend bool operator==(const Spring&, const Spring&) = default;
 };
 
-// The memory of a point of one body beside the faces of another.
+// Memory of a point of one body near the faces of another.
 struct PointMemory {
   uint32_t point = 0;
-  // Unit, in the frame of the other body: the normal of the face that it was last near, towards its side.
+  // Unit normal, in the frame of the other body, of the last nearby face, towards the point's side.
   Vec3 normal{0};
 };
 
@@ -100,29 +98,28 @@ struct ImpulseMemory {
   std::array<double, 3> impulse{};
 };
 
-// The memory of two bodies that are near each other. Lists are sorted by their first members.
+// Memory of two bodies near each other. Lists are sorted by their first members.
 struct PairMemory {
   BodyId first, second;  // first < second; the second is not valid for the ground
   std::vector<PointMemory> points_of_first, points_of_second;
   std::vector<ImpulseMemory> impulses;
-  // For how many ticks the sheets have intersected since they met; 0 while they are apart.
+  // Ticks for which the sheets have intersected since they met; 0 while they are apart.
   uint32_t crossed = 0;
-  bool touching = false;  // they did in the last tick
-  // 2 if a body was held in this tick so as not to get through the other, 1 if that was so in the last one.
+  bool touching = false;  // in the last tick
+  // 2 if a body was stopped from passing through the other in this tick, 1 if in the last one.
   uint8_t held = 0;
-  // Unit, in the world, where they intersect: the way on which the first body was pushed out in the last
-  // tick.
+  // Unit, in the world, if they intersect: the direction in which the first body was last pushed out.
   Vec3 way_out{0};
 
   std::pair<BodyId, BodyId> bodies() const { return {first, second}; }
 };
 
-// The memory of all pairs, sorted by their bodies.
+// Memory of all pairs, sorted by their bodies.
 using ContactMemory = std::vector<PairMemory>;
 
 class World;
 
-// Where a body is and how it moves.
+// Placement and motion of a body.
 struct BodyState {
   BodyId id;
   Placement placement;
@@ -138,11 +135,11 @@ struct NearPair {
   friend bool operator==(const NearPair&, const NearPair&) = default;
 };
 
-// The states of the bodies of a world that move or have moved. O(bodies).
+// Returns the states of the bodies that move or have moved. O(bodies).
 std::vector<BodyState> moved_bodies(const World& world);
 
-// The contact memory of pairs of bodies, without the details of their contacts (see World::contact_memory),
-// and the reverse: nothing else is known of them then. `pairs` are sorted by their bodies. O(pairs).
+// Get and set the contact memory of pairs of bodies without contact details (see World::contact_memory),
+// which are cleared on set. `pairs` are sorted by their bodies. O(pairs).
 std::vector<NearPair> known_pairs(const World& world);
 void set_known_pairs(World& world, std::span<const NearPair> pairs);
 

@@ -129,7 +129,7 @@ std::vector<BodyId> World::ids() const {
 
 namespace {
 
-// Bounds that grow by boxes of bodies.
+// Bounds that grow by the boxes of bodies.
 struct GrowingBounds {
   World::Bounds all;
   bool any = false;
@@ -235,7 +235,7 @@ void World::begin_change() {
   }
 }
 
-// Keeps the body of a slot as it was before the command; one that the command itself made is let go.
+// Saves the body of a slot in its state before the command; discards one that the command itself made.
 void World::Change::keep(uint32_t slot, Body& body) {
   const auto edited =
       std::find_if(edited_.begin(), edited_.end(), [&](const BodyChange& c) { return c.slot == slot; });
@@ -296,7 +296,7 @@ void World::undo(Change& change) {
   slots_.erase(first, slots_.end());
 }
 
-// Makes the steps of undo() in the opposite order.
+// Applies the steps of undo() in reverse order.
 void World::redo(Change& change) {
   KERF_ASSERT(slots_.size() == change.slots_);
   slots_.insert(slots_.end(), std::make_move_iterator(change.added_.begin()),
@@ -308,7 +308,8 @@ void World::redo(Change& change) {
   for (BodyChange& c : change.edited_) c.exchange(slots_[c.slot].body);
 }
 
-// A slot whose body the change removed holds the image of another for a while, if the two were exchanged.
+// If the bodies of two slots were exchanged, a slot whose body the change removed temporarily holds the image
+// of the other.
 void World::restore(const Change& change, size_t slots) {
   KERF_ASSERT(!change.taken_back_ && slots <= change.slots_);
   KERF_ASSERT(change.died_.empty() || *std::min_element(change.died_.begin(), change.died_.end()) >= slots);
@@ -354,7 +355,7 @@ uint64_t sum_of_face_hashes(const Body& body, uint64_t seed) {
   return std::accumulate(sums.begin(), sums.end(), uint64_t{0});
 }
 
-// The hash of the motion of a body that moves or has moved.
+// Returns the hash of the motion of a body that moves or has moved.
 uint64_t motion_hash(uint64_t seed, const Motion& motion) {
   const uint64_t h = hash_of(hash_of(hash_combine(seed, kMotionSeed), motion.velocity), motion.spin);
   return hash_combine(hash_combine(h, motion.quiet), motion.asleep ? 1 : 0);

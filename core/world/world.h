@@ -24,9 +24,9 @@
 
 namespace kerf {
 
-// Which faces of a mesh are walls, i.e. were made on the boundary of what a beam swept to close a solid body
-// (see core/walls). A wall is its own base face, and knows the base face of a face beside it, through which
-// it belongs to a part of what was loaded.
+// Marks the walls of a mesh: faces on the boundary of the swept beam that close a solid body (see
+// core/walls). A wall is its own base face, and stores the base face of an adjacent face, by which it belongs
+// to a loaded part.
 struct WallFaces {
   FaceColumn<uint32_t> beside_of;  // the index of that base face plus one; 0 for other faces
 
@@ -34,92 +34,90 @@ struct WallFaces {
   static WallFaces attach(Mesh& mesh) { return {mesh.columns().attach_copied<uint32_t>()}; }
 
   bool contain(const Mesh& mesh, FaceId f) const { return mesh.columns().get(beside_of, f) != 0; }
-  // The base face beside a wall; invalid for other faces.
+  // Returns the base face adjacent to a wall; invalid for other faces.
   FaceId beside(const Mesh& mesh, FaceId f) const { return FaceId(mesh.columns().get(beside_of, f) - 1); }
   void set(Mesh& mesh, FaceId f, FaceId base) const { mesh.columns().set(beside_of, f, base.index + 1); }
 };
 
-// A piece of a body: the faces with one label (FaceData::piece). They are connected, except that loaded
-// components may belong to the piece beside them: all that were loaded together have the label 0, and joints
-// may hold others to a piece that was cut off (see hold_parts). `moments` are relative to Body::middle();
-// unlike the counts, they only include faces that already have the label (see Body::label).
+// A piece of a body: the faces with one label (FaceData::piece). They are connected except for loaded
+// components, which share the label 0 as loaded, and which joints may hold to a piece that was cut off (see
+// hold_parts). `moments` are relative to Body::middle() and, unlike the counts, only include faces that
+// already have the label (see Body::label).
 struct Piece : FaceCounts {
   AreaMoments moments;
   FaceCounts cut_off{};  // of these, the faces of the connected part that was cut off; none for label 0
 };
 
-// A mesh in the world with the data that are kept consistent with it.
+// A mesh in the world with its derived data.
 struct Body {
   std::string name;
-  uint32_t named = 0;  // the label of the piece that has this name; the others are named after it
-  std::map<uint32_t, std::string> piece_names{};  // by label, of pieces that were given a name of their own
+  uint32_t named = 0;  // label of the piece with this name, from which other names derive
+  std::map<uint32_t, std::string> piece_names{};  // by label, of pieces with a custom name
   Placement placement;
   bool hidden = false;  // neither drawn nor cut
   Motion motion;
   Sheet sheet;
-  bool pinned = false;  // stays where it is whatever acts on it
-  bool solid = false;   // its faces enclose a volume, which strokes with a smooth rim close again by walls
-  // The position of the body in state_hash: the slot to which it was added. When a piece is detached from a
-  // body, the larger of the two sides keeps the number.
+  bool pinned = false;  // immovable
+  bool solid = false;   // its faces enclose a volume; strokes with a smooth rim add walls to close it
+  // Position of the body in state_hash: the slot to which it was added. When a piece is detached, the larger
+  // of the two sides keeps the number.
   uint32_t number = 0;
   Mesh mesh;
   AabbTree tree;
   OneToFour refinement;
   FaceHeat heat;
   WallFaces walls;
-  double ejected = 0;     // J that faces had when they were removed
-  Records<Piece> pieces;  // by label; 0 is the body itself, the others were separated from it
-  // By label, of pieces that were closed when the solid body was weighed (see update_mass_properties); empty
-  // where it is none.
+  double ejected = 0;     // energy of removed faces [J]
+  Records<Piece> pieces;  // by label; 0 is the body itself, the others were separated
+  // By label, the closed pieces of a solid body (see update_mass_properties); empty for a sheet.
   Records<EnclosedPiece> enclosed;
   LoadedComponents components;
   SeparationState separation;
   std::vector<std::string> material_names;
-  std::vector<MeshPart> named_parts;  // of base faces; empty where the body was detached
-  MeshReport loaded;                  // the content of the file
-  // The origin of the faces: the body as which they were loaded, and for each base face of this body the base
-  // face there. The list is empty if both are equal, which is so unless the body was detached from another.
+  std::vector<MeshPart> named_parts;  // of base faces; empty for a detached body
+  MeshReport loaded;                  // content of the file
+  // Origin of the faces: the body with which they were loaded, and the base face there by base face of this
+  // body. The list is empty if both are equal, i.e. unless the body was detached from another.
   BodyId loaded_as;
   std::vector<FaceId> loaded_faces;
 
-  // The label of f, or the label that an unfinished search will give it.
+  // Returns the label of f, or the label that an unfinished search will give it.
   uint32_t label(FaceId f) const;
 
-  // The name of a piece for the user: the one that it was given, else "car", or "car 9" for the piece with
-  // label 9.
+  // Returns the displayed name of a piece: its custom name, else "car", or "car 9" for the piece with label
+  // 9.
   std::string name_of(uint32_t label) const;
-  // The name of the body: the name of its piece if it has only one.
+  // Returns the name of the body: that of its piece if it has only one.
   std::string own_name() const;
 
-  // The live faces of a piece, or all but those, ascending. O(faces).
+  // Returns the live faces of a piece, or all others, ascending. O(faces).
   std::vector<FaceId> faces_of(uint32_t label, bool of_piece = true) const;
-  // The loaded face of a base face of this body.
+  // Returns the loaded face of a base face of this body.
   FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
 
-  // The base face by which f belongs to what was loaded; of a wall that of a face beside it when it was made.
+  // Returns the base face that assigns f to a loaded part; that of an adjacent face if f is a wall.
   FaceId loaded_base(FaceId f) const {
     const FaceId beside = walls.beside(mesh, f);
     return beside.valid() ? beside : mesh.data(f).base;
   }
 
-  // The counts of the component of f, as known from the last call of settle().
+  // Returns the counts of the component of f as of the last settle().
   const FaceCounts& whole_of(FaceId f) const;
   FaceCounts& edit_whole_of(FaceId f);
 
-  // The piece of f.
   Piece& edit_piece_of(FaceId f) { return pieces.edit(mesh.data(f).piece); }
 
-  // The bounds of all corners in the frame of the body, exact to the bit; zero if it has no faces. O(1).
+  // Bounds of all corners in the frame of the body, exact to the bit; zero without faces. O(1).
   const Bounds& bounds() const { return tree.bounds(); }
 
-  // The centre of the bounds of the mesh as loaded, which is the origin of moments.
+  // Centre of the bounds of the mesh as loaded, the origin of moments.
   Vec3 middle() const { return 0.5 * loaded.min + 0.5 * loaded.max; }
 
   // Adds to the counts of the piece and the component of f.
   void count(FaceId f, int faces, double area);
 
-  // All members that a command may change in a body that exists before and after it, but for the tree, which
-  // follows the mesh (see World::BodyChange).
+  // Members that a command may change in an existing body, without the tree, which is derived from the mesh
+  // (see World::BodyChange).
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.piece_names, self.placement, self.hidden, self.motion,
@@ -127,28 +125,28 @@ struct Body {
                     self.pieces, self.enclosed, self.components, self.separation);
   }
 
-  // Memory of its arrays, in bytes.
+  // Memory of the arrays, in bytes.
   size_t bytes() const;
 };
 
 // Creates a body from a loaded mesh: builds the tree and counts its piece and its components. O(n log n).
 Body make_body(std::string name, BuiltMesh built);
-// Creates a body, or fails with cancelled() when stopped. `progress` may be null.
+// The same; fails with cancelled() when stopped. `progress` may be null.
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
-// Where the energy that beams have emitted has gone (J): emitted = absorbed + escaped. What was absorbed or
-// came from burning is stored in faces (FaceHeat::stored), went with faces that were removed (Body::ejected),
-// or was lost to the environment.
+// Balance of the energy emitted by beams (J): emitted = absorbed + escaped. Energy that was absorbed or came
+// from burning is stored in faces (FaceHeat::stored), was removed with faces (Body::ejected), or was lost to
+// the environment.
 struct EnergyLedger {
   double emitted = 0;
   double absorbed = 0;  // by faces
-  double escaped = 0;   // reflected, or gone past all faces
-  double burnt = 0;     // what burning in oxygen gave faces besides
+  double escaped = 0;   // reflected, or missed all faces
+  double burnt = 0;     // additional heat of burning in oxygen
   double lost = 0;      // by convection and radiation
-  // The seconds for which beams of the thermal model were on, which tell where pulses are.
+  // Time for which beams of the thermal model were on (s), which determines the phase of pulses.
   double beam_on = 0;
-  uint64_t poses = 0;  // from which they sent rays; see turned_bundle
-  // The seconds for which heat has already flowed that the clock has not passed yet (see let_heat_flow).
+  uint64_t poses = 0;  // poses from which they sent rays; see turned_bundle
+  // Time simulated for heat ahead of the clock (s); see let_heat_flow.
   double ahead = 0;
 
   friend bool operator==(const EnergyLedger&, const EnergyLedger&) = default;
@@ -156,8 +154,8 @@ struct EnergyLedger {
 
 struct HeatMemory;
 
-// All bodies. An id is valid as long as its body exists and never refers to another one, provided that all
-// bodies of one slot are added with different generations.
+// All bodies. An id is valid while its body exists and never refers to another one, provided that all bodies
+// of one slot are added with different generations.
 class World {
  public:
   World();
@@ -168,7 +166,7 @@ class World {
   World(const World& other);
   World& operator=(const World& other);
 
-  // Adds the body in a new slot. Generation 0 is for the bodies with which the world starts (see BodyId).
+  // Adds the body in a new slot. Generation 0 is for the initial bodies (see BodyId).
   BodyId add(Body body, uint32_t generation = 0);
   // Removes a body; its slot is not used again. Precondition: contains(id).
   void remove(BodyId id);
@@ -180,62 +178,60 @@ class World {
   // Precondition: contains(id).
   Body& body(BodyId id) { return slots_[checked(id)].body; }
   const Body& body(BodyId id) const { return slots_[checked(id)].body; }
-  // In the order of their slots.
+  // In slot order.
   std::vector<BodyId> ids() const;
 
   using Bounds = kerf::Bounds;
-  // The bounds of the boxes of all bodies at their placements; zero for an empty world. O(bodies).
+  // Returns the bounds of the boxes of all bodies at their placements; zero for an empty world. O(bodies).
   Bounds bounds() const;
-  // The bounds of all bodies as they were loaded, at their placements.
+  // Returns the bounds of all bodies as loaded, at their placements.
   Bounds loaded_bounds() const;
 
-  // The time that has passed since the world was created.
+  // Time since the world was created.
   Ticks clock() const { return situation_.clock; }
-  // Advances the clock.
   void pass(Ticks ticks) { situation_.clock += ticks; }
 
   const Environment& environment() const { return situation_.around; }
   void set_environment(const Environment& around) { situation_.around = around; }
 
-  // Where the energy of the beams has gone; see EnergyLedger.
   const EnergyLedger& energy() const { return situation_.energy; }
   EnergyLedger& edit_energy() { return situation_.energy; }
 
-  // The spring by which somebody drags a piece. The piece need not exist any more.
+  // The spring by which the user drags a piece, which may no longer exist.
   const std::optional<Spring>& spring() const { return situation_.spring; }
   void set_spring(const std::optional<Spring>& spring) { situation_.spring = spring; }
 
-  // Working memory for let_heat_flow(), which is no part of the state.
+  // Working memory for let_heat_flow(), not part of the state.
   HeatMemory& heat_memory();
 
-  // The memory of core/physics about bodies that are near each other. It is a part of the state: what happens
-  // next depends on it.
+  // Memory of core/physics about bodies near each other. Part of the state, because it affects the
+  // simulation.
   const ContactMemory& contact_memory() const { return *situation_.contacts; }
   void set_contact_memory(ContactMemory memory) {
     situation_.contacts = std::make_shared<const ContactMemory>(std::move(memory));
   }
 
-  // The joints between parts of bodies.
+  // Joints between parts of bodies.
   const Joints& joints() const { return *situation_.joints; }
   void set_joints(Joints joints) { situation_.joints = std::make_shared<const Joints>(std::move(joints)); }
 
   size_t live_faces() const;
-  size_t face_slots() const;  // of all bodies: faces that live or were removed
-  // The number of pieces that have faces, including those with label 0.
+  size_t face_slots() const;  // live and removed faces of all bodies
+  // Number of pieces that have faces, including those with label 0.
   size_t live_pieces() const;
 
-  // The before-images of a command, or, once exchanged, its after-images.
+  // Before-images of a command or, once exchanged, its after-images.
   class Change;
-  // Between begin_change and end_change, everything is saved before it is edited; end_change returns what was
-  // saved. exchange restores it exactly to the bit, and turns the change into its reverse. Changes must be
-  // exchanged in the order of a history, the latest first. O(bodies + size of the change).
+  // Between begin_change and end_change, everything is saved before it is edited; end_change returns the
+  // saved images. exchange restores them exact to the bit and inverts the change. Changes must be exchanged
+  // in history order, the latest first. O(bodies + size of the change).
   void begin_change();
   Change end_change();
   void exchange(Change& change);
   // Restores the world before the change by edits that are recorded like any others. Bodies that the change
-  // added are removed, and their slots stay unused. Several changes in a row are restored one by one, the
-  // latest first; `slots` is what slots_before says of the earliest of them. Precondition: the change removed
-  // no body that was there before the earliest one. Can also be applied to a copy of the world.
+  // added are removed, and their slots stay unused. Consecutive changes are restored one by one, the latest
+  // first; `slots` is slots_before() of the earliest. Precondition: the change removed no body that existed
+  // before the earliest one. May also be applied to a copy of the world.
   void restore(const Change& change, size_t slots);
 
  private:
@@ -244,7 +240,7 @@ class World {
     uint32_t generation = 0;
     bool alive = false;
   };
-  // The state of the world beside its bodies.
+  // State of the world in addition to its bodies.
   struct Situation {
     Ticks clock = 0;
     Environment around;
@@ -261,7 +257,7 @@ class World {
     uint32_t home = 0;  // the slot before it
     ChangeOfParts<Body> parts;
 
-    // Call these functions of `parts`, and update the tree for the faces that differ.
+    // Call the same functions of `parts` and update the tree for the differing faces.
     void exchange(Body& body);
     void restore(Body& body) const;
   };
@@ -284,7 +280,7 @@ class World::Change {
  public:
   // Memory of the images, in bytes.
   size_t bytes() const;
-  // The slots of bodies, alive or not, that the world had before the change.
+  // Number of body slots, alive or not, before the change.
   size_t slots_before() const { return slots_; }
 
  private:
@@ -293,18 +289,18 @@ class World::Change {
 
   ChangeOf<Situation> situation_;
   size_t slots_ = 0, slots_end_ = 0;  // their number before and after the change
-  bool taken_back_ = false;           // the world is as it was before the change
+  bool taken_back_ = false;           // the world is in the state before the change
   std::vector<BodyChange> edited_;
   std::vector<std::pair<uint32_t, uint32_t>> exchanged_;  // slots whose bodies were exchanged, in order
-  std::vector<std::pair<uint32_t, Body>> removed_;        // removed bodies by slot before the change
+  std::vector<std::pair<uint32_t, Body>> removed_;        // removed bodies, by slot before the change
   std::vector<uint32_t> died_;                            // slots of removed bodies
   std::vector<Slot> added_;                               // added slots, while the change is undone
 };
 
-// A number for the state of the world, equal for equal states on every machine: a sum over the live faces of
-// a mix of the bits of their corners (least corner first), level, body and energy, where they have any, and
-// of the placements. It does not depend on slots or on the order of edits. The clock is part of it once time
-// has passed, and the motion of a body once it has moved. O(faces).
+// Returns a hash of the state of the world, equal for equal states on every machine: a sum over the live
+// faces of a mix of the bits of their corners (from the least corner), level, body and energy, if any, and of
+// the placements. It is independent of slots and the order of edits. It includes the clock once time has
+// passed, and the motion of a body once it has moved. O(faces).
 uint64_t state_hash(const World& world);
 
 }  // namespace kerf

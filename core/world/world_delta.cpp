@@ -7,11 +7,11 @@ namespace kerf {
 
 namespace {
 
-// The lists of bodies that changed other than by faces, by coming or by going.
+// Lists of bodies that changed other than by faces, addition or removal.
 constexpr std::array kChanged{&Delta::moved, &Delta::reweighed, &Delta::hid_or_showed, &Delta::renamed,
                               &Delta::pinned};
 
-// The union of two ascending lists.
+// Unites two ascending lists.
 void unite(std::vector<FaceId>& faces, const std::vector<FaceId>& more) {
   std::vector<FaceId> both;
   std::set_union(faces.begin(), faces.end(), more.begin(), more.end(), std::back_inserter(both));
@@ -43,7 +43,7 @@ void add_once(std::vector<BodyId>& ids, BodyId id) {
   if (!has(ids, id)) ids.push_back(id);
 }
 
-// Bodies as they go after `later`, without those that it let go.
+// Converts ids to those after `later`, without bodies that it removed.
 void follow_ids(std::vector<BodyId>& ids, const Delta& later) {
   std::erase_if(ids, [&](BodyId id) { return has(later.went, id); });
   for (BodyId& id : ids) id = id_after(later, id);
@@ -117,7 +117,7 @@ void Delta::append(Delta later) {
       detached.push_back(d);
     }
   }
-  // A body that came is read as a whole, so that its single changes need not be listed.
+  // An added body is read as a whole; its single changes need not be listed.
   const auto is_new = [&](BodyId id) { return has(came, id); };
   std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
   for (const auto list : kChanged) std::erase_if(this->*list, is_new);

@@ -11,50 +11,49 @@
 
 namespace kerf {
 
-// A face that the beam removed, as it was when it was removed. Its neighbours are the nearest faces of
+// A face removed by the beam, in its state at the removal. Its neighbours are the nearest faces of
 // Mesh::append_nearest_neighbours that were live then, so that the links between the faces of a cut do not
-// depend on whether vertices were moved or edges split afterwards. Entries without a face are invalid.
+// depend on later vertex moves or edge splits. Entries without a face are invalid.
 struct CutFace {
   FaceId face, base;
-  uint32_t piece = 0;        // its label then
-  bool closed_loop = false;  // whether removing it closed a loop of removed faces (see CutLoops)
+  uint32_t piece = 0;        // label at the removal
+  bool closed_loop = false;  // true if its removal closed a loop of removed faces (see CutLoops)
   Triangle corners{};        // m, in the frame of the body
   std::array<FaceId, 9> neighbours{};
 };
 
-// The faces that the beam removed from bodies, in the order of removal.
+// Faces that the beam removed, by body, in the order of removal.
 using CutFaces = std::map<BodyId, std::vector<CutFace>>;
 
-// The faces that a step changed in one body. Slots of faces that were made and removed within the step are
-// listed as gone.
+// Faces that a step changed in one body. Slots of faces created and removed within the step are listed as
+// dead.
 struct BodyDelta {
   BodyId body;
   std::vector<FaceId> born;          // live faces that are new or have new corners, ascending
-  std::vector<FaceId> gone;          // slots whose face is dead, ascending
+  std::vector<FaceId> gone;          // slots with a dead face, ascending
   std::vector<FaceId> relabelled;    // live faces whose label changed, ascending
-  std::vector<uint32_t> new_pieces;  // labels that the step made
-  // The faces that the beam removed, in the order of removal. Undo and redo leave the list empty.
+  std::vector<uint32_t> new_pieces;  // labels created by the step
+  // Faces that the beam removed, in the order of removal. Empty after undo and redo.
   std::vector<CutFace> removed;
 };
 
-// A piece that belongs to another body since the step: it was detached, or put back by undo. It keeps its
-// label.
+// A piece that moved to another body in the step: it was detached, or returned by undo. It keeps its label.
 struct Detached {
   BodyId from;
   uint32_t label = 0;
   BodyId to;
-  // Whether the faces of `from` carry on under the id `to`, with the slots that they had: then `from`, where
-  // it is listed in Delta::came, is another body.
+  // True if the faces of `from` keep their slots under the id `to`; `from`, if listed in Delta::came, is then
+  // another body.
   bool carries_on = false;
   friend bool operator==(const Detached&, const Detached&) = default;
 };
 
-// What a step made of solid bodies.
+// Changes of solid bodies in a step.
 struct SolidChange {
   size_t wall_faces = 0;
-  double wall_area = 0;  // m^2, of the walls as they were made; Delta::removed_area does not count it
-  // The volume (m^3) that the bodies have lost: the sum over the removed faces and the walls turned round,
-  // each with the body's middle.
+  double wall_area = 0;  // m^2, of the new walls; not included in Delta::removed_area
+  // Volume lost by the bodies (m^3): the sum over the removed faces and the reversed walls, each with the
+  // body's middle.
   double removed_volume = 0;
 
   SolidChange& operator+=(const SolidChange& other) {
@@ -68,51 +67,49 @@ struct SolidChange {
 // A solid body that a stroke left open, and why.
 struct LeftOpen {
   BodyId body;
-  std::string why;  // and where: a sentence for the user
+  std::string why;  // reason and place: a sentence for the user
 };
 
-// The changes that a step made in the world. Whoever keeps something about the world follows it in this
-// order: drop the bodies that went, carry on what is kept about `from` as `to` where a piece was detached,
-// look at the bodies that came as a whole, and then at the changes of single bodies. All ids but those of
-// `went` are those after the step.
+// The changes of a step in the world. Caches of the world apply them in this order: drop the removed bodies,
+// transfer data of `from` to `to` for each detached piece, read the added bodies as a whole, and then apply
+// the changes of single bodies. All ids but those of removed bodies are those after the step.
 struct Delta {
-  std::vector<BodyDelta> bodies;      // whose faces changed, other than by coming
-  std::vector<BodyId> came, went;     // an id in both lists names another body since the step
-  std::vector<Detached> detached;     // one after the other
-  std::vector<BodyId> moved;          // whose placement changed
-  std::vector<BodyId> reweighed;      // whose mass changed, though not their faces
-  std::vector<BodyId> hid_or_showed;  // whose Body::hidden changed
+  std::vector<BodyDelta> bodies;      // with changed faces, without added bodies
+  std::vector<BodyId> came, went;     // added, removed; an id in both lists names another body since the step
+  std::vector<Detached> detached;     // in order
+  std::vector<BodyId> moved;          // with changed placement
+  std::vector<BodyId> reweighed;      // with changed mass but unchanged faces
+  std::vector<BodyId> hid_or_showed;  // with changed Body::hidden
   std::vector<BodyId> renamed;
-  std::vector<BodyId> pinned;  // whose Body::pinned changed
+  std::vector<BodyId> pinned;  // with changed Body::pinned
   bool environment = false;    // gravity or the ground changed
   size_t removed_faces = 0;
-  // Area that the bodies have lost (m^2): that of the removed faces, and what the faces around moved vertices
-  // lost (or, negative, gained) by the moves. The removed area and the area that is left sum up to the area
-  // before the step.
+  // Area lost by the bodies (m^2): that of the removed faces, plus the loss (or, negative, gain) of faces
+  // around moved vertices. Removed and remaining area add up to the area before the step.
   double removed_area = 0;
-  double removed_mass = 0;  // kg of the material of that area (see Substance), which are burnt
+  double removed_mass = 0;  // mass of that area by Substance::density [kg]
   SolidChange solid;
   std::vector<LeftOpen> left_open;
-  bool anew = false;  // the world was replaced by another one: nothing that was known of it holds
+  bool anew = false;  // the world was replaced: discard all caches
 
   bool empty() const { return bodies.empty() && !changes_bodies(); }
-  // Whether anything but faces changed.
+  // Returns true if anything but faces changed.
   bool changes_bodies() const {
     return anew || !came.empty() || !went.empty() || !detached.empty() || !moved.empty() ||
            !reweighed.empty() || !hid_or_showed.empty() || !renamed.empty() || !pinned.empty() || environment;
   }
 
-  // Makes this the delta of this step and the next one together: what came and went in between is not listed.
-  // O(n log n) in the lists.
+  // Combines this delta with that of the next step, without bodies that existed only in between. O(n log n)
+  // in the lists.
   void append(Delta later);
 };
 
-// The changes of bodies that take those of `delta` back: what came goes, what was detached is put back. The
-// faces are left out, since their state before the step is not in the delta.
+// Returns the inverse of the body changes of `delta`: added and removed bodies are swapped, detached pieces
+// returned. It omits faces, because the delta does not contain their previous state.
 Delta bodies_taken_back(const Delta& delta);
 
-// The id under which a body that has the id `before` ahead of a step goes after it, and the other way round.
-// The body neither came nor went.
+// Return the id after a step of a body with the id `before` ahead of it, and the reverse. Precondition: the
+// step neither added nor removed the body.
 BodyId id_after(const Delta& delta, BodyId before);
 BodyId id_before(const Delta& delta, BodyId after);
 

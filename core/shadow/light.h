@@ -5,7 +5,7 @@
 namespace kerf {
 
 // A light in homogeneous coordinates: a position with w = 1, or with w = 0 the direction towards a light at
-// infinity, which may have any length but zero. The context says which frame it is in.
+// infinity, of any length but zero. The frame depends on the context.
 struct LightPoint {
   Vec3 xyz{0, 1, 0};
   double w = 0;
@@ -18,15 +18,15 @@ struct Light {
 
   Kind kind = Kind::kDirectional;
   // kDirectional: the direction towards the light, of any length but zero; kPoint: its position in metres.
-  // Both are in the frame of the world.
+  // Both in world coordinates.
   Vec3 at{-0.42, 1.0, 0.62};
   Vec3 colour{1.0, 0.938, 0.848};  // linear RGB
   // Irradiance of a surface that faces the light, relative to the display's white; 2.1 is a bright key light.
-  // For a point light it holds at a distance of one diagonal of the world and falls off with the square of
-  // the distance.
+  // For a point light it holds at a distance of one diagonal of the world and falls off with the squared
+  // distance.
   double intensity = 2.1;
 
-  // The light in homogeneous coordinates of the world.
+  // Returns the light in homogeneous world coordinates.
   LightPoint point() const { return {at, kind == Kind::kPoint ? 1.0 : 0.0}; }
   friend bool operator==(const Light&, const Light&) = default;
 };

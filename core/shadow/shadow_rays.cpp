@@ -63,8 +63,7 @@ LightPoint ShadowRays::on_copy(const Copy& copy, const Light& light) const {
   return {copy.frame.scaled(copy.placement.to_body(light.at)), 1};
 }
 
-// The side of the face's plane on which the light lies, as a sign; the face's orientation gives the positive
-// one.
+// Returns the side of the face's plane with the light, as a sign; positive on the side of the face's normal.
 int ShadowRays::side_of(const Copy& copy, FaceId face, const LightPoint& light) {
   const Triangle t = copy.mesh.triangle(face);
   const double side = glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), light.xyz - t[0] * light.w);

@@ -11,35 +11,34 @@
 
 namespace kerf {
 
-// Shadows by ray tracing: the reference against which shadow volumes are tested. It uses the geometry that
-// the GPU draws, i.e. corners rounded to the floats of a FloatFrame and no duplicates of a triangle, and
-// computes everything else in double.
+// Shadows by ray tracing: the reference implementation against which shadow volumes are tested. It uses the
+// geometry drawn by the GPU, i.e. corners rounded to the floats of a FloatFrame and no duplicate triangles,
+// and computes everything else in double.
 class ShadowRays {
  public:
-  // The displacement at which a piece is drawn, in metres along the axes of the world; nothing if it is
-  // hidden.
+  // Returns the displacement of a piece when drawn [m], along the world axes; nullopt if it is hidden.
   using PieceOffset = std::function<std::optional<Vec3>(uint32_t piece)>;
 
-  // Adds a copy of the body's current faces. `labels` as ShadowCaster takes them. O(n log n).
+  // Adds a copy of the body's current faces. `labels` as for ShadowCaster. O(n log n).
   void add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of,
            std::span<const uint32_t> labels = {});
 
-  // A point of a face that a ray meets.
+  // A hit of a ray on a face.
   struct Seen {
     uint32_t body = 0;  // in the order of add()
     uint32_t face = 0;  // slot
     double length = 0;  // m, from the ray's origin
     friend bool operator==(const Seen&, const Seen&) = default;
   };
-  // The first point that the ray meets at a length of at least `nearest` metres, if any. Precondition: the
+  // Returns the first hit of the ray at a length of at least `nearest` metres, if any. Precondition: the
   // direction is a unit vector.
   std::optional<Seen> look(const Pose& ray, double nearest) const;
 
-  // The number of surfaces that occlude the light at the point `seen` that `ray` meets: those between the
-  // point and the light, and the face itself if the ray meets its unlit side. The face is excluded from the
-  // former by its slot rather than by a distance. Precondition: look(ray, ...) returned `seen`.
+  // Returns the number of surfaces that occlude the light at the hit `seen` of `ray`: those between the point
+  // and the light, and the face itself if the ray hits its unlit side. The face is excluded from the former
+  // by its slot, not by a distance. Precondition: look(ray, ...) returned `seen`.
   int occluders(const Pose& ray, const Seen& seen, const Light& light) const;
-  // The number of surfaces between the light and a point of the world (m) that lies on no face.
+  // Returns the number of surfaces between the light and a world point (m) that lies on no face.
   int occluders(const Vec3& point, const Light& light) const;
 
  private:

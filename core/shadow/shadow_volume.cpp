@@ -14,7 +14,7 @@ namespace {
 
 uint32_t bits(float x) { return std::bit_cast<uint32_t>(x); }
 
-// Without the piece, so that a vertex whose piece changes stays where it is in the table.
+// Omits the piece, so that a vertex whose piece changes keeps its place in the table.
 uint64_t hash_of(const glm::vec3& at) {
   return hash_combine(uint64_t{bits(at.x)} << 32 | bits(at.y), bits(at.z));
 }
@@ -29,7 +29,7 @@ bool comes_before(const glm::vec3& a, const glm::vec3& b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// Sorts numbers below `count` and keeps each once: by a bit for each number where there are many.
+// Sorts numbers below `count` and removes repeats; large lists by one bit per number.
 void sort_unique(std::vector<uint32_t>& all, size_t count) {
   if (all.size() < count / 64) {
     std::sort(all.begin(), all.end());
@@ -125,7 +125,7 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
   return change;
 }
 
-// Whether the face is live and there, with the corners that it has in the mesh.
+// Returns true if the face is live, was added and has its corners of the mesh.
 bool ShadowCaster::stands_still(const Mesh& mesh, uint32_t face) const {
   if (!there(face) || !mesh.is_live(FaceId(face))) return false;
   const Triangle t = mesh.triangle(FaceId(face));
@@ -135,15 +135,15 @@ bool ShadowCaster::stands_still(const Mesh& mesh, uint32_t face) const {
   return true;
 }
 
-// Notes a face whose label is to be another one.
+// Appends the face to `out` if its label changes.
 void ShadowCaster::record_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const {
   const uint32_t from = vertices_[corner_[3 * face]].piece;
   if (from != label) out.push_back({face, from, label});
 }
 
-// Gives the vertices of faces that are only relabelled the new label, where no other face uses them;
-// meanwhile `uses` leaves those faces out. Returns the faces that must be taken away and added instead: those
-// at a vertex that keeps its label or gets another one.
+// Relabels the vertices of faces that are only relabelled if no other face uses them; `uses` temporarily
+// excludes those faces. Returns the faces to remove and add instead: those at a vertex that keeps its label
+// or gets another one.
 std::vector<uint32_t> ShadowCaster::relabel(std::span<const Relabelled> faces, Change& change) {
   std::vector<uint32_t> others;
   const auto for_each_corner = [&](const Relabelled& r, const auto& visit) {
@@ -169,8 +169,8 @@ std::vector<uint32_t> ShadowCaster::relabel(std::span<const Relabelled> faces, C
   return others;
 }
 
-// Leaves the vertex as it is where faces of that piece use another one at the same position. One that no face
-// uses takes over the old label, so that no two vertices have both in common.
+// No-op if faces of that piece use another vertex at the same position. An unused one takes over the old
+// label, so that no two vertices have the same position and label.
 void ShadowCaster::rename_vertex(uint32_t vertex, uint32_t piece) {
   Vertex& renamed = vertices_[vertex];
   const uint32_t other = known_vertex(renamed.at, piece);
@@ -339,8 +339,7 @@ int ShadowVolume::multiplicity(const ShadowCaster& caster, uint32_t edge) const 
     caster.for_each_face_on(edge, [&](uint32_t face, int along) { sum += signs_[face] * along; });
     return sum;
   }
-  // An edge that two polygons of a volume share does not belong to its silhouette, whatever their
-  // orientation.
+  // An edge shared by two polygons of a volume is not in its silhouette, whatever their orientation.
   int facing_sides = 0, facing_faces = 0, averted_sides = 0, averted_faces = 0;
   caster.for_each_face_on(edge, [&](uint32_t face, int along) {
     const int sign = signs_[face];

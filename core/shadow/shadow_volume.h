@@ -17,55 +17,56 @@
 
 namespace kerf {
 
-// The triangles of a body as shadow casters, independent of any light: the edge that each side of a triangle
-// lies on, identified by position alone. Half-edges cannot serve, because they have no edge of three faces.
+// The triangles of a body as shadow casters, independent of any light: for each side of a triangle the edge
+// it lies on, identified by position alone. Half-edges are unsuitable, because they have no edge of three
+// faces.
 //
-// Positions are those that the GPU draws: floats of a FloatFrame. Two corners are the same vertex if these
+// Positions are those drawn by the GPU: floats of a FloatFrame. Two corners are the same vertex if these
 // floats are equal to the bit (-0.0 counts as +0.0) and their faces belong to the same piece, so that a piece
-// can be drawn displaced or hidden. A triangle with two equal corners casts no shadow; of several triangles
-// with the same three corners only the one in the lowest slot casts.
+// can be drawn displaced or hidden. A triangle with two equal corners casts no shadow; of triangles with the
+// same three corners only the one in the lowest slot casts.
 //
 // The numbers of vertex and edge slots never decrease. Takes about 82 bytes per face.
 class ShadowCaster {
  public:
-  // By face slot the label that stands for the piece of a face where loose parts are drawn apart from it;
-  // faces beyond the end have the label of their piece.
+  // By face slot, the label that replaces a face's piece when loose parts are drawn separately; faces beyond
+  // the end have the label of their piece.
   using Labels = std::span<const uint32_t>;
 
   // Adds all live faces of the mesh. Expected linear time.
   ShadowCaster(const Mesh& mesh, const FloatFrame& frame, Labels labels = {});
-  // Makes a caster of all live faces, or fails with cancelled() when stopped. `progress` may be null.
+  // Builds a caster of all live faces; fails with cancelled() when stopped. `progress` may be null.
   static Result<ShadowCaster> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
   // The slots of faces and edges that update() changed, ascending, each once.
   struct Change {
     std::vector<uint32_t> faces, edges;
   };
-  // Brings these face slots up to date with the mesh; they may be new, dead or unchanged, and a slot that
-  // undo took away from the mesh is dead. `relabelled` are slots whose label alone may have changed since,
-  // which saves looking at their corners; slots that are listed in both are treated as the others. Expected
-  // time linear in the number of slots times the number of faces on their edges. Where all faces at a vertex
-  // get the same new label, the vertex and its edges keep their slots.
+  // Updates these face slots from the mesh; they may be new, dead or unchanged, and slots that undo removed
+  // from the mesh are dead. `relabelled` are slots whose label alone may have changed, which skips their
+  // corners; slots in both lists are updated fully. Expected time linear in the number of slots times the
+  // number of faces on their edges. If all faces at a vertex get the same new label, the vertex and its edges
+  // keep their slots.
   Change update(const Mesh& mesh, std::span<const uint32_t> slots, std::span<const uint32_t> relabelled = {},
                 Labels labels = {});
 
   uint32_t face_slots() const { return static_cast<uint32_t>(casts_.size()); }
   uint32_t edge_slots() const { return static_cast<uint32_t>(edges_.size()); }
 
-  // Whether the face exists and casts a shadow. Precondition: face < face_slots().
+  // Returns true if the face exists and casts a shadow. Precondition: face < face_slots().
   bool casts(uint32_t face) const {
     assert(face < face_slots());
     return casts_[face] != 0;
   }
-  // The corners of a face in the float frame, and its piece. Precondition: the face casts a shadow.
+  // Corners of a face in the float frame, and its piece. Precondition: the face casts a shadow.
   std::array<glm::vec3, 3> corners(uint32_t face) const;
   uint32_t piece(uint32_t face) const {
     assert(casts(face));
     return vertices_[corner_[3 * face]].piece;
   }
 
-  // The ends of an edge in the float frame. `low` precedes `high` in the lexicographic order of x, y and z,
-  // so that equal edges of different bodies and pieces are drawn identically to the bit.
+  // Ends of an edge in the float frame. `low` precedes `high` in the lexicographic order of x, y and z, so
+  // that equal edges of different bodies and pieces are drawn identically to the bit.
   struct Ends {
     glm::vec3 low, high;
     uint32_t piece;
@@ -73,8 +74,8 @@ class ShadowCaster {
   // Precondition: edge < edge_slots().
   Ends ends(uint32_t edge) const;
 
-  // Calls visit(face, along) for every triangle on the edge, whether it casts a shadow or not; `along` is 1
-  // if the triangle's boundary runs from low to high there, else -1. Precondition: edge < edge_slots().
+  // Calls visit(face, along) for every triangle on the edge, casting or not; `along` is 1 if the triangle's
+  // boundary runs from low to high there, else -1. Precondition: edge < edge_slots().
   template <typename Visit>
   void for_each_face_on(uint32_t edge, const Visit& visit) const {
     assert(edge < edge_slots());
@@ -94,9 +95,9 @@ class ShadowCaster {
   struct Vertex {
     glm::vec3 at;
     uint32_t piece;
-    uint32_t uses;  // corners of faces that are there
+    uint32_t uses;  // number of face corners
   };
-  // A face whose corners stay where they are while its label changes.
+  // A face that changes its label but not its corners.
   struct Relabelled {
     uint32_t face, from, to;
   };
@@ -107,13 +108,13 @@ class ShadowCaster {
   };
   // Side 3 f + i of face f runs from its corner i to its next corner.
   struct Side {
-    uint32_t edge;  // twice its edge, plus one if it runs from high to low
+    uint32_t edge;  // twice the edge, plus one if it runs from high to low
     uint32_t next;  // the next side on the same edge
   };
 
   explicit ShadowCaster(const FloatFrame& frame) : frame_(frame) {}
 
-  // Adds all faces of a mesh to an empty caster. Returns false if it was stopped.
+  // Adds all faces of a mesh to an empty caster. Returns false if stopped.
   bool add_all(const Mesh& mesh, Labels labels, const Progress* progress);
   void grow(uint32_t faces);
   uint32_t find_vertex(const Vec3& p, uint32_t piece);
@@ -125,8 +126,8 @@ class ShadowCaster {
   void record_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const;
   std::vector<uint32_t> relabel(std::span<const Relabelled> faces, Change& change);
   void rename_vertex(uint32_t vertex, uint32_t piece);
-  // add, put and find_copies leave in `copies_` the faces with the same corners as `face`, itself included;
-  // take_away leaves the others.
+  // add, put and find_copies set `copies_` to the faces with the same corners as `face`, including itself;
+  // take_away excludes it.
   void add(const Mesh& mesh, uint32_t face, Labels labels);
   void put(uint32_t face, const std::array<uint32_t, 3>& corners);
   void take_away(uint32_t face);
@@ -139,14 +140,14 @@ class ShadowCaster {
   FloatFrame frame_;
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
-  std::vector<uint32_t> corner_;  // three per face slot; kNone where there is no face that could cast
+  std::vector<uint32_t> corner_;  // three per face slot; kNone without a face that could cast
   std::vector<Side> sides_;       // three per face slot
   std::vector<uint8_t> casts_;    // by face slot
   KeyTable vertex_table_, edge_table_;
   std::vector<uint32_t> copies_;  // scratch memory
 };
 
-// How the shadow volume of a body is constructed.
+// Construction of the shadow volume of a body.
 enum class ShadowMethod {
   // The method of the paper: the polygons that face the light are the cap, and the edges that belong to
   // exactly one of them are the silhouette.
@@ -154,35 +155,34 @@ enum class ShadowMethod {
   // In addition the same for the polygons that face away from the light, the paper's method for hollow
   // meshes.
   kPaperTwoVolumes,
-  // Every polygon, oriented towards the light, spans a closed volume of its own; along each edge their sides
-  // are added with their signs. (G. Aldridge, E. Woods: Robust, geometry-independent shadow volumes, 2004,
-  // after P. Bergeron: A general version of Crow's shadow volumes, 1986.)
+  // Every polygon, oriented towards the light, spans its own closed volume; along each edge their sides are
+  // added with their signs (G. Aldridge, E. Woods: Robust, geometry-independent shadow volumes, 2004, after
+  // P. Bergeron: A general version of Crow's shadow volumes, 1986).
   kRobust,
 };
 
 // A light relative to one body, in the coordinates of the body's float frame.
 struct LightOnBody {
   LightPoint light;
-  // The light relative to each piece, by label, because pieces may be drawn displaced; nothing for a piece
-  // that is hidden and casts no shadow. For labels beyond the last one `light` holds.
+  // The light relative to each piece, by label, because pieces may be drawn displaced; nullopt for a hidden
+  // piece, which casts no shadow. Labels beyond the end use `light`.
   std::vector<std::optional<LightPoint>> pieces;
   friend bool operator==(const LightOnBody&, const LightOnBody&) = default;
 };
 
-// An edge of the silhouette and the number of sides of the volume that lie on it.
+// An edge of the silhouette and the number of sides of the volume on it.
 struct SilhouetteEdge {
   uint32_t edge = 0;  // slot of the caster
   // Never 0. If positive, the volume lies to the left of low -> high as seen from the light, if negative to
-  // the right. Its magnitude is 1 at the rim of a sheet, 2 at the contour of a closed surface, and any number
-  // where more than two triangles meet.
+  // the right. The magnitude is 1 at the rim of a sheet, 2 at the contour of a closed surface, and any number
+  // if more than two triangles meet.
   int multiplicity = 0;
   friend bool operator==(const SilhouetteEdge&, const SilhouetteEdge&) = default;
 };
 
-// The shadow volume of one body for one light: a sign for every face and a silhouette, which together with
-// the caster's positions suffice to draw it. For kRobust it is closed: at every vertex the multiplicities of
-// the edges that start there add up to those of the edges that end there. It does not depend on the
-// viewpoint.
+// The shadow volume of one body for one light: a sign for every face and a silhouette, which with the
+// caster's positions suffice to draw it. For kRobust it is closed: at every vertex the multiplicities of the
+// edges that start there add up to those of the edges that end there. It is independent of the viewpoint.
 class ShadowVolume {
  public:
   explicit ShadowVolume(ShadowMethod method = ShadowMethod::kRobust) : method_(method) {}
@@ -192,31 +192,30 @@ class ShadowVolume {
 
   // Computes the volume for a light. O(faces + edges).
   void rebuild(const ShadowCaster& caster, LightOnBody light);
-  // Follows a change that the caster's update() returned, for the same light. Precondition: rebuild() was
+  // Applies a change returned by the caster's update(), for the same light. Precondition: rebuild() was
   // called with this caster. O(size of the change times the number of faces on its edges).
   void follow(const ShadowCaster& caster, const ShadowCaster::Change& change);
 
-  // 1 if the triangle faces the light, -1 if it faces away, 0 if it casts no shadow or the light lies in its
-  // plane. Precondition: face < signs().size().
+  // Returns 1 if the triangle faces the light, -1 if it faces away, 0 if it casts no shadow or the light lies
+  // in its plane. Precondition: face < signs().size().
   int8_t sign(uint32_t face) const {
     assert(face < signs_.size());
     return signs_[face];
   }
   std::span<const int8_t> signs() const { return signs_; }
 
-  // The edges of the silhouette in unspecified order.
+  // Edges of the silhouette in unspecified order.
   std::span<const SilhouetteEdge> silhouette() const { return silhouette_; }
 
-  // The entries that were recomputed since the last call of take_touched(): the faces whose signs and the
-  // indices into silhouette() whose entries may have changed, perhaps repeated or beyond its end; or
-  // everything.
+  // Entries recomputed since the last take_touched(): faces whose signs, and indices into silhouette() whose
+  // entries may have changed, possibly repeated or beyond its end; or everything.
   struct Touched {
     bool all = true;
     std::vector<uint32_t> faces, places;
   };
   Touched take_touched();
 
-  // The numbers of faces and edges processed since the volume was constructed.
+  // Numbers of faces and edges processed since construction.
   struct Effort {
     uint64_t faces = 0, edges = 0;
   };
@@ -241,7 +240,7 @@ class ShadowVolume {
   Effort effort_;
 };
 
-// The side of the triangle's plane on which the light lies: the sign of (b - a) x (c - a) . (light - a).
+// Returns the side of the triangle's plane with the light: the sign of (b - a) x (c - a) . (light - a).
 int light_side(const std::array<glm::vec3, 3>& triangle, const LightPoint& light);
 
 }  // namespace kerf

@@ -114,7 +114,7 @@ GraphComponents find_components(const GraphLinks& links) {
 
 namespace {
 
-// Every piece but the first is connected, and of the first the counts of its components are kept.
+// Every piece but the first is connected; the first has counts of its components.
 size_t parts_of(const Body& body, uint32_t label) {
   if (label != 0 || body.components.left.empty()) return 1;
   size_t parts = 0;

@@ -27,18 +27,18 @@ struct ComponentGraph {
   std::vector<Edge> edges;       // ascending, each pair once
 };
 
-// The graph of all bodies, including hidden ones. At an edge of three or more faces each of them is linked
+// Returns the graph of all bodies, including hidden ones. At an edge of three or more faces each is linked
 // with each other one. Linear in the number of faces, and quadratic in the number of faces on one edge.
 ComponentGraph component_graph(const World& world);
 
-// The graph of some pieces only. Precondition: their bodies exist. Linear in the size of these bodies.
+// Returns the graph of some pieces. Precondition: their bodies exist. Linear in the size of these bodies.
 ComponentGraph component_graph(const World& world, std::span<const PieceId> pieces);
 
-// The links of a graph by node: those of node i are `linked` from index first[i] to first[i + 1], ascending.
+// The links of a graph by node, ascending.
 class GraphLinks {
  public:
   GraphLinks() = default;
-  // Precondition: every edge joins two different nodes below `nodes`. Linear time.
+  // Precondition: every edge joins two different nodes below `nodes`. O(n).
   GraphLinks(size_t nodes, std::span<const ComponentGraph::Edge> edges);
 
   size_t nodes() const { return first_.empty() ? 0 : first_.size() - 1; }
@@ -50,50 +50,49 @@ class GraphLinks {
   std::vector<uint32_t> first_, linked_;
 };
 
-// The test of the paper ("Laser Mesh Separation") of whether a mesh has been cut through: a breadth-first
-// search marks the nodes that can be reached from one of them. If it marks fewer than there are, the marked
-// and the unmarked nodes are two sets between which no link exists.
+// The test of the paper ("Laser Mesh Separation") whether a mesh has been cut through: a breadth-first search
+// marks the nodes reachable from one of them. If it does not mark all, no link exists between the marked and
+// the unmarked nodes.
 //
-// Kerf itself decides by the loops that a cut closes and searches only where one did (see CutLoops and
-// PartSearch); the traversal shows what the paper does, and the tests hold the two against each other.
+// Kerf itself decides by the loops that a cut closes, and searches only if one did (see CutLoops and
+// PartSearch); the traversal displays the method of the paper, and tests compare the two.
 struct Traversal {
   static constexpr uint32_t kNone = 0xffffffffu;
 
   std::vector<uint32_t> order;  // the nodes in the order in which they were marked, the start first
-  std::vector<uint32_t> from;   // by index of `order`: the node over whose link it was reached; kNone: start
+  std::vector<uint32_t> from;   // by index of `order`: the predecessor of the node; kNone: start
   std::vector<uint32_t> rank;   // by node: its index in `order`, or kNone if it was not reached
 
   size_t reached() const { return order.size(); }
 };
 
-// Traverses the graph from a node. The links of a node are followed in ascending order, so that the order is
-// a function of the graph alone. Precondition: start < links.nodes(). Linear time.
+// Traverses the graph from a node. Links are followed in ascending order, so that the result is a function of
+// the graph alone. Precondition: start < links.nodes(). O(n).
 Traversal traverse(const GraphLinks& links, uint32_t start);
 
-// The components of a graph: the result of traversals from the lowest node that none has reached yet, until
-// there is none left.
+// The components of a graph, by traversals from the lowest node not yet reached.
 struct GraphComponents {
   std::vector<uint32_t> of;    // by node: the number of its component, in the order of their lowest nodes
-  std::vector<uint32_t> size;  // by component: its nodes
+  std::vector<uint32_t> size;  // by component: number of nodes
 };
 GraphComponents find_components(const GraphLinks& links);
 
-// The reason why a piece stays where it is and in one.
+// The reason why a piece stays in place and in one part.
 enum class Holder {
-  kNothing,  // the piece came off: it only stays until it is moved or time passes
-  kItself,   // a body in one part, on which nothing else acts
-  kBody,     // several parts that are not connected; they move together because they are one body
+  kNothing,  // the piece is detached: it stays only until it is moved or time passes
+  kItself,   // a connected body on which nothing else acts
+  kBody,     // several unconnected parts of one body, which move together
   kPin,      // the body is pinned
 };
 
-// "nothing", "itself", "body" or "pin".
+// Returns "nothing", "itself", "body" or "pin".
 const char* name_of(Holder holder);
 
 // A node of the graph of pieces.
 struct PieceNode {
   PieceId piece;
-  // The piece from which it came off, as it is named at the position of the history, and the step that did
-  // it. Nothing for what is left of a body, and where it is not known (see HistoryStep::came_off).
+  // The piece from which it was cut off, by its id at the current history position, and the step that did it.
+  // nullopt for the remainder of a body, and if unknown (see HistoryStep::came_off).
   std::optional<PieceId> came_off;
   size_t step = 0;
   Holder held_by = Holder::kNothing;
@@ -101,7 +100,7 @@ struct PieceNode {
   size_t beside = 0;  // other pieces of the same body that have faces
 };
 
-// The pieces that have faces, ascending by piece, without what they came off. O(pieces + loaded components).
+// Returns the pieces that have faces, ascending, with `came_off` unset. O(pieces + loaded components).
 std::vector<PieceNode> piece_nodes(const World& world);
 
 }  // namespace kerf

@@ -113,7 +113,7 @@ std::optional<uint32_t> start_beside_cut(const CutGraph& graph) {
   std::optional<uint32_t> best;
   for (uint32_t node = 0; node < graph.live; ++node) {
     const auto linked = links.of(node);
-    if (linked.empty() || !graph.is_removed(linked.back())) continue;  // ascending: removed ones come last
+    if (linked.empty() || !graph.is_removed(linked.back())) continue;  // ascending: removed nodes are last
     if (!best || removed[whole.of[node]] > removed[whole.of[*best]]) best = node;
   }
   return best.value_or(0);
@@ -121,7 +121,7 @@ std::optional<uint32_t> start_beside_cut(const CutGraph& graph) {
 
 namespace {
 
-// The edges of the faces of one body that are removed so far. All borders of the mesh are one more vertex.
+// The edges of the faces of one body removed so far. All borders of the mesh are one additional vertex.
 class RemovedEdges {
  public:
   explicit RemovedEdges(const std::vector<CutFace>& faces) {
@@ -155,7 +155,7 @@ class RemovedEdges {
     linked_[b].push_back(a);
   }
 
-  // Links the ends of an edge, and those of the halves that it was split into.
+  // Links the ends of an edge, and of the halves that it was split into.
   void add(uint32_t a, uint32_t b) {
     link(a, b);
     const uint32_t middle = vertex_at(0.5 * places_[a] + 0.5 * places_[b]);
@@ -164,8 +164,8 @@ class RemovedEdges {
     add(middle, b);
   }
 
-  // The vertices of a shortest way between two vertices, which are included; empty if there is no way or the
-  // visits are used up.
+  // Returns the vertices of a shortest path including its ends; empty if there is none or the visits are used
+  // up.
   std::vector<uint32_t> way(uint32_t from, uint32_t to, size_t& visits) {
     ++search_;
     std::vector<uint32_t> queue{from};
@@ -204,7 +204,7 @@ class LoopFinder {
     }
   }
 
-  // Adds the faces in their order, the first of them as the removal after `before`.
+  // Adds the faces in order, the first as the removal after `before`.
   void find(size_t before, size_t& visits, std::vector<LoopPath>& out) {
     const std::vector<std::array<bool, 3>> open_of = find_open_edges();
     for (size_t k = 0; k < faces_.size(); ++k) {
@@ -233,7 +233,7 @@ class LoopFinder {
     return {edges_.vertex_at(f.corners[0]), edges_.vertex_at(f.corners[1]), edges_.vertex_at(f.corners[2])};
   }
 
-  // Whether a neighbour that was live then has both ends of an edge as corners, as far as is known.
+  // Returns true if a neighbour live at the removal has both ends of an edge as corners, as far as is known.
   bool is_beside(FaceId neighbour, const Vec3& a, const Vec3& b) const {
     const uint32_t cut = neighbour.index < cut_of_.size() ? cut_of_[neighbour.index] : kNoIndex;
     if (cut == kNoIndex && !body_.mesh.is_live(neighbour)) return false;
@@ -241,8 +241,8 @@ class LoopFinder {
     return std::find(t.begin(), t.end(), a) != t.end() && std::find(t.begin(), t.end(), b) != t.end();
   }
 
-  // By face, the edges over which it had live neighbours. Notes the vertices on borders, for a face may meet
-  // a border in a vertex before another one meets it in an edge.
+  // Returns by face the edges with a live neighbour. Records the vertices on borders in advance, because a
+  // face may meet a border in a vertex before another one meets it in an edge.
   std::vector<std::array<bool, 3>> find_open_edges() {
     on_border_.assign(edges_.border() + size_t{1}, false);
     std::vector<std::array<bool, 3>> open;

@@ -29,7 +29,7 @@ std::vector<ComponentGraph::Edge> edges_between(const GraphLinks& links, const s
   return edges;
 }
 
-// The linked cluster of the same kind to join: the smallest one, kNoIndex if there is none.
+// Returns the smallest linked cluster of the same kind, kNoIndex if there is none.
 uint32_t best_partner(const Round& round, UnionFind& joined, std::span<const uint32_t> size,
                       uint32_t cluster) {
   uint32_t best = kNoIndex;
@@ -40,7 +40,7 @@ uint32_t best_partner(const Round& round, UnionFind& joined, std::span<const uin
   return best;
 }
 
-// Joins each cluster with another one, the smallest first, until `most` are left. Returns how many are left.
+// Joins each cluster with another one, the smallest first, until `most` are left. Returns their number.
 size_t join_pairs(const Round& round, UnionFind& joined, size_t most) {
   const auto count = static_cast<uint32_t>(round.size.size());
   std::vector<uint32_t> order(count), size = round.size;
@@ -50,7 +50,7 @@ size_t join_pairs(const Round& round, UnionFind& joined, size_t most) {
   size_t left = count;
   for (uint32_t i = 0; i < count && left > most; ++i) {
     const uint32_t cluster = order[i];
-    if (size[joined.find(cluster)] > round.size[cluster]) continue;  // was joined in this round
+    if (size[joined.find(cluster)] > round.size[cluster]) continue;  // already joined in this round
     const uint32_t other = best_partner(round, joined, size, cluster);
     if (other == kNoIndex) continue;
     const uint32_t both = size[joined.find(cluster)] + size[joined.find(other)];
@@ -61,7 +61,7 @@ size_t join_pairs(const Round& round, UnionFind& joined, size_t most) {
   return left;
 }
 
-// The round after one in which clusters were joined.
+// Returns the next round, with the joined clusters as nodes.
 Round next_round(const GraphLinks& links, const Round& round, UnionFind& joined) {
   Round next;
   std::vector<uint32_t> number(round.size.size(), kNoIndex);
@@ -103,7 +103,7 @@ namespace {
 
 constexpr uint32_t kRemovedKind = kNoIndex - 1;
 
-// Nodes of a graph that are clustered by themselves.
+// Nodes of a graph to be clustered on their own.
 class Selection {
  public:
   Selection(const CutGraph& graph, std::vector<uint32_t> nodes) : nodes_(std::move(nodes)) {
@@ -119,7 +119,7 @@ class Selection {
 
   const std::vector<uint32_t>& nodes() const { return nodes_; }
 
-  // The cluster of each of the nodes.
+  // Returns the cluster of each node.
   std::vector<uint32_t> clusters(const std::vector<uint32_t>& kind_of, size_t most) const {
     std::vector<uint32_t> kind;
     for (const uint32_t node : nodes_) kind.push_back(kind_of[node]);
@@ -143,7 +143,7 @@ std::vector<uint32_t> all_of(const CutGraph& graph) {
   return all;
 }
 
-// The removed faces and those around them, breadth-first.
+// Returns the removed faces and those around them, breadth-first.
 std::vector<uint32_t> around_cut(const CutGraph& graph) {
   const size_t removed = graph.nodes.size() - graph.live;
   if (removed == 0) return all_of(graph);
@@ -201,7 +201,7 @@ class Clustering {
   size_t count_ = 0;
 };
 
-// By number of a cluster: whether it is among the kMost largest, or of equally large ones among the first.
+// Returns by cluster whether it is among the kMost largest; ties go to the lower number.
 std::vector<bool> largest(const Clustering& clustering) {
   std::vector<uint32_t> size(clustering.numbers(), 0), order(clustering.numbers());
   for (const uint32_t cluster : clustering.of()) {
@@ -237,12 +237,12 @@ std::vector<ComponentGraph::Edge> edges_between(const CutGraph& graph, const std
   return edges;
 }
 
-// The nodes of the scope by where they are: removed, live beside a removed one, and the others.
+// The nodes of the scope by zone: removed, live next to a removed one, and the others.
 using Zones = std::array<std::vector<uint32_t>, 3>;
 Zones zones_of(const CutGraph& graph, const std::vector<uint32_t>& nodes) {
   std::vector<bool> beside(graph.nodes.size(), false);
   for (const auto& [a, b] : graph.edges) {
-    if (graph.is_removed(b)) beside[a] = true;  // the second is the higher one
+    if (graph.is_removed(b)) beside[a] = true;  // b is the higher node
   }
   Zones zones;
   for (const uint32_t node : nodes)
@@ -250,7 +250,7 @@ Zones zones_of(const CutGraph& graph, const std::vector<uint32_t>& nodes) {
   return zones;
 }
 
-// Divides the nodes of a scope that has too many. What one zone does not need goes to the next.
+// Divides the nodes of an oversized scope. Each zone passes its unused share to the next.
 void divide_by_zones(Clustering& clustering, const CutGraph& graph, const std::vector<uint32_t>& nodes) {
   const Zones zones = zones_of(graph, nodes);
   size_t left = DrawnGraph::kMost / 2, shares = 5;

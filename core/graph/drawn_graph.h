@@ -11,93 +11,91 @@
 
 namespace kerf {
 
-// Joins linked nodes of one kind until at most `most` clusters are left, the smallest clusters first, so that
-// their sizes stay alike; fewer than `most` nodes are left apart. Nodes that no link joins stay apart, too:
-// the result has at least one cluster for each connected set of nodes of one kind, even if these are more
-// than `most`. The method is the coarsening of G. Karypis, V. Kumar: A fast and high quality multilevel
-// scheme for partitioning irregular graphs (1998), with the sizes of clusters in place of the weights of
-// edges.
+// Merges linked nodes of one kind until at most `most` clusters are left, the smallest first, so that their
+// sizes stay similar; fewer than `most` nodes are not merged. Nodes without a link stay separate: the result
+// has at least one cluster for each connected set of nodes of one kind, even if these exceed `most`. The
+// method is the coarsening of G. Karypis, V. Kumar: A fast and high quality multilevel scheme for
+// partitioning irregular graphs (1998), with cluster sizes in place of edge weights.
 //
-// Returns by node the cluster that it belongs to; a cluster is a connected set of nodes of one kind, and they
-// are numbered in the order of their lowest nodes. `kind` has one value for each node. Precondition:
-// kind.size() == links.nodes(). O(n log n) in nodes and links.
+// Returns the cluster of each node; a cluster is a connected set of nodes of one kind, and they are numbered
+// in the order of their lowest nodes. `kind` has one value for each node. Precondition: kind.size() ==
+// links.nodes(). O(n log n) in nodes and links.
 std::vector<uint32_t> cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most);
 
-// The part of the graph of a cut that is drawn: at most kMost nodes, each of them a face or a cluster of
-// linked faces of one set.
+// The displayed part of the graph of a cut: at most kMost nodes, each a face or a cluster of linked faces of
+// one set.
 struct DrawnGraph {
   static constexpr uint32_t kNone = CutTraversal::kNone;
   static constexpr size_t kMost = 2000;
 
   struct Node {
-    uint32_t lowest = 0;  // the lowest node of the CutGraph in it
+    uint32_t lowest = 0;  // its lowest node of the CutGraph
     GraphNode face;       // that node
     uint32_t faces = 0;
     bool removed = false;
-    uint32_t removed_at = kNone;  // of removed faces: how many removals came before the first of them
+    uint32_t removed_at = kNone;  // of removed faces: the number of removals before the first of them
     uint32_t set = kNone;         // of CutTraversal; kNone for removed faces
-    uint32_t marked_at = kNone;   // the rank at which the traversal marks the first of its faces
-    Vec3 middle{0};               // mean of the middles of its faces, m, in the world
+    uint32_t marked_at = kNone;   // rank of the first of its faces that the traversal marks
+    Vec3 middle{0};               // mean of the centres of its faces, in world coordinates [m]
   };
   std::vector<Node> nodes;                  // in the order of `lowest`
   std::vector<ComponentGraph::Edge> edges;  // ascending, each pair once
   std::vector<uint32_t> of;                 // by node of the CutGraph: the drawn node; kNone: not drawn
-  size_t reached = 0;                       // faces that the traversal reaches
-  size_t marked = kNone;                    // the first faces of the traversal that are drawn as marked
-  size_t removals = kNone;                  // the first removals that are drawn as done
-  std::vector<LoopPath> loops;              // that the removals closed, in their order
-  std::map<BodyId, Placement> placements;   // of the bodies, when the graph was made
+  size_t reached = 0;                       // number of faces that the traversal reaches
+  size_t marked = kNone;                    // number of the traversal's first faces drawn as marked
+  size_t removals = kNone;                  // number of the first removals drawn as done
+  std::vector<LoopPath> loops;              // closed by the removals, in order
+  std::map<BodyId, Placement> placements;   // of the bodies when the graph was made
 
-  // Where a point on a body is, in the world (m), that was at `point` when the graph was made: bodies move. A
-  // point of a body that no longer exists stays.
+  // Returns the current world position (m) of a point on a body that was at `point` when the graph was made;
+  // unchanged if the body no longer exists.
   Vec3 moved_with(BodyId body, const Vec3& point, const World& world) const;
 
-  // The state of a node for the traversal after its first `marked` faces.
+  // State of a node after the first `marked` faces of the traversal.
   enum class State {
     kRemoved,
-    kMarked,    // it was reached
-    kUnmarked,  // it was not reached or removed yet, or never hung together with the start
-    kApart,     // the traversal is over and has not reached it: it was separated
+    kMarked,    // reached
+    kUnmarked,  // not yet reached or removed, or never connected with the start
+    kApart,     // not reached by the finished traversal: separated
   };
   State state(const Node& node) const;
-  // Whether an edge leads to a face that is removed by then.
+  // Returns true if an edge leads to a face that is removed by then.
   bool is_cut(const ComponentGraph::Edge& edge) const;
 };
 
-// Which faces are drawn.
+// Scope of the drawn faces.
 enum class GraphScope {
-  kAroundCut,  // removed faces and about as many around them, or kMost; all if none were removed
+  kAroundCut,  // removed faces and about as many around them, or kMost; all faces without removals
   kWhole,
 };
 
-// Chooses what is drawn. More than kMost faces are joined to clusters (see cluster_nodes), half as many as
-// kMost; of these at most a fifth are removed faces and, where there are so many, two fifths lie beside them.
-// The clusters that hold the nodes of `opened` are then divided, in this order, as long as there is
-// room. Of more unconnected parts than kMost the largest are drawn. O(n log n) in the faces of the scope,
-// plus linear time in the graph.
+// Selects the nodes to draw. More than kMost faces are merged into half as many clusters (see cluster_nodes),
+// of which at most a fifth are removed faces and, if there are enough, two fifths are adjacent to them. The
+// clusters with the nodes of `opened` are then divided, in this order, while there is room. Of more
+// unconnected parts than kMost the largest are drawn. O(n log n) in the faces of the scope, plus linear time
+// in the graph.
 DrawnGraph draw_graph(const CutGraph& graph, const CutTraversal& traversal, GraphScope scope,
                       std::span<const uint32_t> opened = {});
 
-// Places of nodes in a plane, one for each node of a drawn graph. The plane is scaled so that the larger side
-// of their bounding box is from -1 to 1 and the smaller one is centred.
+// Positions in a plane, one for each node of a drawn graph, scaled so that the larger side of their bounding
+// box extends from -1 to 1 and the smaller one is centred.
 using GraphLayout = std::vector<Vec2>;
 
-// Where the nodes are in space, projected onto a plane: that of the two directions in which the nodes extend
-// most (principal components: K. Pearson: On lines and planes of closest fit to systems of points in space,
-// 1901). Linear time.
+// Projects the positions of the nodes onto the plane in which they extend most (principal components: K.
+// Pearson: On lines and planes of closest fit to systems of points in space, 1901). O(n).
 GraphLayout lay_out_by_position(const DrawnGraph& graph);
 
-// Unrolled along the cut, where the removed faces run around: as if the nodes lay on a ring around the middle
-// of the removed faces, which is opened at its widest gap. From left to right is the way around, and upwards
-// the distance from the cut, with one of its sides above and the other below; the height is stretched to two
-// fifths of the width where it is less. Nothing where the removed faces leave a gap of a quarter turn or run
-// through the middle: such a cut is seen as a whole by position. O(n log n).
+// Unrolls the nodes along the cut if the removed faces run around: as if the nodes lay on a ring around the
+// middle of the removed faces, opened at its widest gap. The horizontal axis is the path around, the vertical
+// axis the distance from the cut, with one side above and the other below, stretched to a height of at least
+// two fifths of the width. Returns nullopt if the removed faces leave a gap of a quarter turn or run through
+// the middle: the layout by position shows such a cut as a whole. O(n log n).
 std::optional<GraphLayout> lay_out_unrolled(const DrawnGraph& graph);
 
-// As if links were springs and nodes repelled each other (T. M. J. Fruchterman, E. M. Reingold: Graph drawing
-// by force-directed placement, 1991; nodes farther apart than two lengths of a spring do not repel). Starts
-// from the layout by position and takes a fixed number of turns, so that the result is a function of the
-// graph. O(turns * (nodes + links)) if the nodes spread evenly; at most quadratic in the nodes.
+// Lays out the nodes with links as springs and repulsion between nodes (T. M. J. Fruchterman, E. M. Reingold:
+// Graph drawing by force-directed placement, 1991; nodes farther apart than two spring lengths do not repel).
+// Starts from the layout by position and runs a fixed number of iterations, so that the result is a function
+// of the graph. O(iterations * (nodes + links)) if the nodes spread evenly; at most quadratic in the nodes.
 GraphLayout lay_out_by_force(const DrawnGraph& graph);
 
 }  // namespace kerf

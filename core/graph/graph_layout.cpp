@@ -14,7 +14,7 @@ namespace {
 using Matrix3 = std::array<std::array<double, 3>, 3>;  // rows
 
 constexpr int kSweeps = 12;       // of Jacobi's method, which converges quadratically
-constexpr int kTurns = 120;       // of the forces
+constexpr int kTurns = 120;       // iterations of the forces
 constexpr double kJitter = 1e-3;  // of the side of the layout, so that no two nodes coincide
 
 std::vector<Vec3> middles_of(const DrawnGraph& graph, bool only_removed) {
@@ -42,7 +42,7 @@ Matrix3 covariance(const std::vector<Vec3>& points, const Vec3& mean) {
   return sum;
 }
 
-// One rotation of Jacobi's method: makes m[p][q] zero and turns the columns of `axes` with it.
+// One rotation of Jacobi's method: zeroes m[p][q] and rotates the columns of `axes` accordingly.
 void rotate(Matrix3& m, Matrix3& axes, size_t p, size_t q) {
   if (m[p][q] == 0) return;
   const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
@@ -65,8 +65,8 @@ void rotate(Matrix3& m, Matrix3& axes, size_t p, size_t q) {
   }
 }
 
-// The eigenvectors of a symmetric matrix, that of the largest eigenvalue first, each turned so that its
-// largest component is positive.
+// Returns the eigenvectors of a symmetric matrix, that of the largest eigenvalue first, each with a positive
+// largest component.
 std::array<Vec3, 3> main_directions(Matrix3 m) {
   Matrix3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -88,7 +88,7 @@ std::array<Vec3, 3> main_directions(Matrix3 m) {
   return directions;
 }
 
-// Scales a layout to its square.
+// Scales a layout to the square [-1, 1]^2.
 void fit(GraphLayout& places) {
   if (places.empty()) return;
   Vec2 low = places[0], high = places[0];
@@ -101,12 +101,12 @@ void fit(GraphLayout& places) {
   for (Vec2& p : places) p = side > 0 ? (p - middle) * (2 / side) : Vec2(0);
 }
 
-// The square cells into which nodes are sorted, so that near ones are found.
+// A grid of square cells of nodes, to find nearby ones.
 class Cells {
  public:
   static constexpr int kMaxCells = 64;  // a side
 
-  // Cells at least so wide over all places. Precondition: there is a place, and width > 0.
+  // Covers all places by cells of at least this width. Precondition: there is a place, and width > 0.
   Cells(const GraphLayout& places, double width) : low_(places[0]) {
     Vec2 high = places[0];
     for (const Vec2& p : places) {
@@ -119,7 +119,7 @@ class Cells {
       in_[at(column(places[i].x, low_.x), column(places[i].y, low_.y))].push_back(i);
   }
 
-  // Calls visit(node) for all nodes that are nearer to a place than the width of a cell, and some others.
+  // Calls visit(node) for all nodes nearer to a place than the width of a cell, and some others.
   template <typename Visit>
   void for_each_near(const Vec2& place, const Visit& visit) const {
     const int x = column(place.x, low_.x), y = column(place.y, low_.y);
@@ -149,7 +149,7 @@ class Forces {
         force_(places.size()),
         spring_(2 / std::sqrt(static_cast<double>(places.size()))) {}
 
-  // Moves each node by its force, but at most so far.
+  // Moves each node by its force, at most by `farthest`.
   void turn(double farthest) {
     std::fill(force_.begin(), force_.end(), Vec2(0));
     const Cells cells(places_, 2 * spring_);
@@ -204,14 +204,14 @@ class Ring {
     }
   }
 
-  // Whether the removed faces run around: the widest gap between them is less than a quarter turn, and few of
-  // them are near the middle, through which a cut across a sheet runs.
+  // Returns true if the removed faces run around: the widest gap between them is less than a quarter turn,
+  // and few of them are near the middle, through which a cut across a sheet runs.
   bool is_round() const {
     return radius_ > 0 && gap_ < kTurn / 4 &&
            static_cast<double>(inside_) < 0.05 * static_cast<double>(turns_.size());
   }
-  // The place of a point on the unrolled ring, as multiples of its radius: the way around from the seam, and
-  // the distance from the ring, which is negative on one side.
+  // Returns the position of a point on the unrolled ring in radii: the path around from the seam, and the
+  // signed distance from the ring.
   Vec2 unrolled(const Vec3& p) const {
     double turn = turn_of(p) - seam_;
     while (turn < 0) turn += kTurn;

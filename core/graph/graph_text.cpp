@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kColours = 12;  // of Graphviz's colour scheme set312
 
-// The numbers of a body and of its first face and piece.
+// Numbers of a body and of its first face and piece.
 struct FirstNumbers {
   size_t body = 0, face = 0, piece = 0;
 };
@@ -29,7 +29,7 @@ std::map<BodyId, FirstNumbers> number_bodies(const World& world) {
   return all;
 }
 
-// The numbers in the text.
+// Numbers used in the text.
 class Numbers {
  public:
   explicit Numbers(const World& world) : first_(number_bodies(world)) {}
@@ -37,7 +37,7 @@ class Numbers {
   size_t body(BodyId id) const { return first_.at(id).body; }
   size_t face(const GraphNode& n) const { return first_.at(n.body).face + n.face.index; }
   size_t piece(const PieceId& p) const { return first_.at(p.body).piece + p.label; }
-  // The row of the piece that a piece came off, if the body of that one is still there.
+  // Returns the row of the piece that a piece was cut off, if the body of that one still exists.
   std::optional<size_t> came_off(const PieceNode& node) const {
     if (!node.came_off || !first_.contains(node.came_off->body)) return std::nullopt;
     return piece(*node.came_off);

@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-// Sets how often a face's area was halved, after its area became another share of that of its base face.
+// Updates the number of halvings of a face after its area changed relative to that of its base face.
 void follow_area(FaceData& data, double area_before, double area_now) {
   if (!(area_before > 0 && area_now > 0)) return;
   int halvings = 0;
@@ -39,7 +39,7 @@ BodyEdit::~BodyEdit() {
   refit_tree();
 }
 
-// Area that the faces lose, whether with a face or by a move of a vertex, counts as removed.
+// Area lost with a face or by a vertex move counts as removed.
 void BodyEdit::count(FaceId f, int faces, double area) {
   body_->count(f, faces, area);
   removed_area_ -= area;
@@ -88,7 +88,7 @@ void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& a
   record_splits(first_split);
 }
 
-// The counts and the graph follow at once: what is moved or turned next is told to them too.
+// Updates the counts and the separation state at once, because they also receive later moves and flips.
 void BodyEdit::record_splits(size_t first) {
   for (size_t i = first; i < splits_.size(); ++i) {
     const Replacement& r = splits_[i];
@@ -183,7 +183,7 @@ std::vector<FaceId> BodyEdit::add_walls(FaceAddition& addition, std::span<const 
   return added;
 }
 
-// The tree knows the vertices of faces.
+// The tree stores the vertices of faces, so that the changed faces must be refitted.
 bool BodyEdit::part_fans(FaceAddition& addition, size_t most) {
   return addition.part_fans(body_->mesh, most, moved_);
 }
@@ -196,7 +196,7 @@ void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
   mesh().append_edge_sides(f, from, to, sides);
   KERF_ASSERT(sides.size() == 1);
   const std::array<FaceId, 2> faces{f, sides[0].face};
-  // While pieces get their labels, the two may belong to different ones.
+  // While a search assigns labels, the two may belong to different pieces.
   const bool one_piece = mesh().data(faces[0]).piece == mesh().data(faces[1]).piece;
   std::array<double, 2> before;
   for (size_t i = 0; i < 2; ++i) {

@@ -10,20 +10,18 @@
 
 namespace kerf {
 
-// All edits of the faces of a body, i.e. splitting, removing, flipping and moving, go through this class. It
-// keeps everything that depends on faces consistent: the mesh with its columns, green pairs (OneToFour), the
-// tree, the counts, areas and moments of pieces, the state from which separated parts are found, and the
-// delta.
+// All edits of the faces of a body, i.e. splitting, removing, flipping and moving, use this class. It keeps
+// everything that depends on faces consistent: the mesh with its columns, green pairs (OneToFour), the tree,
+// the counts, areas and moments of pieces, the separation state, and the delta.
 //
-// The tree is updated late, because that is faster for many faces at once. Call update_tree() after splits
-// and after removals, and refit_tree() after the last vertex was moved or edge flipped. Queries of the tree
-// are allowed in between. The destructor makes pending updates, so that the body is consistent whatever ended
-// the edit.
+// The tree is updated in batches, which is faster for many faces. Call update_tree() after splits and after
+// removals, and refit_tree() after the last vertex move or edge flip. Queries of the tree are allowed in
+// between. The destructor makes pending updates, so that the body is consistent however the edit ended.
 //
 // Precondition of every function that takes faces: they are live, and given vertices are corners of them.
 class BodyEdit {
  public:
-  // Preconditions: `body` outlives the edit, and nothing else edits its faces meanwhile.
+  // Preconditions: `body` outlives the edit, and no other code edits its faces meanwhile.
   explicit BodyEdit(Body& body) : body_(&body) {}
   ~BodyEdit();
   BodyEdit(BodyEdit&&) noexcept = default;
@@ -33,32 +31,29 @@ class BodyEdit {
   const Mesh& mesh() const { return body_->mesh; }
 
   // Splits the element of f into four (OneToFour::split), or bisects f at its longest edge
-  // (bisect_longest_edge), with all faces that have to follow. Does nothing if f is so small that midpoints
-  // round to corners.
+  // (bisect_longest_edge), with all dependent faces. No-op if f is so small that midpoints round to corners.
   void split_in_four(FaceId f);
   void bisect_at_longest_edge(FaceId f);
   // Splits the edge of f from corner `from` to its next corner `to`, with all faces on it. Appends one entry
   // per face. Precondition: `at` is a point of the edge and neither of its ends.
   void split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<Mesh::FaceSplit>& out);
-  // The replacements of faces that were split since the last update_tree(), in their order.
+  // Replacements of faces split since the last update_tree(), in order.
   std::span<const Replacement> splits() const { return splits_; }
 
-  // Removes those of the faces that are still live, updates the counts of their pieces and reports them to
-  // the graph. Precondition: update_tree() was called after the last split.
+  // Removes the faces that are still live, updates the counts of their pieces and reports them to the
+  // separation state. Precondition: update_tree() was called after the last split.
   void remove(std::span<const FaceId> faces);
 
   // Adds the next faces of an addition as walls (see WallFaces), each with the label and the loaded part of
-  // the face `beside` it. Their material is cut_material(), or that of this face where the body has none.
-  // Returns them. Precondition: the body is settled.
+  // its adjacent face in the list, and returns them. Their material is cut_material(), or that of this face
+  // if the body has none. Precondition: the body is settled.
   std::vector<FaceId> add_walls(FaceAddition& addition, std::span<const FaceId> beside);
-  // Calls FaceAddition::part_fans.
   bool part_fans(FaceAddition& addition, size_t most);
-  // Adds a vertex for them.
+  // Adds a vertex for walls.
   VertexId add_vertex(const Vec3& position) { return body_->mesh.add_vertex(position); }
-  // Makes the connected parts of two faces that a wall has joined one part. Precondition: their labels are
-  // equal.
+  // Merges the connected parts of two faces that a wall has joined. Precondition: their labels are equal.
   void join_parts(FaceId a, FaceId b) { kerf::join_parts(*body_, a, b); }
-  // Makes the next calls of separate() search for parts from these faces, whatever was removed.
+  // Makes the next calls of separate() search for parts from these faces, regardless of removals.
   void search_from(std::span<const FaceId> faces) { kerf::search_from(*body_, faces); }
 
   // Flips the edge between f and its neighbour. Preconditions: Mesh::can_flip_edge(), and both faces are
@@ -68,36 +63,35 @@ class BodyEdit {
   // Moves a vertex. Precondition: `around` is its complete star (Mesh::Star::alone).
   void move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around);
 
-  // Extracts whole pieces from the body. Their faces do not count as removed by a beam: nothing is separated
-  // by it, and the delta does not include them. Preconditions: `faces` are all faces of these pieces,
-  // ascending, and the body is settled.
+  // Extracts whole pieces from the body. The faces do not count as removed by a beam: they separate nothing
+  // and are not in the delta. Preconditions: `faces` are all faces of these pieces, ascending, and the body
+  // is settled.
   void take_out(std::span<const FaceId> faces);
 
   // Updates the tree for the splits or the removals since the last call.
   void update_tree();
-  // Fits the boxes of the tree to faces whose corners have changed.
+  // Refits the boxes of the tree to faces whose corners have changed.
   void refit_tree();
 
   // Calls AabbTree::touched and sets FaceData::hit of the faces whose boxes it met.
   QueryCounts touched(const SweptCylinder& beam, std::vector<FaceId>& out);
-  // Clears FaceData::hit of a face.
   void clear_hit(FaceId f);
 
   // Searches for separated parts (see settle), visiting about `most` faces. Returns the number of faces
   // visited and relabelled.
   size_t separate(size_t most, EditPolicy policy = EditPolicy::kAllowEdits);
 
-  // The number of faces that splits have created, minus those that were split.
+  // Number of faces created by splits, minus those split.
   size_t faces_made() const { return faces_made_; }
   size_t removed_faces() const { return removed_faces_; }
-  // The area that the body has lost (m^2); see Delta::removed_area.
+  // Area lost by the body (m^2); see Delta::removed_area.
   double removed_area() const { return removed_area_; }
-  // The walls that were added, and the volume that a solid body has lost.
+  // Walls added, and volume lost by a solid body.
   const SolidChange& solid() const { return solid_; }
 
-  // Whether the edit changed anything that a delta contains.
+  // Returns true if the edit changed anything that a delta contains.
   bool any() const { return !edited_.empty() || !relabelled_.empty() || !new_pieces_.empty(); }
-  // Returns the changes so far as the delta of the body with this id. Later changes belong to the next delta.
+  // Returns the changes so far as the delta of the body with this id, and starts the next delta.
   BodyDelta take_delta(BodyId id);
 
  private:
@@ -111,7 +105,7 @@ class BodyEdit {
   Body* body_;
   std::vector<Replacement> splits_;  // not applied to the tree yet
   std::vector<FaceId> removed_;      // likewise
-  std::vector<FaceId> moved_;        // faces whose boxes have to be fitted, with repeats
+  std::vector<FaceId> moved_;        // faces whose boxes must be refitted, with repeats
   std::vector<FaceId> edited_;       // slots that were created, reused or removed, with repeats
   std::vector<FaceId> relabelled_;
   std::vector<uint32_t> new_pieces_;

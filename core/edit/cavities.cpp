@@ -53,7 +53,7 @@ struct Enclosed {
   FaceId lowest;
 };
 
-// By component: what its faces that are at home enclose.
+// Returns by component the volume that its faces at home enclose.
 std::vector<Enclosed> components_of(const Body& body) {
   std::vector<Enclosed> all(body.components.left.size());
   const Vec3 o = body.middle();
@@ -74,8 +74,8 @@ bool is_cavity(const Body& body, const std::vector<Enclosed>& components, FaceId
   return component != LoadedComponents::kNone && components[component].volume < 0;
 }
 
-// The label of the piece around a cavity: that which a ray from a face of it, into the material behind that
-// face, leaves once more than it enters. `own` if there is none.
+// Returns the label of the piece around a cavity: that which a ray from a face of it, into the material
+// behind that face, leaves once more than it enters; `own` if there is none.
 uint32_t label_around(const Body& body, const std::vector<Enclosed>& components, FaceId f, uint32_t own) {
   const Triangle t = body.mesh.triangle(f);
   const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);

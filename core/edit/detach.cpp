@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-// The remains of the loaded components, for faces that were copied out.
+// Returns the remaining loaded components of faces that were copied out.
 LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
   LoadedComponents own;
   if (body.components.left.empty()) return own;
@@ -25,7 +25,7 @@ LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<con
   return own;
 }
 
-// Where the base faces of faces that were copied out were loaded.
+// Returns the loaded faces of the base faces of copied faces.
 std::vector<FaceId> loaded_faces_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
   std::vector<FaceId> loaded(faces.size());
   for (uint32_t f = 0; f < faces.size(); ++f)
@@ -33,14 +33,14 @@ std::vector<FaceId> loaded_faces_of(const Mesh& copy, const Body& body, std::spa
   return loaded;
 }
 
-// The base faces of the copy stand for those beside its walls.
+// Makes the base faces of the copy the adjacent faces of its walls.
 void keep_walls(Body& copy) {
   copy.mesh.columns().for_each_set(copy.walls.beside_of,
                                    [&](FaceId f) { copy.walls.set(copy.mesh, f, copy.mesh.data(f).base); });
 }
 
-// Gives the body of a piece the name of the piece, if it has one of its own, so that what comes off it later
-// is named after it. Returns whether it has.
+// Names the body after the piece if that has a custom name, so that pieces cut off later are named after it.
+// Returns true if it has.
 bool name_after(Body& body, uint32_t label) {
   const auto given = body.piece_names.find(label);
   if (given == body.piece_names.end()) return false;

@@ -43,7 +43,7 @@ void PartSearch::leave_out_largest(std::vector<uint32_t>& parts) const {
   if (stays != parts.end()) parts.erase(stays);
 }
 
-// The counts are transferred at once; relabel() transfers the faces and their moments one by one.
+// Transfers the counts at once; relabel() transfers the faces and their moments one by one.
 void PartSearch::give_label(uint32_t part, SettleResult& result) {
   const SearchFront& front = search_.fronts[part];
   const FaceId seed = search_.seed[part];
@@ -59,19 +59,19 @@ void PartSearch::give_label(uint32_t part, SettleResult& result) {
   body_.pieces.push_back({{front.faces, front.area}, {}, {front.faces, front.area}});
 }
 
-// Relabels faces in the order of their slots. Returns whether all have their labels.
+// Relabels faces in slot order. Returns true if all have their labels.
 bool PartSearch::relabel(size_t most, SettleResult& result) {
   const bool complete = find_unlabelled(most - std::min(most, result.relabelled.size()));
   moved_from_.clear();
   const size_t first = result.relabelled.size();
   for (const FaceId f : unlabelled_) {
     const uint32_t label = search_.label_to_be(f);
-    if (body_.mesh.data(f).piece == label) continue;  // labelled with the other half of its pair
+    if (body_.mesh.data(f).piece == label) continue;  // already labelled with the other half of its pair
     if (body_.mesh.data(f).element == FaceData::kNoElement) {
       take_label(f, label, result);
       continue;
     }
-    // Both halves of a green pair at once: the faces that replace the pair take area from both.
+    // Relabels both halves of a green pair at once: the faces that replace the pair take area from both.
     const OneToFour::Element pair = body_.refinement.element(body_.mesh, f);
     for (int i = 0; i < pair.face_count; ++i) take_label(pair.faces[i], label, result);
   }
@@ -87,7 +87,7 @@ void PartSearch::take_label(FaceId f, uint32_t label, SettleResult& result) {
   result.relabelled.push_back(f);
 }
 
-// Moves the moments of faces that have their labels already from the pieces that they were moved from.
+// Moves the moments of relabelled faces from their former pieces.
 void PartSearch::move_moments(std::span<const FaceId> faces) {
   const std::span<const Triangle> triangles = walk_.triangles(faces);
   const Vec3 origin = body_.middle();
@@ -103,7 +103,7 @@ void PartSearch::move_moments(std::span<const FaceId> faces) {
   }
 }
 
-// Makes `unlabelled_` the next faces that lack their label, `most` at most. Returns whether these are the
+// Sets `unlabelled_` to the next faces without their label, at most `most`. Returns true if they are the
 // last.
 bool PartSearch::find_unlabelled(size_t most) {
   constexpr uint32_t kPage = PagedArray<uint32_t>::kPage;

@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-// The faces of all ties, each once. Leaves the place of each in the list plus one in `place`.
+// Returns the faces of all ties, each once, and sets `place` to the place of each in the list plus one.
 std::vector<FaceId> faces_of(std::span<const std::pair<FaceId, FaceId>> ties, PagedArray<uint32_t>& place) {
   std::vector<FaceId> faces;
   const auto add = [&](FaceId f) {
@@ -40,7 +40,7 @@ namespace {
 
 constexpr uint32_t kFrontierSamples = 64, kFaceSamples = 256;
 
-// The mean of corners of the frontier's live faces.
+// Returns the mean of corners of the frontier's live faces.
 Vec3 middle_of(const Mesh& mesh, const SearchFront& front) {
   Vec3 sum(0);
   size_t count = 0;
@@ -79,9 +79,9 @@ uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b) {
 
 namespace {
 
-constexpr size_t kLongestTurn = 128;  // faces visited in one turn at most
-constexpr size_t kLarge = 4096;       // number of faces visited from which on a front is large
-constexpr size_t kHandicap = 4;       // of the number of faces visited, for a front that is likely larger
+constexpr size_t kLongestTurn = 128;  // maximum number of faces visited in one turn
+constexpr size_t kLarge = 4096;       // minimum number of visited faces of a large front
+constexpr size_t kHandicap = 4;       // factor of the visited faces of a likely larger front
 
 }  // namespace
 
@@ -171,8 +171,8 @@ void PartSearch::record_replaced(const Replacement& replaced) {
   }
 }
 
-// The area that each half of a green pair had before four faces of equal areas replaced the pair, of which
-// some may have been bisected already, but not all.
+// Returns the area that each half of a green pair had before four faces of equal areas replaced the pair, of
+// which some, but not all, may have been bisected already.
 double PartSearch::half_of(const Replacement& replaced) const {
   KERF_ASSERT(replaced.gone_count == 2 && replaced.born_count == 4);
   double quarter = 0;
@@ -188,8 +188,8 @@ void PartSearch::record_looked_at(FaceId f, uint32_t mark, double area) {
   front.area += area;
 }
 
-// The neighbours of a removed face that no front has visited belong to the front that has reached the face,
-// or that has reached one of its neighbours without visiting it.
+// Assigns the neighbours of an unvisited removed face to the front that has reached the face, or has reached
+// one of its neighbours without visiting it.
 void PartSearch::record_removed_part(FaceId f) {
   if (search_.stage != OpenSearch::Stage::kGrow) return;
   uint32_t mark = search_.mark.get(f.index);
@@ -254,13 +254,12 @@ void PartSearch::merge(uint32_t a, uint32_t b) {
   queue(into);
 }
 
-// Unites the groups of two fronts that met. Neither front was exhausted, else it would have reached the
-// other.
+// Unites the groups of two fronts that met. Neither was exhausted, else it would have reached the other.
 void PartSearch::unite_groups(uint32_t a, uint32_t b) {
   a = root(search_.group_parent, a);
   b = root(search_.group_parent, b);
   if (a != b) search_.group_parent[b] = a;
-  if (open_.empty()) return;  // between two calls of settle(); the next one counts open fronts anew
+  if (open_.empty()) return;  // between two calls of settle(); the next one recounts open fronts
   if (a != b) open_[a] += open_[b];
   assert(open_[a] > 0);
   --open_[a];
@@ -311,8 +310,8 @@ size_t PartSearch::rank_of(uint32_t front) const {
 }
 
 // Estimates which of the last two fronts of a component is the larger part, if `front` is one of them and
-// both are large. Returns whether `front` has to wait. Only a component of which no part was found yet is
-// considered: the order in which its last two fronts grow then decides nothing, even where they meet.
+// both are large. Returns true if `front` must wait. Skips components with a part already found, in which the
+// growth order of the last two fronts may affect the result.
 bool PartSearch::compare(uint32_t front) {
   SearchFront& own = search_.fronts[front];
   if (!compares_ || own.compared || own.looked_at < kLarge) return false;
@@ -326,7 +325,7 @@ bool PartSearch::compare(uint32_t front) {
   return larger == front;
 }
 
-// The only other front of the same component that grows; kNoIndex if there is none or more than one.
+// Returns the only other growing front of the same component; kNoIndex if there is none or more than one.
 uint32_t PartSearch::only_other(uint32_t front) const {
   const FaceCounts* whole = &body_.whole_of(search_.seed[front]);
   uint32_t other = kNoIndex;
@@ -339,7 +338,7 @@ uint32_t PartSearch::only_other(uint32_t front) const {
   return other;
 }
 
-// Returns whether no front has to advance any more.
+// Returns true if no front needs to advance.
 bool PartSearch::grow(size_t most, SettleResult& result) {
   sum_up();
   while (!turns_.empty()) {
@@ -354,8 +353,8 @@ bool PartSearch::grow(size_t most, SettleResult& result) {
   return true;
 }
 
-// Finds the neighbours of all faces of the turn before it reaches any of them, and prefetches what the next
-// turn needs, so that memory accesses overlap.
+// Finds the neighbours of all faces of the turn before reaching any of them, and prefetches data for the next
+// turn, so that memory accesses overlap.
 size_t PartSearch::take_turn(uint32_t front, size_t faces) {
   take_from(search_.fronts[front], faces);
   walk_.visit(turn_);
@@ -382,8 +381,8 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
   return turn_.size();
 }
 
-// Takes the oldest faces of the frontier, so that fronts near one another meet soon. A large front takes the
-// newest ones, which lie close together in memory.
+// Takes the oldest faces of the frontier, so that nearby fronts meet soon. A large front takes the newest
+// ones, which are adjacent in memory.
 void PartSearch::take_from(SearchFront& front, size_t faces) {
   faces = std::min(faces, front.frontier.size() - front.next);
   const auto taken = static_cast<std::ptrdiff_t>(faces);

@@ -15,17 +15,16 @@
 
 namespace kerf {
 
-// The connected components of a graph of faces whose edges are ties. A tie is a pair of a removed face and
-// one of its former neighbours.
+// The connected components of a graph of faces whose edges are ties, i.e. pairs of a removed face and one of
+// its former neighbours.
 class TieClusters {
  public:
-  // Linear time. All items of `scratch` must be 0, and are 0 afterwards.
+  // O(n). All items of `scratch` must be 0, and are 0 afterwards.
   TieClusters(std::span<const std::pair<FaceId, FaceId>> ties, PagedArray<uint32_t>& scratch);
 
-  // The faces of all ties, each once, in the order in which they first appear.
+  // Faces of all ties, each once, in order of first appearance.
   std::span<const FaceId> faces() const { return faces_; }
-  // The cluster of faces()[place], named by the place of its first face. Precondition: place <
-  // faces().size().
+  // Returns the cluster of faces()[place]: the place of its first face. Precondition: place < faces().size().
   uint32_t cluster(uint32_t place) {
     assert(place < faces_.size());
     return together_.find(place);
@@ -36,22 +35,22 @@ class TieClusters {
   UnionFind together_;
 };
 
-// Estimates which of two fronts of the open search of a body will turn out to be the larger part: faces that
-// are sampled over the component belong to the front that has reached them, or else to the one whose frontier
-// is nearer in the mean. Preconditions: both fronts grow in one component, and both have a frontier. Reads a
-// few hundred faces. Private to core/edit.
+// Estimates which of two fronts of the open search of a body will become the larger part: faces sampled over
+// the component belong to the front that has reached them, or else to the one whose frontier is nearer in the
+// mean. Preconditions: both fronts grow in one component, and both have a frontier. Reads a few hundred
+// faces.
 uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b);
 
 // Searches for the parts into which components were separated. A front of faces spreads breadth-first from
-// every former neighbour of a removed face, and fronts that meet are merged. The front that has visited the
-// fewest faces advances, so that the smaller of two parts is complete once as many faces of the larger one
+// every former neighbour of a removed face, and fronts that meet are merged. The front with the fewest
+// visited faces advances, so that the smaller of two parts is complete once as many faces of the larger one
 // were visited. An exhausted front is a part. The last front of a component need not be exhausted, because
-// its area is known: the area of the component minus that of the other parts. What a front visits does not
-// depend on the others unless it meets them; so where no edits come between, and two large fronts are left,
-// the one that is likely the larger part lags behind, and the parts that are found are the same.
+// its area is that of the component minus the other parts. Fronts that do not meet are independent of each
+// other; so without edits in between, the likely larger of two large last fronts lags behind, and the result
+// is the same.
 //
-// The state of the search is stored in the body, so that the search can stop at any face and continue in a
-// later step. Private to core/edit.
+// The state of the search is stored in the body, so that it can stop at any face and continue in a later
+// step.
 class PartSearch {
  public:
   explicit PartSearch(Body& body, EditPolicy policy = EditPolicy::kAllowEdits)
@@ -63,24 +62,24 @@ class PartSearch {
 
   // Which fronts may belong to the same component. kClusters: those whose seeds were connected over removed
   // faces, which suffices for the removals of one step. kComponents: all fronts whose faces have the same
-  // label and component, for removals that were made while a search was open.
+  // label and component, for removals during an open search.
   enum class Scope { kClusters, kComponents };
 
   // Starts a front at every live face of the recorded ties. Precondition: no search is open.
   void start(Scope scope);
-  // Continues until `result` counts about `most` visited and as many relabelled faces. Returns whether the
+  // Continues until `result` counts about `most` visited and as many relabelled faces. Returns true if the
   // search is complete.
   bool go_on(size_t most, SettleResult& result);
 
-  // Follows the removal of f. Preconditions: f is live and about to be removed, state.neighbours holds its
-  // neighbours.
+  // Updates the search for the removal of f. Preconditions: f is live and about to be removed,
+  // state.neighbours holds its neighbours.
   void record_removed_part(FaceId f);
 
-  // Follows a split: the parts of a face that a front has reached belong to that front. They are visited
+  // Updates the search for a split: the parts of a face belong to the front that reached it, and are visited
   // again, because their neighbours differ.
   void record_replaced(const Replacement& replaced);
 
-  // Follows a flip of an edge of f: f is visited again.
+  // Updates the search for a flip of an edge of f, which is visited again.
   void record_turned(FaceId f, double area_gained);
 
  private:
@@ -92,7 +91,7 @@ class PartSearch {
     size_t rest_faces() const { return whole->faces - faces; }
     bool rest_is_largest() const { return whole->area - area - largest > kEqualArea * whole->area; }
   };
-  // The turns of the fronts, the lowest rank first: the number of faces visited, times a handicap for a front
+  // The turn of a front, the lowest rank first: the number of visited faces, times a handicap for a front
   // that is likely to be the larger part.
   struct Turn {
     size_t rank;
@@ -139,7 +138,7 @@ class PartSearch {
   Body& body_;
   SeparationState& state_;
   OpenSearch& search_;
-  bool compares_;               // which of two fronts is likely the larger part
+  bool compares_;               // true to estimate the larger of two fronts
   std::vector<uint32_t> open_;  // by group: the number of its fronts that are not exhausted
   std::vector<Found> found_;
   std::priority_queue<Turn> turns_;
@@ -147,7 +146,7 @@ class PartSearch {
   // Scratch.
   std::vector<ReachedFace> turn_;
   std::vector<FaceId> unlabelled_;
-  std::vector<uint32_t> moved_from_;  // the former pieces of faces that were relabelled
+  std::vector<uint32_t> moved_from_;  // former pieces of relabelled faces
 };
 
 }  // namespace kerf

@@ -83,7 +83,7 @@ bool CutLoops::unite(VertexId a, VertexId b) {
 
 namespace {
 
-// The number of components that were removed entirely: clusters of removed faces without a live face.
+// Returns the number of components removed entirely: clusters of removed faces without a live face.
 int64_t vanished_components(const Mesh& mesh, SeparationState& state) {
   TieClusters clusters(std::span(state.ties).subspan(state.first_tie), state.tie_place);
   const auto faces = clusters.faces();
@@ -98,8 +98,8 @@ int64_t vanished_components(const Mesh& mesh, SeparationState& state) {
 
 bool may_have_come_apart(const Mesh& mesh, SeparationState& state) {
   if (state.cannot_know || (state.over_rings && state.any_closed)) return true;
-  // A face without neighbours was the last one of a component, or of a few faces that the removals had
-  // enclosed before; that loop is included in the sum.
+  // A face without neighbours was the last one of a component, or of a few faces that earlier removals had
+  // enclosed; that loop is included in the sum.
   if (state.loops + state.alone <= 0) return false;
   return state.loops + vanished_components(mesh, state) > 0;
 }
@@ -154,9 +154,10 @@ SettleResult settle(Body& body, size_t most, EditPolicy policy) {
     } else {
       search.go_on(most, result);
     }
-    if (most != kNoLimit) break;  // the end of a search and the start of the next one are a call each
+    if (most != kNoLimit) break;  // ending a search and starting the next one takes one call each
   }
-  if (!std::is_sorted(result.relabelled.begin(), result.relabelled.end()))  // halves of pairs go together
+  if (!std::is_sorted(result.relabelled.begin(),
+                      result.relabelled.end()))  // halves of pairs are relabelled together
     std::sort(result.relabelled.begin(), result.relabelled.end());
   if (is_settled(body)) state.ties.clear();
   start_step(state);

@@ -118,7 +118,6 @@ class AabbTree {
   // Occasionally rebuilds the tree in another shape if choices are varied (see Shuffle); otherwise a no-op.
   void vary(const Mesh& mesh);
 
-  // Memory allocated, in bytes.
   size_t bytes() const { return store_.bytes(); }
 
  private:

@@ -207,7 +207,6 @@ RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
 
 namespace {
 
-// Average number of faces in a block.
 constexpr size_t kFacesABlock = 3;
 
 constexpr size_t kGathered = 1 << 14;  // face slots a range
@@ -223,9 +222,8 @@ struct PlannedBlock {
   uint32_t parent, slot;  // parent among the nodes of the same part
 };
 
-// A part of the tree under construction, whose records will be consecutive. A large one is a single node over
-// smaller parts. A small one holds its nodes and blocks, in depth-first order and numbered from 0, or a
-// single block.
+// A part of the tree under construction, whose records will be consecutive. A large one is a node over
+// smaller parts. A small one holds its nodes and blocks, depth-first and numbered from 0, or a single block.
 struct Part {
   PrimitiveRange range;
   std::vector<Part> children;
@@ -293,8 +291,7 @@ class TreeBuilder {
     std::array<PrimitiveRange, kNodeWidth> range;
     uint32_t count = 1;
 
-    // Returns the child of the largest area among those with more than `more_than` and at most `at_most`
-    // faces, or null.
+    // Returns the child of the largest area with more than `more_than` and at most `at_most` faces, or null.
     PrimitiveRange* largest(size_t more_than, size_t at_most) {
       PrimitiveRange* best = nullptr;
       for (uint32_t i = 0; i < count; ++i) {
@@ -423,7 +420,6 @@ class TreeBuilder {
     }
   }
 
-  // A part without children, and its parent node.
   struct WholePart {
     const Part* part;
     uint32_t parent, slot;

@@ -12,9 +12,8 @@
 
 namespace kerf {
 
-// Progress of sorting faces into a tree on several threads; only the constructing thread reports. Sorting n
-// faces takes time in proportion to n log2 n, so a split accounts for the difference between the range and
-// its two parts.
+// Progress of sorting faces on several threads; only the constructing thread reports. Sorting n faces takes
+// time in proportion to n log2 n, so a split accounts for the difference between the range and its parts.
 class SortProgress {
  public:
   // `progress` may be null; it must outlive this object.
@@ -50,7 +49,6 @@ struct Primitive {
   uint32_t number() const {
     return static_cast<uint32_t>(_mm_extract_epi32(_mm_castps_si128(low), 3)) & ~kNumberTag;
   }
-  // Twice the centre of the box.
   __m128 centre2() const { return _mm_add_ps(low, high); }
 };
 

@@ -182,7 +182,6 @@ void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
   grow_above(tree, parent, both);
 }
 
-// Writes the face into a lane that is in use.
 void rewrite_lane(TreeStore& tree, const TreeFace& face, uint32_t b, uint32_t lane) {
   tree.put(face, b, lane);
   grow_block(tree, b, face.box());
@@ -250,8 +249,7 @@ void settle(TreeStore& tree, uint32_t n) {
 
 }  // namespace
 
-// Prefetches the parent of the block `home` while the new faces are computed, and grows the box of `home`
-// once for all of them.
+// Prefetches the parent of `home` while the new faces are computed, and grows the box of `home` once.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
                    std::span<const FaceId> born) {
   assert(!gone.empty() && !born.empty());

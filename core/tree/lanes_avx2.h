@@ -5,7 +5,6 @@
 
 namespace kerf::avx2 {
 
-// Four floats.
 struct Float4 {
   __m128 v;
   [[gnu::always_inline]] inline static Float4 load(const float* p) { return {_mm_load_ps(p)}; }
@@ -23,7 +22,6 @@ struct Float4 {
   return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.v, b.v)));
 }
 
-// Eight floats.
 struct Float8 {
   __m256 v;
   [[gnu::always_inline]] inline static Float8 load(const float* p) { return {_mm256_load_ps(p)}; }

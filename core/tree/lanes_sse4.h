@@ -6,7 +6,6 @@ namespace kerf::sse4 {
 
 // Vectors of floats for sources that are compiled for SSE4; the same interface as lanes_avx2.h.
 
-// Four floats.
 struct Float4 {
   __m128 v;
   [[gnu::always_inline]] inline static Float4 load(const float* p) { return {_mm_load_ps(p)}; }

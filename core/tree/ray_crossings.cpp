@@ -113,8 +113,7 @@ std::optional<double> ShearedRay::cross(const Triangle& t) const {
   if (left % 3 != 0) return std::nullopt;
   const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
   const double sum = sum_in_order(a, b, c);
-  // A triangle projected to a single point is parallel to the ray. One whose projected area rounds to zero is
-  // still crossed.
+  // A triangle projected to a point is parallel to the ray. One whose projected area rounds to 0 is crossed.
   if (p[0] == p[1] && p[1] == p[2]) return std::nullopt;
   if (sum == 0) return sum_in_order(z[0], z[1], z[2]) / 3 * per_z_;
   return sum_in_order(a * z[0], b * z[1], c * z[2]) / sum * per_z_;
@@ -132,8 +131,7 @@ __m128 to_floats(const Vec3& v) {
 }
 __m128 size_of(__m128 v) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
 
-// Prepares the slab test for rays of direction d that start between `low` and `high` at t = 0, for all axes
-// at once.
+// Prepares the slab test for rays of direction d that start between `low` and `high` at t = 0, by axis.
 void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
   const __m128 sign = _mm_set1_ps(-0.0f), down = _mm_and_ps(d, sign);
   const __m128 size = _mm_max_ps(size_of(d), _mm_set1_ps(kMinComponent));
@@ -148,7 +146,6 @@ void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
   store(q.far_plane, _mm_blendv_ps(highs, lows, down));
 }
 
-// Returns true if the rays may meet the box.
 bool may_meet(const RayQuery& q, const FloatBox& box) {
   const __m128 down = _mm_load_ps(q.direction);  // blends by sign
   const __m128 near = _mm_blendv_ps(box.low, box.high, down), far = _mm_blendv_ps(box.high, box.low, down);

@@ -11,11 +11,10 @@ namespace kerf {
 // The volume that a cylinder with flat ends sweeps between two poses: all points within the radius of its
 // axis whose depth along the axis lies in the range. The origin moves on a straight line, and the direction
 // turns uniformly. The volume is exact for a translation. For a tilting cylinder, the corners of a triangle
-// are assumed to move on straight lines in the plane across the beam; the error is proportional to the square
-// of the angle, so that large turns must be subdivided.
+// are assumed to move on straight lines in the plane across the beam; the error is proportional to the
+// squared angle, so that large turns must be subdivided.
 //
-// All arguments are in one frame, in metres. The radius may be zero: a ray, or the strip that a moving ray
-// sweeps.
+// All arguments are in one frame, in metres. The radius may be zero: a ray, or the strip that it sweeps.
 class SweptCylinder {
  public:
   // Preconditions: both directions are unit vectors and not opposite to each other, radius >= 0.
@@ -23,14 +22,12 @@ class SweptCylinder {
 
   // Returns true if the closed triangle meets the closed volume.
   bool touches(const Triangle& t) const { return touches(t, radius_); }
-  // The same test for this sweep with another radius.
   bool touches(const Triangle& t, double radius) const;
 
   // Returns true if the triangle lies entirely within the volume; always false for a radius of zero.
   bool contains(const Triangle& t) const;
 
-  // Returns the largest distance of the triangle's corners from the volume [m], 0 if it is contained; as
-  // exact as the volume.
+  // Returns the largest distance of the triangle's corners from the volume [m], 0 if it is contained.
   double overshoot(const Triangle& t) const;
 
   // Returns the signed distance from the boundary [m], negative inside. Outside it is exact next to the
@@ -53,9 +50,9 @@ class SweptCylinder {
     return other;
   }
 
-  // An oriented box that contains the part of the volume whose depth lies in `depths`, for culling. Its axes
-  // are `axis` (the beam), `along` (the motion) and `across`; intervals are relative to `origin`, that of the
-  // first pose.
+  // An oriented box around the part of the volume whose depth lies in `depths`, for culling. Its axes are
+  // `axis` (the beam), `along` (the motion) and `across`; intervals are relative to `origin`, of the first
+  // pose.
   struct Slab {
     Vec3 axis, along, across, origin;
     Interval depth, motion, lateral;

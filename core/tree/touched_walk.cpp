@@ -35,7 +35,6 @@ SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis,
   return a;
 }
 
-// Returns a corner of the box around the tree, in the frame of the mesh.
 Vec3 corner(const TreeStore& tree, __m128 p) {
   alignas(16) float xyz[4];
   _mm_store_ps(xyz, p);
@@ -85,7 +84,6 @@ namespace {
 using Side = TouchedWalk::Side;
 using Outcome = TouchedWalk::Outcome;
 
-// The order in which the query tests the axes of its slab.
 constexpr std::array<std::pair<int, Side>, 3> kOrder{
     {{1, Side::kMotion}, {2, Side::kLateral}, {0, Side::kDepth}}};
 

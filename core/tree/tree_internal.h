@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-// In-place edits of a tree. Each accesses only the records that it changes and their ancestors. See AabbTree
-// for the preconditions.
+// In-place edits of a tree, which access only the changed records and their ancestors. Preconditions: see
+// AabbTree.
 
 // Replaces the leaves of one set of faces by those of another, which are added to the block of the first old
 // face. An overflowing block is split in two; if its node is full, the two halves get a new node in its slot.

@@ -32,17 +32,15 @@ struct Laser {
   double wavelength = 0;        // m; 0 for the material's usual one
   std::optional<double> focus;  // m along the beam from its origin to its waist, which has the radius;
                                 // nullopt for a constant radius
-  double pulse_rate = 0;        // Hz; 0 is a continuous beam
+  double pulse_rate = 0;        // Hz, a pulse begins each period; 0 for a continuous beam
   double duty = 1;              // 0 < duty <= 1, the share of each pulse period with the beam on
   Assist assist = Assist::kNone;
 };
 
-// Returns the energy (J) that the beam emits from `from` to `to` seconds after it was switched on, 0 <= from
-// <= to. A pulse begins each period.
+// Returns the energy (J) emitted from `from` to `to` seconds after the beam was switched on, 0 <= from <= to.
 double emitted_energy(const Laser& laser, double from, double to);
 
-// A move of the active beam between two poses: its origin moves along a straight line, its direction along
-// the shorter arc.
+// A move of the active beam: its origin moves along a straight line, its direction along the shorter arc.
 struct BeamMove {
   Pose from, to;
   double seconds = 0;  // duration, >= 0; 0 if it is unknown
@@ -78,7 +76,6 @@ struct BundleRay {
 inline constexpr double kBundleSpacing = 0.3, kBundleReach = 2;
 inline constexpr int kMaxHalvings = 3;
 std::vector<BundleRay> ray_bundle(Pattern pattern, double face);
-// Returns the spacing of the lattice, in radii.
 double bundle_spacing(double face);
 
 // Returns the bundle of the pose with this number: `rays` rotated about the axis, for each number by an angle

@@ -12,8 +12,7 @@ namespace kerf {
 
 namespace {
 
-// Minimum distance of centroids relative to the square root of the area and to the edge, which bounds the
-// conductances of slivers.
+// Minimum distance of centroids relative to sqrt(area) and to the edge; bounds the conductances of slivers.
 constexpr double kNearestByArea = 0.1;
 constexpr double kNearestByEdge = 1e-3;
 
@@ -366,8 +365,7 @@ bool HeatStep::reach_further() {
   return true;
 }
 
-// The sums over all nodes balance exactly for the solution times a factor that is 1 up to the tolerance of
-// the solver.
+// The sums over all nodes balance for the solution times a factor near 1, within the solver's tolerance.
 void HeatStep::take_energies() {
   auto& nodes = region_.nodes();
   const double hottest = kAmbient + *std::max_element(rises_.begin(), rises_.end());

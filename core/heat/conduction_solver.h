@@ -37,8 +37,7 @@ class HeatRegion {
     std::vector<uint32_t> node_of;        // by slot of a face
   };
 
-  // Starts with an empty region. The thickness is in m. Precondition: no other region uses the memory
-  // meanwhile.
+  // Starts empty. The thickness is in m. Precondition: no other region uses the memory meanwhile.
   HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
              Memory& memory);
   ~HeatRegion();
@@ -91,8 +90,8 @@ struct HeatEquations {
 
 class HeatSolver {
  public:
-  // Iterates x (K) until the residual over the diagonal is at most 1e-7 of the largest x everywhere, or for
-  // 2,000 iterations. O(links) each.
+  // Iterates x (K) until the residual over the diagonal is at most 1e-7 of the largest x, or 2,000 times.
+  // O(links) each.
   void solve(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
              std::vector<double>& x);
 
@@ -105,7 +104,6 @@ class HeatSolver {
   };
   // Keeps the order of the links within each row, so that sums are equal to the bit to those over the links.
   void sort_by_rows(const std::vector<HeatRegion::Link>& links, double seconds, size_t rows);
-  // Returns a row of the matrix times x.
   double row_times(size_t row, double diagonal, const std::vector<double>& x) const;
   void begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
              const std::vector<double>& x);
@@ -129,10 +127,9 @@ class HeatStep {
   HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness,
            Memory& memory);
 
-  // Advances the energies by `seconds` (> 0) or, to keep losses accurate, by less, but at least by `least`.
-  // Returns the time advanced.
+  // Advances the energies by `seconds` (> 0), or less for accurate losses, but at least `least`. Returns the
+  // time advanced.
   double advance(double seconds, double least);
-  // Returns true if any node is hot.
   bool any_hot() const;
 
  private:

@@ -41,7 +41,6 @@ constexpr int kMaxSteps = 64;  // in one call
 constexpr double kRestRate = 0.5;
 constexpr double kTintedFrom = 500;  // K; below it no surface discolours
 
-// The body whose heat flows.
 struct HotBody {
   Mesh& mesh;
   const FaceHeat& heat;
@@ -59,8 +58,8 @@ double resting_loss(const Substance& substance, double joules, double mass, doub
   return mass > 0 ? std::min(joules, mass * substance.heat_solid * kRestRate * seconds) : joules;
 }
 
-// Adds the hot faces and those around them to the region. The other warm faces rest for the time; returns the
-// energy that they lose (J).
+// Adds the hot faces and their neighbours to the region. Other warm faces rest; returns the energy they lose
+// (J).
 double gather(const HotBody& body, const std::vector<FaceId>& warm, double seconds, HeatRegion& region) {
   std::vector<FaceId> mild;
   double rested = 0;

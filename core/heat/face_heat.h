@@ -20,12 +20,11 @@ struct FaceHeat {
   // Sets the energy of a face (J). Precondition: f is live.
   void set_energy(Mesh& mesh, FaceId f, double joules) const { mesh.columns().set(energy, f, joules); }
 
-  // Returns the temperature of a face (K) of a sheet of the given thickness (m); the ambient for a face
-  // without area.
+  // Returns the temperature (K) of a face of a sheet of this thickness (m); the ambient for a face without
+  // area.
   double temperature(const Mesh& mesh, FaceId f, const Substance& substance, double thickness) const;
   // Returns the highest recorded temperature of f (see record_hottest), K.
   double hottest_of(const Mesh& mesh, FaceId f) const;
-  // Records a temperature of f (K).
   void record_hottest(Mesh& mesh, FaceId f, double temperature) const;
 
   // Returns the sum over all faces (J). O(hot faces).

@@ -62,9 +62,8 @@ double conduction_loss(double peclet) {
 
 namespace {
 
-// Returns a speed (m/s) at which the power is sufficient: with oxygen the highest of many samples up to the
-// speed of the burning front, because combustion may need a minimum speed; else the lowest speed. Returns
-// nullopt if there is none.
+// Returns a speed (m/s) with sufficient power, or nullopt: with oxygen the highest of many samples up to the
+// burning front, because combustion may need a minimum speed; else the lowest speed.
 std::optional<double> possible_speed(const LumpedCut& cut, double available) {
   const double least = cut.substance.conductivity == 0 ? 0 : kLosses.front().peclet / peclet_per_speed(cut);
   constexpr int kTried = 400;

@@ -57,7 +57,6 @@ struct Substance {
   friend bool operator==(const Substance&, const Substance&) = default;
 };
 
-// The rows of the table, in its order.
 #define KERF_FIELD(member, key, initial, missing, least, most, unit, ...) \
   {#member, key, &Substance::member, {least, most, unit}, missing, __VA_ARGS__},
 inline constexpr NumberField<Substance> kSubstanceFields[] = {KERF_SUBSTANCE(KERF_FIELD)};
@@ -124,8 +123,8 @@ constexpr double enthalpy_at(const Substance& s, double temperature) {
 
 // Heat of combustion of iron to FeO (J/kg): 267 kJ/mol.
 inline constexpr double kHeatOfBurning = 4.78e6;
-// Burning front speed (m/s), 2 m/min: up to it the front runs ahead of a beam and leaves striations (Y. Arata
-// et al., Transactions of JWRI 8, 1979).
+// Burning front speed (m/s), 2 m/min: up to it the front outruns a beam and leaves striations (Y. Arata et
+// al., Transactions of JWRI 8, 1979).
 inline constexpr double kBurningFront = 1.0 / 30;
 // Ignition temperature of iron (K).
 inline constexpr double kKindling = 1143;
@@ -152,7 +151,6 @@ struct Material {
   std::vector<MaterialNumber> numbers;  // all constants, in the order of the file
 };
 
-// Returns the material of that name, or null.
 inline const Material* find_material(std::span<const Material> materials, const std::string& name) {
   for (const Material& material : materials) {
     if (material.name == name) return &material;

@@ -49,7 +49,6 @@ std::vector<MeshPart> parts_of(const Remeshed& r, const PieceCopy& copy, std::sp
   return own;
 }
 
-// Labels the piece, and counts it and its components.
 void label_faces(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
   Piece whole = made.pieces[0];
   LoadedComponents components;

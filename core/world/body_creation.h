@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-// Loads a mesh file with load_mesh and makes a body of it with make_body, with their errors. `progress` may
-// be null.
+// Loads a mesh file and makes a body of it, with the errors of load_mesh and make_body. `progress` may be
+// null.
 Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress);
 
 // A piece to be remeshed, with its faces copied from its body.

@@ -30,8 +30,7 @@ inline constexpr const char* kCutMaterial = "cut";
 // Makes a body a solid or a sheet, and updates its mass properties. O(faces).
 void make_solid(Body& body, bool solid);
 
-// Returns the index of kCutMaterial, or nullopt if the body was never solid or has more materials than faces
-// can index.
+// Returns the index of kCutMaterial; nullopt if never solid, or with more materials than faces can index.
 std::optional<uint16_t> cut_material(const Body& body);
 
 }  // namespace kerf

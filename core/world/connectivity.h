@@ -37,16 +37,14 @@ struct LoadedComponents {
   // By component: the one that a wall joined it to, plus one, or 0; shorter if no later one was joined.
   Records<uint32_t> joined;
 
-  // Returns the component of a base face, merged with those that walls have joined to it. Precondition: the
-  // mesh was not connected.
+  // Returns the component of a base face, as merged by walls. Precondition: the mesh was not connected.
   uint32_t of(FaceId base) const {
     uint32_t component = of_base[base.index];
     while (component < joined.size() && joined[component] != 0) component = joined[component] - 1;
     return component;
   }
 
-  // Returns the component of faces with this base face and this label, or kNone if they were cut off it or
-  // the mesh is connected.
+  // Returns the component of faces with this base face and label; kNone if cut off, or in a connected mesh.
   uint32_t at_home(FaceId base, uint32_t label) const {
     if (of_base.empty()) return kNone;
     const uint32_t component = of(base);
@@ -57,11 +55,10 @@ struct LoadedComponents {
     return of_base.capacity() * sizeof(uint32_t) + left.bytes() + home.bytes() + joined.bytes();
   }
 
-  // Merges two components into that with the lower number. Precondition: both are roots, i.e. values of of(),
-  // differ, and have the same home.
+  // Merges two components into the lower number. Precondition: both are values of of(), differ, and share a
+  // home.
   void join(uint32_t a, uint32_t b);
 
-  // Changes made by a command (see ChangeOf).
   class Change;
   template <typename Self>
   static auto parts(Self& self) {
@@ -111,7 +108,6 @@ struct Joint {
 struct Joints {
   std::vector<Joint> all;
 
-  // Returns both sides of each joint of a body.
   std::vector<const JointSide*> sides_of(BodyId body) const {
     std::vector<const JointSide*> sides;
     for (const Joint& joint : all) {
@@ -178,7 +174,7 @@ struct OpenSearch {
 };
 
 // Records of core/edit about faces removed from a body. They may be discarded between two strokes, because
-// the mesh contains the same information.
+// they can be derived from the mesh.
 struct SeparationState {
   PagedArray<uint32_t>
       joined;  // by vertex slot: its parent in the union-find of CutLoops plus one, or 0 if unknown
@@ -195,10 +191,9 @@ struct SeparationState {
   bool over_rings = false;   // a removed face was connected over a ring: `loops` is inconclusive
   bool cannot_know = false;  // such a face had more than one neighbour
 
-  // True if joints must be checked (see hold_parts): faces that carry joints were removed, or parts
-  // separated.
+  // True to check joints (see hold_parts): faces that carry joints were removed, or parts separated.
   bool joints_asked = false;
-  // True if cavities must be checked (see hold_cavities): walls were added.
+  // True to check cavities (see hold_cavities): walls were added.
   bool cavities_asked = false;
 
   OpenSearch search;

@@ -26,7 +26,6 @@ struct AreaMoments {
 // q^T + r r^T + s s^T).
 AreaMoments area_moments(const Triangle& t, double area, const Vec3& origin);
 
-// Mass properties of a rigid body.
 struct MassProperties {
   double mass = 0;          // kg
   Vec3 centre{0};           // m, of mass

@@ -119,7 +119,6 @@ using ContactMemory = std::vector<PairMemory>;
 
 class World;
 
-// Placement and motion of a body.
 struct BodyState {
   BodyId id;
   Placement placement;

@@ -129,7 +129,6 @@ std::vector<BodyId> World::ids() const {
 
 namespace {
 
-// Bounds that grow by the boxes of bodies.
 struct GrowingBounds {
   World::Bounds all;
   bool any = false;
@@ -308,8 +307,7 @@ void World::redo(Change& change) {
   for (BodyChange& c : change.edited_) c.exchange(slots_[c.slot].body);
 }
 
-// If the bodies of two slots were exchanged, a slot whose body the change removed temporarily holds the image
-// of the other.
+// The slot of a removed body temporarily holds the image of another if the two were exchanged.
 void World::restore(const Change& change, size_t slots) {
   KERF_ASSERT(!change.taken_back_ && slots <= change.slots_);
   KERF_ASSERT(change.died_.empty() || *std::min_element(change.died_.begin(), change.died_.end()) >= slots);
@@ -355,7 +353,6 @@ uint64_t sum_of_face_hashes(const Body& body, uint64_t seed) {
   return std::accumulate(sums.begin(), sums.end(), uint64_t{0});
 }
 
-// Returns the hash of the motion of a body that moves or has moved.
 uint64_t motion_hash(uint64_t seed, const Motion& motion) {
   const uint64_t h = hash_of(hash_of(hash_combine(seed, kMotionSeed), motion.velocity), motion.spin);
   return hash_combine(hash_combine(h, motion.quiet), motion.asleep ? 1 : 0);

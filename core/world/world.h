@@ -59,8 +59,8 @@ struct Body {
   Sheet sheet;
   bool pinned = false;  // immovable
   bool solid = false;   // its faces enclose a volume; strokes with a smooth rim add walls to close it
-  // Position of the body in state_hash: the slot to which it was added. When a piece is detached, the larger
-  // of the two sides keeps the number.
+  // Position of the body in state_hash: the slot to which it was added. On a detachment, the larger side
+  // keeps it.
   uint32_t number = 0;
   Mesh mesh;
   AabbTree tree;
@@ -84,15 +84,13 @@ struct Body {
   // Returns the label of f, or the label that an unfinished search will give it.
   uint32_t label(FaceId f) const;
 
-  // Returns the displayed name of a piece: its custom name, else "car", or "car 9" for the piece with label
-  // 9.
+  // Returns the displayed name of a piece: its custom name, else "car", or "car 9" for label 9.
   std::string name_of(uint32_t label) const;
   // Returns the name of the body: that of its piece if it has only one.
   std::string own_name() const;
 
   // Returns the live faces of a piece, or all others, ascending. O(faces).
   std::vector<FaceId> faces_of(uint32_t label, bool of_piece = true) const;
-  // Returns the loaded face of a base face of this body.
   FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
 
   // Returns the base face that assigns f to a loaded part; that of an adjacent face if f is a wall.
@@ -116,8 +114,7 @@ struct Body {
   // Adds to the counts of the piece and the component of f.
   void count(FaceId f, int faces, double area);
 
-  // Members that a command may change in an existing body, without the tree, which is derived from the mesh
-  // (see World::BodyChange).
+  // Members that a command may change in an existing body, without the derived tree (see World::BodyChange).
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.piece_names, self.placement, self.hidden, self.motion,
@@ -125,7 +122,6 @@ struct Body {
                     self.pieces, self.enclosed, self.components, self.separation);
   }
 
-  // Memory of the arrays, in bytes.
   size_t bytes() const;
 };
 
@@ -204,14 +200,12 @@ class World {
   // Working memory for let_heat_flow(), not part of the state.
   HeatMemory& heat_memory();
 
-  // Memory of core/physics about bodies near each other. Part of the state, because it affects the
-  // simulation.
+  // Memory of core/physics about bodies near each other, part of the state because it affects the simulation.
   const ContactMemory& contact_memory() const { return *situation_.contacts; }
   void set_contact_memory(ContactMemory memory) {
     situation_.contacts = std::make_shared<const ContactMemory>(std::move(memory));
   }
 
-  // Joints between parts of bodies.
   const Joints& joints() const { return *situation_.joints; }
   void set_joints(Joints joints) { situation_.joints = std::make_shared<const Joints>(std::move(joints)); }
 
@@ -278,7 +272,6 @@ class World {
 
 class World::Change {
  public:
-  // Memory of the images, in bytes.
   size_t bytes() const;
   // Number of body slots, alive or not, before the change.
   size_t slots_before() const { return slots_; }

@@ -11,7 +11,6 @@ namespace {
 constexpr std::array kChanged{&Delta::moved, &Delta::reweighed, &Delta::hid_or_showed, &Delta::renamed,
                               &Delta::pinned};
 
-// Unites two ascending lists.
 void unite(std::vector<FaceId>& faces, const std::vector<FaceId>& more) {
   std::vector<FaceId> both;
   std::set_union(faces.begin(), faces.end(), more.begin(), more.end(), std::back_inserter(both));

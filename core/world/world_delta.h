@@ -25,8 +25,7 @@ struct CutFace {
 // Faces that the beam removed, by body, in the order of removal.
 using CutFaces = std::map<BodyId, std::vector<CutFace>>;
 
-// Faces that a step changed in one body. Slots of faces created and removed within the step are listed as
-// dead.
+// Faces that a step changed in one body. Slots created and removed within the step are listed as dead.
 struct BodyDelta {
   BodyId body;
   std::vector<FaceId> born;          // live faces that are new or have new corners, ascending
@@ -52,8 +51,7 @@ struct Detached {
 struct SolidChange {
   size_t wall_faces = 0;
   double wall_area = 0;  // m^2, of the new walls; not included in Delta::removed_area
-  // Volume lost by the bodies (m^3): the sum over the removed faces and the reversed walls, each with the
-  // body's middle.
+  // Volume lost (m^3): the sum over the removed faces and reversed walls, each with the body's middle.
   double removed_volume = 0;
 
   SolidChange& operator+=(const SolidChange& other) {
@@ -99,8 +97,8 @@ struct Delta {
            !reweighed.empty() || !hid_or_showed.empty() || !renamed.empty() || !pinned.empty() || environment;
   }
 
-  // Combines this delta with that of the next step, without bodies that existed only in between. O(n log n)
-  // in the lists.
+  // Combines this delta with the next step's, without bodies that existed only in between. O(n log n) in the
+  // lists.
   void append(Delta later);
 };
 
@@ -108,8 +106,8 @@ struct Delta {
 // returned. It omits faces, because the delta does not contain their previous state.
 Delta bodies_taken_back(const Delta& delta);
 
-// Return the id after a step of a body with the id `before` ahead of it, and the reverse. Precondition: the
-// step neither added nor removed the body.
+// Return the id of a body after a step from that before it, and the reverse. Precondition: the step neither
+// added nor removed the body.
 BodyId id_after(const Delta& delta, BodyId before);
 BodyId id_before(const Delta& delta, BodyId after);
 

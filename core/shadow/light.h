@@ -12,13 +12,12 @@ struct LightPoint {
   friend bool operator==(const LightPoint&, const LightPoint&) = default;
 };
 
-// A light source of a world.
 struct Light {
   enum class Kind { kDirectional, kPoint };
 
   Kind kind = Kind::kDirectional;
-  // kDirectional: the direction towards the light, of any length but zero; kPoint: its position in metres.
-  // Both in world coordinates.
+  // In world coordinates. kDirectional: the direction to the light, of any length but zero; kPoint: its
+  // position [m].
   Vec3 at{-0.42, 1.0, 0.62};
   Vec3 colour{1.0, 0.938, 0.848};  // linear RGB
   // Irradiance of a surface that faces the light, relative to the display's white; 2.1 is a bright key light.

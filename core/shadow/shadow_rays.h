@@ -30,8 +30,8 @@ class ShadowRays {
     double length = 0;  // m, from the ray's origin
     friend bool operator==(const Seen&, const Seen&) = default;
   };
-  // Returns the first hit of the ray at a length of at least `nearest` metres, if any. Precondition: the
-  // direction is a unit vector.
+  // Returns the ray's first hit at `nearest` metres or more, if any. Precondition: the direction is a unit
+  // vector.
   std::optional<Seen> look(const Pose& ray, double nearest) const;
 
   // Returns the number of surfaces that occlude the light at the hit `seen` of `ray`: those between the point

@@ -29,8 +29,8 @@ namespace kerf {
 // The numbers of vertex and edge slots never decrease. Takes about 82 bytes per face.
 class ShadowCaster {
  public:
-  // By face slot, the label that replaces a face's piece when loose parts are drawn separately; faces beyond
-  // the end have the label of their piece.
+  // By face slot, the label that replaces its piece when loose parts are drawn apart; its piece beyond the
+  // end.
   using Labels = std::span<const uint32_t>;
 
   // Adds all live faces of the mesh. Expected linear time.
@@ -86,7 +86,6 @@ class ShadowCaster {
 
   const FloatFrame& frame() const { return frame_; }
 
-  // Memory allocated, in bytes.
   size_t bytes() const;
 
  private:
@@ -126,8 +125,8 @@ class ShadowCaster {
   void record_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const;
   std::vector<uint32_t> relabel(std::span<const Relabelled> faces, Change& change);
   void rename_vertex(uint32_t vertex, uint32_t piece);
-  // add, put and find_copies set `copies_` to the faces with the same corners as `face`, including itself;
-  // take_away excludes it.
+  // add, put and find_copies set `copies_` to the faces with the corners of `face`; take_away excludes
+  // `face`.
   void add(const Mesh& mesh, uint32_t face, Labels labels);
   void put(uint32_t face, const std::array<uint32_t, 3>& corners);
   void take_away(uint32_t face);
@@ -152,8 +151,7 @@ enum class ShadowMethod {
   // The method of the paper: the polygons that face the light are the cap, and the edges that belong to
   // exactly one of them are the silhouette.
   kPaperOneVolume,
-  // In addition the same for the polygons that face away from the light, the paper's method for hollow
-  // meshes.
+  // Adds the same for the polygons that face away from the light, the paper's method for hollow meshes.
   kPaperTwoVolumes,
   // Every polygon, oriented towards the light, spans its own closed volume; along each edge their sides are
   // added with their signs (G. Aldridge, E. Woods: Robust, geometry-independent shadow volumes, 2004, after

@@ -18,8 +18,8 @@ struct GraphNode {
   friend bool operator==(const GraphNode&, const GraphNode&) = default;
 };
 
-// The component graph of the paper, "Laser Mesh Separation" (figures 8 and 9): nodes are faces, and two faces
-// are linked if they share an edge.
+// The component graph of the paper, "Laser Mesh Separation" (figures 8, 9): faces, linked if they share an
+// edge.
 struct ComponentGraph {
   using Edge = std::array<uint32_t, 2>;  // two indices of nodes, the smaller one first
 

@@ -164,8 +164,7 @@ class RemovedEdges {
     add(middle, b);
   }
 
-  // Returns the vertices of a shortest path including its ends; empty if there is none or the visits are used
-  // up.
+  // Returns the vertices of a shortest path with its ends; empty if there is none or the visits are used up.
   std::vector<uint32_t> way(uint32_t from, uint32_t to, size_t& visits) {
     ++search_;
     std::vector<uint32_t> queue{from};
@@ -194,7 +193,6 @@ class RemovedEdges {
   uint32_t search_ = 0;
 };
 
-// Follows the removals of one body.
 class LoopFinder {
  public:
   LoopFinder(BodyId id, const Body& body, const std::vector<CutFace>& faces)

@@ -56,8 +56,7 @@ CutTraversal traverse_cut(const CutGraph& graph, uint32_t start);
 // removed faces; the lowest node if no face was removed, nullopt if no face is live.
 std::optional<uint32_t> start_beside_cut(const CutGraph& graph);
 
-// A loop of removed faces closed by the removal of one of them (see CutLoops), as a polyline along their
-// edges.
+// A loop of removed faces closed by one of the removals (see CutLoops), as a polyline along their edges.
 struct LoopPath {
   BodyId body;               // from which the faces were removed
   size_t removal = 0;        // the removal that closed it, of all in order, counted from 1

@@ -119,7 +119,6 @@ class Selection {
 
   const std::vector<uint32_t>& nodes() const { return nodes_; }
 
-  // Returns the cluster of each node.
   std::vector<uint32_t> clusters(const std::vector<uint32_t>& kind_of, size_t most) const {
     std::vector<uint32_t> kind;
     for (const uint32_t node : nodes_) kind.push_back(kind_of[node]);

@@ -22,8 +22,7 @@ namespace kerf {
 // links.nodes(). O(n log n) in nodes and links.
 std::vector<uint32_t> cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most);
 
-// The displayed part of the graph of a cut: at most kMost nodes, each a face or a cluster of linked faces of
-// one set.
+// The displayed graph of a cut: at most kMost nodes, each a face or a cluster of linked faces of one set.
 struct DrawnGraph {
   static constexpr uint32_t kNone = CutTraversal::kNone;
   static constexpr size_t kMost = 2000;
@@ -63,7 +62,6 @@ struct DrawnGraph {
   bool is_cut(const ComponentGraph::Edge& edge) const;
 };
 
-// Scope of the drawn faces.
 enum class GraphScope {
   kAroundCut,  // removed faces and about as many around them, or kMost; all faces without removals
   kWhole,

@@ -65,8 +65,7 @@ void rotate(Matrix3& m, Matrix3& axes, size_t p, size_t q) {
   }
 }
 
-// Returns the eigenvectors of a symmetric matrix, that of the largest eigenvalue first, each with a positive
-// largest component.
+// Returns the eigenvectors of a symmetric matrix by descending eigenvalue, with positive largest components.
 std::array<Vec3, 3> main_directions(Matrix3 m) {
   Matrix3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -210,8 +209,7 @@ class Ring {
     return radius_ > 0 && gap_ < kTurn / 4 &&
            static_cast<double>(inside_) < 0.05 * static_cast<double>(turns_.size());
   }
-  // Returns the position of a point on the unrolled ring in radii: the path around from the seam, and the
-  // signed distance from the ring.
+  // Returns the position of a point on the unrolled ring in radii: path from the seam, signed distance.
   Vec2 unrolled(const Vec3& p) const {
     double turn = turn_of(p) - seam_;
     while (turn < 0) turn += kTurn;

@@ -29,7 +29,6 @@ std::map<BodyId, FirstNumbers> number_bodies(const World& world) {
   return all;
 }
 
-// Numbers used in the text.
 class Numbers {
  public:
   explicit Numbers(const World& world) : first_(number_bodies(world)) {}

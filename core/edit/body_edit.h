@@ -49,7 +49,6 @@ class BodyEdit {
   // if the body has none. Precondition: the body is settled.
   std::vector<FaceId> add_walls(FaceAddition& addition, std::span<const FaceId> beside);
   bool part_fans(FaceAddition& addition, size_t most);
-  // Adds a vertex for walls.
   VertexId add_vertex(const Vec3& position) { return body_->mesh.add_vertex(position); }
   // Merges the connected parts of two faces that a wall has joined. Precondition: their labels are equal.
   void join_parts(FaceId a, FaceId b) { kerf::join_parts(*body_, a, b); }

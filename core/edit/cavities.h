@@ -12,8 +12,7 @@ namespace kerf {
 // a piece that was cut off it, from which it would be indistinguishable. O(faces).
 BodyDelta move_components(BodyId id, Body& body, const std::map<uint32_t, uint32_t>& label_of);
 
-// Returns true if parts were separated from a solid body since the last hold_cavities(), or are being
-// searched for.
+// Returns true if search_from() was called for new walls of a solid body since the last hold_cavities().
 bool cavities_asked(const Body& body);
 
 // Assigns closed parts that bound a cavity, i.e. whose faces enclose a negative volume, to the piece of a

@@ -103,8 +103,7 @@ void PartSearch::move_moments(std::span<const FaceId> faces) {
   }
 }
 
-// Sets `unlabelled_` to the next faces without their label, at most `most`. Returns true if they are the
-// last.
+// Sets `unlabelled_` to at most `most` faces without their label. Returns true if they are the last.
 bool PartSearch::find_unlabelled(size_t most) {
   constexpr uint32_t kPage = PagedArray<uint32_t>::kPage;
   unlabelled_.clear();

@@ -49,8 +49,7 @@ uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b);
 // other; so without edits in between, the likely larger of two large last fronts lags behind, and the result
 // is the same.
 //
-// The state of the search is stored in the body, so that it can stop at any face and continue in a later
-// step.
+// The state is stored in the body, so that the search can stop at any face and continue in a later step.
 class PartSearch {
  public:
   explicit PartSearch(Body& body, EditPolicy policy = EditPolicy::kAllowEdits)
@@ -67,16 +66,14 @@ class PartSearch {
 
   // Starts a front at every live face of the recorded ties. Precondition: no search is open.
   void start(Scope scope);
-  // Continues until `result` counts about `most` visited and as many relabelled faces. Returns true if the
-  // search is complete.
+  // Runs until `result` counts about `most` visited and as many relabelled faces. Returns true if complete.
   bool go_on(size_t most, SettleResult& result);
 
   // Updates the search for the removal of f. Preconditions: f is live and about to be removed,
   // state.neighbours holds its neighbours.
   void record_removed_part(FaceId f);
 
-  // Updates the search for a split: the parts of a face belong to the front that reached it, and are visited
-  // again, because their neighbours differ.
+  // Updates the search for a split: the parts of a face belong to its front, and are visited again.
   void record_replaced(const Replacement& replaced);
 
   // Updates the search for a flip of an edge of f, which is visited again.

@@ -27,9 +27,8 @@ class CutLoops {
  public:
   CutLoops(const Mesh& mesh, SeparationState& state) : mesh_(mesh), state_(state) {}
 
-  // Adds f to K. Preconditions: f is live, still in the mesh and about to be removed, and state.neighbours
-  // holds its nearest neighbours. Amortised nearly constant time, plus one traversal of each boundary loop
-  // met.
+  // Adds f to K. Preconditions: f is live, about to be removed, and state.neighbours holds its nearest
+  // neighbours. Amortised nearly constant time, plus one traversal of each boundary loop met.
   void remove(FaceId f);
 
  private:
@@ -47,7 +46,7 @@ class CutLoops {
   SeparationState& state_;
 };
 
-// Separation: the parts of one body disconnected by the removal of faces.
+// Separation: finds the parts of one body disconnected by the removal of faces.
 //
 // Faces are connected over shared edges. Only BodyEdit reports edits of the mesh, by the functions below.
 // settle() then decides from the loops closed by the cut whether anything can have been separated (see
@@ -56,8 +55,7 @@ class CutLoops {
 // and if they close further loops, another search follows. A connected set of removed faces can only separate
 // faces that it touched, so that faces that were never connected do not count as separated.
 
-// Reports that f is about to be removed. Preconditions: f is live, and the counts of its piece still include
-// it.
+// Reports that f is about to be removed. Preconditions: f is live and included in the counts of its piece.
 void record_removed_part(Body& body, FaceId f);
 
 // Reports that faces were split, before their counts are updated and before the new faces are edited again.
@@ -67,7 +65,6 @@ void record_replaced(Body& body, const Replacement& replaced);
 // Precondition: f is live.
 void record_turned(Body& body, FaceId f, double area_gained);
 
-// The result of one call of settle().
 struct SettleResult {
   std::vector<uint32_t> new_pieces;  // their labels, in the order of their lowest faces
   std::vector<FaceId> relabelled;    // faces that this call gave the label of a new piece, ascending
@@ -90,9 +87,8 @@ enum class EditPolicy { kAllowEdits, kNoEdits };
 // at most five times as many if the estimate is wrong. The result is the same.
 SettleResult settle(Body& body, size_t most = kNoLimit, EditPolicy policy = EditPolicy::kAllowEdits);
 
-// Merges the connected parts of two faces that added faces join: separate loaded components, or such a
-// component and a part cut off another one. Precondition: both faces have the same label, and no search is
-// open. O(1).
+// Merges the connected parts of two faces that added faces join: separate loaded components, or one and a
+// part cut off another. Precondition: both faces have the same label, and no search is open. O(1).
 void join_parts(Body& body, FaceId a, FaceId b);
 
 // Makes settle() search for parts, regardless of loops, from `faces` and the former neighbours of reported

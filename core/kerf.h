@@ -1,9 +1,8 @@
 #ifndef KERF_KERF_H
 #define KERF_KERF_H
 
-// Kerf as a C++ library: kerf_c.h with values that free themselves and exceptions. See there for units,
-// frames, costs and threads. It is compiled by whoever includes it, so that no compiler option of Kerf's
-// matters.
+// Kerf as a C++ library: kerf_c.h with RAII types and exceptions. See there for units, frames, costs and
+// threads. Client code compiles this header itself, so it does not depend on Kerf's compiler options.
 
 #include <algorithm>
 #include <array>
@@ -24,17 +23,17 @@
 namespace kerf {
 inline namespace api {
 
-// What could not be done, in one sentence. What failed has changed nothing.
+// Base of all errors: a call failed for the reason that what() states. The call has changed nothing.
 class Failure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-// An argument or a file that is wrong.
+// A wrong argument or file.
 class BadInput : public Failure {
  public:
   using Failure::Failure;
 };
-// A call that the progress function of the caller stopped.
+// A call that the caller's progress callback cancelled.
 class Cancelled : public Failure {
  public:
   using Failure::Failure;
@@ -45,6 +44,7 @@ class Busy : public Failure {
   using Failure::Failure;
 };
 
+// Throws the exception of a failed result; no-op for KERF_OK.
 inline void check(kerf_result result) {
   if (result == KERF_OK) return;
   if (result == KERF_BUSY) throw Busy(kerf_message());
@@ -53,15 +53,15 @@ inline void check(kerf_result result) {
   throw Failure(kerf_message());
 }
 
-// How a call runs: what is told the share of the work that is done, 0 to 1, and says whether to go on; and
-// the number of threads at most, 0 for as many as there are processors. What `progress` throws, the call
-// throws.
+// Options of a call: a callback that receives the completed share of the work, 0 to 1, and returns true to
+// continue; and the maximum number of threads, 0 for one per processor. The call rethrows exceptions of
+// `progress`.
 struct Control {
   std::function<bool(double share)> progress;
   unsigned threads = 0;
 };
 
-// Runs a function of kerf_c.h with a Control.
+// Calls a function of kerf_c.h with a Control.
 class Run {
  public:
   explicit Run(const Control& control) : control_(control) {}
@@ -90,16 +90,21 @@ class Run {
   std::exception_ptr thrown_;
 };
 
-// A triangle mesh, or a piece of one, which never changes; copies share it.
+// A triangle mesh, or a piece of one; immutable. Copies share the data.
 class Mesh {
  public:
-  // Reads an OBJ, PLY, STL, OFF or glTF file.
+  // Reads a mesh file.
+  // path: an OBJ, PLY, STL, OFF or glTF file.
+  // Throws BadInput if the file cannot be opened or parsed. O(file size).
   static Mesh read(const std::string& path, const Control& control = {}) {
     kerf_mesh* mesh = nullptr;
     Run(control).call([&](const kerf_control* c) { return kerf_mesh_read(path.c_str(), c, &mesh); });
     return Mesh(mesh);
   }
-  // Makes a mesh of positions, three numbers each (m), and faces, three indices each.
+  // Creates a mesh from arrays, which are copied.
+  // vertices: three numbers per position (m), finite.
+  // faces: three vertex indices per face.
+  // Throws BadInput if an array violates the above. O(n).
   Mesh(std::span<const double> vertices, std::span<const uint32_t> faces) {
     if (vertices.size() % 3 != 0) throw BadInput("vertices: must be three numbers each");
     if (faces.size() % 3 != 0) throw BadInput("faces: must be three indices each");
@@ -107,13 +112,13 @@ class Mesh {
     check(kerf_mesh_make(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &mesh));
     mesh_.reset(mesh, kerf_mesh_free);
   }
-  // Takes a mesh of kerf_c.h over.
+  // Takes ownership of a mesh of kerf_c.h.
   explicit Mesh(kerf_mesh* mesh) : mesh_(mesh, kerf_mesh_free) {}
 
-  // Writes it; the ending of the path says the format.
+  // Writes the mesh to a file, whole or not at all; the extension of the path decides the format. O(n).
   void write(const std::string& path) const { check(kerf_mesh_write(get(), path.c_str())); }
 
-  // Three numbers a vertex (m), three indices a face; they live as long as any copy of the mesh.
+  // Return three numbers per vertex (m), and three indices per face. Valid as long as any copy of the mesh.
   std::span<const double> vertices() const {
     return {kerf_mesh_vertices(get()), 3 * kerf_mesh_vertex_count(get())};
   }
@@ -121,13 +126,13 @@ class Mesh {
     return {kerf_mesh_faces(get()), 3 * kerf_mesh_face_count(get())};
   }
 
-  // The temperature of each face (K) of a piece; empty for any other mesh.
+  // Returns the temperature of each face (K) of a piece; empty for any other mesh.
   std::span<const double> temperatures() const {
     const double* first = kerf_mesh_temperatures(get());
     return {first, first == nullptr ? 0 : kerf_mesh_face_count(get())};
   }
 
-  // Name, area, mass and the like; see kerf_mesh_info.
+  // Returns name, area, mass and inertia; see kerf_mesh_info. O(1).
   kerf_mesh_info info() const {
     kerf_mesh_info info;
     kerf_mesh_describe(get(), &info);
@@ -144,7 +149,7 @@ class Mesh {
 
 using Key = kerf_key;
 
-// A stroke of the laser; see kerf_stroke for what 0 stands for.
+// A stroke of the laser; see kerf_stroke for the meaning of 0.
 struct Stroke {
   std::vector<Key> keys;
   double radius = 0;
@@ -152,26 +157,26 @@ struct Stroke {
   double power = 0;
 };
 
-// How strokes cut; see kerf_cut_settings.
+// Settings of a cut; see kerf_cut_settings.
 struct CutSettings {
   kerf_rim rim = KERF_RIM_FACES;
   kerf_scheme scheme = KERF_SCHEME_LONGEST_EDGE;
   kerf_model model = KERF_MODEL_GEOMETRIC;
   std::optional<double> target_edge{}, tolerance{};  // m
   std::optional<int> levels{};
-  std::string material{};  // empty: as it is
+  std::string material{};  // empty: unchanged
 };
 
 using CutResult = kerf_cut_result;
 
-// The surfaces that rays cross: those of ray i are numbers first[i] to first[i + 1] - 1 of the other arrays.
+// Crossings of rays: those of ray i are entries first[i] to first[i + 1] - 1 of the other arrays.
 struct Hits {
   std::vector<size_t> first;
   std::vector<double> distances;
   std::vector<uint32_t> bodies, faces;
 };
 
-// Meshes that a laser cuts.
+// The bodies that a laser cuts.
 class World {
  public:
   World() {
@@ -179,19 +184,23 @@ class World {
     check(kerf_world_make(&world));
     world_.reset(world);
   }
-  // Opens a scene, a journal, whose commands are replayed, or a mesh.
+  // Opens a file as a world.
+  // path: a scene, a journal, whose commands are replayed, or a mesh.
+  // Throws BadInput if the file is wrong.
   explicit World(const std::string& path, const Control& control = {}) {
     kerf_world* world = nullptr;
     Run(control).call([&](const kerf_control* c) { return kerf_world_open(path.c_str(), c, &world); });
     world_.reset(world);
   }
 
+  // Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick. O(n log n).
   void add(const Mesh& mesh, const std::string& name = "mesh", const Control& control = {}) {
     Run(control).call(
         [&](const kerf_control* c) { return kerf_world_add(get(), mesh.get(), name.c_str(), c); });
   }
 
-  // Cuts all bodies with the strokes, one after the other; all or nothing.
+  // Cuts all bodies with the strokes, in order, all or nothing. Throws BadInput for a wrong stroke or
+  // setting, Cancelled, Busy. About 1 us per created or removed face.
   CutResult cut(std::span<const Stroke> strokes, const CutSettings& settings = {},
                 const Control& control = {}) {
     std::vector<kerf_stroke> plain;
@@ -201,7 +210,7 @@ class World {
     how.rim = settings.rim;
     how.scheme = settings.scheme;
     how.model = settings.model;
-    // A value that was given as 0 must not count as none.
+    // An explicit 0 is an error, whereas 0 in kerf_cut_settings means unset.
     if (settings.target_edge) how.target_edge = *settings.target_edge == 0 ? -1 : *settings.target_edge;
     if (settings.tolerance) how.tolerance = *settings.tolerance == 0 ? -1 : *settings.tolerance;
     if (settings.levels)
@@ -217,7 +226,7 @@ class World {
     return cut(std::span(&stroke, 1), settings, control);
   }
 
-  // The pieces of all bodies, largest area first.
+  // Returns the pieces of all bodies, largest area first. O(n log n).
   std::vector<Mesh> pieces(const Control& control = {}) const {
     kerf_mesh** list = nullptr;
     size_t count = 0;
@@ -230,8 +239,10 @@ class World {
     return pieces;
   }
 
-  // The first surface that each ray crosses within the range (m), one entry a ray, with a distance of
-  // infinity where there is none; three numbers an origin and a direction.
+  // Finds the first surface that each ray crosses.
+  // origins, directions: three numbers per ray; finite, directions of any non-zero length.
+  // range: minimum and maximum distance (m).
+  // Returns one entry per ray, with a distance of infinity on a miss. Throws BadInput. About 0.3 us per ray.
   Hits nearest_hits(std::span<const double> origins, std::span<const double> directions,
                     std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                     const Control& control = {}) const {
@@ -243,7 +254,8 @@ class World {
     });
     return hits;
   }
-  // All surfaces that each ray crosses, nearest first.
+  // Finds all surfaces that each ray crosses, nearest first; arguments and errors are those of
+  // nearest_hits().
   Hits all_hits(std::span<const double> origins, std::span<const double> directions,
                 std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                 const Control& control = {}) const {
@@ -259,12 +271,13 @@ class World {
             {found.faces, found.faces + found.count}};
   }
 
-  // Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.
+  // Writes the bodies as OBJ files and a scene.json that the editor opens. Throws Failure if a file cannot
+  // be written.
   void save_scene(const std::string& folder) const { check(kerf_world_save_scene(get(), folder.c_str())); }
 
-  // Writes the journal of the cuts, which `kerf replay` checks, with the meshes that were added beside it.
+  // Writes the journal of the cuts, which `kerf replay` verifies, and the added meshes next to it.
   void save_journal(const std::string& path) const { check(kerf_world_save_journal(get(), path.c_str())); }
-  // The report of all cuts so far as JSON, like the report.json of `kerf cut`.
+  // Returns the report of all cuts so far as JSON, with the keys of report.json of `kerf cut`.
   std::string report(const Control& control = {}) const {
     char* text = nullptr;
     Run(control).call([&](const kerf_control* c) { return kerf_world_report(get(), c, &text); });
@@ -272,13 +285,13 @@ class World {
     return text;
   }
 
-  // Sixteen hexadecimal digits; the same as of `kerf cut` for the same meshes and strokes.
+  // Returns 16 hexadecimal digits, equal to those of `kerf cut` for the same meshes and strokes. O(n).
   std::string hash() const {
     char text[17];
     check(kerf_world_hash(get(), text));
     return text;
   }
-  // The component graph of the faces as JSON.
+  // Returns the component graph of the faces as JSON.
   std::string graph() const {
     char* text = nullptr;
     check(kerf_world_graph(get(), &text));
@@ -295,7 +308,7 @@ class World {
 
   static size_t rays(std::span<const double> origins, std::span<const double> directions) {
     if (origins.size() % 3 != 0 || origins.size() != directions.size())
-      throw BadInput("origins and directions: must be as many, three numbers each");
+      throw BadInput("origins and directions: must have the same length, three numbers per ray");
     return origins.size() / 3;
   }
 

@@ -32,9 +32,10 @@ Status add_key(const kerf_key& key, const std::string& where, StrokePath& path) 
   if (direction == Vec3(0)) return bad_input(where + ": the direction must not be zero");
   const Pose pose{{key.origin[0], key.origin[1], key.origin[2]}, beam_direction(direction)};
   if (!path.keys.empty() && key.time < path.times.back())
-    return bad_input(where + ": the time must not be less than that of the key before");
+    return bad_input(where + ": the time must not be less than that of the previous key");
   if (!path.keys.empty() && are_opposite(pose.direction, path.keys.back().direction))
-    return bad_input(where + ": the direction is opposite to that of the key before; set a key between them");
+    return bad_input(where +
+                     ": the direction is opposite to that of the previous key; add a key between them");
   path.keys.push_back(pose);
   path.times.push_back(key.time);
   return Done{};
@@ -51,7 +52,7 @@ Result<StrokePath> path_of(const kerf_stroke& stroke, size_t number) {
   if (!are_finite(&stroke.radius, 1) || stroke.radius < 0)
     return bad_input(where + ": the radius must be a length in metres, or 0");
   if (!are_finite(stroke.range, 2) || stroke.range[0] < 0 || stroke.range[1] < stroke.range[0])
-    return bad_input(where + ": the range must be two lengths in metres, 0 <= first <= second");
+    return bad_input(where + ": the range must be two lengths in metres, 0 <= min <= max");
   if (!are_finite(&stroke.power, 1) || stroke.power < 0)
     return bad_input(where + ": the power must be a number of watts, or 0");
   if (stroke.radius > 0) path.radius = stroke.radius;
@@ -60,7 +61,7 @@ Result<StrokePath> path_of(const kerf_stroke& stroke, size_t number) {
   return path;
 }
 
-// The number that a field of an enumeration holds: callers in C may set it to any.
+// Returns the integer value of an enumeration field; C callers may store any integer in it.
 template <typename Enum>
 int number_in(const Enum& field) {
   static_assert(sizeof(Enum) == sizeof(int));
@@ -79,13 +80,13 @@ Status check(const kerf_cut_settings& s) {
   if (s.levels_plus_one < 0 || s.levels_plus_one > Resolution::kLargestDepth + 1)
     return bad_input("levels: must be from 0 to " + std::to_string(Resolution::kLargestDepth));
   if ((s.target_edge > 0) + (s.tolerance > 0) + (s.levels_plus_one > 0) > 1)
-    return bad_input("target_edge, tolerance and levels: choose one of them");
+    return bad_input("target_edge, tolerance and levels: set only one of them");
   if (!is_either(number_in(s.rim), KERF_RIM_FACES, KERF_RIM_SMOOTH))
-    return bad_input("rim: there is faces and smooth");
+    return bad_input("rim: must be faces or smooth");
   if (!is_either(number_in(s.scheme), KERF_SCHEME_LONGEST_EDGE, KERF_SCHEME_ONE_TO_FOUR))
-    return bad_input("scheme: there is longest-edge and one-to-four");
+    return bad_input("scheme: must be longest-edge or one-to-four");
   if (!is_either(number_in(s.model), KERF_MODEL_GEOMETRIC, KERF_MODEL_THERMAL))
-    return bad_input("model: there is geometric and thermal");
+    return bad_input("model: must be geometric or thermal");
   return Done{};
 }
 
@@ -112,7 +113,7 @@ Result<Substance> substance_named(const std::string& name) {
   if (const Material* material = find_material(*materials, name)) return material->substance;
   std::string names;
   for (const Material& material : *materials) names += (names.empty() ? "" : ", ") + material.name;
-  return bad_input("material: \"" + name + "\" is unknown; there is: " + names);
+  return bad_input("material: \"" + name + "\" is unknown; use one of: " + names);
 }
 
 bool has_substance(const World& world, const Substance& substance) {
@@ -120,7 +121,7 @@ bool has_substance(const World& world, const Substance& substance) {
                              [&](BodyId id) { return world.body(id).sheet.substance == substance; });
 }
 
-// The same world with another material of all bodies.
+// Returns the same world with a new material of all bodies.
 Document of_material(const Document& document, const Substance& substance) {
   World world = document.world();
   for (const BodyId id : world.ids()) {
@@ -130,7 +131,7 @@ Document of_material(const Document& document, const Substance& substance) {
   return Document(std::move(world));
 }
 
-// Whether lengths that follow from the size of the world, or from the radius, can be used.
+// Returns an error if lengths derived from the size of the world, or from the radius, are unusable.
 Status check_usable(const CutSettings& s, size_t number, double diagonal) {
   const auto is_usable = [](double length) { return std::isfinite(length) && length > 0; };
   const std::string where = "strokes: number " + std::to_string(number);
@@ -139,14 +140,14 @@ Status check_usable(const CutSettings& s, size_t number, double diagonal) {
     size.imbue(std::locale::classic());
     size << diagonal;
     return bad_input(where + ": the world is " + size.str() +
-                     " m across, from which neither radius nor range follow; give both");
+                     " m across, too small or large for the default radius and range; set both");
   }
   if (!is_usable(s.resolution.target_edge) || !is_usable(s.resolution.tolerance))
     return bad_input(where + ": the radius is too small");
   return Done{};
 }
 
-// The commands of each stroke.
+// Returns the commands of each stroke.
 Result<std::vector<std::vector<Command>>> commands_of(std::span<const kerf_stroke> strokes,
                                                       const kerf_cut_settings& settings, double diagonal) {
   std::vector<std::vector<Command>> commands;
@@ -181,7 +182,7 @@ Status cut_one(Document& document, std::span<const Command> stroke, const Progre
   return cut;
 }
 
-// All strokes or none.
+// Executes all strokes or none.
 Status cut_each(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
                 CutJob& job) {
   const size_t position = document.history().position();
@@ -197,7 +198,7 @@ Status cut_each(Document& document, std::span<const std::vector<Command>> stroke
   return Done{};
 }
 
-// Keeps before-images so long as they may be needed.
+// Executes all strokes or none, and keeps before-images for as long as they may be needed.
 Status cut_all(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
                CutJob& job) {
   document.set_window(std::numeric_limits<size_t>::max());
@@ -207,7 +208,7 @@ Status cut_all(Document& document, std::span<const std::vector<Command>> strokes
   return done;
 }
 
-// The job with what is known before its first cut.
+// Returns the job, with the properties of the input filled in before its first cut.
 CutJob begun(const kerf_world& world, const kerf_cut_settings& settings) {
   CutJob job = world.job;
   if (world.settings.is_null()) job.input_min_angle = smallest_angle(world.document.world());

@@ -20,15 +20,14 @@
 
 namespace kerf {
 
-// How a function of the library runs: with the floating-point modes that Kerf computes with and as many
-// threads as the caller allows, and without letting an exception out. The message of what fails is kept for
-// kerf_message().
+// Runs a function of the library with Kerf's floating-point modes and at most as many threads as the caller
+// allows. Converts exceptions to results and stores the message of an error for kerf_message().
 class Call {
  public:
   // `control` may be null.
   explicit Call(const kerf_control* control);
 
-  // Returns the result of the work: that of its status, or of what it throws.
+  // Returns the result of the work: that of its status, or of the exception that it throws.
   kerf_result run(const std::function<Status(const Progress&)>& work);
 
  private:
@@ -36,15 +35,15 @@ class Call {
   bool stopped_ = false;
 };
 
-// Keeps the message of an error for this thread, and returns its code.
+// Stores the message of an error for this thread and returns its code.
 kerf_result told(kerf_result result, const char* message) noexcept;
 
-// The message that was kept last in this thread.
+// Returns the last message stored in this thread.
 const char* last_message();
 
 }  // namespace kerf
 
-// A mesh as outsiders see it: flat arrays.
+// The mesh of the C interface: flat arrays.
 struct kerf_mesh {
   std::vector<kerf::Vec3> positions;
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -53,32 +52,33 @@ struct kerf_mesh {
   std::vector<std::string> material_names;
   std::vector<double> temperatures;  // K, one per triangle of a piece; empty for any other mesh
   std::string name;
-  kerf_mesh_info info{};         // but for its name
-  std::optional<double> volume;  // of a piece that is closed, m^3
+  kerf_mesh_info info{};         // except for its name
+  std::optional<double> volume;  // of a closed piece [m^3]
 };
 
 namespace kerf {
 
-// Fills what follows from the arrays: area, centroid, and the identity as the placement.
+// Computes the values that follow from the arrays, area and centroid, and sets the placement to the
+// identity.
 void measure(kerf_mesh& mesh);
 
-// The mesh as the content of a file.
+// Returns the mesh in the form of a file's content.
 Soup soup_of(const kerf_mesh& mesh);
 
-// What the journal of a world begins with: the bodies of the scene that was opened, and behind them those
-// that were added, as they were then. A world that is changed in a way that its journal cannot tell, after it
-// was cut, has none any more.
+// The initial state in the journal of a world: the bodies of the scene that was opened, followed by the
+// added bodies in their initial state. A world has no journal once it is changed after a cut in a way that
+// the journal cannot represent.
 class Beginning {
  public:
   void open(SceneDescription scene) { scene_ = std::move(scene); }
   void add(const kerf_mesh& mesh, const std::string& name) { added_.push_back({mesh, name}); }
-  // The bodies have another material from now on.
+  // Records a new material of all bodies.
   void set_substance(const Substance& substance);
-  // The world is not what the journal leads to any more.
+  // Records that the journal no longer reproduces the world.
   void lose() { lost_ = true; }
 
-  // Writes the journal of the document, and beside it the meshes that were added. Bad input where there is no
-  // journal; fails if a file cannot be written.
+  // Writes the journal of the document, and next to it the added meshes. Returns a bad-input error if there
+  // is no journal; fails if a file cannot be written.
   Status save(const Document& document, const std::filesystem::path& file) const;
 
  private:
@@ -89,14 +89,14 @@ class Beginning {
 
   SceneDescription scene_;
   std::vector<Added> added_;
-  Sheet sheet_;  // of those that were added
+  Sheet sheet_;  // of the added bodies
   bool lost_ = false;
 };
 
-// The calls that use a world at the moment: one that changes it, or any number that read it.
+// The calls that use a world: one that changes it, or any number that read it.
 class WorldUsers {
  public:
-  // Whether the call may go on. Each that may calls end_reading() or end_changing() when it is done.
+  // Returns true if the call may proceed; it must then call end_reading() or end_changing() when done.
   bool begin_reading();
   bool begin_changing();
   void end_reading() { users_.fetch_sub(1, std::memory_order_release); }
@@ -110,13 +110,13 @@ class WorldUsers {
 
 }  // namespace kerf
 
-// A world as outsiders see it: a document that keeps no history between cuts.
+// The world of the C interface: a document that keeps no history between cuts.
 struct kerf_world {
   kerf::Document document;
   kerf::Beginning beginning;
-  kerf::CutJob job;                           // what the library has cut, for the report
+  kerf::CutJob job;                           // cuts of the library, for the report
   nlohmann::ordered_json settings = nullptr;  // of the first cut
-  // Of all meshes as they were added, which defaults of strokes follow from; cuts do not change them.
+  // Bounds of all meshes as they were added, independent of cuts; the defaults of strokes follow from them.
   std::optional<kerf::World::Bounds> bounds;
   mutable kerf::WorldUsers users;
 };

@@ -18,7 +18,7 @@ constexpr size_t kMaxElements = size_t{1} << 31;
 
 bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-// The usable triangles of a file over its welded positions.
+// Converts the usable triangles of a file, over its welded positions.
 Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   WeldedTriangles welded(soup.positions);
   for (size_t t = 0; t < soup.triangles.size(); ++t) {
@@ -27,7 +27,7 @@ Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
         std::all_of(corners.begin(), corners.end(), [&](uint32_t v) { return is_finite(soup.positions[v]); });
     if (usable && welded.add(corners) && !soup.materials.empty()) mesh.materials.push_back(soup.materials[t]);
   }
-  if (welded.triangles.empty()) return bad_input(name + ": no usable face is in it.");
+  if (welded.triangles.empty()) return bad_input(name + ": the file has no usable face.");
   for (size_t p = 0; p < welded.sources.size() && !soup.colours.empty(); ++p)
     mesh.colours.push_back(soup.colours[welded.sources[p]]);
   mesh.positions = std::move(welded.positions);
@@ -38,10 +38,10 @@ Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
 
 Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count,
                  kerf_mesh& mesh) {
-  if (vertices == nullptr || vertex_count == 0) return bad_input("vertices: there is none");
-  if (faces == nullptr || face_count == 0) return bad_input("faces: there is none");
+  if (vertices == nullptr || vertex_count == 0) return bad_input("vertices: must not be empty");
+  if (faces == nullptr || face_count == 0) return bad_input("faces: must not be empty");
   if (vertex_count > kMaxElements || face_count > kMaxElements)
-    return bad_input("vertices and faces: there are more than 2147483648 of one of them");
+    return bad_input("vertices and faces: must be at most 2147483648 each");
   mesh.positions.resize(vertex_count);
   for (size_t v = 0; v < vertex_count; ++v) {
     for (int k = 0; k < 3; ++k) {
@@ -55,8 +55,8 @@ Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* fa
     for (size_t i = 0; i < 3; ++i) {
       const uint32_t v = faces[3 * f + i];
       if (v >= vertex_count) {
-        return bad_input("faces: number " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                         ", but there are " + std::to_string(vertex_count));
+        return bad_input("faces: number " + std::to_string(f) + " refers to vertex " + std::to_string(v) +
+                         ", but the number of vertices is " + std::to_string(vertex_count));
       }
       mesh.triangles[f][i] = v;
     }

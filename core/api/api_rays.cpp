@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t kRaysTogether = 1024;
 
-// Rays as they were asked for.
+// Rays as given by the caller.
 struct Rays {
   const double *origins, *directions;
   size_t count;
@@ -28,7 +28,7 @@ Result<Rays> rays_of(const double* origins, const double* directions, size_t n, 
   Rays rays{origins, directions, n, {0, std::numeric_limits<double>::max()}};
   if (range != nullptr) {
     if (!std::isfinite(range[0]) || std::isnan(range[1]) || range[0] < 0 || range[1] < range[0])
-      return bad_input("range: must be two lengths in metres, 0 <= first <= second");
+      return bad_input("range: must be two lengths in metres, 0 <= min <= max");
     rays.range = {range[0], std::min(range[1], std::numeric_limits<double>::max())};
   }
   const auto is_finite = [](const Vec3& v) {
@@ -78,7 +78,7 @@ std::vector<BodyId> ids_of(const World& world) {
   return {ids.begin(), ids.end()};
 }
 
-// The arrays behind a kerf_hits.
+// Owner of the arrays of a kerf_hits.
 struct HitArrays {
   std::vector<size_t> first{0};
   std::vector<double> distances;

@@ -31,9 +31,9 @@ namespace {
 
 constexpr unsigned kMaxThreads = 1024;
 
-constexpr const char* kNoMemory = "there is not enough memory";
+constexpr const char* kNoMemory = "out of memory";
 
-// The message of this thread; where memory was lacking to keep one, kNoMemory takes its place.
+// Message of this thread; kNoMemory if there was too little memory to store one.
 struct Kept {
   std::string text;
   bool lacks_memory = false;
@@ -43,8 +43,8 @@ Kept& kept() {
   return message;
 }
 
-// Rounding to nearest, without flushing of small numbers to zero, while it exists. Programs that were
-// compiled with -ffast-math run with the latter.
+// Sets rounding to nearest and disables flushing of denormals during its lifetime. Programs compiled with
+// -ffast-math enable flushing.
 class DefaultArithmetic {
  public:
   DefaultArithmetic() : control_(_mm_getcsr()) {
@@ -71,7 +71,7 @@ class DefaultArithmetic {
 kerf_result told(kerf_result result, const char* message) noexcept {
   try {
     kept() = {message, false};
-    // A name in it, such as that of a file, may have several lines.
+    // A name in it, such as that of a file, may contain line breaks.
     std::ranges::replace_if(
         kept().text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   } catch (const std::bad_alloc&) {
@@ -105,7 +105,7 @@ kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
   } catch (const std::exception& fault) {
     return told(KERF_FAILED, fault.what());
   } catch (...) {
-    return told(KERF_FAILED, "stopped by an unknown fault");
+    return told(KERF_FAILED, "the call failed with an unknown exception");
   }
 }
 
@@ -121,17 +121,16 @@ void Beginning::set_substance(const Substance& substance) {
 Status Beginning::save(const Document& document, const std::filesystem::path& file) const {
   if (lost_)
     return bad_input(
-        "the world has no journal, because a body was added or the material was changed after a cut; save "
-        "the "
+        "the world has no journal because a body was added or the material changed after a cut; save the "
         "scene instead");
   if (document.world().ids().empty() && document.journal().empty())
     return bad_input("the world has no mesh; add one before its journal is saved");
-  // Where the journal cannot be, its meshes must not be either.
+  // If the journal cannot be written, its meshes must not be either.
   std::error_code error;
   const auto type = std::filesystem::status(file, error).type();
   if (!file.has_filename() ||
       (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found))
-    return bad_input("path: must be the name of a file");
+    return bad_input("path: must name a file, not a folder");
   SceneDescription scene = scene_;
   scene.strokes.clear();  // which are commands of the document
   for (const auto& [mesh, name] : added_) {
@@ -148,7 +147,7 @@ Status Beginning::save(const Document& document, const std::filesystem::path& fi
   }
   if (const Status noted = record_hashes(scene); !noted) return noted;
   std::vector<StateMark> marks;
-  // The journal that was opened may end within a stroke.
+  // An opened journal may end within a stroke.
   if (!document.execution().in_stroke() && document.waiting() == 0) marks.push_back(state_mark(document));
   return save_journal(file, scene, document.journal(), marks);
 }
@@ -170,7 +169,8 @@ kerf_result read_world(const kerf_world* world, const kerf_control* control,
                        const std::function<Status(const Document&, const Progress&)>& work) {
   if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
   if (!world->users.begin_reading())
-    return told(KERF_BUSY, "the world is in use: another call changes it; try again when that has returned");
+    return told(KERF_BUSY,
+                "the world is in use by a call that changes it; try again after that call has returned");
   const kerf_result result =
       Call(control).run([&](const Progress& progress) { return work(world->document, progress); });
   world->users.end_reading();
@@ -181,7 +181,7 @@ kerf_result change_world(kerf_world* world, const kerf_control* control,
                          const std::function<Status(const Progress&)>& work) {
   if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
   if (!world->users.begin_changing())
-    return told(KERF_BUSY, "the world is in use by another call; change it when that has returned");
+    return told(KERF_BUSY, "the world is in use by another call; try again after that call has returned");
   const kerf_result result = Call(control).run(work);
   world->users.end_changing();
   return result;
@@ -197,7 +197,7 @@ void grow(std::optional<World::Bounds>& bounds, const World::Bounds& by) {
 
 bool is_utf8(const std::string& text) { return dump_json(nlohmann::ordered_json(text), -1).ok(); }
 
-// A document with another body. Its history ends: nothing is taken back through the library.
+// Adds a body by replacing the document, which ends its history: the library has no undo.
 Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, const Progress& progress) {
   const std::string name = given_name == nullptr ? "mesh" : given_name;
   if (!is_utf8(name)) return bad_input("name: must be UTF-8");
@@ -281,14 +281,14 @@ std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
   return mesh;
 }
 
-// A text that kerf_text_free frees.
+// Copies a text for kerf_text_free.
 char* copy_of(const std::string& text) {
   auto copy = std::make_unique<char[]>(text.size() + 1);
   std::memcpy(copy.get(), text.c_str(), text.size() + 1);
   return copy.release();
 }
 
-// A piece as the report has it.
+// Converts a piece for the report.
 WrittenPiece as_written(const kerf_mesh& mesh) {
   const kerf_mesh_info& info = mesh.info;
   WrittenPiece piece;
@@ -309,7 +309,7 @@ WrittenPiece as_written(const kerf_mesh& mesh) {
   return piece;
 }
 
-// The pieces, largest area first.
+// Returns the pieces, largest area first.
 Result<std::vector<std::unique_ptr<kerf_mesh>>> pieces_of(const World& world, const Progress& progress) {
   std::vector<Part> parts;
   for (const BodyId id : world.ids()) {

@@ -347,7 +347,7 @@ TEST(Face, bad_input_gets_a_sentence) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   says([&] { kerf::Mesh({}, face); }, "vertices");
   says([&] { kerf::Mesh(square, {}); }, "faces");
-  says([&] { kerf::Mesh(square, std::vector<uint32_t>{0, 1, 3}); }, "names vertex 3");
+  says([&] { kerf::Mesh(square, std::vector<uint32_t>{0, 1, 3}); }, "refers to vertex 3");
   says([&] { kerf::Mesh(std::vector<double>{0, nan, 0}, face); }, "not finite");
   says([&] { kerf::Mesh::read("no-such.obj"); }, "no-such.obj");
   says([&] { kerf::Mesh(square, face).write("a.xyz"); }, ".obj");

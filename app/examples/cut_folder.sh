@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Cuts every mesh of a folder in two with a slot through its middle, on all cores, and gathers the reports:
+# Cuts every mesh of a folder in two with a slot through its middle, on all cores, and collects the reports:
 #   cut_folder.sh KERF MESHES OUT
-# A mesh whose report is there is left out, so that a run that was stopped goes on where it was. What fails is told in
-# OUT/jobs.log and tried again by the next run. Needs GNU parallel and python3.
+# Skips meshes that have a report, so an interrupted run can be resumed. OUT/jobs.log lists failed jobs; the
+# next run tries them again. Needs GNU parallel and python3.
 set -uo pipefail
 (($# == 3)) || { echo "usage: cut_folder.sh KERF MESHES OUT" >&2; exit 2; }
 kerf=$(realpath "$1") meshes=$(realpath "$2") out=$3
 mkdir -p "$out"
 
-# The path of a mesh: along its first axis, from above, from the bounds that `kerf info` tells.
+# Cuts one mesh along its first axis, from above; the path follows from the bounds that `kerf info` prints.
 cut_one() {
   local mesh=$1 folder=$2/$(basename "$1") info
   [[ ! -e $folder/report.json ]] || return 0

@@ -1,4 +1,4 @@
-"""Drills a grid of holes through a plate and weighs what is left: drill_holes.py"""
+"""Drills a grid of holes through a plate and prints the remaining mass: drill_holes.py"""
 import numpy as np
 
 import kerf

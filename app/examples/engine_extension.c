@@ -1,15 +1,15 @@
-/* What an extension of a game engine, Godot's for instance, does with Kerf in C: the engine holds meshes as
- * arrays of floats; a laser cuts one of them; the pieces go back as arrays of floats with a normal for each
- * corner, and with what a rigid body needs. The engine is played by main(). */
+/* An extension of a game engine, such as Godot, in C: the engine holds meshes as arrays of floats; a
+ * laser cuts one of them; the pieces return as arrays of floats with a normal per corner, and with the
+ * properties of a rigid body. main() stands in for the engine. */
 #include <kerf/kerf_c.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* A surface as engines take it: three corners a triangle, none shared. */
+/* A surface in the format of engines: three corners per triangle, none shared. */
 typedef struct surface {
   size_t corners;
-  float *positions, *normals; /* three numbers a corner */
+  float *positions, *normals; /* three numbers per corner */
 } surface;
 
 /* A piece as a rigid body. */
@@ -26,7 +26,7 @@ static void free_bodies(rigid_body* bodies, size_t count) {
   free(bodies);
 }
 
-/* The engine's indexed floats as a mesh of Kerf. */
+/* Converts the engine's indexed floats to a mesh of Kerf. */
 static kerf_result take_mesh(const float* vertices, size_t vertex_count, const uint32_t* faces,
                              size_t face_count, kerf_mesh** out) {
   double* wide = malloc(3 * vertex_count * sizeof *wide);
@@ -37,8 +37,8 @@ static kerf_result take_mesh(const float* vertices, size_t vertex_count, const u
   return result;
 }
 
-/* The surface of a piece, relative to the centre of its mass, flat-shaded. Returns 0 where there is no
- * memory. */
+/* Writes the surface of a piece, relative to its centre of mass, flat-shaded. Returns 0 if memory is
+ * short. */
 static int give_surface(const kerf_mesh* piece, const double centre[3], surface* out) {
   const double* v = kerf_mesh_vertices(piece);
   const uint32_t* f = kerf_mesh_faces(piece);
@@ -66,11 +66,11 @@ static int give_surface(const kerf_mesh* piece, const double centre[3], surface*
   return 1;
 }
 
-/* Cuts a mesh with one stroke, as a call from a thread of the engine would; null with *count = 0 if it fails.
- */
+/* Cuts a mesh with one stroke, as a worker thread of the engine would. Returns null with *count = 0 on
+ * failure. */
 static rigid_body* cut(const kerf_mesh* mesh, const kerf_stroke* stroke, size_t* count) {
   const kerf_cut_settings settings = {.rim = KERF_RIM_SMOOTH};
-  const kerf_control one_thread = {.threads = 1}; /* the engine has work for the others */
+  const kerf_control one_thread = {.threads = 1}; /* the engine needs the other cores */
   kerf_world* world = NULL;
   kerf_mesh** pieces = NULL;
   rigid_body* bodies = NULL;
@@ -97,7 +97,7 @@ static rigid_body* cut(const kerf_mesh* mesh, const kerf_stroke* stroke, size_t*
 }
 
 int main(void) {
-  /* A box of two by one by one metres. */
+  /* A box of 2 m by 1 m by 1 m. */
   const float vertices[] = {-1, 0, -.5f, 1, 0, -.5f, 1, 0, .5f, -1, 0, .5f,
                             -1, 1, -.5f, 1, 1, -.5f, 1, 1, .5f, -1, 1, .5f};
   const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 5, 1, 0, 4, 5,

@@ -1,4 +1,4 @@
-/* A C program: it makes a square of two faces, cuts it and counts the pieces. */
+/* A C client: makes a square of two faces, cuts it and counts the pieces. */
 #include <kerf/kerf_c.h>
 #include <stdio.h>
 

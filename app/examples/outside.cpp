@@ -1,4 +1,4 @@
-// An outside program: it reads a mesh, cuts it in two along its longest side and weighs the pieces.
+// A C++ client: reads a mesh, cuts it in two along its longest side and prints the masses of the pieces.
 //   outside MESH
 #include <kerf/kerf.h>
 

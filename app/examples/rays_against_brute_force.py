@@ -1,4 +1,4 @@
-"""Shoots random rays at a mesh and compares the nearest hits with a test of every face: rays_against_brute_force.py MESH"""
+"""Traces random rays against a mesh and compares the nearest hits with a test of every face: rays_against_brute_force.py MESH"""
 import sys
 
 import numpy as np

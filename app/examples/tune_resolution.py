@@ -1,5 +1,5 @@
-"""Cuts a mesh at finer and finer resolutions and prints faces and removed area against the edge length, as a table and as
-bars: tune_resolution.py MESH"""
+"""Cuts a mesh at increasing resolutions and prints faces and removed area per edge length, as a table and as bars:
+tune_resolution.py MESH"""
 import sys
 
 import numpy as np

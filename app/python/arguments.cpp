@@ -12,7 +12,7 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 std::string type_of(const py::handle& given) { return Py_TYPE(given.ptr())->tp_name; }
 
-// Throws the error of the interpreter if there is one.
+// Throws the pending error of the interpreter, if any.
 void throw_if_raised() {
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
 }
@@ -25,7 +25,7 @@ std::array<double, 3> vector_of(const py::handle& given, const std::string& name
   return {array.data()[0], array.data()[1], array.data()[2]};
 }
 
-// A sequence of so many members, or an empty object.
+// Returns a sequence of exactly `members` members, or an empty object.
 py::sequence sequence_of(const py::handle& given, size_t members) {
   const bool is_one = py::isinstance<py::sequence>(given) && !py::isinstance<py::str>(given);
   if (!is_one || py::len(given) != members) return py::reinterpret_steal<py::sequence>(py::handle());
@@ -88,14 +88,15 @@ std::vector<uint32_t> faces_argument(const py::handle& given) {
   const auto any = py::array::ensure(given);
   if (!any) PyErr_Clear();
   if (!any || (any.dtype().kind() != 'i' && any.dtype().kind() != 'u'))
-    throw py::value_error("faces: must be an array of whole numbers of shape (m, 3)");
+    throw py::value_error("faces: must be an integer array of shape (m, 3)");
   if (any.ndim() != 2 || any.shape(1) != 3) throw py::value_error("faces: must have the shape (m, 3)");
   const auto array = py::array_t<int64_t, py::array::c_style | py::array::forcecast>::ensure(any);
   std::vector<uint32_t> indices(static_cast<size_t>(array.size()));
   for (size_t i = 0; i < indices.size(); ++i) {
     const int64_t v = array.data()[i];
     if (v < 0 || v > int64_t{0xffffffff})
-      throw py::value_error("faces: number " + std::to_string(i / 3) + " names vertex " + std::to_string(v));
+      throw py::value_error("faces: number " + std::to_string(i / 3) + " refers to vertex " +
+                            std::to_string(v));
     indices[i] = static_cast<uint32_t>(v);
   }
   return indices;

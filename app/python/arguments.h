@@ -11,21 +11,21 @@
 
 #include "core/kerf.h"
 
-// Arguments of Python functions as values of the library. One of the wrong type raises TypeError and one with
-// a wrong value ValueError, in a sentence that begins with its name.
+// Converts arguments of Python functions to values of the library. A wrong type raises TypeError, a wrong
+// value ValueError, with a sentence that begins with the name of the argument.
 namespace kerf::python {
 
 namespace py = pybind11;
 
-// A str, bytes or os.PathLike as the bytes of a path.
+// Returns the bytes of a path given as str, bytes or os.PathLike.
 std::string path_argument(const py::handle& given);
-// A str without a null character.
+// Returns a str without null characters.
 std::string text_argument(const py::handle& given, const char* name);
-// A real number; a str is none.
+// Returns a real number; rejects a str.
 double number_argument(const py::handle& given, const std::string& name);
-// An integer, limited to what an int holds; the library checks its range.
+// Returns an integer, clamped to the range of int; the library checks its range.
 int whole_argument(const py::handle& given, const char* name);
-// None, or a value that `read` reads with the further arguments.
+// Returns nullopt for None, else the value that `read` returns for the arguments.
 template <typename Read, typename... Arguments>
 auto optional_argument(const py::handle& given, Read read, const Arguments&... arguments)
     -> std::optional<decltype(read(given, arguments...))> {
@@ -33,18 +33,18 @@ auto optional_argument(const py::handle& given, Read read, const Arguments&... a
   return read(given, arguments...);
 }
 
-// Copies of arrays, so that the caller may change them while Kerf works: of shape (n, 3), and whole numbers
-// of shape (m, 3).
+// Return copies of arrays, so that the caller may change them while Kerf works: numbers of shape (n, 3),
+// and integers of shape (m, 3).
 std::vector<double> triples_argument(const py::handle& given, const char* name);
 std::vector<uint32_t> faces_argument(const py::handle& given);
-// (min, max)
+// Returns a pair (min, max).
 std::array<double, 2> range_argument(const py::handle& given);
 
-// A sequence of (time, origin, direction).
+// Returns a sequence of (time, origin, direction).
 std::vector<Key> keys_argument(const py::handle& given);
-// A Stroke, or an iterable of them.
+// Returns the strokes of a Stroke, or of an iterable of them.
 std::vector<Stroke> strokes_argument(const py::handle& given);
-// An instance of a class of this module.
+// Returns an instance of a class of this module.
 template <typename Class>
 const Class& instance_argument(const py::handle& given, const char* name, const char* class_name) {
   if (py::isinstance<Class>(given)) return given.cast<const Class&>();
@@ -52,7 +52,7 @@ const Class& instance_argument(const py::handle& given, const char* name, const 
                        Py_TYPE(given.ptr())->tp_name);
 }
 
-// The value of a name that is one of those offered.
+// Returns the value that belongs to a name.
 template <typename Value>
 Value choice_argument(const py::handle& given, const char* name,
                       std::initializer_list<std::pair<const char*, Value>> offered) {
@@ -62,11 +62,11 @@ Value choice_argument(const py::handle& given, const char* name,
     if (text == known) return value;
     names += (names.empty() ? "" : ", ") + std::string(known);
   }
-  throw py::value_error(std::string(name) + ": \"" + text + "\" is not offered; there is: " + names);
+  throw py::value_error(std::string(name) + ": \"" + text + "\" is unknown; use one of: " + names);
 }
 
-// None or a callable, and a number of threads. At most fifty times a second a call takes the lock of the
-// interpreter, ends at Ctrl-C, and reports its progress, which may end it.
+// Returns a Control from None or a callable, and a number of threads. At most fifty times a second the call
+// acquires the interpreter lock, ends on Ctrl-C, and reports its progress, whose return value may end it.
 Control control_argument(const py::object& progress, unsigned threads);
 
 }  // namespace kerf::python

@@ -1,5 +1,5 @@
-// The Python module: the C++ face of the core with arrays of NumPy. The lock of the interpreter is released
-// while Kerf works, and Ctrl-C ends a call.
+// The Python module: kerf.h with NumPy arrays. Calls release the interpreter lock while Kerf works, and
+// Ctrl-C ends them.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -17,13 +17,13 @@ namespace {
 
 using namespace kerf::python;
 
-// A path that leads to no file.
+// Thrown for a path without a file.
 struct MissingFile {
   std::string path;
 };
 
-// Runs work on a file with the lock of the interpreter released. What it throws because `needed`, the file or
-// the folder to write in, does not exist is a MissingFile.
+// Runs work on a file with the interpreter lock released. Throws MissingFile if the work fails because
+// `needed`, the file or the folder to write in, does not exist.
 template <typename Work>
 auto on_file(const std::string& path, const std::filesystem::path& needed, Work work) {
   const py::gil_scoped_release unlocked;
@@ -38,12 +38,12 @@ auto on_file(const std::string& path, const std::filesystem::path& needed, Work 
   }
 }
 
-// The folder in which a path names a file.
+// Returns the folder that contains a file.
 std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-// The object that a JSON text describes; the text is made with the lock of the interpreter released.
+// Parses a JSON text, which is made with the interpreter lock released.
 template <typename Make>
 py::object object_of(Make make) {
   std::string text;
@@ -54,7 +54,7 @@ py::object object_of(Make make) {
   return py::module_::import("json").attr("loads")(text);
 }
 
-// A read-only array of shape (n, 3) that looks at memory of a mesh and keeps it alive.
+// Returns a read-only array of shape (n, 3) that refers to memory of a mesh and keeps it alive.
 template <typename T>
 py::array_t<T> look_at(std::span<const T> numbers, const kerf::Mesh& mesh) {
   auto keeper = std::make_unique<kerf::Mesh>(mesh);
@@ -65,7 +65,7 @@ py::array_t<T> look_at(std::span<const T> numbers, const kerf::Mesh& mesh) {
   return array;
 }
 
-// The same of shape (n,).
+// Returns the same of shape (n,).
 py::array_t<double> look_along(std::span<const double> numbers, const kerf::Mesh& mesh) {
   auto keeper = std::make_unique<kerf::Mesh>(mesh);
   const py::capsule owner(keeper.get(), [](void* m) { delete static_cast<kerf::Mesh*>(m); });
@@ -134,7 +134,7 @@ py::dict cut(kerf::World& world, const py::object& strokes, const py::object& ta
   return told;
 }
 
-// What rays cross, as arrays.
+// Crossings of rays as NumPy arrays.
 struct HitArrays {
   py::array first, distance, body, face;
 };
@@ -164,37 +164,37 @@ py::array_t<double> numbers(const double (&values)[kCount]) {
 }
 
 void add_mesh(py::module_& m) {
-  py::class_<kerf::Mesh>(m, "Mesh", "A triangle mesh, or a piece of one, which never changes.")
+  py::class_<kerf::Mesh>(m, "Mesh", "A triangle mesh, or a piece of one; immutable.")
       .def(py::init([](const py::object& vertices, const py::object& faces) {
              const std::vector<double> positions = triples_argument(vertices, "vertices");
              const std::vector<uint32_t> corners = faces_argument(faces);
              return kerf::Mesh(positions, corners);
            }),
            py::arg("vertices"), py::arg("faces"),
-           "Mesh(vertices, faces): positions of shape (n, 3) in metres, and whole numbers of shape (m, 3), "
-           "counter-clockwise seen from outside. Both are copied.")
+           "Creates a mesh from arrays, which are copied: vertices, positions of shape (n, 3) in metres, and "
+           "faces, integers of shape (m, 3), counter-clockwise seen from outside.")
       .def_property_readonly(
           "vertices", [](const kerf::Mesh& mesh) { return look_at(mesh.vertices(), mesh); },
           "Positions, float64 of shape (n, 3), metres. Read-only.")
       .def_property_readonly(
           "faces", [](const kerf::Mesh& mesh) { return look_at(mesh.faces(), mesh); },
-          "Indices of vertices, uint32 of shape (m, 3). Read-only.")
+          "Vertex indices, uint32 of shape (m, 3). Read-only.")
       .def_property_readonly(
           "temperatures", [](const kerf::Mesh& mesh) { return look_along(mesh.temperatures(), mesh); },
-          "Of the faces of a piece, float64 of shape (m,), kelvin; empty for any other mesh. Read-only.")
-      .def_property_readonly("area", &kerf::Mesh::area, "m^2.")
+          "Face temperatures of a piece, float64 of shape (m,), kelvin; empty for any other mesh. Read-only.")
+      .def_property_readonly("area", &kerf::Mesh::area, "Area, m^2.")
       .def_property_readonly("name", &kerf::Mesh::name,
-                             "Of the piece; empty for a mesh that was read or made.")
+                             "Name of the piece; empty for a mesh that was read or created.")
       .def_property_readonly(
           "mass", [](const kerf::Mesh& mesh) { return mesh.info().mass; },
-          "kg, as a sheet, or as a solid where its body is one and it is closed; 0 for a mesh that is no "
-          "piece of a world.")
+          "Mass in kg, of the sheet, or of the solid if its body is one and the piece is closed; 0 unless "
+          "the mesh is a piece of a world.")
       .def_property_readonly(
           "centroid", [](const kerf::Mesh& mesh) { return numbers(mesh.info().centroid); },
-          "Of the area, or of the volume of a solid, shape (3,), metres.")
+          "Centroid of the area, or of the volume of a solid, shape (3,), metres.")
       .def_property_readonly(
           "inertia", [](const kerf::Mesh& mesh) { return numbers(mesh.info().inertia); },
-          "kg m^2 about the centroid in the axes of the world: xx, yy, zz, xy, xz, yz.")
+          "Inertia, kg m^2 about the centroid in world axes: xx, yy, zz, xy, xz, yz.")
       .def_property_readonly("boundary_edges",
                              [](const kerf::Mesh& mesh) { return mesh.info().boundary_edges; })
       .def_property_readonly(
@@ -203,15 +203,15 @@ void add_mesh(py::module_& m) {
             const kerf_mesh_info info = mesh.info();
             return py::make_tuple(numbers(info.position), numbers(info.orientation));
           },
-          "(position, orientation) of the body: metres, and a quaternion w, x, y, z. Vertices are in the "
-          "world already.")
+          "(position, orientation) of the body: metres, and a quaternion w, x, y, z. The vertices are "
+          "already in world coordinates.")
       .def(
           "write",
           [](const kerf::Mesh& mesh, const py::object& path) {
             const std::string file = path_argument(path);
             on_file(file, folder_of(file), [&] { mesh.write(file); });
           },
-          py::arg("path"), "Writes it as .obj, .ply, .stl, .off, .glb or .gltf, whole or not at all.")
+          py::arg("path"), "Writes the mesh as .obj, .ply, .stl, .off, .glb or .gltf, whole or not at all.")
       .def("__repr__", [](const kerf::Mesh& mesh) {
         return "<kerf.Mesh of " + std::to_string(mesh.faces().size() / 3) + " faces>";
       });
@@ -222,28 +222,24 @@ void add_mesh(py::module_& m) {
         const kerf::Control control = control_argument(py::none(), 0);
         return on_file(file, file, [&] { return kerf::Mesh::read(file, control); });
       },
-      py::arg("path"), "Reads an OBJ, PLY, STL, OFF or glTF file.");
+      py::arg("path"), "Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh.");
 }
 
 void add_stroke(py::module_& m) {
   py::class_<kerf::Stroke>(m, "Stroke", "A stroke of the laser.")
       .def(py::init(&make_stroke), py::arg("keys"), py::arg("radius") = py::none(),
            py::arg("range") = py::none(), py::arg("power") = py::none(),
-           "Stroke(keys, radius, range, power): keys are (time in s, origin in m, direction of any length "
-           "but 0). "
-           "Without them the radius (m) is 1/400 of the diagonal of the world, the range (m along the beam) "
-           "reaches ten "
-           "diagonals, and the power is 2000 W.");
+           "keys: (time in s, origin in m, direction of any non-zero length). Defaults: radius (m) is 1/400 "
+           "of the diagonal of the world, range (m along the beam) reaches ten diagonals, power is 2000 W.");
 }
 
 void add_world(py::module_& m) {
-  py::class_<HitArrays>(m, "Hits", "Surfaces that rays cross.")
+  py::class_<HitArrays>(m, "Hits", "Crossings of rays with surfaces.")
       .def_readonly("first", &HitArrays::first, "all_hits: hits of ray i are first[i] to first[i + 1] - 1.")
-      .def_readonly("distance", &HitArrays::distance, "float64, metres; inf where nothing is hit.")
-      .def_readonly("body", &HitArrays::body,
-                    "uint32, in the order of adding; 2^32 - 1 where nothing is hit.")
+      .def_readonly("distance", &HitArrays::distance, "float64, metres; inf on a miss.")
+      .def_readonly("body", &HitArrays::body, "uint32, in the order of adding; 2^32 - 1 on a miss.")
       .def_readonly("face", &HitArrays::face, "uint32, the slot of the face in its body.");
-  py::class_<kerf::World>(m, "World", "Meshes that a laser cuts.")
+  py::class_<kerf::World>(m, "World", "The bodies that a laser cuts.")
       .def(py::init<>())
       .def_static(
           "open",
@@ -264,17 +260,14 @@ void add_world(py::module_& m) {
             world.add(added, text, control);
           },
           py::arg("mesh"), py::arg("name") = "mesh",
-          "Adds a copy of a mesh as a body, a sheet of 1 mm of mild steel.")
+          "Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick.")
       .def("cut", &cut, py::arg("strokes"), py::kw_only(), py::arg("target_edge") = py::none(),
            py::arg("tolerance") = py::none(), py::arg("levels") = py::none(), py::arg("rim") = "faces",
            py::arg("scheme") = "longest-edge", py::arg("model") = "geometric",
            py::arg("material") = py::none(), py::arg("progress") = py::none(), py::arg("threads") = 0,
-           "Cuts all bodies with a Stroke or a list of them, all or nothing. The resolution is one of "
-           "target_edge (m), "
-           "tolerance (m) and levels. progress(share) is called at most fifty times a second and may return "
-           "False to stop. Returns removed_faces, "
-           "removed_area "
-           "(m^2) and seconds.")
+           "Cuts all bodies with a Stroke or a list of them, all or nothing. Set at most one of target_edge "
+           "(m), tolerance (m) and levels. progress(share) is called at most fifty times a second and may "
+           "return False to stop. Returns removed_faces, removed_area (m^2) and seconds.")
       .def_property_readonly(
           "pieces",
           [](const kerf::World& world) {
@@ -294,7 +287,7 @@ void add_world(py::module_& m) {
                             });
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
-          "The first surface that each of n rays crosses: arrays of shape (n, 3) in, Hits of n entries out.")
+          "Finds the first surface that each of n rays crosses: takes arrays of shape (n, 3), returns Hits.")
       .def(
           "all_hits",
           [](const kerf::World& world, const py::object& origins, const py::object& directions,
@@ -306,7 +299,7 @@ void add_world(py::module_& m) {
                             });
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
-          "All surfaces that each ray crosses, nearest first.")
+          "Finds all surfaces that each ray crosses, nearest first.")
       .def(
           "save_scene",
           [](const kerf::World& world, const py::object& folder) {
@@ -314,37 +307,36 @@ void add_world(py::module_& m) {
             const py::gil_scoped_release unlocked;
             world.save_scene(to);
           },
-          py::arg("folder"),
-          "Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.")
+          py::arg("folder"), "Writes the bodies as OBJ files and a scene.json that the editor opens.")
       .def(
           "save_journal",
           [](const kerf::World& world, const py::object& path) {
             const std::string file = path_argument(path);
             on_file(file, folder_of(file), [&] { world.save_journal(file); });
           },
-          py::arg("path"),
-          "Writes the journal (.kerf) of the cuts, and beside it the meshes that were added.")
+          py::arg("path"), "Writes the journal (.kerf) of the cuts, and the added meshes next to it.")
       .def(
           "report", [](const kerf::World& world) { return object_of([&] { return world.report(); }); },
-          "The report of all cuts so far, with the keys of the report.json of `kerf cut`.")
+          "Returns the report of all cuts so far, with the keys of the report.json of `kerf cut`.")
       .def(
           "graph", [](const kerf::World& world) { return object_of([&] { return world.graph(); }); },
-          "The component graph of the faces, as `kerf inspect --graph` writes it.")
+          "Returns the component graph of the faces, as written by `kerf inspect --graph`.")
       .def_property_readonly(
           "hash",
           [](const kerf::World& world) {
             const py::gil_scoped_release unlocked;
             return world.hash();
           },
-          "Sixteen hexadecimal digits; those of `kerf cut` for the same meshes and strokes.");
+          "Hash of the state, 16 hexadecimal digits; equal to that of `kerf cut` for the same meshes and "
+          "strokes.");
 }
 
-// The exceptions of the module, which live as long as the interpreter.
+// Exception classes of the module; they live as long as the interpreter.
 struct Exceptions {
   PyObject *error, *cancelled, *busy, *file_not_found;
 };
 
-// A class of exceptions of the module; `bases` is one class or a tuple of them.
+// Adds an exception class to the module; `bases` is one class or a tuple of them.
 PyObject* add_exception(py::module_& m, const char* name, const char* meaning, const py::handle& bases) {
   PyObject* made =
       PyErr_NewExceptionWithDoc(("kerf." + std::string(name)).c_str(), meaning, bases.ptr(), nullptr);
@@ -356,13 +348,13 @@ PyObject* add_exception(py::module_& m, const char* name, const char* meaning, c
 void add_exceptions(py::module_& m) {
   static Exceptions classes{};
   classes.error =
-      add_exception(m, "Error", "A call that could not be done; it has changed nothing.", PyExc_RuntimeError);
+      add_exception(m, "Error", "A call that failed; it has changed nothing.", PyExc_RuntimeError);
   classes.cancelled =
-      add_exception(m, "Cancelled", "A call that its progress function stopped.", classes.error);
+      add_exception(m, "Cancelled", "A call that its progress callback cancelled.", classes.error);
   classes.busy =
       add_exception(m, "Busy", "A call that cannot run while another one uses the world.", classes.error);
   const py::tuple bases = py::make_tuple(py::handle(PyExc_FileNotFoundError), py::handle(PyExc_ValueError));
-  classes.file_not_found = add_exception(m, "FileNotFound", "A path that leads to no file.", bases);
+  classes.file_not_found = add_exception(m, "FileNotFound", "A path without a file.", bases);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -1,4 +1,4 @@
-"""Kerf: a laser drills through any triangle mesh.
+"""Kerf: cuts triangle meshes with a laser.
 
     import kerf
     world = kerf.World()
@@ -8,16 +8,16 @@
 
 Lengths are in metres, +Y points up, faces are counter-clockwise seen from outside. Paths are str, bytes or os.PathLike.
 
-What fails has changed nothing and raises
+A failed call has changed nothing and raises
     TypeError          for an argument of the wrong type,
-    ValueError         for bad input, with a sentence that says what is wrong,
-    FileNotFoundError  for a path that leads to no file,
-    kerf.Cancelled     if the progress function stopped the call,
+    ValueError         for bad input, with a sentence that states the error,
+    FileNotFoundError  for a path without a file,
+    kerf.Cancelled     if the progress callback cancelled the call,
     kerf.Busy          if another thread uses the world,
     kerf.Error         for everything else, such as a full disk; it is the base of the last two.
 
-Several threads may read one world at the same time: pieces, hits, hash, report, graph and the functions that save it.
-add and cut raise kerf.Busy while another thread uses the world, and the others do while it is changed.
+Several threads may read one world at the same time: pieces, hits, hash, report, graph and the save functions.
+add and cut raise kerf.Busy while another thread uses the world, and the others raise it while the world is being changed.
 """
 
 try:

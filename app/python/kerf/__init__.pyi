@@ -10,22 +10,22 @@ __version__: str
 _Path = str | bytes | PathLike[str] | PathLike[bytes]
 
 class Error(RuntimeError):
-    """A call that could not be done; it has changed nothing."""
+    """A call that failed; it has changed nothing."""
 
 class Cancelled(Error):
-    """A call that its progress function stopped."""
+    """A call that its progress callback cancelled."""
 
 class Busy(Error):
     """A call that cannot run while another one uses the world."""
 
 class FileNotFound(FileNotFoundError, ValueError):
-    """A path that leads to no file."""
+    """A path without a file."""
 
 def read(path: _Path) -> Mesh:
-    """Reads an OBJ, PLY, STL, OFF or glTF file."""
+    """Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh."""
 
 class Mesh:
-    """A triangle mesh, or a piece of one, which never changes."""
+    """A triangle mesh, or a piece of one; immutable."""
 
     def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike) -> None: ...
     @property
@@ -33,10 +33,10 @@ class Mesh:
         """Positions of shape (n, 3), metres."""
     @property
     def faces(self) -> npt.NDArray[np.uint32]:
-        """Indices of vertices, shape (m, 3)."""
+        """Vertex indices, shape (m, 3)."""
     @property
     def temperatures(self) -> npt.NDArray[np.float64]:
-        """Of the faces of a piece, shape (m,), kelvin; empty for any other mesh."""
+        """Face temperatures of a piece, shape (m,), kelvin; empty for any other mesh."""
     @property
     def area(self) -> float: ...
     @property
@@ -71,7 +71,7 @@ class Hits:
     face: npt.NDArray[np.uint32]
 
 class World:
-    """Meshes that a laser cuts."""
+    """The bodies that a laser cuts."""
 
     def __init__(self) -> None: ...
     @staticmethod

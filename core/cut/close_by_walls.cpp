@@ -39,7 +39,7 @@ bool SpeckSearch::lies_along(RimState& rim, FaceId f) const {
   const auto is_near = [&](const Vec3& p) { return std::abs(distance_(p)) <= most; };
   for (size_t i = 0; i < 3; ++i) {
     if (std::binary_search(at_rim_.begin(), at_rim_.end(), corners[i])) continue;
-    const bool is_known = rim.region.is_near(f);  // what is far away needs no further look
+    const bool is_known = rim.region.is_near(f);  // no further test for distant vertices
     if ((is_known && std::abs(rim.distance(corners[i], f)) > 2 * most) || !is_near(t[i])) return false;
   }
   const Vec3 between[] = {0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]),
@@ -68,7 +68,7 @@ Resumable<Done> WallClosing::find_open_faces() {
   co_return Done{};
 }
 
-// What is near a face that was flipped may be more than is known of it.
+// A flipped face may be near more parts of the region than its list holds.
 bool WallClosing::is_at_rim(const Mesh::Side& side) {
   const double most = kRimNear * rim_->radius();
   const auto lies_there = [&](VertexId v) {
@@ -78,8 +78,8 @@ bool WallClosing::is_at_rim(const Mesh::Side& side) {
   return lies_there(side.from) && lies_there(side.to);
 }
 
-// Whether the faces on an edge of several sheets do not bound solids: more of them run one way along it than
-// the other.
+// Returns true if the faces on an edge of several sheets do not bound solids: more of them run one way
+// along it than the other.
 bool WallClosing::is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const {
   if (seen.contains({side.face, side.from})) return false;
   std::vector<Mesh::Side> others;
@@ -92,7 +92,8 @@ bool WallClosing::is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const
   return balance != 0;
 }
 
-// Finds the sides along the rim of parts that were closed before the stroke, and says where others are.
+// Finds the sides along the rim of parts that were closed before the stroke, and reports where others are
+// open.
 Resumable<Done> WallClosing::find_sides() {
   sides_.clear();
   left_open_.clear();
@@ -121,7 +122,7 @@ Resumable<Done> WallClosing::find_sides() {
   if (sides_.empty()) co_return Done{};
   if (unmatched)
     left_open_.push_back(
-        left_open("an edge has three faces or more that bound no solid", mesh().position(unmatched->from))
+        left_open("an edge has three or more faces that bound no solid", mesh().position(unmatched->from))
             .message);
   if (elsewhere.empty()) co_return Done{};
   const std::vector<bool> was_open = co_await parts_around(elsewhere);
@@ -132,8 +133,8 @@ Resumable<Done> WallClosing::find_sides() {
   co_return Done{};
 }
 
-// Appends the faces that belong to the part of a face: those on its sheet, and where its sheet ends at an
-// edge of several, but not at the rim, those of other sheets that end there.
+// Appends the adjacent faces of the same part: those on the face's sheet and, if its sheet ends at an edge
+// of several sheets away from the rim, those of the other sheets that end there.
 void WallClosing::append_connected(FaceId f, SidesOfRings& seen, std::vector<FaceId>& out) {
   append_sheet_neighbours(mesh(), f, out);
   std::vector<SheetSide> ends, beyond;
@@ -153,7 +154,7 @@ void WallClosing::append_connected(FaceId f, SidesOfRings& seen, std::vector<Fac
   }
 }
 
-// The faces of the connected parts that hold some faces.
+// Returns the faces of the connected parts that contain the given faces.
 Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>& faces) {
   std::vector<bool> reached(mesh().face_slots());
   SidesOfRings seen;
@@ -175,7 +176,7 @@ Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>
   co_return reached;
 }
 
-// The number of the connected part of each face, of those parts that hold sides along the rim.
+// Returns the index of the connected part of each face, for parts with sides along the rim.
 Resumable<std::vector<uint32_t>> WallClosing::parts_with_sides() {
   std::vector<uint32_t> part(mesh().face_slots(), kNoPart);
   SidesOfRings seen;
@@ -202,7 +203,7 @@ Resumable<std::vector<uint32_t>> WallClosing::parts_with_sides() {
   co_return part;
 }
 
-// Whether all sides of a face are open, or two and the third one lies on the boundary too.
+// Returns true if all sides of a face are open, or two are and the third one lies on the boundary too.
 bool WallClosing::is_ear(std::span<const RimSide> of_face) const {
   if (of_face.size() != 2) return of_face.size() == 3;
   const auto c = mesh().corners(of_face[0].face);
@@ -212,9 +213,9 @@ bool WallClosing::is_ear(std::span<const RimSide> of_face) const {
   return std::abs((*distance_)(middle)) <= kRimNear * rim_->radius();
 }
 
-// Removes faces that lie along the rim, beyond which the rim is as near to the boundary as it was: those of
-// which all corners are on the rim, and all sides but one are open, if that one lies on the boundary too.
-// Left in place, they make the rim turn back on itself. Specks go as well. Returns whether there were any.
+// Removes ears: faces along the rim that have all corners on the rim and all sides open, or all but one
+// that lies on the boundary too. Without them the rim is as near to the boundary; with them it would turn
+// back on itself. Removes specks too. Returns true if any face was removed.
 Resumable<bool> WallClosing::remove_ears() {
   std::vector<FaceId> ears;
   const SpeckSearch specks(*distance_, sides_);
@@ -281,7 +282,7 @@ Resumable<ClosedRim> WallClosing::close() {
     closed.walls.insert(closed.walls.end(), walls.begin(), walls.end());
     beside.insert(beside.end(), patch.beside_wall.begin(), patch.beside_wall.end());
   }
-  // The faces beside a wall are connected by it.
+  // The wall connects the faces next to it.
   if (!beside.empty()) rim_->step.edit.search_from(beside);
   co_return closed;
 }
@@ -298,7 +299,7 @@ std::vector<std::pair<FaceId, int>> WallClosing::crossings(const Vec3& p, const 
   return crossed;
 }
 
-// Whether faces of two pieces are beside one wall.
+// Returns true if one wall would be adjacent to faces of two pieces.
 bool WallClosing::joins_pieces(const WallPatch& patch) const {
   for (size_t i = 0; i < patch.sides.size(); ++i) {
     const FaceId beside = patch.beside_wall[patch.wall_of_side[i]];

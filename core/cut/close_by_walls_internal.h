@@ -15,34 +15,33 @@ namespace kerf {
 
 struct RimState;
 
-// The walls that were made, and for each part that stays open a sentence that says why, and where.
+// The walls that were made, and a sentence with reason and place for each part that stays open.
 struct ClosedRim {
   std::vector<FaceId> walls;
   std::vector<std::string> left_open;
 };
 
-// Closes a solid body along the rim that a stroke has left, by walls, and makes the search for parts cross
-// them: each solid of it, i.e. an outer shell with the cavities in it, wholly or not at all. The work is done
-// in parts.
+// Closes a solid body along the rim of a stroke by walls, and makes the search for parts cross them. Each
+// solid (an outer shell with its cavities) is closed wholly or not at all. The work is done in parts.
 class WallClosing {
  public:
-  // The moves are those of the stroke in the frame of the body.
+  // `moves`: those of the stroke, in the frame of the body.
   explicit WallClosing(std::vector<BeamMove> moves) : moves_(std::move(moves)) {}
   WallClosing(const WallClosing&) = delete;
   WallClosing& operator=(const WallClosing&) = delete;
 
-  // Does the next part. Returns whether it was the last one. Preconditions: the body, the region and what is
-  // known of the rim are as the last part left them, with the tree up to date.
+  // Does the next part. Returns true if it was the last one. Preconditions: the body, the region and the
+  // rim's state are as the last part left them, and the tree is up to date.
   bool go_on(RimState& rim);
 
-  // Whether some walls are there and others not: the last part has to be done before anything else is.
+  // Returns true while only some of the walls exist; then the last part must be done before anything else.
   bool is_adding() const { return is_adding_; }
 
   // Precondition: the last part was done.
   ClosedRim take() { return closing_->take(); }
 
  private:
-  // Sides on edges of several sheets that were visited with all others there: face and corner.
+  // Sides on edges of several sheets whose ring was visited: face and corner.
   using SidesOfRings = std::set<std::pair<FaceId, VertexId>>;
 
   Resumable<ClosedRim> close();
@@ -62,9 +61,9 @@ class WallClosing {
   const Mesh& mesh() const;
 
   std::vector<BeamMove> moves_;
-  RimState* rim_ = nullptr;  // of the part at hand
+  RimState* rim_ = nullptr;  // of the current part
   std::optional<SweptDistance> distance_;
-  std::vector<FaceId> open_faces_;  // with sides without another face on their sheet; ascending
+  std::vector<FaceId> open_faces_;  // with sides that have no other face on their sheet; ascending
   std::vector<RimSide> sides_;      // along the rim, of parts that were closed before the stroke; by face
   std::vector<std::string> left_open_;
   bool is_adding_ = false;

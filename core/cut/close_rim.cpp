@@ -17,11 +17,11 @@ namespace {
 
 using Stage = UnfinishedRim::Stage;
 
-constexpr size_t kAllAtOnce = std::numeric_limits<size_t>::max();  // a bite that does not end
-// The cost of a part of a stage, in faces of a bite; that of a face found near the boundary.
+constexpr size_t kAllAtOnce = std::numeric_limits<size_t>::max();  // an unlimited bite
+// Cost of a part of a stage, in faces of a bite; cost of a face found near the boundary.
 constexpr size_t kLightPart = 200, kHeavyPart = 2000, kHeaviestPart = 3000, kNearFace = 2;
 
-// The moves that swept the body: those of the stroke, or where the body has moved those in its own frame.
+// Moves that swept the body: those of the stroke, or, if the body has moved, those in its frame.
 struct Sweep {
   std::span<const BeamMove> moves;
   bool in_body_frame = false;
@@ -46,8 +46,8 @@ void add_to_region(RimState& rim, const BeamMove& move, bool in_body_frame) {
   for (const SweptCylinder& part : rim.step.beam) rim.region.add(part);
 }
 
-// The faces that meet the boundary of part `i` of the region, or lie so near that a vertex could be on it.
-// Returns their number.
+// Finds the faces that meet the boundary of part `i` of the region, or lie so near that a vertex could be
+// on it. Returns their number.
 size_t find_near(RimState& rim, uint32_t i) {
   std::vector<FaceId> found;
   const SweptCylinder& part = rim.region.part(i);
@@ -65,7 +65,7 @@ size_t find_near(RimState& rim, uint32_t i) {
   return found.size();
 }
 
-// Moves the next faces from the heap to the list. Returns whether none is left.
+// Moves the next faces from the heap to the list. Returns true if the heap is empty.
 bool sort_near(RimState& rim) {
   const size_t at_once = 8 * faces_together();
   std::vector<FaceId>& heap = rim.work.waiting;
@@ -90,7 +90,7 @@ class RimBite {
   RimBite(World& world, const CutSettings& settings, UnfinishedRim& unfinished, const Progress& progress)
       : world_(world), settings_(settings), work_(unfinished), progress_(progress) {}
 
-  // Returns whether the rim is closed in all bodies.
+  // Returns true if the rim is closed in all bodies.
   Result<bool> take(std::span<const BeamMove> path, const SweptByBody& swept, StepResult& result) {
     const std::vector<BodyId> ids = cuttable(world_);
     while (work_.bodies < ids.size()) {
@@ -139,8 +139,8 @@ class RimBite {
     rim.step.edit.refit_tree();
   }
 
-  // A stage that goes through a list: does its next part, which returns whether the list is through, and the
-  // stage that follows then.
+  // A stage that processes a list: the function that does its next part and returns true at the end of the
+  // list, and the following stage.
   struct ListStage {
     Stage stage;
     bool (*do_part)(RimState&);
@@ -157,7 +157,7 @@ class RimBite {
       ListStage{Stage::kChoose, choose_within_rim, Stage::kRemove},
       ListStage{Stage::kChooseBesideRim, choose_beside_rim, Stage::kFlip}};
 
-  // Does the next part of a stage. Returns whether the body is completed.
+  // Does the next part of a stage. Returns true if the body is completed.
   Result<bool> go_on(RimState& rim, const Sweep& sweep) {
     switch (work_.stage) {
       case Stage::kSweep:
@@ -208,7 +208,7 @@ class RimBite {
     }
   }
 
-  // Refines and moves vertices, in turn, because each may ask for the other, then cuts and flips edges.
+  // Refines and moves vertices alternately, because each may require the other, then cuts and flips edges.
   Status reshape(RimState& rim) {
     const Stopwatch watch(rim.step.statistics.refine_s);
     const bool asks_for_distances = work_.stage == Stage::kRefine || work_.stage == Stage::kMoveInPlane ||
@@ -249,7 +249,7 @@ class RimBite {
     if (settings_.bite < kAllAtOnce) taken_ = std::max(taken_, settings_.bite);
   }
 
-  // Returns whether the body is closed or stays open. The search that follows is in a step of its own.
+  // Returns true once the body is closed or stays open. The search that follows is in a separate step.
   bool close(RimState& rim, const Sweep& sweep) {
     if (!rim.step.body().solid) return true;
     if (!work_.closing)
@@ -263,7 +263,7 @@ class RimBite {
     return true;
   }
 
-  // Returns whether all walls have their heat.
+  // Returns true if all walls are heated.
   bool heat(const RimState& rim) {
     KERF_ASSERT(work_.waiting.empty() || (rim.step.body().solid && settings_.heat_width > 0));
     const size_t end = std::min(work_.waiting.size(), work_.next + 8 * faces_together());

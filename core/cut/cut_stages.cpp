@@ -51,14 +51,13 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 }
 
-// A green pair goes as a whole: when the beam touches either half, or holds both where the rim is to be
-// smooth.
+// Removes a green pair as a whole: if the beam touches either half, or, for a smooth rim, contains both.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
   std::vector<FaceId> going;
   const size_t end = std::min(move.hit.size(), move.removed + faces_together());
   for (; move.removed < end; ++move.removed) {
     const FaceId f = move.hit[move.removed];
-    if (!step.mesh().is_live(f)) continue;  // went with the other half of its pair
+    if (!step.mesh().is_live(f)) continue;  // removed with the other half of its pair
     if (only_within && !within_beam(step, f)) continue;
     const OneToFour::Element element = step.body().refinement.element(step.mesh(), f);
     going.insert(going.end(), element.faces.begin(), element.faces.begin() + element.face_count);
@@ -79,7 +78,7 @@ void remove_faces(BodyStep& step, std::span<const FaceId> faces) {
 
 namespace {
 
-// How far a face reaches out of the volume of a move, whichever ray of the beam is nearest.
+// Returns the overshoot of a face beyond the volume of a move, relative to the nearest ray of the beam.
 double overshoot(const BodyStep& step, const Triangle& t) {
   double least = std::numeric_limits<double>::infinity();
   for (const SweptCylinder& part : step.beam) least = std::min(least, part.overshoot(t));
@@ -101,8 +100,8 @@ bool is_fine_enough(const BodyStep& step, const CutSettings& settings, const Tri
   return true;
 }
 
-// Looks at faces that the beam may touch, and splits those that are too coarse. A face that lies within the
-// beam is removed whole by the geometric model, and needs no splitting.
+// Examines faces that the beam may touch, and splits those that are too coarse. The geometric model removes
+// a face within the beam whole, without splitting it.
 class Refinement {
  public:
   Refinement(BodyStep& step, const CutSettings& settings, std::vector<FaceId>& to_split)
@@ -143,7 +142,7 @@ class Refinement {
 
 }  // namespace
 
-// The tree follows also where the work fails half-way.
+// The tree is updated even if the work fails half-way.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress) {
   if (!progress.report(0)) return cancelled();
   Refinement refinement(step, settings, move.to_split);
@@ -163,7 +162,7 @@ bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f)
 
 Error too_many_faces(const CutSettings& settings) {
   return failed("the cut would make more than " + std::to_string(settings.max_faces) +
-                " faces: choose a coarser resolution or a shorter stroke");
+                " faces: use a coarser resolution or a shorter stroke");
 }
 
 void update_tree(BodyStep& step) {
@@ -183,17 +182,17 @@ std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, Face
 
 namespace {
 
-constexpr int kFinestSample = 5;  // halvings of a face in samples
-constexpr size_t kAtATime = 16;   // faces, by one thread
+constexpr int kFinestSample = 5;  // max halvings of a face for samples
+constexpr size_t kAtATime = 16;   // faces per task of a thread
 
 class Deposit {
  public:
   Deposit(const BodyStep& step, const CutSettings& settings)
       : step_(step), sheet_(step.body().sheet), width_(settings.heat_width) {}
 
-  // The energy that a face should have at least (J); 0 where it is too far away.
+  // Returns the minimum energy of a face (J); 0 beyond the width.
   double energy(const Triangle& t) const { return mass_of_area() * integral(t, kFinestSample); }
-  // Whether no point of the face is nearer than the width.
+  // Returns true if no point of the face is nearer than the width.
   bool is_beyond(const Triangle& t) const {
     const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
     const double size =
@@ -216,8 +215,8 @@ class Deposit {
     return share * enthalpy_before_transition(sheet_.substance);
   }
 
-  // The integral of the enthalpy over the area of a triangle, by the midpoint rule on parts that are small
-  // compared with the width.
+  // Returns the integral of the enthalpy over the area of a triangle, by the midpoint rule on parts that
+  // are small compared with the width.
   double integral(const Triangle& t, int halvings) const {
     if (halvings == 0 || longest_edge2(t) <= 0.25 * width_ * width_)
       return triangle_area(t) * enthalpy((t[0] + t[1] + t[2]) / 3.0);
@@ -232,10 +231,10 @@ class Deposit {
   double width_;
 };
 
-// The live faces within the width that hang together with `beside`, in the order in which they are found.
+// Returns the live faces within the width that are connected to the given ones, in the order of discovery.
 std::vector<FaceId> faces_within(const BodyStep& step, const Deposit& deposit,
                                  std::span<const FaceId> beside) {
-  std::unordered_set<uint32_t> seen;  // asked, never iterated
+  std::unordered_set<uint32_t> seen;  // lookups only, never iterated
   std::vector<FaceId> found;
   const auto add = [&](FaceId f) {
     if (!step.mesh().is_live(f) || !seen.insert(f.index).second) return;
@@ -251,7 +250,7 @@ std::vector<FaceId> faces_within(const BodyStep& step, const Deposit& deposit,
   return found;
 }
 
-// Gives faces energies (J) where they have less, and books it.
+// Raises the energies (J) of faces to at least the given ones, and books the difference.
 void raise(World& world, BodyId id, std::span<const FaceId> faces, std::span<const double> energies) {
   Body& body = world.body(id);
   double added = 0;

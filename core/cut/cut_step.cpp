@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMaxParts = 2000;  // of a move, more than a drag across the viewport has
+constexpr size_t kMaxParts = 2000;  // of a move; a drag across the viewport has fewer
 
 bool meets(const Body& body, const SweptCylinder& beam) {
   return !trace_touched(body.tree, body.mesh, beam).touched.empty();
@@ -26,7 +26,7 @@ bool meets(const Body& body, const Laser& laser, const BeamMove& move) {
                              [&](const SweptCylinder& part) { return meets(body, part); });
 }
 
-// The distance (m) from the beam's origin within which there is anything to cut.
+// Returns the distance (m) from the beam's origin within which all faces lie.
 double reach(const World& world, const Laser& laser, const Vec3& origin) {
   const World::Bounds bounds = world.bounds();
   const Vec3 far = glm::max(glm::abs(bounds.min - origin), glm::abs(bounds.max - origin));
@@ -80,15 +80,14 @@ class Bite {
     for (const BodyId id : cuttable(world)) bodies_.emplace_back(id, world.body(id));
   }
 
-  // Goes through one body, by moves in its frame.
+  // For moves through one body, in its frame.
   Bite(World& world, BodyId id, const CutSettings& settings, UnfinishedMove& unfinished,
        const Progress& progress)
       : world_(world), settings_(settings), move_(unfinished), progress_(progress), in_body_frame_(true) {
     bodies_.emplace_back(id, world.body(id));
   }
 
-  // Executes a move as far as the bite goes, but no more than so many of its parts. Returns whether the move
-  // is finished.
+  // Executes at most `most_parts` parts of a move within the bite. Returns true if the move is finished.
   Result<bool> take(const BeamMove& move, size_t most_parts = kNoLimit) {
     const bool stage_by_stage = most_parts != kNoLimit;
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
@@ -116,8 +115,8 @@ class Bite {
  private:
   using Stage = UnfinishedMove::Stage;
 
-  // The number of faces that the next part handles. The faces that it finds or searches are counted when it
-  // is done.
+  // Returns the number of faces that the next part handles. Faces that it finds or searches are counted
+  // afterwards.
   size_t faces_ahead() const {
     const auto together = [](size_t faces) { return std::clamp<size_t>(faces, 1, faces_together()); };
     switch (move_.stage) {
@@ -134,8 +133,7 @@ class Bite {
     return 1;
   }
 
-  // Whether nothing is left to be done in a body: the beam has met no face of it, and no search for parts is
-  // open.
+  // Returns true if a body needs no work: the beam has met no face of it, and no search for parts is open.
   bool is_missed(const BodyStep& step) const {
     return move_.stage == Stage::kRefine && move_.hit.empty() && is_settled(step.body());
   }
@@ -176,7 +174,7 @@ class Bite {
     move_.stage = Stage::kRefine;
   }
 
-  // What comes off a solid body is known once walls have closed it, when the stroke ends.
+  // Separated parts of a solid body are known only after walls have closed it at the end of the stroke.
   size_t separate_parts(BodyStep& step) {
     if (!step.body().solid || !settings_.smooth())
       return separate(world_, step, move_.hit, settings_.search_a_move);
@@ -204,11 +202,11 @@ class Bite {
   std::vector<BodyStep> bodies_;
   bool in_body_frame_ = false;  // of the moves
   bool holds_parts_ = true;
-  Delta held_;        // the changes that joints made
+  Delta held_;        // changes made by joints
   size_t taken_ = 0;  // faces
 };
 
-// Executes moves as cut_step does, but no more than so many parts of each.
+// Executes moves like cut_step, but at most `most_parts` parts of each.
 Result<StepResult> cut(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                        size_t most_parts, UnfinishedMove& unfinished, const Progress* progress) {
   if (settings.model == Model::kThermal) return thermal_step(world, settings, moves, progress);
@@ -268,8 +266,8 @@ Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId i
   return cut_one(world, settings, id, moves, false, nullptr);
 }
 
-// A hidden body is asked too: it may have been hidden while a search was open in it, and is_settled waits for
-// the end of that search.
+// Hidden bodies are included: one may have been hidden during a search, and is_settled waits for the end of
+// that search.
 StepResult go_on_separating(World& world, size_t most, Hold hold) {
   StepResult result;
   for (const BodyId id : world.ids()) {

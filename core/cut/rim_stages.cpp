@@ -26,8 +26,8 @@ bool fails(RimState& rim, FaceId f) {
 
 }  // namespace
 
-// The beam may be near either half of a green pair alone, and the faces that take the place of the pair need
-// not lie within one half.
+// The beam may be near only one half of a green pair, and the faces that replace the pair need not lie
+// within one half.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
   for (const Replacement& r : split_by_scheme(rim.step, rim.settings.resolution.scheme, f)) {
     const std::span<const FaceId> gone(r.gone.data(), r.gone_count), born(r.born.data(), r.born_count);
@@ -52,7 +52,7 @@ Status refine_rim(RimState& rim) {
 
 namespace {
 
-// Whether b is to be processed before a. Entries that are equal by this are equal.
+// Returns true if b is processed before a. Entries that compare equal are equal.
 bool comes_later(const RimSnap& a, const RimSnap& b) {
   const auto key = [](const RimSnap& s) { return std::tie(s.share, s.vertex, s.other, s.face); };
   return key(b) < key(a);
@@ -70,14 +70,15 @@ RimSnap pop(std::vector<RimSnap>& snaps) {
   return nearest;
 }
 
-// Calls visit(snap) for the next faces_together() entries, nearest first. Returns whether none is left.
+// Calls visit(snap) for the next faces_together() entries, nearest first. Returns true if none is left.
 template <typename Visit>
 bool visit_nearest(std::vector<RimSnap>& snaps, Visit visit) {
   for (size_t i = 0; i < faces_together() && !snaps.empty(); ++i) visit(pop(snaps));
   return snaps.empty();
 }
 
-// The direction in the plane of the face in which the distance grows fastest; zero where there is none.
+// Returns the direction in the plane of the face in which the distance grows fastest, or zero if there is
+// none.
 Vec3 in_plane_gradient(const RimState& rim, FaceId f, const Triangle& t, const Vec3& at) {
   const double step = kRimOn * rim.radius();
   const Vec3 u = glm::normalize(t[1] - t[0]), normal = glm::cross(u, t[2] - t[0]);
@@ -91,7 +92,7 @@ Vec3 in_plane_gradient(const RimState& rim, FaceId f, const Triangle& t, const V
   return length > 0 ? gradient / length : Vec3(0);
 }
 
-// Vertices that lie nearer to the boundary than their edges are long may move straight to it.
+// Lists vertices nearer to the boundary than their edges are long; they may move straight onto it.
 void add_moves_in_plane(RimState& rim, FaceId f, std::vector<RimSnap>& snaps) {
   const auto c = rim.mesh().corners(f);
   const auto d = rim.distances_of(f);
@@ -122,8 +123,8 @@ void add_moves_along_edges(RimState& rim, FaceId f, std::vector<RimSnap>& snaps)
   }
 }
 
-// A vertex of an edge of one face may only slide along that edge, and hardly change its line; but where the
-// stroke itself has taken what was on the other side, there is no line to keep.
+// Returns true if a move keeps the old rim: a vertex at an edge of one face may only slide along that edge
+// and hardly change its line. If the stroke itself removed the other side, there is no line to keep.
 bool keeps_old_rim(RimState& rim, const Mesh& mesh, const Mesh::Star& star, const RimSnap& s) {
   if (rim.distance(s.vertex, s.face) < 0 && std::none_of(star.rim.begin(), star.rim.end(), [&](VertexId v) {
         return rim.distance(v, s.face) > 0;
@@ -155,7 +156,7 @@ bool turns_too_far(const Triangle& before, const Triangle& after) {
          !(glm::dot(m, m) > 0);
 }
 
-// Without the snap the smallest angle beside the vertex would be about the share of the edge that is cut off.
+// Without the snap, the smallest angle at the vertex would be about the share of the edge that is cut off.
 bool keeps_faces_well(const Mesh& mesh, const Mesh::Star& star, const RimSnap& s) {
   double worst = -1;
   for (const FaceId f : star.faces) {
@@ -166,7 +167,7 @@ bool keeps_faces_well(const Mesh& mesh, const Mesh::Star& star, const RimSnap& s
   return worst <= kRimGoodAngle || 1 - worst * worst >= 0.25 * s.share * s.share;
 }
 
-// A face around the vertex that could not be cut along one chord any more; none where all could.
+// Returns a face around the vertex that could no longer be cut along one chord; invalid if all could.
 FaceId without_chord(RimState& rim, const Mesh::Star& star, const RimSnap& s) {
   const double chord = kRimMovedChord * rim.radius(), graze = 2 * kRimGraze * rim.radius();
   for (const FaceId f : star.faces) {
@@ -248,13 +249,13 @@ bool settle_on_rim(RimState& rim) {
 namespace {
 
 struct Crossing {
-  VertexId from, to;  // as the face walks the edge
+  VertexId from, to;  // in the direction of the face
   bool from_inside = false;
   double length2 = -1;
   bool found() const { return length2 >= 0; }
 };
 
-// The longest of the face's edges across the boundary.
+// Returns the longest of the face's edges across the boundary.
 Crossing longest_crossing(RimState& rim, FaceId f) {
   const auto c = rim.mesh().corners(f);
   const auto d = rim.distances_of(f);
@@ -314,13 +315,13 @@ namespace {
 
 Vec3 area_vector(const Triangle& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
 
-// Whether two faces of one base lie in one plane, as far as doubles can tell.
+// Returns true if two faces of one base face lie in one plane, within the precision of doubles.
 bool in_one_plane(const Triangle& s, const Triangle& t) {
   const Vec3 n = area_vector(s), m = area_vector(t);
   return glm::dot(n, m) >= kCoplanar * std::sqrt(glm::dot(n, n)) * std::sqrt(glm::dot(m, m));
 }
 
-// The edge of a face that turning it would gain most on, in its plane.
+// The edge of a face whose flip gains most, in the face's plane.
 class Flip {
  public:
   Flip(const Mesh& mesh, FaceId f, int edge) : face_(f) {

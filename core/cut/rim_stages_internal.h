@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// The state that the stages of closing a rim share, for one body and one step. Private to core/cut.
+// State shared by the stages of closing a rim, for one body and one step. Private to core/cut.
 struct RimState {
   BodyStep& step;
   const CutSettings& settings;
@@ -29,30 +29,29 @@ struct RimState {
   const Mesh& mesh() const { return step.mesh(); }
   double radius() const { return settings.laser.radius; }
 
-  // The signed distance of a corner of the face from the boundary; zero if it is within kRimOn of it.
+  // Returns the signed distance of a corner of the face from the boundary (m); zero within kRimOn of it.
   double distance(VertexId v, FaceId face);
   std::array<double, 3> distances_of(FaceId face);
 
   // Records that a vertex lies on the boundary.
   void record_on_boundary(VertexId v) { record_distance(v, 0); }
 
-  // Whether the face lies inside the region: no corner is outside, and at least one corner, or the centroid
-  // if all corners are on the boundary, is inside.
+  // Returns true if the face lies inside the region: no corner is outside, and at least one corner, or the
+  // centroid if all corners are on the boundary, is inside.
   bool inside(FaceId face);
 
  private:
   void record_distance(VertexId v, double d);
 };
 
-// The stages, in their order. Each call handles the next items, looks at no more than faces_together() of
-// them, and most return whether the stage is over: the boxes of the tree are brought up to date after each
-// call and therefore depend on this number, as in the steps of a stroke. The order of the stages is in
-// close_rim.cpp.
+// The stages; close_rim.cpp holds their order. Each call handles at most faces_together() items and, in
+// most stages, returns true when the stage is over. The boxes of the tree are updated after each call and
+// thus depend on this number, as in the steps of a stroke.
 
-// Splits these faces and their parts until each can be cut along one chord. Fails like cut_step.
+// Splits faces near the rim and their parts until each can be cut along one chord. Fails like cut_step.
 Status refine_rim(RimState& rim);
-// Lists vertices that may move onto the boundary, and moves them unless that spoils a face. Lists the faces
-// that have to be split first because a vertex very near the boundary cannot be moved.
+// List vertices that may move onto the boundary, move them unless that degrades a face, and split the faces
+// of vertices that are very near the boundary but cannot be moved.
 bool list_moves_in_plane(RimState& rim);
 bool list_moves_along_edges(RimState& rim);
 bool move_onto_rim(RimState& rim);
@@ -60,16 +59,16 @@ bool split_in_the_way(RimState& rim);
 // Treat vertices that cannot be moved but lie very near the boundary as lying on it, if the chords permit.
 bool list_near_rim(RimState& rim);
 bool settle_on_rim(RimState& rim);
-// Splits a face by the scheme. Appends its parts and those of other faces near the boundary that had to
-// follow.
+// Splits a face by the scheme. Appends its parts and those of other faces near the boundary that conformity
+// required.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
 bool clip_at_rim(RimState& rim);
 bool choose_within_rim(RimState& rim);
 bool remove_within_rim(RimState& rim);
 bool choose_beside_rim(RimState& rim);
 bool flip_near_rim(RimState& rim);
-// Calls visit(item) for the next faces_together() items of a list that may grow meanwhile. Returns whether
-// none is left, and if so, lets the next list begin at its start.
+// Calls visit(item) for the next faces_together() items of a list that may grow meanwhile. Returns true at
+// the end of the list, and resets work.next for the next list.
 template <typename Item, typename Visit>
 bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
   size_t& next = rim.work.next;
@@ -81,14 +80,14 @@ bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
 
 struct RimState;
 
-// Finds connected parts of a few faces that lie along the boundary of what was swept everywhere. With walls
-// they would enclose next to nothing.
+// Finds connected parts of a few faces that lie entirely along the boundary of the swept volume. Walls
+// would make them solids of almost no volume.
 class SpeckSearch {
  public:
-  // The sides are all along the rim.
+  // Precondition: all sides are along the rim.
   SpeckSearch(const SweptDistance& distance, std::span<const RimSide> sides);
 
-  // Appends the faces of the part of a face, if it is such a one.
+  // Appends the faces of the part of a face if the part is a speck.
   void append(RimState& rim, FaceId start, std::vector<FaceId>& specks) const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// Adds its lifetime in seconds to a sum. Times never influence a result.
+// Adds its lifetime [s] to a sum. Times never influence a result.
 class Stopwatch {
  public:
   explicit Stopwatch(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}

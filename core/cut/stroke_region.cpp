@@ -35,8 +35,8 @@ void StrokeRegion::record_near(FaceId f, uint32_t part) {
   append(lists_[list - 1], part);
 }
 
-// The number of a list with the parts of two, plus one like theirs. Children share the lists of their
-// parents, so that a list is never changed once it was inherited.
+// Returns the index plus one of a list with the parts of two. Children share the lists of their parents, so
+// an inherited list is never changed.
 uint32_t StrokeRegion::list_of_both(uint32_t a, uint32_t b) {
   if (a == b) return a;
   List both;
@@ -76,8 +76,8 @@ double StrokeRegion::signed_distance(FaceId near, const Vec3& p) const {
 
 namespace {
 
-// Whether a point of a grid over a triangle lies this deep in the volume. The triangle is no larger than the
-// beam.
+// Returns true if a point of a grid over a triangle lies this deep in the volume. The triangle is no larger
+// than the beam.
 bool has_point_within(const SweptCylinder& part, const Triangle& t, double depth) {
   constexpr int kParts = 8;
   for (int i = 0; i <= kParts; ++i) {
@@ -110,11 +110,11 @@ class StrokeRegion::PartsOnSegment {
       ++count_;
     });
   }
-  // Whether there are few enough of them.
+  // Returns true if they fit into the array.
   bool fit() const { return count_ <= kMost; }
 
-  // Whether any part holds the point, the middle of a segment of which one half is to be looked at next.
-  // Leaves out the parts whose boundary is too far from `p` to reach that half of `length` metres; the
+  // Returns true if any part contains the point, the midpoint of a segment of which one half is visited
+  // next. Drops the parts whose boundary is too far from `p` to reach that half of `length` metres; the
   // rounding of the distances is far below the margin.
   bool hold(const Vec3& p, double length) {
     size_t kept = 0;
@@ -139,7 +139,7 @@ class StrokeRegion::PartsOnSegment {
 };
 
 Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside) const {
-  constexpr int kHalvings = 52;  // the precision of the share of the segment
+  constexpr int kHalvings = 52;  // precision of the position on the segment
   const Vec3 way = outside - inside;
   PartsOnSegment parts(*this, near);
   double low = 0, high = 1, length = glm::length(way);
@@ -156,7 +156,7 @@ Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside
 namespace {
 
 constexpr size_t kMaxOfLeaf = 4;
-constexpr size_t kDeepest = 64;  // more halvings than there can be
+constexpr size_t kDeepest = 64;  // exceeds any possible depth of the tree
 
 }  // namespace
 
@@ -188,9 +188,9 @@ void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
   }
 }
 
-// A bound of the distances from the parts of a node.
+// Returns a lower bound of the distances from the parts of a node.
 double SweptDistance::at_least(const Node& node, const Vec3& p) const {
-  constexpr double kRounding = 1e-9;  // beside which the parts of a beam that tilts err by the angle squared
+  constexpr double kRounding = 1e-9;  // relative; parts of a tilting beam also err by the angle squared
   const Vec3 from = p - node.origin;
   const double away = glm::length(from);
   const double from_axis = glm::length(from - glm::dot(from, node.direction) * node.direction);

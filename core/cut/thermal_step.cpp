@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-// The width of a face, squared: a square of half its size is about as wide as it is.
+// Returns the squared width of a face: a square of twice its area is about as wide.
 double width2_of(double area) { return 2 * area; }
 
 }  // namespace
@@ -58,7 +58,7 @@ void Burn::emit_waiting(bool splits) {
   splits_ = true;
 }
 
-// Adds to what was absorbed (J); returns what waits.
+// Adds to the absorbed energy (J); returns the energy that waits.
 double Burn::emit_ray(const Pose& ray, double joules, const Pose& axis, double& absorbed) {
   double left = joules;
   find_meetings(ray);
@@ -80,7 +80,7 @@ double Burn::emit_ray(const Pose& ray, double joules, const Pose& axis, double& 
   return 0;
 }
 
-// Whether the energy (J) would take a wide face that is to be split first.
+// Returns true if the energy (J) would remove a wide face that must be split first.
 bool Burn::must_wait(const Meeting& at, double joules) const {
   const Body& body = world_.body(bodies_[at.body].id);
   return splits_ && is_wide(triangle_area(body.mesh.triangle(at.face))) &&
@@ -96,7 +96,7 @@ void Burn::wait(const Meeting& at, WaitingRay ray) {
   if (std::find(coarse.begin(), coarse.end(), at.face) == coarse.end()) coarse.push_back(at.face);
 }
 
-// The faces of a body that were met and are not gone, each once.
+// Returns the faces of a body that were met and are not removed, each once.
 std::vector<FaceId> Burn::faces_met(size_t b) const {
   std::vector<FaceId> met;
   for (const Meeting& at : met_) {
@@ -107,7 +107,7 @@ std::vector<FaceId> Burn::faces_met(size_t b) const {
   return met;
 }
 
-// Heats faces of a body by shares of an energy (J) that are as large as their areas; returns what they took.
+// Heats faces of a body with energy (J) shared in proportion to their areas; returns the energy absorbed.
 double Burn::spread(size_t b, std::span<const FaceId> faces, double joules) {
   const Body& body = world_.body(bodies_[b].id);
   double all = 0, taken = 0;
@@ -161,7 +161,7 @@ void Burn::find_meetings(const Pose& ray) {
   });
 }
 
-// Heats a face by as much of the energy as it takes until it is gone; returns how much that is.
+// Heats a face with as much of the energy as its removal needs; returns the energy absorbed.
 double Burn::spend(const Meeting& at, double joules) {
   BurnedBody& burned = bodies_[at.body];
   Body& body = world_.body(burned.id);
@@ -187,7 +187,7 @@ double Burn::removal_energy(const Body& body, FaceId f) const {
   return is_wide(area) ? whole * kerf / std::sqrt(width2_of(area)) : whole;
 }
 
-// Wider than the kerf.
+// Returns true if the face is wider than the kerf.
 bool Burn::is_wide(double area) const {
   const double kerf = 2 * settings_.laser.radius;
   return width2_of(area) > kerf * kerf;
@@ -195,13 +195,13 @@ bool Burn::is_wide(double area) const {
 
 namespace {
 
-constexpr double kRefinedRadii = 1.5;  // faces are fine as far from the axis, in radii of the beam
-// Poses from which rays are sent are as far apart, in spacings of the bundle, while the beam moves.
+constexpr double kRefinedRadii = 1.5;  // faces are fine up to this distance from the axis, in beam radii
+// Distance of poses from which rays are emitted while the beam moves, in spacings of the bundle.
 constexpr double kSpacingsASample = 0.8;
-// The parts of a move of one radius, and of one that takes the time radius^2 / diffusivity.
+// Parts of a move by one radius, and of a move that takes the time radius^2 / diffusivity.
 constexpr double kPartsARadius = 4, kPartsADiffusionTime = 16;
 constexpr double kMaxHeatSlices = 4096;  // of a move
-// Faces at which rays wait are split up to so many times as far from the axis.
+// Faces at which rays wait are split up to this multiple of the max distance of waiting rays from the axis.
 constexpr double kBeyondRays = 1.01;
 
 Pose between(const BeamMove& move, double t) {
@@ -211,7 +211,7 @@ Pose between(const BeamMove& move, double t) {
   return {origin, glm::normalize((1 - t) * move.from.direction + t * move.to.direction)};
 }
 
-// The size of the faces that the resolution makes under the beam, in radii.
+// Returns the size of the faces that the resolution makes under the beam, in radii.
 double size_of_faces(const CutSettings& settings) {
   const Resolution& r = settings.resolution;
   return r.rule == Resolution::Rule::kTargetEdge ? r.target_edge / settings.laser.radius : 1;
@@ -253,8 +253,9 @@ class ThermalMoves {
   }
 
  private:
-  // The number of parts of a move: in each of them the beam goes on by a fraction of its radius, heat spreads
-  // by no more than that, and the faces that the beam covers take no more energy than their removal needs.
+  // Returns the number of parts of a move: in each of them the beam advances by a fraction of its radius,
+  // heat spreads by no more than that, and the faces under the beam absorb no more energy than their
+  // removal needs.
   double parts_of(const BeamMove& move) const {
     const double w = settings_.laser.radius, joules = emitted_energy(settings_.laser, 0, move.seconds);
     double most = moves(move) ? kPartsARadius : 1;
@@ -270,7 +271,7 @@ class ThermalMoves {
     return std::min(std::ceil(most), kMaxHeatSlices);
   }
 
-  // The most that burning gives during a move (J).
+  // Returns an upper bound of the heat of burning during a move (J).
   double burnt(const Sheet& sheet, const BeamMove& move) const {
     if (settings_.laser.assist != Assist::kOxygen) return 0;
     const double kerf = 2 * settings_.laser.radius * sheet.thickness * kBurningFront * move.seconds;
@@ -303,7 +304,7 @@ class ThermalMoves {
     return progress_.report(0) ? Status(Done{}) : Status(cancelled());
   }
 
-  // Whether the beam meets anything; sets how far it reaches.
+  // Returns true if the beam meets a face; sets reach_.
   bool find_reach(const BeamMove& part) {
     std::optional<double> reach = burn_.reach(part.from);
     const std::optional<double> end = burn_.reach(part.to);
@@ -330,7 +331,7 @@ class ThermalMoves {
     return Done{};
   }
 
-  // Splits the faces at which rays wait. Returns whether there were any to split.
+  // Splits the faces at which rays wait. Returns true if there were any to split.
   Result<bool> refine_coarse(const BeamMove& part) {
     Laser wide = settings_.laser;
     wide.pattern = Pattern::kVolume;
@@ -369,14 +370,14 @@ class ThermalMoves {
     }
   }
 
-  // How far the beam goes across what it meets (m).
+  // Returns the distance that the beam moves across the surface (m).
   double way_on_surface(const BeamMove& part) const {
     const auto at = [&](const Pose& pose) { return pose.origin + reach_ * pose.direction; };
     const Vec3 way = at(part.to) - at(part.from);
     return glm::length(way - glm::dot(way, part.from.direction) * part.from.direction);
   }
 
-  // Returns how deep the beam got: 1 if a face went.
+  // Removes the faces that have reached their energy of removal. Returns the depth that the beam reached: 1 if a face was removed.
   double remove_gone() {
     double depth = 0;
     for (size_t b = 0; b < burned_.size(); ++b) {
@@ -397,10 +398,10 @@ class ThermalMoves {
   const Progress& progress_;
   std::vector<BurnedBody> burned_;
   std::vector<BodyStep> steps_;  // of the same bodies
-  double face_;                  // the size of the faces under the beam, in radii
+  double face_;                  // size of the faces under the beam, in radii
   Burn burn_;
   double reach_ = 0;  // m, along the beam
-  Delta held_;        // the changes that joints made
+  Delta held_;        // changes made by joints
   size_t taken_ = 0;  // faces and parts of moves
   double met_s_ = 0, depth_s_ = 0;
 };

@@ -19,13 +19,13 @@ namespace kerf {
 
 namespace {
 
-// The knowledge about one side of a joint while faces are looked through.
+// State of one side of a joint during the visit of faces.
 struct SideSoFar {
   std::optional<ConnectedPart> part;
   bool apart = false;
   bool reaches_pin = false;
   bool holds() const { return part && !apart && reaches_pin; }
-  // Whether a face of this part may change what is known.
+  // Returns true if a face of this part may change the state.
   bool is_open(const ConnectedPart& other) const {
     return !part || (!apart && (*part != other || !reaches_pin));
   }
@@ -35,8 +35,7 @@ struct SideSoFar {
   }
 };
 
-// By loaded face of a body, the sides of joints that it carries (the number of a joint times two, plus the
-// side).
+// Sides of joints (joint index times two, plus the side) by the loaded face that carries them.
 class Carriers {
  public:
   Carriers(const Joints& joints, BodyId loaded_as) {
@@ -69,7 +68,7 @@ class Carriers {
   }
 
   std::vector<uint32_t> sides_;
-  std::vector<uint32_t> first_;  // by loaded face, of sides_
+  std::vector<uint32_t> first_;  // by loaded face: index in sides_
 };
 
 bool is_near(const Vec3& point, double radius, const Triangle& t) {
@@ -143,7 +142,8 @@ std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
 
 namespace {
 
-// The loaded faces from which those of a piece were made, ascending, each as often as it has faces.
+// Returns the loaded faces from which those of a piece were made, ascending, one entry per face of the
+// piece.
 std::vector<uint32_t> loaded_faces_of(const Body& body, uint32_t label) {
   std::vector<uint32_t> faces;
   for (const FaceId f : body.faces_of(label)) faces.push_back(body.loaded_face(body.loaded_base(f)).index);
@@ -176,7 +176,7 @@ std::string loaded_part_name(const World& world, const PieceId& piece) {
 
 namespace {
 
-// The loaded components that joints name, of the bodies as they were loaded.
+// Loaded components that joints name, by the body as which they were loaded.
 class NamedComponents {
  public:
   explicit NamedComponents(const Joints& joints) {
@@ -184,7 +184,7 @@ class NamedComponents {
       for (const JointSide& side : joint.sides) of_[joint.body].insert(side.component);
     }
   }
-  // Null if the body has no joints.
+  // Returns null if the body has no joints.
   const std::set<uint32_t>* of(const Body& body) const {
     const auto at = of_.find(body.loaded_as);
     return at != of_.end() ? &at->second : nullptr;
@@ -194,7 +194,7 @@ class NamedComponents {
   std::map<BodyId, std::set<uint32_t>> of_;
 };
 
-// The connected parts of all bodies with joints, and which of them belong together.
+// Connected parts of all bodies with joints, and their grouping.
 class Groups {
  public:
   Groups(const World& world, Hold hold, const LoadedBodies& of) : world_(world) {
@@ -213,8 +213,8 @@ class Groups {
     }
   }
 
-  // The components that have to go to another piece of their body, by body and component. Labels from
-  // Body::pieces.size() on are new ones.
+  // Returns the components that must move to another piece of their body, by body and component. Labels
+  // from Body::pieces.size() on are new.
   std::map<BodyId, std::map<uint32_t, uint32_t>> changes() {
     std::map<BodyId, std::map<uint32_t, uint32_t>> changes;
     std::map<std::pair<BodyId, uint32_t>, uint32_t> new_label;  // by body and group
@@ -243,7 +243,8 @@ class Groups {
     bool named = false;  // by a joint
   };
 
-  // Ascending, and of each piece the part that the others belong to: what was cut off, or the largest one.
+  // Adds the parts in ascending order, and the seat of each piece, to which its other parts belong: the
+  // part that was cut off, or the largest one.
   void add_parts(BodyId id, const std::set<uint32_t>& named) {
     const Body& body = world_.body(id);
     const auto add = [&](const ConnectedPart& part, const FaceCounts& counts, bool is_named) {
@@ -279,9 +280,9 @@ class Groups {
     return at->second;
   }
 
-  // The label of the piece, in the body of a loaded component, whose seat is in the group and the largest
-  // one. What is left of a component and what was cut off it are told apart by their labels, so that they
-  // stay two pieces, even where joints hold them together.
+  // Returns the label of the piece in the body of a loaded component whose seat is in the group, the
+  // largest of several. The rest of a component and a part that was cut off it differ by label, so they
+  // stay two pieces even if joints connect them.
   std::optional<uint32_t> largest_seat(const ConnectedPart& component, uint32_t group) {
     std::optional<uint32_t> label;
     double area = 0;
@@ -295,7 +296,7 @@ class Groups {
     return label;
   }
 
-  // The component that the seat of a piece was cut off; kNone where nothing was.
+  // Returns the component from which the seat of a piece was cut off; kNone if none was.
   uint32_t cut_off_from(const PieceId& piece) {
     const Body& body = world_.body(piece.body);
     if (body.pieces[piece.label].cut_off.faces == 0) return LoadedComponents::kNone;
@@ -312,7 +313,7 @@ class Groups {
 
   const World& world_;
   std::vector<Part> parts_;
-  std::map<ConnectedPart, uint32_t> index_;  // of parts_
+  std::map<ConnectedPart, uint32_t> index_;  // index in parts_
   std::map<PieceId, uint32_t> seat_;
   std::map<PieceId, uint32_t> cut_off_from_;
   UnionFind together_{0};
@@ -353,7 +354,7 @@ bool joints_asked(const World& world) {
 
 namespace {
 
-// Whether one of some faces that were removed carried a joint.
+// Returns true if one of the removed faces carried a joint.
 bool any_carries(const Joints& joints, const Body& body, std::span<const FaceId> removed) {
   const std::vector<const JointSide*> sides = joints.sides_of(body.loaded_as);
   if (sides.empty()) return false;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kCells = 64;  // along the longest side of the bounds
 
-// A grid over the bounds of a body whose cells know which of some labelled points is nearest, as far as the
-// steps from cell to neighbouring cell tell. Of equally near points the one that was added first counts.
+// A grid over the bounds of a body that maps each cell to the nearest of some labelled points, measured in
+// steps between neighbouring cells. Of equally near points the one added first wins.
 class LabelGrid {
  public:
   explicit LabelGrid(const Bounds& bounds) : origin_(bounds.min) {
@@ -28,7 +28,7 @@ class LabelGrid {
 
   void add(const Vec3& point, uint32_t label) { reach(cell_of(point), label); }
 
-  // Lets the labels spread into all other cells, breadth first.
+  // Spreads the labels to all other cells, breadth first.
   void flood() {
     const std::array<uint32_t, 3> stride{1, size_[0], size_[0] * size_[1]};
     for (size_t next = 0; next < reached_.size(); ++next) {
@@ -70,10 +70,10 @@ struct Component {
   double area = 0;  // m^2
   Vec3 moment{0};   // m^3
   bool largest = false;
-  std::map<uint32_t, double> nearest;  // area of the faces that are nearest to each piece
+  std::map<uint32_t, double> nearest;  // by piece: area of the faces that are nearest to it
 };
 
-// Adds points of a triangle, no further apart than a cell unless it is longer than all cells.
+// Adds points of a triangle, at most a cell apart unless the triangle is longer than all cells.
 void add_points(const Triangle& t, uint32_t label, LabelGrid& grid) {
   const double longest = std::sqrt(longest_edge2(t));
   const int parts =
@@ -114,7 +114,7 @@ std::vector<Component> components_of(const Body& body, const std::vector<uint32_
   return all;
 }
 
-// The label of the piece that each component goes with.
+// Returns by component the label of the piece with which it moves.
 std::vector<uint32_t> companions(const Body& body, const std::vector<uint32_t>& component,
                                  std::vector<Component>& all) {
   LabelGrid grid(body.bounds());
@@ -144,7 +144,7 @@ std::vector<uint32_t> companions(const Body& body, const std::vector<uint32_t>& 
   return goes_with;
 }
 
-// The centres of area of what goes with each piece.
+// Computes by piece the centre of area of all faces that move with it.
 class Centres {
  public:
   explicit Centres(const Body& body) {

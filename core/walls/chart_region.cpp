@@ -38,14 +38,14 @@ void ChartSweep::note(int winding, uint32_t v) {
   }
 }
 
-// 1 where the point lies above the edge, -1 below, 0 on its line.
+// Returns 1 if the point lies above the edge, -1 below, 0 on its line.
 int ChartSweep::side_of(const Span& s, int64_t x, int64_t y) const {
   const int64_t base = vertices_[s.left].y;
   const Wide turn = turn_of(s.right_x - s.left_x, vertices_[s.right].y - base, x - s.left_x, y - base);
   return turn > 0 ? 1 : turn < 0 ? -1 : 0;
 }
 
-// Notes a vertex and the ends of active edges, and those of the edge before and after them, as a conflict.
+// Stores as conflict a vertex, the ends of active edges, and those of the edge before and after them.
 bool ChartSweep::fail_at(uint32_t v, size_t first, size_t end) {
   conflict_ = {v};
   for (size_t i = first > 0 ? first - 1 : 0; i < std::min(end + 1, active_.size()); ++i)
@@ -75,7 +75,7 @@ Resumable<bool> ChartSweep::run() {
   co_return end_at_seam();
 }
 
-// The edges that run across x = -1/2, from below.
+// Finds the edges that run across x = -1/2, from below.
 bool ChartSweep::start_at_seam() {
   for (const Span& s : spans_) {
     if (s.right_x < width_ || s.left_x >= width_) continue;
@@ -147,7 +147,7 @@ bool ChartSweep::insert_starting(uint32_t v, size_t at, int winding) {
   return true;
 }
 
-// The trapezoid above an active edge ends at a vertex.
+// Ends the trapezoid above an active edge at a vertex.
 void ChartSweep::close(size_t below, uint32_t v) {
   const Active& a = active_[below];
   if (a.winding != 1 || below + 1 == active_.size()) return;
@@ -187,7 +187,7 @@ bool ChartSweep::end_at_seam() {
 
 namespace {
 
-// A polygon of a region, counter-clockwise; x may go beyond the width of the strip.
+// A corner of a counter-clockwise polygon of a region; x may exceed the width of the strip.
 struct PolygonCorner {
   uint32_t vertex;
   int64_t x, y;
@@ -195,15 +195,15 @@ struct PolygonCorner {
 
 bool precedes(const PolygonCorner& a, const PolygonCorner& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-// Splits a polygon one of whose sides runs from its first to its last vertex in the order of x: the vertices
-// between are visited in this order, and a corner is cut off where it is convex.
+// Triangulates a polygon one of whose sides runs from its first to its last vertex in the order of x:
+// visits the vertices between in this order, and cuts off convex corners.
 bool append_triangles(std::vector<PolygonCorner>& polygon, std::vector<ChartTriangle>& out) {
   if (polygon.size() < 3) return false;
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), precedes), polygon.end());
   const auto last = std::max_element(polygon.begin(), polygon.end(), precedes);
   const bool base_below = last == polygon.begin() + 1;
   if (!base_below && last + 1 != polygon.end()) return false;
-  // The chain from left to right; on the far side of the base it is walked against the polygon's sense.
+  // The chain from left to right; on the far side of the base it runs against the sense of the polygon.
   if (base_below) std::reverse(polygon.begin() + 1, polygon.end());
   for (size_t i = 0; i + 1 < polygon.size(); ++i) {
     if (!precedes(polygon[i], polygon[i + 1])) return false;
@@ -226,7 +226,7 @@ bool append_triangles(std::vector<PolygonCorner>& polygon, std::vector<ChartTria
   return left.size() == 2;
 }
 
-// The edges and diagonals of a region around its vertices, from which its polygons follow.
+// Edges and diagonals of a region around its vertices; they determine its polygons.
 class Polygons {
  public:
   Polygons(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges,
@@ -264,13 +264,12 @@ class Polygons {
   }
 
  private:
-  // A directed edge; `inside` where the region lies on its left. The other direction is the next one or the
-  // one before.
+  // A directed edge; `inside` if the region lies on its left. Its opposite is the next or the previous one.
   struct Half {
     uint32_t from, to;
     int64_t dx, dy;
     bool inside;
-    uint32_t place;  // of around_
+    uint32_t place;  // index in around_
   };
 
   void add(const ChartEdge& e, bool inside, bool back_inside) {
@@ -299,7 +298,7 @@ class Polygons {
     return turn_of(a.dx, a.dy, b.dx, b.dy) > 0;
   }
 
-  // The next side of the polygon on the left: the first one clockwise from the way back.
+  // Returns the next side of the polygon on the left: the first one clockwise from the opposite edge.
   uint32_t after(uint32_t h) const {
     const Half& back = halves_[h ^ 1];
     const uint32_t begin = first_[back.from], end = first_[back.from + 1];

@@ -9,18 +9,18 @@ namespace kerf {
 
 namespace {
 
-// A triangle is too thin if its shortest side is less than this share of its longest one; where the wall is
-// bent, so that its edges cannot be long in all directions, the second one.
+// Max ratio of the shortest to the longest side of a thin triangle; the second on a bent wall, whose edges
+// cannot be long in all directions.
 constexpr double kThin = 1.0 / 4, kThinBent = 1.0 / 16;
-// A triangle whose height is less than this share of its shorter sides is not thin but flat, and no better
-// when it is split.
+// A triangle whose height is less than this share of its shorter sides is flat, not thin; a split does not
+// improve it.
 constexpr double kFlat = 1e-3;
-// How many vertices grading may add for each that there was.
+// Max number of vertices that grading may add per vertex.
 constexpr size_t kMaxGraded = 4;
 
 }  // namespace
 
-// The longest side of a thin triangle, both long sides of which are inner ones.
+// Returns the longest side of a thin triangle whose two long sides are inner ones.
 std::optional<WallMesh::LongSide> WallMesh::long_side(uint32_t triangle) const {
   const Corners& c = triangles_[triangle];
   std::array<double, 3> length;
@@ -33,7 +33,7 @@ std::optional<WallMesh::LongSide> WallMesh::long_side(uint32_t triangle) const {
   return LongSide{length[longest], length[least], edge(triangle, longest)};
 }
 
-// Whether an edge across this one, twice as wide as the triangles beside it, would not deviate.
+// Returns true if an edge across this one, twice as wide as the adjacent triangles, would not deviate.
 bool WallMesh::is_flat_around(const Quad& q, const Middle& middle) const {
   const Vertex &a = vertices_[q.a], &b = vertices_[q.b];
   const Vec3 along = b.at - a.at;
@@ -52,7 +52,7 @@ bool WallMesh::is_flat_around(const Quad& q, const Middle& middle) const {
   return from && to && deviation_({*from, left}, {*to, right}) <= most_;
 }
 
-// Whether a point lies in the sphere of which a side of the boundary is a diameter (J. Ruppert: A Delaunay
+// Returns true if a point lies in the diametral sphere of a side of the boundary (J. Ruppert: A Delaunay
 // refinement algorithm for quality 2-dimensional mesh generation, 1995).
 bool WallMesh::encroaches(const Quad& q, const Vec3& p) const {
   const std::array<std::pair<uint32_t, uint32_t>, 4> sides{{{q.b, q.c}, {q.c, q.a}, {q.a, q.d}, {q.d, q.b}}};
@@ -63,8 +63,8 @@ bool WallMesh::encroaches(const Quad& q, const Vec3& p) const {
   return false;
 }
 
-// Where the longest side of a thin triangle is split: in the middle, if that is not too near to the boundary,
-// nor nearer to another vertex than the ends of a short side may be to each other.
+// Returns the point that splits the longest side of a thin triangle: its middle, unless that is too near to
+// the boundary, or nearer to another vertex than the ends of a short side may be to each other.
 std::optional<Vec3> WallMesh::split_for_shape(const Quad& q, double shortest, const Middle& middle) const {
   const Vec3 a = vertices_[q.a].at, b = vertices_[q.b].at;
   const double length = glm::length(b - a);

@@ -35,7 +35,7 @@ Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<
       const bool is_inner = sides.find(s.to, v) != nullptr;
       const bool is_at_rim = v < patch.rim.size() && s.to < patch.rim.size() &&
                              std::binary_search(at_rim.begin(), at_rim.end(), PatchSide{v, s.to});
-      if (is_at_rim == is_inner) co_return PatchFault{"a wall ends in the part", v};
+      if (is_at_rim == is_inner) co_return PatchFault{"a wall ends inside the part", v};
     }
     co_await worked(1);
   }
@@ -68,20 +68,19 @@ Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> ri
 
 namespace {
 
-// A triangle that is cut off the rim is no higher, relative to the radius.
+// Max height of a triangle that is cut off the rim, in radii.
 constexpr double kHighestCut = 0.03;
-// How far from the ends of the range a vertex that is not at a corner stays in the chart, relative to the
-// radius.
+// Min distance from the ends of the range in the chart of a vertex that is not at a corner, in radii.
 constexpr double kWithinRange = 1e-6;
-// No edge of a wall is shorter, relative to the radius.
+// Min length of an edge of a wall, in radii.
 constexpr double kShortest = 1e-9;
-// How often a wall may have more vertices than its rim.
+// Max ratio of added vertices to vertices of the rim.
 constexpr size_t kMaxAdded = 2;
 
-// The curve of vertices that are on no side.
+// Curve of vertices that are on no side.
 constexpr uint32_t kNoCurve = 0xffffffffu;
 
-// Whether a face belongs to the solid at hand.
+// Returns true if a face belongs to the current solid.
 using OwnFaces = std::function<bool(FaceId)>;
 
 // Makes the walls of one solid, or of several whose walls do not meet.
@@ -102,7 +101,7 @@ class WallMaker {
   Resumable<Result<WallPatch>> make() {
     co_await number_rim();
     if (const auto loose = loose_end())
-      co_return left_open("the rim ends at an edge of three faces or more", rim_at(*loose));
+      co_return left_open("the rim ends at an edge of three or more faces", rim_at(*loose));
     if (const Status placed = co_await place_rim(); !placed) co_return placed.error();
     for (uint32_t c = 0; c < chart_->curves(); ++c) {
       if (const Status made = co_await make_side(c); !made) co_return made.error();
@@ -128,7 +127,7 @@ class WallMaker {
     return static_cast<uint32_t>(patch_.rim.size() + patch_.added.size() - 1);
   }
 
-  // The sides of the walls along the rim run against those of the faces there.
+  // Sides of the walls along the rim run opposite to those of the adjacent faces.
   Resumable<Done> number_rim() {
     patch_.rim = vertices_of(sides_);
     const auto index = [&](VertexId v) {
@@ -143,7 +142,7 @@ class WallMaker {
     co_return Done{};
   }
 
-  // A vertex at which the rim does not go on; nothing if it consists of loops.
+  // Returns a vertex at which the rim ends; nullopt if it consists of loops.
   std::optional<uint32_t> loose_end() const {
     std::vector<int> balance(patch_.rim.size());
     for (const auto& [from, to] : rim_) {
@@ -182,7 +181,7 @@ class WallMaker {
     co_return Done{};
   }
 
-  // A vertex at a corner lies on the end in the chart, and none beyond it.
+  // In the chart, a vertex at a corner lies on the end, and none beyond it.
   void place_at_end(uint32_t i, bool on_side, BoundaryPart on_end) {
     if (!on_side) {
       places_[i].curve = kNoCurve;
@@ -195,13 +194,13 @@ class WallMaker {
     if (on_end == BoundaryPart::kHighEnd) places_[i].depth = *ends_.high;
   }
 
-  // A side, and its vertices in the patch, of which those of the rim come first.
+  // A side with the patch indices of its vertices, those of the rim first.
   struct Side {
     WallSide wall;
     std::vector<uint32_t> of_patch;
   };
 
-  // The vertices and the edges of the rim around a curve.
+  // Returns the vertices and edges of the rim around a curve.
   Result<Side> side_of(uint32_t curve) const {
     Side side{WallSide(*chart_, curve, depths_), {}};
     std::vector<uint32_t> local(patch_.rim.size());
@@ -224,7 +223,7 @@ class WallMaker {
       side.of_patch.push_back(add(chart_->point_at(side.wall.places()[i])));
   }
 
-  // What caps have to close beyond the side.
+  // Records the sides that caps must close.
   void record_caps(const Side& side) {
     for (const bool is_high : {false, true}) {
       for (const auto& [from, to] : side.wall.cap(is_high))
@@ -232,7 +231,7 @@ class WallMaker {
     }
   }
 
-  // How often the part winds around the end of a side, as seen away from the beam.
+  // Returns the winding number of the part around the end of a side, seen away from the beam.
   int winds_at(const Side& side, double depth, double sign) const {
     WallChart::Place place = side.wall.places().front();
     place.depth = depth;
@@ -243,13 +242,13 @@ class WallMaker {
     return winding;
   }
 
-  // Where a vertex of a side lies, e.g. the first one of some in conflict.
+  // Returns the position of a vertex of a side, e.g. of the first in a conflict.
   Vec3 place_of(const Side& side, uint32_t v) const { return at(side.of_patch[v]); }
   Vec3 place_of(const Side& side, const std::vector<uint32_t>& conflict) const {
     return place_of(side, conflict.empty() ? 0 : conflict.front());
   }
 
-  // Otherwise `conflict` holds vertices of edges that cross.
+  // Returns nullopt if edges cross; `conflict` then holds vertices of these.
   Resumable<std::optional<ChartRegion::Winding>> untangle_side(Side& side, std::vector<uint32_t>& conflict) {
     std::vector<Vec3> positions;
     for (const uint32_t i : side.of_patch) positions.push_back(at(i));
@@ -290,7 +289,7 @@ class WallMaker {
     const int below = -winding->least, above = winding->above + below;
     const Vec3 here = place_of(side, winding->largest + below > 1 ? winding->largest_at : winding->least_at);
     if (below > (*high ? 0 : 1) || above < 0 || above > (*low ? 0 : 1) || winding->largest + below > 1)
-      co_return left_open("the part passes through itself", here);
+      co_return left_open("the part intersects itself", here);
     if ((below > 0 && (!ends_.high || *ends_.high < depths.high)) ||
         (above > 0 && (!ends_.low || *ends_.low > depths.low)))
       co_return left_open("the range of the beam ends in the part at no single depth", here);
@@ -307,8 +306,8 @@ class WallMaker {
     co_return co_await triangulate(side);
   }
 
-  // A vertex at which two triangles have the same side, or one has a corner twice, as around a ring with few
-  // corners; nothing if there is none.
+  // Returns a vertex at which two triangles have the same side, or one has a corner twice, as around a ring
+  // with few corners; nullopt if there is none.
   static std::optional<uint32_t> meeting_vertex(std::span<const ChartTriangle> triangles, size_t vertices) {
     std::vector<WallMesh::Corners> corners;
     for (const ChartTriangle& t : triangles) corners.push_back(t.corners);
@@ -326,8 +325,8 @@ class WallMaker {
     if (const auto v = meeting_vertex(*triangles, side.wall.placed().size()))
       co_return left_open("the wall is so narrow that its edges meet", place_of(side, *v));
     co_await worked(triangles->size() / 8);
-    // The chart may map more than a point to one place, which vertices that come for the shape alone can
-    // avoid.
+    // The chart may map several points to one place; without vertices added for shape alone that may not
+    // occur.
     Vec3 here = place_of(side, 0);
     for (const bool graded : {true, false}) {
       const std::optional<WallMesh> wall = co_await fill(side, *triangles, graded);
@@ -344,7 +343,7 @@ class WallMaker {
     co_return left_open("the sides of the beam at different depths do not correspond", here);
   }
 
-  // The wall between the vertices of the rim; nothing where it would need too many further ones.
+  // Returns the wall between the vertices of the rim; nullopt if it would need too many further ones.
   Resumable<std::optional<WallMesh>> fill(const Side& side, std::span<const ChartTriangle> triangles,
                                           bool graded) const {
     std::vector<WallMesh::Vertex> vertices;
@@ -374,7 +373,7 @@ class WallMaker {
     co_return wall;
   }
 
-  // By how much the chord of an edge deviates from the boundary.
+  // Returns the deviation of the chord of an edge from the boundary (m).
   double deviation(const Side& side, const WallMesh::Vertex& a, const WallMesh::Vertex& b) const {
     if (glm::length(b.at - a.at) <= kRimLeastEdge * stroke_.radius) return 0;
     const Vec3 chord = 0.5 * (a.at + b.at);
@@ -387,7 +386,7 @@ class WallMaker {
     return std::abs(stroke_.distance(chord));
   }
 
-  // Moves a point of the chart, which is exact for parallel beams alone, to the boundary.
+  // Moves a point of the chart, which is exact only for parallel beams, onto the boundary.
   Vec3 on_boundary(Vec3 p) const {
     if (pencil_->parallel()) return p;
     const double step = kRimOn * stroke_.radius, exact = 0.01 * step;
@@ -407,7 +406,7 @@ class WallMaker {
     return p;
   }
 
-  // Whether two vertices of the patch are those of an edge of the mesh.
+  // Returns true if two vertices of the patch form an edge of the mesh.
   bool are_joined(uint32_t i, uint32_t k) const {
     if (std::max(i, k) >= patch_.rim.size()) return false;
     Mesh::Star star;
@@ -429,8 +428,8 @@ class WallMaker {
     for (const auto& t : triangles) patch_.faces.push_back({of_patch[t[0]], of_patch[t[1]], of_patch[t[2]]});
   }
 
-  // The part of the plane at an end of the range that the ends of the sides bound. Seen from the beam, i.e.
-  // from lower depths for the higher end, its faces are counter-clockwise.
+  // Makes the cap: the region of the plane at an end of the range that is bounded by the ends of the sides.
+  // Its faces are counter-clockwise seen from the beam, i.e. from lower depths for the higher end.
   Resumable<Status> make_cap(bool is_high) {
     const std::vector<PatchSide>& sides = is_high ? high_end_ : low_end_;
     if (sides.empty()) co_return Done{};
@@ -455,7 +454,7 @@ class WallMaker {
     const auto cap =
         co_await triangulate_cap(places, positions, bounds, kRimLeastEdge * stroke_.radius, lift, conflict);
     if (!cap)
-      co_return left_open("the range of the beam ends in a part of the kerf only", positions[conflict]);
+      co_return left_open("the range of the beam ends in only a part of the kerf", positions[conflict]);
     append(of_patch, *cap);
     co_return Done{};
   }
@@ -471,7 +470,7 @@ class WallMaker {
   Interval depths_;  // of the rim
   WallPatch patch_;
   std::vector<PatchSide> rim_;                 // sides of walls along the rim, in the order of sides_
-  std::vector<PatchSide> rim_on_sides_;        // of these, along the sides of the beam
+  std::vector<PatchSide> rim_on_sides_;        // those along the sides of the beam
   std::vector<WallChart::Place> places_;       // by vertex of the rim
   std::vector<PatchSide> low_end_, high_end_;  // sides of caps, along the rim and along the ends of walls
 };

@@ -14,9 +14,9 @@ namespace kerf {
 
 namespace {
 
-// Relative to the radius. Sides that nearly coincide, as those of moves on one line do, are told apart by how
-// deep a point lies in another region; at the small angles at which arcs leave lines, the depth grows with
-// the square of the length, so that kDepth corresponds to lengths of 1.4e-5. It exceeds the errors of the
+// Relative to the radius. Sides that nearly coincide, such as those of collinear moves, are distinguished
+// by the depth of a point in another region. Where an arc leaves a line at a small angle, the depth grows
+// with the square of the length, so kDepth corresponds to a length of 1.4e-5. It exceeds the errors of the
 // angles.
 constexpr double kDepth = 1e-10, kMinPiece = 1e-4, kLargestGap = 1e-3;
 
@@ -49,7 +49,7 @@ OutlinePiece arc(Vec2 centre, double radius, double angle, double turn, uint32_t
           side};
 }
 
-// The sides of one region, counter-clockwise.
+// Appends the sides of one region, counter-clockwise.
 void append_sides(const DiscMove& m, double radius, uint32_t move, std::vector<OutlinePiece>& out) {
   const Vec2 way = m.to - m.from;
   const double length = glm::length(way);
@@ -67,7 +67,7 @@ OutlinePiece part_of(const OutlinePiece& p, double from, double to) {
   return line(p.at(from), p.at(to), p.side);
 }
 
-// The shares of a piece at which it may cross the boundary of the region of a move.
+// Shares of a piece at which it may cross the boundary of the region of a move.
 class Crossings {
  public:
   Crossings(const OutlinePiece& piece, const DiscMove& move, double radius) : piece_(piece) {
@@ -90,7 +90,7 @@ class Crossings {
     if (turned < 0) turned += 2 * kPi;
     note(turned / piece_.turn);
   }
-  // Of the equation x^2 - 2 half x + product = 0.
+  // Records the roots of x^2 - 2 half x + product = 0.
   void record_roots(double half, double product) {
     const double root2 = half * half - product;
     if (!(root2 > 0)) return;
@@ -131,7 +131,7 @@ class Crossings {
   const OutlinePiece& piece_;
 };
 
-// Parts of a piece, as shares of its length.
+// Part of a piece, as shares of its length.
 struct Share {
   double from, to;
 };
@@ -147,7 +147,7 @@ void append_covered(const OutlinePiece& piece, const DiscMove& move, double radi
   }
 }
 
-// Everything within `apart` metres of a line.
+// All points within `apart` metres of a line.
 struct Band {
   DiscMove line;
   double apart = 0;
@@ -160,7 +160,7 @@ bool cross(const DiscMove& a, const DiscMove& b) {
   return splits(a, b) && splits(b, a);
 }
 
-// No more than the distance of any point of one band from one of the other.
+// Returns a lower bound of the distance between points of two bands.
 double least_distance(const Band& a, const Band& b) {
   if (cross(a.line, b.line)) return 0;
   const double least2 =
@@ -169,13 +169,13 @@ double least_distance(const Band& a, const Band& b) {
   return std::sqrt(least2) - a.apart - b.apart;
 }
 
-// Consecutive moves, halved again and again, each part with the band in which it lies. Paths bend slowly, so
-// that the bands are narrow.
+// Binary tree over consecutive moves, with a band around each node. Paths bend slowly, so the bands are
+// narrow.
 class MoveTree {
  public:
   struct Node {
     uint32_t first, end;  // moves
-    uint32_t halves = 0;  // the first of two nodes; 0 for a single move
+    uint32_t halves = 0;  // the first of two child nodes; 0: a single move
     Band band;
   };
 
@@ -204,23 +204,23 @@ class MoveTree {
   std::vector<Node> nodes_;
 };
 
-// What no region covers of a piece so far.
+// The parts of a piece not yet covered by a region.
 class Uncovered {
  public:
-  // Parts of no more than `least` metres do not count.
+  // Ignores parts of at most `least` metres.
   Uncovered(const OutlinePiece& piece, double least) : piece_(piece), least_(least) { keep({0, 1}); }
 
   bool empty() const { return parts_.empty(); }
   const std::vector<Share>& parts() const { return parts_; }  // ascending
 
-  // No more than the distance of what is uncovered from the band.
+  // Returns a lower bound of the distance of the uncovered parts from the band.
   double distance(const Band& band) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Band& own : bands_) least = std::min(least, least_distance(own, band));
     return least;
   }
 
-  // Returns whether it lost anything.
+  // Returns true if any part was covered.
   bool cover(std::span<const Share> covered) {
     const std::vector<Share> before = std::exchange(parts_, {});
     bands_.clear();
@@ -262,14 +262,14 @@ class Uncovered {
   std::vector<Band> bands_;  // in which the parts lie
 };
 
-// Takes from a side of a region what the others cover.
+// Removes from a side of a region the parts that other regions cover.
 class Coverage {
  public:
   Coverage(std::span<const DiscMove> moves, double radius) : moves_(moves), radius_(radius), tree_(moves) {}
 
-  // Appends what is left of a side. Of two regions, the later one leaves to the earlier one what they have in
-  // common. Moves before and after cover most of it as a rule; of the others, those are computed that come
-  // near enough to what is left then.
+  // Appends the uncovered parts of a side. A part common to two regions belongs to the earlier one. The
+  // previous and next moves usually cover most of it; of the others, only those near enough to the
+  // remaining parts are computed.
   void append_uncovered(const OutlinePiece& side, std::vector<OutlinePiece>& out) {
     const uint32_t own = side.side / 4;
     Uncovered left(side, kMinPiece * radius_);
@@ -279,10 +279,10 @@ class Coverage {
     for (const Share& part : left.parts()) out.push_back(part_of(side, part.from, part.to));
   }
 
-  size_t work = 0;  // moves and bands that were looked at
+  size_t work = 0;  // visited moves and bands
 
  private:
-  // A region that is farther away, relative to the radius, covers nothing; it exceeds kDepth and roundings.
+  // A region farther away, in radii, covers nothing; exceeds kDepth and rounding.
   static constexpr double kFarther = 1e-8;
 
   bool cover(Uncovered& left, const OutlinePiece& side, uint32_t move) {
@@ -295,7 +295,7 @@ class Coverage {
   bool is_far(double distance) const { return distance > (1 + kFarther) * radius_; }
 
   void cover_by_others(Uncovered& left, const OutlinePiece& side, uint32_t own) {
-    uint32_t times = 0;  // that something was covered
+    uint32_t times = 0;  // number of coverings so far
     waiting_.assign(1, {0, left.distance(tree_[0].band), 0});
     while (!waiting_.empty() && !left.empty()) {
       Waiting at = waiting_.back();
@@ -319,7 +319,7 @@ class Coverage {
   struct Waiting {
     uint32_t node;
     double distance;
-    uint32_t times;  // at which the distance was measured
+    uint32_t times;  // value of `times` at which the distance was measured
   };
 
   std::span<const DiscMove> moves_;
@@ -329,7 +329,7 @@ class Coverage {
   std::vector<Waiting> waiting_;
 };
 
-// The pieces of the outline in no order.
+// Returns the pieces of the outline, unordered.
 Resumable<std::vector<OutlinePiece>> pieces_of_outline(std::span<const DiscMove> moves, double radius) {
   std::vector<OutlinePiece> pieces, sides;
   if (moves.empty()) co_return pieces;
@@ -344,7 +344,7 @@ Resumable<std::vector<OutlinePiece>> pieces_of_outline(std::span<const DiscMove>
   co_return pieces;
 }
 
-// Finds the piece that starts nearest to a point, and no farther than kLargestGap.
+// Finds the piece that starts nearest to a point, within kLargestGap.
 class Starts {
  public:
   Starts(const std::vector<OutlinePiece>& pieces, double radius)
@@ -357,7 +357,7 @@ class Starts {
     std::sort(cells_.begin(), cells_.end());
   }
 
-  // kNoPiece if there is none. Of several, the leftmost.
+  // Returns kNoPiece if there is none, and the leftmost of several.
   uint32_t nearest(Vec2 p) const {
     const Cell at = cell(p);
     InCell best{{}, kNoPiece, kNoPiece};
@@ -390,7 +390,7 @@ class Starts {
   std::vector<InCell> cells_;  // ascending
 };
 
-// Chains pieces, each to the one that starts nearest to its end.
+// Chains each piece to the one that starts nearest to its end.
 std::vector<OutlineCurve> chain(const std::vector<OutlinePiece>& pieces, double radius) {
   const Starts starts(pieces, radius);
   std::vector<OutlineCurve> curves;

@@ -14,9 +14,9 @@ namespace kerf {
 
 namespace {
 
-// How far a vertex of the rim may lie from the outline, relative to the radius: by the errors that the rim
-// may have. For beams through an apex, what an inclined beam's ellipse is longer than a circle comes on top,
-// and what it grows to the next depth at which there is an outline; but no less than kMinOfFan in all.
+// Max distance of a vertex of the rim from the outline, in radii: the permitted errors of the rim. For
+// beams through an apex this increases by the excess of an inclined beam's ellipse over a circle, and by
+// its growth up to the next depth with an outline; at least kMinOfFan in all.
 constexpr double kReach = 0.03, kReachOfFan = 0.1, kMinOfFan = 0.3;
 
 Interval depths_of(const BeamPencil& pencil, const Mesh& mesh, std::span<const VertexId> vertices) {
@@ -53,7 +53,7 @@ Resumable<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const Vert
   KERF_ASSERT(!vertices.empty());
   const Vec3 first = mesh.position(vertices[0]);
   const auto pencil = BeamPencil::of(stroke.moves, stroke.radius);
-  if (!pencil) co_return left_open("the beam turned about no single point, or too far", first);
+  if (!pencil) co_return left_open("the beam did not rotate about a single point, or too far", first);
   const Interval depths = depths_of(*pencil, mesh, vertices);
   auto chart = co_await WallChart::make(*pencil, stroke.moves, stroke.radius, depths);
   if (!chart) co_return left_open("the sides of the beam at different depths do not correspond", first);
@@ -67,11 +67,11 @@ Resumable<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const Vert
 namespace {
 
 constexpr uint32_t kNowhere = 0xffffffffu;
-// Edges that lie this near to each other in the chart lie on one another, but for its rounding.
+// Edges this near to each other in the chart coincide, except for its rounding.
 constexpr double kOneUnit = 1;
 
 // A side of a wall along the rim: in the chart of a curve of the outline, or in the plane of an end of the
-// range, which count as further curves.
+// range, which counts as a further curve.
 struct ChartSide {
   uint32_t from = 0, to = 0;  // vertices
   uint32_t part = 0;
@@ -193,7 +193,7 @@ class RimGrouping {
     co_return Done{};
   }
 
-  // Whether a loop lies in one chart and bounds what is outside of it there.
+  // Returns true if a loop lies in one chart and bounds the region outside it.
   bool is_clockwise(std::span<const uint32_t> loop) const {
     const uint32_t curve = sides_[loop[0]].curve;
     if (curve == kNowhere || sides_[loop.back()].to != sides_[loop[0]].from) return false;
@@ -221,8 +221,8 @@ class RimGrouping {
     }
   }
 
-  // The nearest side of another loop below the lowest vertex of a loop (up = -1) or above the highest one, if
-  // its wall is on the side of the loop.
+  // Returns the nearest side of another loop below the lowest vertex of a loop (up = -1) or above the
+  // highest one, if its wall is on the side of the loop.
   std::optional<uint32_t> nearest_side(std::span<const uint32_t> loop, double up) const {
     const ChartSide& start = sides_[*std::max_element(loop.begin(), loop.end(), [&](uint32_t a, uint32_t b) {
       return up * sides_[a].y < up * sides_[b].y;
@@ -248,7 +248,8 @@ class RimGrouping {
     return std::nullopt;
   }
 
-  // For a loop in the plane of an end: the parts that wind around its vertices, as seen away from the beam.
+  // For a loop in the plane of an end: joins it to the parts that wind around its vertices, seen away from
+  // the beam.
   void join_to_solid_around(uint32_t side) {
     const ChartSide& s = sides_[side];
     const double sign = s.curve > low_end() ? 1 : -1;

@@ -15,12 +15,12 @@ namespace kerf {
 
 namespace {
 
-// Directions that differ by less are parallel: over the longest ranges, lines then deviate by a thousandth of
-// the radius at most.
+// Directions that differ by less are parallel: over the longest ranges, lines then deviate by at most a
+// thousandth of the radius.
 constexpr double kParallel = 1e-9;
-// The largest distance of a line from the apex, relative to the radius.
+// Max distance of a line from the apex, in radii.
 constexpr double kAtApex = 1e-3;
-// The least cosine of the angle between a direction and the middle one.
+// Min cosine of the angle between a direction and the middle one.
 constexpr double kMinCosine = 0.3;
 
 template <typename Visit>
@@ -31,7 +31,7 @@ void for_each_pose(std::span<const BeamMove> moves, Visit visit) {
   }
 }
 
-// The point with the least sum of squared distances from the lines.
+// Returns the point with the smallest sum of squared distances from the lines.
 Vec3 nearest_to_lines(std::span<const BeamMove> moves) {
   glm::dmat3 sum(0.0);
   Vec3 right(0);
@@ -101,12 +101,12 @@ DiscMove BeamPencil::at_depth(const BeamMove& move, double depth) const {
 
 namespace {
 
-// For beams through an apex: the number of depths, and the length of curves that are left out, relative to
-// the radius. Small gaps between strokes come and go with the depth.
+// For beams through an apex: the number of depths, and the length below which curves are ignored, in radii,
+// since small gaps between strokes appear and disappear with the depth.
 constexpr size_t kSlices = 17;
 constexpr double kMinCurve = 1;
 
-// The nearest point of a piece, as a share of its length.
+// Returns the nearest point of a piece, as a share of its length.
 double nearest_share(const OutlinePiece& piece, Vec2 p) {
   if (piece.radius > 0) {
     const Vec2 from = p - piece.centre;
@@ -190,7 +190,7 @@ std::optional<WallChart::Near> WallChart::nearest(const Slice& slice, Vec2 p, do
   return Near{*curve_of_best, modulo(own.place(length), own.period)};
 }
 
-// Makes sides that are one piece of every slice landmarks. Returns whether the curves correspond.
+// Makes sides that are one piece of every slice landmarks. Returns true if the curves correspond.
 bool WallChart::set_landmarks(std::vector<Slice>& slices) {
   std::vector<std::map<uint32_t, std::pair<uint32_t, double>>> of_side(
       slices.size());  // curve, length of middle

@@ -41,18 +41,18 @@ const SideIndex::Side* SideIndex::find_repeated() const {
 
 namespace {
 
-// Flips end by themselves in a plane; on a wall that is bent they are limited to so many for each triangle.
+// Max flips per triangle. In a plane, flips terminate by themselves; on a bent wall they are limited.
 constexpr size_t kMaxFlips = 16;
 // A flip must reduce the deviation to less than this share.
 constexpr double kMinGain = 0.99;
-// An edge is not split where one part would be less than this share of it.
+// An edge is not split if one part would be less than this share of it.
 constexpr double kBesideEnd = 1.0 / 16;
-// A flip makes no triangle that is this flat, in units of the chart: an edge whose middle is a vertex, but
-// for rounding, would come back.
+// A flip makes no triangle flatter than this, in units of the chart: an edge whose middle is a vertex,
+// except for rounding, would come back.
 constexpr int64_t kFlattest = 2;
-// Lists begin with room for so many times what is in them: to copy one that grows would be a long pause.
+// Initial capacity of lists, as a multiple of their size: copying a list that grows would be a long pause.
 constexpr size_t kRoom = 4;
-// The angles must exceed pi by more than what rounding does.
+// The sum of the angles must exceed pi by more than rounding.
 constexpr double kFlipSlack = 1e-9;
 
 }  // namespace
@@ -128,7 +128,7 @@ WallMesh::Quad WallMesh::quad_of(const Edge& e) const {
   return q;
 }
 
-// Sets a triangle and makes those beyond its sides know it.
+// Sets a triangle and links its neighbours to it.
 void WallMesh::set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across,
                    const std::array<double, 3>& known) {
   const Corners& corners = to.corners;
@@ -151,7 +151,7 @@ double WallMesh::deviation(uint32_t a, int64_t xa, uint32_t b, int64_t xb) const
   return deviation_({from.at, {xa, from.chart.y}}, {to.at, {xb, to.chart.y}});
 }
 
-// By how much the edge between the triangles deviates beyond what it may.
+// Returns the deviation of the edge between the triangles beyond the permitted one (m).
 double WallMesh::excess(const Quad& q) {
   double& known = known_[q.left][side_from(q.left, q.a)];
   if (known < 0) known = known_[q.right][side_from(q.right, q.b)] = deviation(q.a, q.xa, q.b, q.xb);
@@ -168,12 +168,12 @@ std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
   return edges;
 }
 
-// Whether a triangle of the fan around `from` that this triangle is in has the corner `to`.
+// Returns true if a triangle of this triangle's fan around `from` has the corner `to`.
 bool WallMesh::has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const {
   const auto contains = [&](uint32_t t) {
     return std::find(triangles_[t].begin(), triangles_[t].end(), to) != triangles_[t].end();
   };
-  // Counter-clockwise, and where that comes to the boundary, clockwise.
+  // Walks counter-clockwise, then clockwise if that reaches the boundary.
   uint32_t t = triangle;
   do {
     if (contains(t)) return true;
@@ -186,9 +186,9 @@ bool WallMesh::has_edge_to(uint32_t triangle, uint32_t from, uint32_t to) const 
   return false;
 }
 
-// Whether the opposite corners of two triangles have an edge in common, or it would be hard to tell: each has
-// several fans. Where no triangle is folded over, no edge lies within the two in the chart, so that it goes
-// around the other way.
+// Returns true if the opposite corners of two triangles have a common edge, or if that is hard to determine
+// because each has several fans. If no triangle is folded, no edge lies within the two in the chart, so a
+// common edge runs around the other way.
 bool WallMesh::may_be_joined(const Quad& q) const {
   if (q.c == q.d) return true;
   if (!is_folded_ && !has_wide_edge_ && !is_wide(q.xc, q.xd)) return false;
@@ -196,7 +196,7 @@ bool WallMesh::may_be_joined(const Quad& q) const {
   return is_pinched_[q.d] || has_edge_to(q.right, q.d, q.c);
 }
 
-// Whether a triangle is counter-clockwise in the chart.
+// Returns true if a triangle is counter-clockwise in the chart.
 bool WallMesh::is_upright(uint32_t triangle) const {
   const auto& x = x_[triangle];
   const auto y = [&](size_t i) { return vertices_[triangles_[triangle][i]].chart.y; };
@@ -236,7 +236,7 @@ void WallMesh::flip(const Quad& q) {
 
 size_t WallMesh::most_flips() const { return kMaxFlips * triangles_.size(); }
 
-// Takes the last edge off the list, and if it should be flipped, replaces it by the sides around it.
+// Removes the last edge from the list; if it should be flipped, flips it and adds the surrounding sides.
 void WallMesh::flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made) {
   const Edge e = waiting.back();
   waiting.pop_back();
@@ -249,7 +249,7 @@ void WallMesh::flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made) {
     waiting.push_back(side);
 }
 
-// Returns the edges that flips have made.
+// Returns the edges made by flips.
 std::vector<WallMesh::Edge> WallMesh::flip_from(std::vector<Edge> waiting) {
   std::vector<Edge> made;
   for (const size_t most = most_flips(); !waiting.empty() && made.size() < most;) flip_last(waiting, made);
@@ -295,7 +295,7 @@ void WallMesh::split(const Quad& q, const Vec3& at) {
   for (const uint32_t t : {q.left, third, q.right, fourth}) is_folded_ = is_folded_ || !is_upright(t);
 }
 
-// Whether a point is much nearer to an end of the edge between the triangles than to the other one.
+// Returns true if a point is much nearer to one end of the edge between the triangles than to the other.
 bool WallMesh::is_beside_an_end(const Quad& q, const Vec3& p) const {
   const Vec3 a = vertices_[q.a].at, b = vertices_[q.b].at;
   return std::min(glm::length(p - a), glm::length(p - b)) < kBesideEnd * glm::length(b - a);
@@ -311,7 +311,7 @@ Resumable<Done> WallMesh::refine(const Middle& middle) {
       const Quad q = quad_of(e);
       if (!(excess(q) > 0)) continue;
       const auto at = middle(middle_of(q));
-      // The chart may map a whole edge to little more than a point.
+      // The chart may map a whole edge to almost a point.
       if (!at || is_beside_an_end(q, *at)) continue;
       split(q, *at);
       const auto first = static_cast<uint32_t>(triangles_.size()) - 2;

@@ -16,23 +16,23 @@
 
 namespace kerf {
 
-// The directed sides of triangles by the vertex at which they start. Linear in the triangles and vertices.
+// Directed sides of triangles, indexed by their start vertex. Linear in triangles and vertices.
 class SideIndex {
  public:
   struct Side {
-    uint32_t to, triangle, corner;  // from this corner, 0 .. 2, of the triangle
+    uint32_t to, triangle, corner;  // starts at this corner, 0 .. 2, of the triangle
   };
 
   // Precondition: corners are below `vertices`.
   SideIndex(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices);
 
-  // The sides that start at a vertex, in the order of the triangles.
+  // Returns the sides that start at a vertex, in the order of the triangles.
   std::span<const Side> from(uint32_t v) const {
     return std::span(sides_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
-  // The first side between two vertices in this direction, or null. Linear in the sides that start there.
+  // Returns the first side from v to `to`, or null. Linear in the sides that start there.
   const Side* find(uint32_t v, uint32_t to) const;
-  // A side that occurs more than once, or whose ends are equal; null if there is none.
+  // Returns a side that occurs more than once or has equal ends; null if there is none.
   const Side* find_repeated() const;
 
  private:
@@ -40,7 +40,7 @@ class SideIndex {
   std::vector<Side> sides_;
 };
 
-// A triangulated wall with its chart. The edges of its boundary stay as they are.
+// A triangulated wall with its chart. The edges of its boundary are never changed.
 class WallMesh {
  public:
   using Corners = std::array<uint32_t, 3>;
@@ -48,39 +48,40 @@ class WallMesh {
     Vec3 at{0};  // m
     ChartVertex chart;
   };
-  // How far an edge deviates from the surface, in metres; 0 where it may stay. The x of the ends may lie
+  // Returns the deviation of an edge from the surface (m); 0 if it may stay. The x of the ends may lie
   // beyond the width of the strip.
   using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
-  // Where a vertex in the middle of an edge lies, from its place in the chart; nothing if the edge stays.
+  // Returns the position of a vertex in the middle of an edge from its place in the chart; nullopt if the
+  // edge must not be split.
   using Middle = std::function<std::optional<Vec3>(const ChartVertex& middle)>;
 
-  // Edges may deviate by `most` metres. Precondition: the triangles are those of a ChartRegion of this width,
-  // and no two of them have the same side.
+  // Edges may deviate by `most` metres. Precondition: the triangles are those of a ChartRegion of this
+  // width, and no two of them have the same side.
   WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
            Deviation deviation, double most);
 
-  // Flips edges inside of convex quadrilaterals until there is none whose other diagonal deviates less, or
-  // deviates as little and has opposite angles that sum up to less (C. L. Lawson: Software for C1 surface
-  // interpolation, 1977). Where a wall is bent, long triangles along the beam thus need no further vertices.
+  // Flips inner edges of convex quadrilaterals until there is none whose other diagonal deviates less, or
+  // deviates equally and has a smaller sum of opposite angles (C. L. Lawson: Software for C1 surface
+  // interpolation, 1977). So long triangles along the beam on a bent wall need no further vertices.
   Resumable<Done> improve();
 
-  // Splits every inner edge that deviates and for which `middle` gives a vertex, and those that arise, and
-  // improves what is around them.
+  // Splits every inner edge that deviates and for which `middle` returns a vertex, including new edges, and
+  // improves the surrounding triangles.
   Resumable<Done> refine(const Middle& middle);
 
-  // Splits long sides of thin triangles, the longest first, and improves what is around them, so that
+  // Splits long sides of thin triangles, longest first, and improves the surrounding triangles, so that
   // triangles grow away from the rim (as in M.-C. Rivara: New longest-edge algorithms for the refinement
-  // and/or improvement of unstructured triangulations, 1997). Where the wall is bent they may be thinner. A
-  // later stroke that meets a wall of long thin triangles would refine all of them. Sides that are not longer
-  // than `least` metres stay; the vertices must be as exact as that in the chart.
+  // and/or improvement of unstructured triangulations, 1997). On a bent wall they may be thinner. Without
+  // this, a later stroke that meets a wall of long thin triangles would refine all of them. Sides of at
+  // most `least` metres stay; the positions must be as exact as the chart.
   Resumable<Done> grade(double least, const Middle& middle);
 
-  // Splits the inner edges between two of the first `fixed` vertices for which `splits` holds, wherever
-  // `middle` says.
+  // Splits the inner edges between two of the first `fixed` vertices for which `splits` holds, at the
+  // position returned by `middle`.
   Resumable<Done> split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                                 const Middle& middle);
 
-  // An end of an inner edge that is shorter than this (m), if there is one. O(n).
+  // Returns an end of an inner edge shorter than `length` (m), or nullopt. O(n).
   std::optional<uint32_t> edge_below(double length) const;
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -89,21 +90,22 @@ class WallMesh {
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
   static constexpr std::array<double, 3> kUnknown{-1, -1, -1};
-  // A side of a triangle, from its corner `side` to the next one. `from` tells whether it is still the same.
+  // Side of a triangle from its corner `side` to the next one. `from` and `to` detect whether it is
+  // unchanged.
   struct Edge {
     uint32_t triangle = 0, side = 0, from = 0, to = 0;
   };
-  // That of a thin triangle, and the length of its shortest side (m).
+  // Side of a thin triangle, with the length of that triangle's shortest side [m].
   struct LongSide {
     double length, shortest;
     Edge edge;
   };
-  // The two triangles of an inner edge: a b c and b a d.
+  // Two triangles of an inner edge: a b c and b a d.
   struct Quad {
     uint32_t left, right, a, b, c, d;
     int64_t xa, xb, xc, xd;
-    std::array<uint32_t, 4> beyond;  // the triangles beyond b c, c a, a d and d b
-    std::array<double, 4> known;     // how far these sides deviate, as in known_
+    std::array<uint32_t, 4> beyond;  // triangles beyond b c, c a, a d and d b
+    std::array<double, 4> known;     // deviations of these sides, as in known_
   };
 
   Edge edge(uint32_t triangle, uint32_t side) const;
@@ -137,23 +139,23 @@ class WallMesh {
 
   std::vector<Vertex> vertices_;
   std::vector<Corners> triangles_;
-  std::vector<std::array<int64_t, 3>> x_;        // by triangle: of its corners
-  std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: the triangle beyond
-  std::vector<uint8_t> is_pinched_;              // by vertex: it has several fans of triangles
+  std::vector<std::array<int64_t, 3>> x_;        // by triangle: x of its corners
+  std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: triangle beyond
+  std::vector<uint8_t> is_pinched_;              // by vertex: true if it has several fans of triangles
   int64_t width_;
-  bool has_wide_edge_ = false;  // that goes at least half around
-  bool is_folded_ = false;      // a triangle is not counter-clockwise in the chart, by rounding
+  bool has_wide_edge_ = false;  // that spans at least half the ring
+  bool is_folded_ = false;      // a triangle is not counter-clockwise in the chart, due to rounding
   Deviation deviation_;
   double most_;  // m
-  // By triangle and side: how far it deviates (m); negative where that is not known yet.
+  // Deviation by triangle and side [m]; negative if not yet known.
   std::vector<std::array<double, 3>> known_;
 };
 
-// Triangles, counter-clockwise, that cover what directed sides bound on their left in a plane, graded (see
-// WallMesh::grade) but for edges not longer than `least` metres. `places` are the ends of the sides in the
-// plane, `at` the same in space, and `lift` puts further vertices there (m). Nothing where sides cross, or
-// bound another region than one that is finite and covered once; `conflict` is then the number of a place
-// where they do. Preconditions: there is a side, and the sides form closed loops.
+// Returns counter-clockwise triangles that cover the region on the left of directed sides in a plane,
+// graded (see WallMesh::grade) except for edges of at most `least` metres. `places` are the ends of the
+// sides in the plane, `at` the same in space, and `lift` maps further vertices to space (m). Returns
+// nullopt if sides cross, or bound a region that is infinite or covered more than once; `conflict` is then
+// the index of a place there. Preconditions: there is a side, and the sides form closed loops.
 Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
                                                    std::span<const std::pair<uint32_t, uint32_t>> sides,
                                                    double least, const std::function<Vec3(Vec2)>& lift,

@@ -44,7 +44,7 @@ namespace {
 
 constexpr int kMaxCuts = 256;
 
-// The edges before and after a vertex through which a rim goes once.
+// Edges before and after a vertex that the rim passes once.
 struct Passage {
   size_t in, out;
 };
@@ -62,7 +62,7 @@ std::optional<Passage> passage(const std::vector<ChartEdge>& edges, uint32_t v) 
   return Passage{*in, *out};
 }
 
-// The edge from the end of a passage to its start, which makes a triangle of the three.
+// Returns the edge from the end of a passage to its start, which closes a triangle of the three.
 std::optional<size_t> closing_edge(const std::vector<ChartEdge>& edges, const Passage& p) {
   for (size_t i = 0; i < edges.size(); ++i) {
     if (edges[i].from == edges[p.out].to && edges[i].to == edges[p.in].from) return i;
@@ -114,7 +114,8 @@ Resumable<std::optional<ChartRegion::Winding>> untangle(
 
 namespace {
 
-// Two corners of the end of a wall, as seen from the middle of an arc: their chord lies kRimChord from it.
+// Angle between two corners of the end of a wall, seen from the centre of an arc: their chord deviates from
+// it by kRimChord.
 constexpr double kTurnOfEnd = 0.0979;
 
 }  // namespace
@@ -153,7 +154,7 @@ void WallSide::close_all_around(double depth, bool is_high) {
   for (size_t i = 0; i < ring.size(); ++i) add_end_edge(ring[i], ring[(i + 1) % ring.size()], is_high);
 }
 
-// Nothing where the rim leaves the side or comes back to it twice at one vertex.
+// Returns nullopt if the rim leaves the side or returns to it twice at one vertex.
 std::optional<std::vector<WallSide::Stop>> WallSide::corners_at(double depth, uint32_t& conflict) const {
   std::vector<int> balance(placed_.size());
   for (const ChartEdge& e : edges_) {

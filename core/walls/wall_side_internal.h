@@ -13,25 +13,26 @@
 
 namespace kerf {
 
-// The chart of one curve of the outline in whole numbers: x goes around, y against the depth. The beam is on
-// the left of the outline, so that walls whose outside faces the beam are counter-clockwise.
+// Chart of one curve of the outline in integers: x runs around, y against the depth. The beam is on the
+// left of the outline, so that walls whose outside faces the beam are counter-clockwise.
 class SideChart {
  public:
-  static constexpr int64_t kSize = int64_t{1} << 30;  // the width of the chart; y is less
+  static constexpr int64_t kSize = int64_t{1} << 30;  // width of the chart; y is less
 
-  // The chart for depths within `depths` (m). Precondition: `chart` outlives this.
+  // Chart for depths within `depths` (m). Precondition: `chart` outlives this.
   SideChart(const WallChart& chart, uint32_t curve, Interval depths);
 
   ChartVertex place(double around, double depth) const;
   Vec3 point(const ChartVertex& v) const;
 
-  // By how much x grows along an edge of the rim, which goes the shorter way around the beam.
+  // Returns the growth of x along an edge of the rim, which runs the shorter way around the beam.
   static int64_t x_between(const ChartVertex& from, const ChartVertex& to);
-  // The vertex in the middle of an edge, the x of whose ends may lie beyond the width.
+  // Returns the vertex in the middle of an edge, the x of whose ends may lie beyond the width.
   static ChartVertex middle(const ChartVertex& from, const ChartVertex& to);
 
  private:
-  // Beams through an apex see straight lines as such where depth is measured by its reciprocal.
+  // For beams through an apex, straight lines are straight in the chart if depth is measured by its
+  // reciprocal.
   double height(double depth) const { return chart_->parallel() ? -depth : 1 / depth; }
   double depth(double height) const { return chart_->parallel() ? -height : 1 / height; }
 
@@ -40,43 +41,43 @@ class SideChart {
   double lowest_ = 0, scale_ = 1;  // of heights
 };
 
-// The edges of a rim in its chart.
+// Edges of a rim in its chart.
 struct RimInChart {
   std::span<const ChartVertex> placed;  // vertices
-  std::span<const Vec3> at;             // the same, m
+  std::span<const Vec3> at;             // the same, in space [m]
   std::vector<ChartEdge> edges;
   int64_t width = 0;  // of the chart
 };
 
-// The windings of the edges around the points of the chart. A rim may be off the boundary by a little, and
-// its edges are chords: where some cross or touch, triangles no higher than `highest` (m) are cut off at
-// vertices there, the smallest first, which become faces of the wall and are appended to `cut_off`. No third
-// side of such a triangle runs between vertices for which `are_joined` holds. Returns nothing where that does
-// not help; `conflict` then holds vertices of edges that cross or touch. O(n log n) for each triangle that is
-// cut off.
+// Returns the winding numbers of the edges around the points of the chart. Vertices of a rim may be
+// slightly off the boundary, and its edges are chords: if some cross or touch, triangles of at most
+// `highest` height (m) are cut off at vertices there, smallest first, become faces of the wall and are
+// appended to `cut_off`. The third side of such a triangle never joins vertices for which `are_joined`
+// holds. Returns nullopt if that does not resolve all crossings; `conflict` then holds vertices of edges
+// that cross or touch. O(n log n) per triangle cut off.
 Resumable<std::optional<ChartRegion::Winding>> untangle(
     RimInChart& rim, double highest, const std::function<bool(uint32_t, uint32_t)>& are_joined,
     std::vector<std::array<uint32_t, 3>>& cut_off, std::vector<uint32_t>& conflict);
 
-// What a rim does on one side of the beam, i.e. around one curve of its outline: vertices at places, and
-// directed edges in the chart with the wall on their left. Where the rim does not bound the wall, because the
-// range of the beam ends in the solid, further edges close it along the end, and a cap begins beyond them.
+// The rim on one side of the beam, i.e. around one curve of its outline: vertices at places, and directed
+// edges in the chart with the wall on their left. If the range of the beam ends in the solid, so that the
+// rim does not bound the wall there, further edges close it along the end, and a cap begins beyond them.
 class WallSide {
  public:
   // Precondition: `chart` outlives this.
   WallSide(const WallChart& chart, uint32_t curve, Interval depths)
       : chart_(&chart), curve_(curve), side_chart_(chart, curve, depths) {}
 
-  // Adds a vertex of the rim, and returns its number. Precondition: the place is around the curve.
+  // Adds a vertex of the rim and returns its index. Precondition: the place is around the curve.
   uint32_t add_vertex(const WallChart::Place& place);
-  // Adds an edge of the rim, which goes the shorter way around.
+  // Adds an edge of the rim, which runs the shorter way around.
   void add_edge(uint32_t from, uint32_t to);
-  // Puts all vertices into a chart for depths within `depths` (m).
+  // Places all vertices in a chart for depths within `depths` (m).
   void place_within(Interval depths);
 
-  // Close the side along an end of the range at a depth: all around; or between vertices there at which the
-  // rim leaves the side and comes back to it. The latter returns whether there are any, and nothing where
-  // they do not match, of which `conflict` then is one.
+  // Close the side along an end of the range at a depth: all around, or between vertices there at which the
+  // rim leaves the side and returns to it. The latter returns true if there are any, and nullopt if they do
+  // not match; `conflict` then is one of them.
   void close_all_around(double depth, bool is_high);
   std::optional<bool> close_between_corners(double depth, bool is_high, uint32_t& conflict);
 
@@ -85,11 +86,11 @@ class WallSide {
   std::span<const ChartVertex> placed() const { return placed_; }       // the same in the chart
   std::vector<ChartEdge>& edges() { return edges_; }
   const std::vector<ChartEdge>& edges() const { return edges_; }
-  // The sides of the cap at an end, as pairs of vertices.
+  // Returns the sides of the cap at an end, as pairs of vertices.
   std::span<const std::pair<uint32_t, uint32_t>> cap(bool is_high) const { return caps_[is_high ? 1 : 0]; }
 
  private:
-  // A corner at which the rim leaves the side (+1) or comes back to it (-1), or a place between corners (0).
+  // A corner at which the rim leaves the side (+1) or returns to it (-1), or a place between corners (0).
   struct Stop {
     int64_t x;
     int balance;

@@ -19,8 +19,8 @@ int widest_axis(std::span<const MovingBody> bodies) {
   return corners.widest_axis();
 }
 
-// Whether the bounds of one body on its way overlap those of another in the frame of the other: tilted sheets
-// have small bounds in their own frames and large ones in the world. Either may go its way or stay.
+// Returns true if the bounds of one body on its way overlap those of another in the frame of the other:
+// tilted sheets have small bounds in their own frames and large ones in the world. Either may move or stay.
 bool meets_in_frame_of(const MovingBody& other, const MovingBody& b) {
   KERF_ASSERT(other.margin >= 0 && b.margin >= 0);
   Box way;
@@ -61,7 +61,7 @@ std::vector<std::pair<uint32_t, uint32_t>> near_pairs(std::span<const MovingBody
 
 namespace {
 
-constexpr size_t kPairsAtATime = 4;  // by one thread
+constexpr size_t kPairsAtATime = 4;  // pairs per task of a thread
 
 std::pair<uint32_t, uint32_t> key(const TouchingPair& p) { return {p.first, p.second}; }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array kShares{1.0, 0.5, 0.25, 0.0};
 constexpr double kMuchHeavier = 4;  // times as heavy
 constexpr uint32_t kLongestBlock =
-    kTicksPerSecond / 4;  // after which the lighter one may intersect the other
+    kTicksPerSecond / 4;  // ticks after which the lighter one may intersect the other
 
 Placement between(const MovingBody& b, double share) {
   KERF_ASSERT(share > 0 && share < 1);
@@ -25,7 +25,7 @@ Placement between(const MovingBody& b, double share) {
                           glm::normalize((1 - share) * from.orientation + sign * share * to.orientation)});
 }
 
-// Puts a body somewhere else, and multiplies the velocity of its centre of mass and its spin.
+// Places a body elsewhere, and scales the velocity of its centre of mass and its spin.
 void slow(const MovingBody& b, const Placement& to, double factor) {
   Motion& motion = b.body->motion;
   Placement& placement = b.body->placement;
@@ -35,13 +35,13 @@ void slow(const MovingBody& b, const Placement& to, double factor) {
   motion.velocity = factor * velocity + glm::cross(motion.spin, to.position - to.to_world(b.frame.centre));
 }
 
-// The ways of all bodies and how much of them they go.
+// Ways of all bodies and the shares of them that they move.
 class Ways {
  public:
   explicit Ways(std::span<MovingBody> bodies)
       : bodies_(bodies), share_(bodies.size(), 0), keeps_speed_(bodies.size(), false) {}
 
-  // Whether two bodies intersect or get through each other on the shares of their ways that they go.
+  // Returns true if two bodies intersect or pass through each other on the shares of their ways.
   bool cross(uint32_t i, uint32_t j) const {
     return (goes(i) || goes(j)) && get_through(bodies_[i], bodies_[j]);
   }
@@ -53,22 +53,21 @@ class Ways {
     b.next = share > 0 ? map_of(between(b, share)) : b.now;
     return true;
   }
-  // Which of two bodies that cross is to go less far: both, or only one that is much lighter while it goes at
-  // all, so that a seat does not hold a car.
+  // Returns which of two crossing bodies must be shortened: both, or only a much lighter one while it moves
+  // at all, so that a seat does not stop a car.
   std::vector<uint32_t> to_shorten(uint32_t i, uint32_t j) const {
     KERF_ASSERT(bodies_[i].moves() || bodies_[j].moves());
     const uint32_t light = bodies_[i].frame.mass < bodies_[j].frame.mass ? i : j;
     if (is_uneven(i, j) && kShares[share_[light]] > 0) return {light};
     return {i, j};
   }
-  // Whether one of two bodies is much lighter than the other, and both can move.
+  // Returns true if one of two bodies is much lighter than the other, and both can move.
   bool is_uneven(uint32_t i, uint32_t j) const {
     const MovingBody &a = bodies_[i], &b = bodies_[j];
     const auto [light, heavy] = std::minmax(a.frame.mass, b.frame.mass);
     return a.moves() && b.moves() && kMuchHeavier * light < heavy;
   }
-  // Whether two bodies may rather intersect than stop each other: one is too light to stop the other one, or
-  // must come out of the ground.
+  // Returns true if two bodies may intersect: one is too light to stop the other, or must leave the ground.
   bool may_cross(uint32_t i, uint32_t j) const {
     const auto yields = [](const MovingBody& light, const MovingBody& heavy) {
       return !light.fixed && light.frame.mass < heavy.sweeps_aside;
@@ -79,9 +78,9 @@ class Ways {
     const MovingBody &a = bodies_[i], &b = bodies_[j];
     return yields(a, b) || yields(b, a) || is_sunk(a) || is_sunk(b);
   }
-  // Leaves the velocity of a body to the next tick, which knows what stops it.
+  // Keeps the velocity of a body for the next tick, which detects the obstacle.
   void keep_speed(uint32_t i) { keeps_speed_[i] = true; }
-  // Lets the bodies be where they got to. Returns how many did not go all of their way.
+  // Applies the final positions. Returns the number of bodies that did not move all of their way.
   size_t finish() {
     size_t held = 0;
     for (uint32_t i = 0; i < bodies_.size(); ++i) {
@@ -104,7 +103,7 @@ class Ways {
 
 using Pair = std::pair<uint32_t, uint32_t>;
 
-// Whether `test` holds for each of some pairs. On several threads.
+// Returns for each pair whether `test` holds. Multithreaded.
 template <typename Test>
 std::vector<uint8_t> test_each(std::span<const Pair> pairs, const Test& test) {
   constexpr size_t kAtATime = 2;
@@ -125,8 +124,8 @@ void keep_only(std::vector<Pair>& pairs, const Test& test) {
   pairs = std::move(kept);
 }
 
-// Holds back the bodies of a tick. When the pairs that cross have been parted, all pairs of the bodies whose
-// ways were shortened are looked at again.
+// Holds back the bodies of a tick. After the crossing pairs are separated, tests all pairs of the shortened
+// bodies again.
 class Holding {
  public:
   Holding(std::span<MovingBody> bodies, ContactSearch& search)
@@ -146,7 +145,7 @@ class Holding {
   }
 
  private:
-  // Leaves those pairs that cross on their ways and must not. What may cross is no longer looked at.
+  // Keeps only the pairs that cross on their ways and must not. Pairs that may cross are not tested again.
   void find_crossing(std::vector<Pair>& pairs) {
     keep_only(pairs, [&](const Pair& p) { return ways_.cross(p.first, p.second); });
     const std::vector<uint8_t> must_not = test_each(pairs, [&](const Pair& p) {
@@ -171,8 +170,7 @@ class Holding {
     }
   }
 
-  // Shortens the ways of bodies until none of the pairs crosses. Returns the bodies whose ways were
-  // shortened.
+  // Shortens the ways of bodies until none of the pairs crosses. Returns the shortened bodies.
   std::vector<bool> part(std::vector<Pair> crossing) {
     std::vector<bool> shortened(bodies_.size(), false);
     while (!crossing.empty()) {
@@ -182,8 +180,8 @@ class Holding {
     return shortened;
   }
 
-  // Shortens the ways of each pair, unless one of the two was shortened for another pair just now. Leaves out
-  // pairs that go nowhere.
+  // Shortens the ways of each pair, unless one of the two was just shortened for another pair. Removes
+  // pairs that do not move.
   void shorten_once(std::vector<Pair>& crossing, std::vector<bool>& shortened) {
     std::vector<bool> just_now(bodies_.size(), false);
     std::erase_if(crossing, [&](const Pair& p) {
@@ -210,7 +208,7 @@ size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search) {
 
 namespace {
 
-constexpr double kFastest = 300;      // m/s, of the points of any body
+constexpr double kFastest = 300;      // of the points of any body [m/s]
 constexpr double kFastestSpin = 400;  // rad/s
 
 double radius_of(const MovingBody& b) {
@@ -221,7 +219,7 @@ Vec3 velocity_of_centre(const MovingBody& b, const Vec3& centre) {
   return b.body->motion.velocity_at(centre, b.body->placement);
 }
 
-// An upper bound of the speed of all points of a body.
+// Returns an upper bound of the speed of all points of a body.
 double speed(const MovingBody& b) {
   if (!b.moves()) return 0;
   const Vec3 centre = b.body->placement.to_world(b.frame.centre);

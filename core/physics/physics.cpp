@@ -26,7 +26,7 @@ namespace kerf {
 
 namespace {
 
-// The revision of how Kerf moves bodies. It increases when a change makes them move to other bits.
+// Revision of Kerf's own motion code. Increase it with every change that alters the bits of a motion.
 constexpr int kRevision = 3;
 
 }  // namespace
@@ -41,7 +41,7 @@ std::string machine_kind() {
 
 namespace {
 
-// The inverse of the inertia in world axes.
+// Returns the inverse of the inertia in world axes.
 glm::dmat3 inverse_inertia(const RigidFrame& frame, const Placement& placement) {
   const glm::dmat3 axes = glm::mat3_cast(placement.orientation * frame.axes);
   glm::dmat3 inverse(0.0);
@@ -49,12 +49,12 @@ glm::dmat3 inverse_inertia(const RigidFrame& frame, const Placement& placement) 
   return axes * inverse * glm::transpose(axes);
 }
 
-// The matrix of the cross product r x ...
+// Returns the matrix of the cross product r x ...
 glm::dmat3 cross_matrix(const Vec3& r) {
   return {Vec3(0, r.z, -r.y), Vec3(-r.z, 0, r.x), Vec3(r.y, -r.x, 0)};
 }
 
-// Where the spring wants the velocity of the held point to change to, m/s^2.
+// Returns the acceleration of the held point by the spring (m/s^2).
 Vec3 wanted_acceleration(const Vec3& way, const Vec3& velocity, double metre) {
   KERF_ASSERT(metre > 0);
   const Vec3 wanted = kPullFrequency * kPullFrequency * way - 2 * kPullFrequency * velocity;
@@ -91,12 +91,12 @@ void pull(World& world, double seconds) {
 
 namespace {
 
-constexpr double kFullLengths = 0.4;   // m, the diagonal from which on the lengths of contact are unscaled
+constexpr double kFullLengths = 0.4;   // diagonal from which on the lengths of contact are unscaled [m]
 constexpr double kRollingLoss = 0.35;  // relative to the square root of gravity over the size of a body
 constexpr double kRollingBrake = 0.7;  // relative to gravity over the size of a body
-constexpr double kPressedOut = 0.1;    // m/s, see SpeedLimit
+constexpr double kPressedOut = 0.1;    // permitted gain [m/s], see SpeedLimit
 
-// Where a body will be after a tick if nothing stops it.
+// Returns the placement of a body after a tick if nothing stops it.
 Placement moved_on(const MovingBody& b, const Vec3& gravity) {
   if (b.fixed || b.asleep) return b.body->placement;
   const Motion& motion = b.body->motion;
@@ -117,7 +117,7 @@ void set_way(MovingBody& b, const Vec3& gravity) {
   b.bounds = b.bounds.wider(b.margin);
 }
 
-// What a body is at the beginning of a tick. Precondition: `b` knows its body and its collider.
+// Sets the state of a body at the beginning of a tick. Precondition: `b` has its body and collider.
 void begin_tick(MovingBody& b, const Environment& around) {
   const Body& body = *b.body;
   b.frame = rigid_frame(body);
@@ -129,8 +129,8 @@ void begin_tick(MovingBody& b, const Environment& around) {
   b.sunk = depth_below_ground(b, b.now, around);
 }
 
-// Sheet metal rolls badly: what touched in the last tick loses spin, faster the smaller it is, and comes to a
-// stop unless it turns on a joint.
+// Sheet metal rolls badly: bodies that touched in the last tick lose spin, faster the smaller they are, and
+// stop unless they turn on a joint.
 void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> joints,
                       const ContactMemory& before, const Vec3& gravity) {
   const auto lose = [&](BodyId id) {
@@ -150,8 +150,8 @@ void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> j
   for (const BodyJoint& j : joints) bodies[j.first].rolling_brake = bodies[j.second].rolling_brake = 0;
 }
 
-// Lifts bodies that the solver moved below the ground, where those that push them are heavier or faster than
-// its contacts can stop in a tick, back to it, or to where they were if that was deeper.
+// Lifts bodies that the solver moved below the ground back to it, or to their previous depth if that was
+// larger; bodies pushing them may be heavier or faster than the ground contacts can stop in a tick.
 void stay_above_ground(std::span<MovingBody> bodies, const Environment& around) {
   for (MovingBody& b : bodies) {
     if (!b.moves()) continue;
@@ -160,7 +160,7 @@ void stay_above_ground(std::span<MovingBody> bodies, const Environment& around) 
   }
 }
 
-// Where the solver has moved the bodies is where they go.
+// Sets the ways of the bodies to end where the solver has moved them.
 void set_solved_way(std::span<MovingBody> bodies) {
   for (MovingBody& b : bodies) {
     b.next = b.moves() ? map_of(b.body->placement) : b.now;
@@ -179,7 +179,7 @@ void guide(std::span<MovingBody> bodies, std::span<const Guided> guided) {
   }
 }
 
-// Takes the pairs out of which no body moves.
+// Removes and returns the pairs of which no body moves.
 std::vector<TouchingPair> take_resting(std::span<const MovingBody> bodies, std::vector<TouchingPair>& pairs) {
   const auto moves = [&](const TouchingPair& p) {
     return bodies[p.first].moves() || (p.second != TouchingPair::kGround && bodies[p.second].moves());
@@ -190,7 +190,7 @@ std::vector<TouchingPair> take_resting(std::span<const MovingBody> bodies, std::
   return resting;
 }
 
-// Moves what is known of pairs to the end of `memory`.
+// Moves the memory of pairs to the end of `memory`.
 void take_memory(std::vector<TouchingPair>& pairs, ContactMemory& memory) {
   for (TouchingPair& p : pairs) {
     remember_impulses(p.contacts, p.memory);
@@ -198,8 +198,8 @@ void take_memory(std::vector<TouchingPair>& pairs, ContactMemory& memory) {
   }
 }
 
-// The contact memory after the tick. Pairs of sleeping bodies were not looked at; their memory stays.
-// Precondition: both lists are sorted.
+// Returns the contact memory after the tick. Pairs of sleeping bodies were not processed; their memory
+// stays. Precondition: both lists are sorted.
 ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemory& before,
                            std::vector<TouchingPair>& pairs, std::vector<TouchingPair>& resting) {
   ContactMemory memory;
@@ -229,7 +229,7 @@ bool takes_part(const World& world, BodyId id, std::span<const BodyId> carried) 
   return !b.hidden && b.mesh.live_faces() > 0 && !std::binary_search(carried.begin(), carried.end(), id);
 }
 
-// The bodies that can be touched, and those of them that could move, judged without their masses.
+// Counts the bodies that can be touched, and those that could move, regardless of their masses.
 TickStatistics count_bodies(const World& world, std::span<const BodyId> carried) {
   TickStatistics count;
   for (const BodyId id : world.ids()) {
@@ -328,7 +328,7 @@ void Physics::prepare(const World& world, std::span<const BodyId> carried) {
 
 std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
                                                std::span<const BodyId> carried) {
-  constexpr size_t kAtATime = 8;  // by one thread
+  constexpr size_t kAtATime = 8;  // bodies per task of a thread
   const std::vector<BodyId> ids = taking_part(world, carried);
   learn_faces(world, ids, under_beam);
   of_step_.insert(ids.begin(), ids.end());

@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// The labels of a body that have faces, except the lowest of them.
+// Returns the labels of a body that have faces, except the lowest of them.
 std::vector<uint32_t> pieces_off(const Body& body) {
   std::vector<uint32_t> labels;
   bool first = true;
@@ -24,7 +24,7 @@ std::vector<uint32_t> pieces_off(const Body& body) {
   return labels;
 }
 
-// The change of the velocity of a body by an impulse at its centre of mass.
+// Changes the velocity of a body as an impulse at its centre of mass does.
 void push(Body& body, const Vec3& change) {
   if (!body.pinned) body.motion.velocity += change;
 }
@@ -35,7 +35,7 @@ void push_apart(Body& rest, Body& piece, double metre) {
   const double mass = of_rest.mass + of_piece.mass;
   const Vec3 way = piece.placement.to_world(of_piece.centre) - rest.placement.to_world(of_rest.centre);
   const double length = glm::length(way), size = glm::length(rest.loaded.max - rest.loaded.min);
-  // Pieces around the same centre have no direction in which to part.
+  // Pieces around the same centre have no direction of separation.
   if (!(mass > 0) || !(length > 1e-3 * size)) return;
   const Vec3 apart = kPushApart * std::min(metre, size) / length * way;
   push(piece, of_rest.mass / mass * apart);

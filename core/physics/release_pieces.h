@@ -7,19 +7,19 @@
 
 namespace kerf {
 
-// Makes every piece that came off a body of its own, so that it can move (see detach). In each visible body
-// the piece with the lowest label stays; the others inherit its velocity and spin, are not pinned, and are
+// Makes every cut-off piece a separate body, so that it can move (see detach). In each visible body the
+// piece with the lowest label stays; the others inherit its velocity and spin, are not pinned, and are
 // pushed apart from it: with equal and opposite impulses along the line between the centres of mass, to a
-// relative speed of kPushApart. What is pinned is not pushed, nor are parts that were not cut off but turn on
-// joints. New bodies get `generation` (see BodyId). Appends the change to `delta`, and wakes the bodies that
-// it changes.
+// relative speed of kPushApart. Pinned bodies are not pushed, nor are parts that were not cut off but turn
+// on joints. New bodies get `generation` (see BodyId). Appends the change to `delta`, and wakes the changed
+// bodies.
 //
-// Precondition: no search for separated pieces is unfinished. O(pieces) if nothing came off.
+// Precondition: no search for separated pieces is unfinished. O(pieces) if no piece was cut off.
 void release_pieces(World& world, uint32_t generation, Delta& delta);
 
-// Whether a piece came off this body that would become a body of its own. O(pieces).
+// Returns true if this body has a piece that would become a separate body. O(pieces).
 bool has_pieces_off(const Body& body);
 
-inline constexpr double kPushApart = 0.03;  // m/s, less for bodies smaller than a metre, in proportion
+inline constexpr double kPushApart = 0.03;  // m/s, proportionally less for bodies smaller than a metre
 
 }  // namespace kerf

@@ -14,18 +14,18 @@ namespace {
 
 constexpr double kSlow = 0.4;         // m/s
 constexpr double kSlowSpin = 1.0;     // rad/s
-constexpr double kSlowRim = 0.4;      // m/s, that the spin of a small body may give its points
-constexpr double kSlowOnJoint = 0.1;  // of these limits
+constexpr double kSlowRim = 0.4;      // max speed of points due to the spin of a small body [m/s]
+constexpr double kSlowOnJoint = 0.1;  // share of these limits
 constexpr uint32_t kQuietTicks = kTicksPerSecond / 2;
-constexpr int kWakeSteps = 2;     // how far restlessness goes, from body to touching body
-constexpr double kTouch = 0.001;  // m, between skins that count as touching
+constexpr int kWakeSteps = 2;     // contacts over which restlessness spreads, from body to touching body
+constexpr double kTouch = 0.001;  // distance of skins that count as touching [m]
 
 Vec3 velocity_at(const MovingBody& b, const Vec3& p) {
   if (b.fixed || b.asleep) return Vec3(0);
   return b.body->motion.velocity_at(p, b.body->placement);
 }
 
-// Whether two bodies touch, or will before the tick is over.
+// Returns true if two bodies touch, or will before the end of the tick.
 bool touch(std::span<const MovingBody> bodies, const TouchingPair& pair, double seconds) {
   const MovingBody &a = bodies[pair.first], &b = bodies[pair.second];
   const double near = kTouch * std::min(a.scale, b.scale);
@@ -37,7 +37,7 @@ bool touch(std::span<const MovingBody> bodies, const TouchingPair& pair, double 
 
 using Edges = std::vector<std::pair<uint32_t, uint32_t>>;
 
-// The pairs of bodies that can move and touch each other.
+// Returns the pairs of bodies that can move and touch each other.
 Edges touching(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
                const ContactMemory& memory, double seconds) {
   Edges edges;
@@ -55,7 +55,7 @@ Edges touching(std::span<const MovingBody> bodies, std::span<const TouchingPair>
   return edges;
 }
 
-// Which of the bodies that joints connect into groups are awake: those in whose group one is.
+// Groups of bodies that joints connect; a group is awake if one of its bodies is.
 class AwakeGroups {
  public:
   AwakeGroups(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints)
@@ -105,7 +105,7 @@ bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pa
 
 void count_quiet(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                  std::span<const BodyJoint> joints) {
-  std::vector<double> limit(bodies.size(), 1);  // of the speeds that are slow
+  std::vector<double> limit(bodies.size(), 1);  // factor of the speed limits
   for (const BodyJoint& joint : joints) {
     if (joint.joint->kind != Joint::Kind::kWeld) limit[joint.first] = limit[joint.second] = kSlowOnJoint;
   }
@@ -129,7 +129,7 @@ void count_quiet(std::span<MovingBody> bodies, std::span<const TouchingPair> pai
 
 namespace {
 
-// The bodies whose contacts a change ends.
+// Returns the bodies whose contacts a change ends.
 std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
   if (delta.anew || delta.environment) return world.ids();
   std::vector<BodyId> ids;

@@ -21,13 +21,14 @@ namespace kerf {
 
 namespace {
 
-// A unit vector across a unit vector.
+// Returns a unit vector perpendicular to a unit vector.
 Vec3 across(const Vec3& axis) {
   const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   return glm::normalize(glm::cross(axis, other));
 }
 
-// The frame of a joint in the principal frame of a body: its origin is the anchor, its third axis the axis.
+// Returns the frame of a joint in the principal frame of a body: its origin is the anchor, its third axis
+// the axis.
 btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
   KERF_ASSERT(joint.kind == Joint::Kind::kWeld || std::abs(glm::dot(joint.axis, joint.axis) - 1) < 1e-9);
   const glm::dquat back = glm::conjugate(frame.axes);
@@ -37,7 +38,7 @@ btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
   return btTransform(btMatrix3x3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z), btVector3(at.x, at.y, at.z));
 }
 
-// Whether the sides of a joint lie much farther apart than the solver lets them part.
+// Returns true if the sides of a joint lie much farther apart than the solver permits.
 bool is_torn_apart(const Joint& joint, const MovingBody& a, const MovingBody& b) {
   constexpr double kTornApart = 0.25;  // m, less for small bodies
   const Vec3 apart = a.body->placement.to_world(joint.anchor) - b.body->placement.to_world(joint.anchor);
@@ -111,7 +112,7 @@ Placement from_bullet(const btTransform& t) {
 }  // namespace
 
 struct SolverMemory::Storage {
-  // Their elements are aligned and never move. Manifolds beyond those of a tick are kept unused.
+  // Elements are aligned and never move. Manifolds beyond those of a tick are kept unused.
   std::deque<btRigidBody> rigid;
   std::deque<btPersistentManifold> manifolds;
   std::vector<btCollisionObject*> objects;
@@ -122,7 +123,7 @@ struct SolverMemory::Storage {
 SolverMemory::SolverMemory() : storage_(std::make_unique<Storage>()) {}
 SolverMemory::~SolverMemory() = default;
 
-// Bullet's picture of the bodies and contacts of one tick.
+// Bullet's representation of the bodies and contacts of one tick.
 class BulletGroup {
  public:
   BulletGroup(std::span<MovingBody> bodies, const SolverSettings& settings, SolverMemory::Storage& storage)
@@ -222,8 +223,8 @@ class BulletGroup {
     return &m;
   }
 
-  // The largest impulse of the last tick that a contact starts with (N s): what pressed on a light body
-  // together with others must not act on it alone when its contacts change.
+  // Returns the largest impulse of the last tick with which a contact may start (N s): impulses that acted
+  // on a light body together with others must not act on it alone when its contacts change.
   double most_warm_impulse(const TouchingPair& pair) const {
     constexpr double kMaxChange = 1;  // m/s
     double mass = std::numeric_limits<double>::infinity();
@@ -250,7 +251,8 @@ class BulletGroup {
     p.m_appliedImpulse = std::min(c.impulse[0], most_warm_impulse);
   }
 
-  // The second-order step of a unit quaternion by a spin, which needs no sine.
+  // Moves a body by its velocities: a second-order step of a unit quaternion by a spin, which needs no
+  // sine.
   void move_on(MovingBody& b, const btRigidBody& rigid) const {
     const Vec3 velocity = from_bullet(rigid.getLinearVelocity()),
                spin = from_bullet(rigid.getAngularVelocity());

@@ -21,22 +21,22 @@ struct BodyJoint {
   const Joint* joint = nullptr;
 };
 
-// The joints whose parts belong to two different ones of these bodies, and whose sides are not far from each
-// other: what was moved away by hand is let go. `bodies` are sorted by id.
+// Returns the joints whose parts belong to two different bodies of `bodies`, sorted by id, and whose sides
+// are not far from each other: a body moved away by hand is released.
 std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
                                       const Joints& joints);
 
-// Whether a joint connects two bodies; such bodies do not touch each other.
+// Returns true if a joint connects two bodies; such bodies do not touch each other.
 bool are_joined(std::span<const BodyJoint> joints, uint32_t a, uint32_t b);
 
-// Makes pairs of bodies that joints connect known as touching, and nothing else of them: they sleep together,
-// and a change of one wakes the other. `memory` is sorted and stays so.
+// Marks pairs of bodies that joints connect as touching: they sleep together, and a change of one wakes the
+// other. `memory` is sorted and stays so.
 void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
                      ContactMemory& memory);
 
-// The constraint of a joint between Bullet's pictures of its two bodies, whose frames are the principal ones
-// of `first` and `second`. Both bodies have the frame in which they were loaded, so that they are in their
-// positions at rest where their placements are equal.
+// Makes the constraint of a joint between the Bullet bodies of its two bodies, whose frames are the
+// principal ones of `first` and `second`. Both bodies have the frame in which they were loaded, so equal
+// placements are their rest position.
 std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const RigidFrame& first,
                                                    const RigidFrame& second, btRigidBody& first_rigid,
                                                    btRigidBody& second_rigid);
@@ -51,7 +51,7 @@ struct SolverSettings {
   double restitution = 0.1;
 };
 
-// Storage of a solver, without state.
+// Stateless storage of a solver.
 class SolverMemory {
  public:
   SolverMemory();
@@ -65,14 +65,14 @@ class SolverMemory {
   std::unique_ptr<Storage> storage_;
 };
 
-// Changes the velocities of the bodies so that gravity acts on them and contacts and joints hold, moves them
-// on by their velocities, and stores the impulses in the contacts. Bodies that are fixed or asleep stay as
-// they are. Precondition: a body of each pair moves.
+// Applies gravity, contacts and joints to the velocities of the bodies, moves the bodies by their
+// velocities, and stores the impulses in the contacts. Fixed and sleeping bodies are unchanged.
+// Precondition: a body of each pair moves.
 //
-// The solver is Bullet's: projected Gauss-Seidel on velocities with warm starting (E. Catto: Iterative
-// dynamics with temporal coherence, 2005), speculative contacts for those that are still apart, and split
-// impulses for those that overlap. All its objects are filled anew from the bodies; `memory` only keeps their
-// storage from call to call.
+// Uses Bullet's solver: projected Gauss-Seidel on velocities with warm starting (E. Catto: Iterative
+// dynamics with temporal coherence, 2005), speculative contacts for those still apart, and split impulses
+// for those that overlap. All its objects are set from the bodies on each call; `memory` only keeps their
+// storage.
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
                     std::span<const BodyJoint> joints, const SolverSettings& settings, SolverMemory& memory);
 

@@ -10,7 +10,8 @@ namespace kerf {
 namespace {
 
 constexpr uint32_t kMaxInLeaf = 8;
-constexpr uint32_t kSmaller = 4;  // times than the cluster around it, at least, unless it holds the items
+constexpr uint32_t kSmaller =
+    4;  // min ratio to the size of the enclosing cluster, unless the cluster holds items
 
 }  // namespace
 
@@ -19,7 +20,7 @@ class ClusterDivision {
   ClusterDivision(std::span<const std::array<Vec3, 2>> segments, Clustering& out)
       : segments_(segments), out_(out) {}
 
-  // `around`: how many items the cluster around these has.
+  // `around`: the number of items of the enclosing cluster.
   void divide(uint32_t begin, uint32_t end, uint32_t around) {
     const bool holds_items = end - begin <= kMaxInLeaf;
     const bool is_node = holds_items || kSmaller * (end - begin) <= around;

@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-// A box along the axes; empty as it is made.
+// An axis-aligned box; initially empty.
 struct Box {
   Vec3 min{std::numeric_limits<double>::infinity()};
   Vec3 max{-std::numeric_limits<double>::infinity()};
@@ -27,14 +27,14 @@ struct Box {
     min = glm::min(min, other.min);
     max = glm::max(max, other.max);
   }
-  // The axis along which it is longest, of equal ones the first.
+  // Returns the axis of the longest extent, the first of equal ones.
   int widest_axis() const {
     const Vec3 extent = max - min;
     if (extent.x >= extent.y && extent.x >= extent.z) return 0;
     return extent.y >= extent.z ? 1 : 2;
   }
   Box wider(double margin) const { return {min - margin, max + margin}; }
-  // Touching boxes overlap too.
+  // Returns true also for boxes that only touch.
   bool overlaps(const Box& other) const {
     return min.x <= other.max.x && min.y <= other.max.y && min.z <= other.max.z && other.min.x <= max.x &&
            other.min.y <= max.y && other.min.z <= max.z;
@@ -44,18 +44,18 @@ struct Box {
   }
 };
 
-// Items that lie beside each other, in a list and in space, and a ball around them.
+// Items adjacent in a list and in space, and their bounding sphere.
 struct Cluster {
-  uint32_t begin = 0, end = 0;  // the range of the items
+  uint32_t begin = 0, end = 0;  // range of the items
   Vec3 centre{0};
   double radius = 0;
 };
 
-// The clusters of a list of items in a hierarchy, so that what lies far away is left out with few tests.
+// Hierarchy of clusters over a list of items, which culls distant items with few tests.
 class Clusters {
  public:
-  // Whether `test` holds for the index of any item of the clusters for which, and for those around which,
-  // `near` holds. In the order of the list; ends with the first.
+  // Returns true if `test` holds for the index of any item whose cluster, and all clusters around it,
+  // satisfy `near`. Visits the items in list order and stops at the first hit.
   template <typename Near, typename Test>
   bool any_of(const Near& near, const Test& test) const {
     for (uint32_t n = 0; n < nodes_.size();) {
@@ -84,32 +84,32 @@ class Clusters {
   friend class ClusterDivision;
   struct Node {
     Cluster cluster;
-    uint32_t next = 0;  // the node after all that lie in this one: the following one for a cluster of items
+    uint32_t next = 0;  // index of the node after this subtree: the next node for a cluster of items
   };
-  std::vector<Node> nodes_;  // each followed by those that lie in it
+  std::vector<Node> nodes_;  // in preorder
 };
 
 struct Clustering {
-  std::vector<uint32_t> order;  // the items, such that those of a cluster follow each other
+  std::vector<uint32_t> order;  // items, those of a cluster in sequence
   Clusters clusters;
 };
 
-// Divides segments (points are segments of length 0) into clusters of at most eight: lists that are longer
-// are halved along the largest extent of their middles. Deterministic. O(n log^2 n).
+// Divides segments (points are segments of length 0) into clusters of at most eight: halves longer lists
+// along the largest extent of their midpoints. Deterministic. O(n log^2 n).
 Clustering make_clusters(std::span<const std::array<Vec3, 2>> segments);
 
-// Which cells of a coarse grid over a box hold something: tells most of the places where nothing is at the
-// cost of a few bits. Nothing is held as it is made.
+// Occupied cells of a coarse grid over a box: rejects most queries in empty space at the cost of a few
+// bits. Initially empty.
 class Occupancy {
  public:
   Occupancy() = default;
   // Cells are cubes, at most kMaxCells along the longest side. The bounds may be flat but not empty.
   explicit Occupancy(const Box& bounds);
 
-  // Marks all cells that a box meets; what lies outside the bounds is left out. O(cells of the box).
+  // Marks all cells that a box meets; ignores its part outside the bounds. O(cells of the box).
   void add(const Box& box);
-  // Whether the box meets a cell that is marked: true wherever it meets a box that was added. Precondition:
-  // the box is not empty. O(cells of the box).
+  // Returns true if the box meets a marked cell, hence whenever it meets an added box. Precondition: the
+  // box is not empty. O(cells of the box).
   bool meets(const Box& box) const;
 
  private:
@@ -129,11 +129,11 @@ class Occupancy {
   Box bounds_;
   double per_metre_ = 0;
   std::array<int, 3> count_{};
-  std::array<double, 3> last_{};  // the number of the last cell
-  std::vector<uint64_t> rows_;    // along the first axis, by y + z * count_[1]
+  std::array<double, 3> last_{};  // index of the last cell
+  std::vector<uint64_t> rows_;    // bits along the first axis, by y + z * count_[1]
 };
 
-// Both ends are computed alike for what is added and what is asked for, so that rounding loses nothing.
+// Computes the ends identically for added and queried boxes, so that rounding loses no hit.
 inline bool Occupancy::cells_of(const Box& box, Range& range) const {
   if (rows_.empty() || !box.overlaps(bounds_)) return false;
   for (int k = 0; k < 3; ++k) {

@@ -44,7 +44,7 @@ VertexNormals normals_of(const Mesh& mesh) {
   return n;
 }
 
-// At most so many of the vertices, evenly over their order.
+// Returns at most `most` of the vertices, evenly over their order.
 std::vector<VertexId> thinned(const std::vector<VertexId>& all, size_t most) {
   if (all.size() <= most) return all;
   std::vector<VertexId> some(most);
@@ -52,7 +52,7 @@ std::vector<VertexId> thinned(const std::vector<VertexId>& all, size_t most) {
   return some;
 }
 
-// The sums of the directions in which the sheet ends at the vertices of rims.
+// Returns the sums of the directions in which the sheet ends at the vertices of rims.
 std::vector<Vec3> outward_at_rims(const Mesh& mesh, const std::vector<FeatureEdge>& edges,
                                   const VertexNormals& normals) {
   std::vector<Vec3> outward(mesh.vertex_slots(), Vec3(0));
@@ -71,7 +71,7 @@ Vec3 unit_or_zero(const Vec3& v) {
   return length > 0 ? v / length : Vec3(0);
 }
 
-// Some vertices of a mesh.
+// A subset of the vertices of a mesh.
 struct Vertices {
   std::vector<bool> has;       // by slot
   std::vector<VertexId> list;  // ascending
@@ -100,7 +100,7 @@ std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
   std::vector<uint32_t> chosen;
   choose_extreme(places, chosen);
   if (chosen.size() > most) chosen.resize(most);
-  // Half of the rest on rims, where sheets get caught.
+  // Half of the rest is on rims, where sheets get caught.
   const std::vector<Vec3> rim_places(places.begin(), places.begin() + static_cast<ptrdiff_t>(on_rim));
   std::vector<uint32_t> chosen_rims;
   for (uint32_t c : chosen) {
@@ -115,7 +115,7 @@ std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
   return vertices;
 }
 
-// The feature lines of a mesh, which may be simplified by larger and larger errors.
+// Feature lines of a mesh, which can be simplified by increasing errors.
 class Lines {
  public:
   Lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, double least_error) {
@@ -156,9 +156,9 @@ class Lines {
   std::vector<Line> lines_;
 };
 
-// At most so many chords, with the least error, from `error` on, at which they are no more.
+// Returns at most `most` chords, with the smallest tried error, from `error` on, that yields so few.
 std::vector<Collider::Chord> chords_of(const Lines& lines, double error, size_t most) {
-  // One chord remains of an open line, two of a closed one, so that lines alone may be too many.
+  // An open line keeps one chord, a closed one two, so that lines alone may be too many.
   for (int i = 0; i < 16 && lines.count_chords(error) > most; ++i) error *= 2;
   std::vector<Collider::Chord> chords = lines.chords(error);
   if (chords.size() > most) {
@@ -171,7 +171,8 @@ std::vector<Collider::Chord> chords_of(const Lines& lines, double error, size_t 
   return chords;
 }
 
-// The vertices at the ends of chords: a sheet gets through another with one of them first, or edge by edge.
+// Returns the vertices at the ends of chords: a sheet passes through another with one of them first, or
+// edge by edge.
 std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const Mesh& mesh,
                               const std::vector<VertexId>& on_lines) {
   std::vector<Vec3> ends;
@@ -184,9 +185,10 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
   return vertices;
 }
 
-// A vertex amid flat faces lies between others, unless they end at lines or seams.
+// Returns all vertices except those amid flat faces, which lie between others unless they end lines or
+// seams.
 std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, const FeatureEdges& edges) {
-  constexpr double kFlat = 1 - 1e-9;  // the cosine of the mean angle to the mean normal
+  constexpr double kFlat = 1 - 1e-9;  // cosine of the mean angle to the mean normal
   std::vector<bool> ends(mesh.vertex_slots(), false);
   std::vector<Mesh::Side> sides;
   for (const std::vector<FeatureEdge>* list : {&edges.lines, &edges.seams}) {

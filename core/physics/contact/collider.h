@@ -7,12 +7,12 @@
 
 namespace kerf {
 
-// The features by which a body touches others, besides its faces: points and straight chords of its sheet, in
-// the frame of the body (m).
+// Contact features of a body in addition to its faces: points and straight chords of its sheet, in the body
+// frame (m).
 struct Collider {
   struct Point {
     Vec3 at{0};
-    Vec3 normal{0};   // unit, of the faces around it; zero where they cancel
+    Vec3 normal{0};   // unit, of the faces around it; zero if they cancel
     Vec3 outward{0};  // on a rim: unit, in the plane of the sheet and away from it; otherwise zero
   };
   // A straight piece of a rim or a crease.
@@ -22,31 +22,31 @@ struct Collider {
 
   std::vector<Point> points;
   std::vector<Chord> chords;
-  // What is looked at only to find out whether the body gets through another one: further points, which are
-  // numbered after `points`, and all chords. Equal to `chords` where these are all.
+  // Used only to detect that the body gets through another one: further points, numbered after `points`,
+  // and all chords; equal to `chords` if these are all.
   std::vector<Point> guards;
   std::vector<Chord> fine_chords;
-  // Of the items of each list.
+  // Clusters of the items of each list.
   Clusters point_clusters, chord_clusters, guard_clusters, fine_chord_clusters;
   Box bounds;       // of all vertices
-  Occupancy space;  // where faces and chords are
-  // The points that can touch a plane: all vertices except those amid flat faces.
+  Occupancy space;  // cells of faces and chords
+  // Points that can touch a plane: all vertices except those amid flat faces.
   std::vector<Vec3> corners;
 };
 
-// How much of a sheet is looked at.
+// Limits of the number of features.
 struct ColliderSettings {
   size_t most_points = 96;
   size_t most_chords = 192;
   size_t most_guards = 512, most_fine_chords = 2048;
-  // m, how far a chord may lie from its rim; larger where there would be too many chords.
+  // Max distance of a chord from its rim [m]; larger if there would be too many chords.
   double chord_error = 0.001;
 };
 
-// The collider of all live faces of a mesh: the ends of chords, extreme vertices, and then those of rims and
-// all others as far apart as possible (T. Gonzalez: Clustering to minimize the maximum intercluster distance,
-// 1985); rims and creases of more than 40 degrees as polygons (D. Douglas, T. Peucker, 1973). Guards are the
-// other vertices, or some of them, evenly over their order. Deterministic.
+// Makes the collider of all live faces of a mesh. Points: the ends of chords, extreme vertices, then those
+// of rims and all others as far apart as possible (T. Gonzalez: Clustering to minimize the maximum
+// intercluster distance, 1985). Chords: rims and creases of more than 40 degrees as polygons (D. Douglas,
+// T. Peucker, 1973). Guards: the other vertices, or some of them, evenly over their order. Deterministic.
 // About O(faces log faces).
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings = {});
 

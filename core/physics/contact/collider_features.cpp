@@ -11,9 +11,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double kCreaseCosine = 0.766;  // of 40 degrees
+constexpr double kCreaseCosine = 0.766;  // cos(40 degrees)
 
-// The edges by the vertices at their ends.
+// Edges by the vertices at their ends.
 class Ends {
  public:
   explicit Ends(const std::vector<FeatureEdge>& edges) {
@@ -31,14 +31,14 @@ class Ends {
       edges_[--first_[edges[e].from.index]] = e;
     }
   }
-  // Ascending. Precondition: an edge ends there.
+  // Returns indices of edges, ascending. Precondition: an edge ends there.
   std::span<const uint32_t> at(VertexId v) const {
     return std::span(edges_).subspan(first_[v.index], first_[v.index + 1] - first_[v.index]);
   }
 
  private:
   std::vector<uint32_t> edges_;
-  std::vector<uint32_t> first_;  // by vertex, of edges_
+  std::vector<uint32_t> first_;  // by vertex: index in edges_
 };
 
 // Follows edges from one end until the line branches, ends or closes.
@@ -122,7 +122,7 @@ std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_er
   from.front() = from.back() = kInfinity;
   struct Part {
     size_t first, last;
-    double most;  // for larger squared errors the part is not divided
+    double most;  // the part is not divided for larger squared errors
   };
   std::vector<Part> parts{{0, line.size() - 1, kInfinity}};
   bool must_divide = line.front() == line.back();

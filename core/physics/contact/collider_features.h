@@ -11,17 +11,17 @@ namespace kerf {
 struct FeatureEdge {
   VertexId from, to;
   FaceId face;       // a face on it
-  bool rim = false;  // the sheet ends there; otherwise it is a crease
+  bool rim = false;  // true if the sheet ends there, false for a crease
 };
 
 struct FeatureEdges {
-  // All edges with one face and all at which faces meet at more than 40 degrees.
+  // Edges with one face, and edges at which faces meet at more than 40 degrees.
   std::vector<FeatureEdge> lines;
-  // All other edges with three faces or more, which may all lie on one side: `rim` is false.
+  // Other edges with three or more faces, which may all lie on one side; `rim` is false.
   std::vector<FeatureEdge> seams;
 };
 
-// The feature edges of a mesh, each once, in the order of the slots of their faces. `normals` are the unit
+// Returns the feature edges of a mesh, each once, in the order of the slots of their faces. `normals`: unit
 // normals of the live faces by slot. O(faces).
 FeatureEdges feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals);
 
@@ -31,24 +31,24 @@ using FeatureLine = std::vector<VertexId>;
 // Joins edges that meet in vertices of exactly two of them. O(n + highest vertex).
 std::vector<FeatureLine> joined(const std::vector<FeatureEdge>& edges);
 
-// For each point of a polygonal line, the squared error (m^2) from which on a simplified line goes without
-// it: infinite for the ends, 0 for points that are left out at `least_error` (m) already. The line of all
-// points with larger values than the square of an error is the one that keeps, beside the ends, of each part
-// between kept points the one farthest from the segment between them, as long as it is farther than the error
-// (D. Douglas, T. Peucker: Algorithms for the reduction of the number of points required to represent a
+// Returns for each point of a polyline the squared error (m^2) from which on a simplified line omits it:
+// infinite for the ends, 0 for points omitted at `least_error` (m) already. The points with larger values
+// than the square of an error form its simplified line: starting with the ends, of each part between kept
+// points it keeps the point farthest from the segment between them while that is farther than the error (D.
+// Douglas, T. Peucker: Algorithms for the reduction of the number of points required to represent a
 // digitized line, 1973). A closed line, whose first and last points are equal, always keeps the point
-// farthest from them. O(n^2) at worst, O(n log n) as a rule.
+// farthest from them. O(n^2) at worst, usually O(n log n).
 std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_error);
 
-// The simplified line for an error (m).
+// Returns the simplified line for an error (m).
 std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error);
 
-// Adds indices of points that lie as far apart as possible to `chosen`: each is the point farthest from all
-// that were chosen before (T. Gonzalez, 1985), of equal ones the first, until `chosen` has `most` members or
-// no point lies apart from those chosen. O(points * most).
+// Appends indices of points that lie as far apart as possible to a selection: each is the point farthest
+// from all selected before (T. Gonzalez, 1985), the first of equal ones, until the selection has `most`
+// members or no point lies apart from it. O(points * most).
 void choose_spread(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& chosen);
 
-// Adds the indices of the points that are extreme along the axes and the diagonals of space, each once.
+// Appends the indices of the points that are extreme along the axes and the space diagonals, each once.
 void choose_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& chosen);
 
 }  // namespace kerf

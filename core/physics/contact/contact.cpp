@@ -17,7 +17,7 @@ void take_impulses(const PairMemory& memory, std::vector<Contact>& contacts) {
 
 namespace {
 
-// Forgets the point at a rim that made a contact, if one did.
+// Removes the point at a rim that made a contact, if any.
 void forget_at_rim(uint64_t feature, PairMemory& memory) {
   if (feature >> 32 != 0) return;
   const bool of_second = (feature & kOnSecond) != 0;
@@ -45,7 +45,7 @@ void remember_impulses(const std::vector<Contact>& contacts, PairMemory& memory)
 
 namespace {
 
-// The height at which a contact counts.
+// Height at which a contact is ranked.
 struct Rank {
   double bonus = 0;
   double operator()(const Contact& c) const { return c.distance - (c.impulse[0] > 0 ? bonus : 0); }
@@ -56,7 +56,7 @@ uint32_t deepest_of(const std::vector<Contact>& contacts, const Rank& rank = {})
   return static_cast<uint32_t>(deepest - contacts.begin());
 }
 
-// Keeps the chosen contacts, in the order in which they were found.
+// Keeps the selected contacts, in the order in which they were found.
 void keep(std::vector<Contact>& contacts, std::vector<uint32_t> chosen) {
   std::ranges::sort(chosen);
   std::vector<Contact> kept;
@@ -77,8 +77,8 @@ void reduce_contacts(std::vector<Contact>& contacts) {
 
 namespace {
 
-// Where contacts lie on a plane, in units of how far they reach along the longest way from one of them and
-// across it.
+// Returns the positions of contacts on a plane, along the longest distance from one of them and across it,
+// relative to their extents.
 std::vector<Vec3> places_on_plane(const std::vector<Contact>& contacts, uint32_t from, const Vec3& up) {
   std::vector<Vec3> places;
   for (const Contact& c : contacts) {
@@ -95,8 +95,8 @@ std::vector<Vec3> places_on_plane(const std::vector<Contact>& contacts, uint32_t
   return places;
 }
 
-// Replaces each chosen contact by the deepest of those whose places are nearer to its own than to those of
-// the other chosen ones.
+// Replaces each selected contact by the deepest of those whose positions are nearer to its own than to
+// those of the other selected ones.
 void take_deepest_near(const std::vector<Contact>& contacts, const std::vector<Vec3>& places,
                        const Rank& rank, std::vector<uint32_t>& chosen) {
   std::vector<uint32_t> deepest = chosen;

@@ -18,7 +18,7 @@ constexpr double kParallel = 0.001;  // squared sine of the angle below which ch
 struct Segment {
   uint32_t index = 0;
   Vec3 from{0}, to{0};
-  Vec3 way{0};  // of its middle within the tick
+  Vec3 way{0};  // of its midpoint within the tick
   Box bounds;   // of its way
 };
 
@@ -27,7 +27,7 @@ Segment segment(uint32_t index, const Vec3& from, const Vec3& to, const Vec3& wa
   return {index, from, to, way, Box{glm::min(min, min + way), glm::max(max, max + way)}.wider(margin)};
 }
 
-// The chords of `first`, in the frame of `second`, that come near its bounds within the tick.
+// Returns the chords of `first`, in the frame of `second`, that come near its bounds within the tick.
 std::vector<Segment> near_chords(const MovingBody& first, const MovingBody& second, double margin) {
   const RigidMap now = into(second.now, first.now), next = into(second.next, first.next);
   std::vector<Segment> near;
@@ -59,7 +59,7 @@ std::vector<Segment> chords_within(const MovingBody& body, const std::vector<Seg
   return near;
 }
 
-// Chords that follow each other in a list, and lie beside each other because those of clusters do.
+// Chords adjacent in a list, and near each other because their clusters are.
 struct Run {
   std::span<const Segment> segments;
   Box bounds;
@@ -76,10 +76,10 @@ std::vector<Run> runs_of(std::span<const Segment> segments) {
   return runs;
 }
 
-// The place where two lines come nearest.
+// The closest points of two lines.
 struct Crossing {
   Vec3 normal{0};       // unit, across both
-  double distance = 0;  // along it from the second line to the first
+  double distance = 0;  // from the second line to the first along the normal
   double s = 0, t = 0;  // along the first and the second chord, from 0 to 1
   bool within() const { return s >= 0 && s <= 1 && t >= 0 && t <= 1; }
 };
@@ -96,7 +96,7 @@ std::optional<Crossing> crossing(const Segment& a, const Segment& b, double reac
   const double closing = glm::dot(a.way, c.normal);
   if (std::abs(c.distance) > reach && std::abs(closing) > 0) {
     const double when = -c.distance / closing;
-    if (when > 0 && when < 1) apart += when * a.way;  // the chords as they are when their lines meet
+    if (when > 0 && when < 1) apart += when * a.way;  // the chords at the time when their lines meet
   }
   const double uv = glm::dot(u, v), ua = glm::dot(u, apart), va = glm::dot(v, apart);
   c.s = (uv * va - vv * ua) / area2;
@@ -174,17 +174,18 @@ std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& se
 
 namespace {
 
-constexpr double kStays = 0.1;       // of the skin: see reduce_on_plane
-constexpr double kNearLowest = 0.3;  // of the reach, above the lowest point: where the ground is looked at
+constexpr double kStays = 0.1;  // share of the skin: see reduce_on_plane
+constexpr double kNearLowest =
+    0.3;  // share of the reach, above the lowest point, within which the ground is tested
 
-// The height of points of a body above a plane, m.
+// Height of points of a body above a plane [m].
 class Height {
  public:
   Height(const RigidMap& map, const Vec3& up, double level)
       : up_(glm::transpose(map.turn) * up), offset_(glm::dot(map.shift, up) - level) {}
 
   double operator()(const Vec3& p) const { return glm::dot(up_, p) + offset_; }
-  // The height of the lowest corner of a box.
+  // Returns the height of the lowest corner of a box.
   double least(const Box& box) const {
     return (*this)(0.5 * (box.min + box.max)) - glm::dot(glm::abs(up_), 0.5 * (box.max - box.min));
   }

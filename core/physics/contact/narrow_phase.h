@@ -6,29 +6,29 @@
 
 namespace kerf {
 
-// Finds where chords of two bodies touch, edge against edge. Appends to `out`, with normals towards `first`
-// and features of 2^32 and more.
+// Finds edge-edge contacts of the chords of two bodies. Appends to `out`, with normals towards `first` and
+// features >= 2^32.
 //
-// Two chords touch where the shortest way between their lines lies within both. Since no sheets intersect at
-// the beginning of a tick (see hold_back), the side on which they are then is the right one. Chords that are
-// nearly parallel are left to points and faces.
+// Two chords touch if the closest points of their lines lie within both. Since no sheets intersect at the
+// beginning of a tick (see hold_back), the side on which they are then is the right one. Nearly parallel
+// chords are covered by points and faces.
 void find_chord_contacts(const MovingBody& first, const MovingBody& second, const ContactLengths& lengths,
                          std::vector<Contact>& out);
 
-// Finds the contacts of two bodies, at most 8: the deepest and then those that lie farthest apart. Brings
-// `memory` up to date and takes the impulses of the last tick from it.
+// Finds the contacts of two bodies, at most 8: the deepest and then those farthest apart. Updates `memory`
+// and applies the impulses of the last tick from it.
 //
 // Sheets that intersect when they meet do not touch until they are apart; they are pushed out of each other
 // (see push_out).
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
                                    const ContactLengths& lengths, PairMemory& memory);
 
-// The contacts of the points of a body with the ground, with the impulses that `memory` holds.
+// Returns the contacts of the points of a body with the ground, with the impulses in `memory`.
 std::vector<Contact> find_ground_contacts(const MovingBody& body, const Environment& around,
                                           const ContactLengths& lengths, const PairMemory& memory);
 
-// How far a body is below the ground at `map` (body to world), with the lowest of its corners; 0 where it is
-// not. In units of length. O(corners) near the ground.
+// Returns the depth of the lowest corner of a body below the ground at `map` (body to world), in units of
+// length; 0 if it is above. O(corners) near the ground.
 double depth_below_ground(const MovingBody& body, const RigidMap& map, const Environment& around);
 
 }  // namespace kerf

@@ -21,7 +21,7 @@ bool pierces(const Vec3& from, const Vec3& to, const MovingBody& faces) {
          faces.body->tree.nearest(faces.body->mesh, Pose{from, (to - from) / length}, {0, length});
 }
 
-// Whether a chord goes through a face; `map` is from the frame of the chords to that of the faces.
+// Returns true if a chord passes through a face; `map`: from the frame of the chords to that of the faces.
 bool chords_pierce(const MovingBody& chords, const MovingBody& faces, const RigidMap& map) {
   const auto near = [&](const Cluster& cluster) { return faces.collider->space.meets(box_of(cluster, map)); };
   return chords.collider->fine_chord_clusters.any_of(near, [&](uint32_t i) {
@@ -30,7 +30,7 @@ bool chords_pierce(const MovingBody& chords, const MovingBody& faces, const Rigi
   });
 }
 
-// Whether a point meets a face on its way.
+// Returns true if a point meets a face on its way.
 bool points_pass(const MovingBody& points, const MovingBody& faces, const RigidMap& now,
                  const RigidMap& next) {
   const auto near = [&](const Cluster& cluster) {
@@ -58,10 +58,10 @@ bool get_through(const MovingBody& a, const MovingBody& b) {
 
 namespace {
 
-constexpr double kLongerWay = 2;   // times, than the shortest one, that is kept from the last tick
-constexpr size_t kMaxPlaces = 16;  // that are looked at for each of the two bodies
+constexpr double kLongerWay = 2;   // max ratio of a kept way of the last tick to the shortest one
+constexpr size_t kMaxPlaces = 16;  // tested places for each of the two bodies
 
-// The places where chords of one body go through faces of another, in the frame of the faces.
+// Returns the places where chords of one body pass through faces of another, in the frame of the faces.
 std::vector<FacePlane> places(const MovingBody& chords, const MovingBody& faces) {
   const RigidMap map = into(faces.now, chords.now);
   std::vector<FacePlane> found;
@@ -74,7 +74,7 @@ std::vector<FacePlane> places(const MovingBody& chords, const MovingBody& faces)
   return found;
 }
 
-// A direction, in the world, in which the first of two bodies leaves the second behind.
+// A direction, in world coordinates, along which the first of two bodies leaves the second.
 struct Exit {
   Vec3 way{0};  // unit
   double depth = std::numeric_limits<double>::infinity();
@@ -84,7 +84,7 @@ void take_shorter(Exit& best, const Vec3& way, double depth) {
   if (depth < best.depth) best = {way, depth};
 }
 
-// The points of a body, in the world.
+// Returns the points of a body, in world coordinates.
 std::vector<Vec3> points_of(const MovingBody& body) {
   std::vector<Vec3> points;
   for (const std::vector<Collider::Point>* list : {&body.collider->points, &body.collider->guards}) {
@@ -102,7 +102,7 @@ Interval extent(const std::vector<Vec3>& points, const Vec3& along) {
   return extent;
 }
 
-// The shortest exits of points through the plane of a face that they are on both sides of.
+// Tries the exits of points through the plane of a face that has points on both sides.
 void try_plane(const Vec3& at, const Vec3& normal, const std::vector<Vec3>& points, double sign, Exit& best) {
   const Interval heights = extent(points, normal);
   const double level = glm::dot(at, normal);
@@ -110,7 +110,7 @@ void try_plane(const Vec3& at, const Vec3& normal, const std::vector<Vec3>& poin
   take_shorter(best, -sign * normal, heights.high - level);
 }
 
-// The points that lie farthest in a direction and against it, of equal ones the first.
+// The extreme points along a direction, the first of equal ones.
 struct Extremes {
   Vec3 lowest, highest;
 };
@@ -127,8 +127,8 @@ Extremes extremes(const std::vector<Vec3>& points, const Vec3& way) {
   return {points[lowest], points[highest]};
 }
 
-// How the first of two lists of points leaves the second behind: until a plane across the way is between
-// them. `apart` is the vector between the points that get past each other last.
+// Passage of one list of points past another, until a plane across the way separates them. `apart`: the
+// vector between the points that pass each other last.
 struct Passing {
   double depth = 0;
   Vec3 apart{0};
@@ -145,7 +145,7 @@ Passing passing(const std::vector<Vec3>& first, const std::vector<Vec3>& second,
 
 Extremes turned_round(const Extremes& e) { return {e.highest, e.lowest}; }
 
-// Improves an exit by turning its way against what makes it long, by less and less.
+// Improves an exit by turning its way against the vector that makes it long, in decreasing steps.
 void refine(const std::vector<Vec3>& first, const std::vector<Vec3>& second, Exit& exit) {
   constexpr int kTries = 16;
   double turn = 0.3;  // rad
@@ -164,7 +164,7 @@ void refine(const std::vector<Vec3>& first, const std::vector<Vec3>& second, Exi
   }
 }
 
-// The shortest exits across planes between all points of the two bodies.
+// Finds the shortest exit across planes between all points of the two bodies.
 void try_between(const std::vector<Vec3>& ways, const std::vector<Vec3>& first,
                  const std::vector<Vec3>& second, Exit& best) {
   Exit exit;
@@ -177,8 +177,8 @@ void try_between(const std::vector<Vec3>& ways, const std::vector<Vec3>& first,
   take_shorter(best, exit.way, exit.depth);
 }
 
-// Directions all over a half of the sphere, on a spiral (E. Saff, A. Kuijlaars: Distributing many points on a
-// sphere, 1997).
+// Returns directions evenly over a hemisphere, on a spiral (E. Saff, A. Kuijlaars: Distributing many points
+// on a sphere, 1997).
 std::vector<Vec3> spread_ways() {
   constexpr int kWays = 48;
   constexpr double kTurnCosine = -0.7373688780783197, kTurnSine = 0.6754902942615238;  // of the golden angle
@@ -194,8 +194,8 @@ std::vector<Vec3> spread_ways() {
   return ways;
 }
 
-// Of the normals of the faces at the places and of directions all around, the one with the shortest exit.
-// That of the last tick, if there was one, counts as shorter than it is.
+// Returns the shortest exit along the normals of the faces at the places and along directions all around.
+// The way of the last tick, if any, counts as shorter than it is.
 Exit shortest_exit(const MovingBody& first, const MovingBody& second, const std::vector<FacePlane>& on_first,
                    const std::vector<FacePlane>& on_second, const Vec3& before) {
   const std::vector<Vec3> of_first = points_of(first), of_second = points_of(second);

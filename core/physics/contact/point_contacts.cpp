@@ -42,9 +42,9 @@ uint32_t point_at(uint32_t chord, double share) {
   return kOnChord | chord << kPlaceBits | std::min(place, kPlaces - 1);
 }
 
-constexpr uint32_t kApart = kPlaces / 4;  // of two points of a chord
+constexpr uint32_t kApart = kPlaces / 4;  // min distance of two points of a chord
 
-// Adds a point in its order, unless there is one near it on the chord.
+// Inserts a point in order, unless there is one near it on the chord.
 void insert(const PointMemory& point, std::vector<PointMemory>& memory) {
   const auto at = std::ranges::lower_bound(memory, point.point, {}, &PointMemory::point);
   const uint32_t chord = point.point >> kPlaceBits;
@@ -57,8 +57,8 @@ void insert(const PointMemory& point, std::vector<PointMemory>& memory) {
   memory.insert(at, point);
 }
 
-// Adds a point at a rim. If there is one near it on the chord, that one has a normal between the two instead.
-// Returns whether the point is new.
+// Inserts a point at a rim. If there is one near it on the chord, sets the normal of that one between the
+// two instead. Returns true if the point is new.
 bool insert_at_rim(const PointMemory& point, std::vector<PointMemory>& memory) {
   for (PointMemory& m : memory) {
     if (!is_at_rim(m.point) || m.point >> kPlaceBits != point.point >> kPlaceBits) continue;
@@ -70,10 +70,10 @@ bool insert_at_rim(const PointMemory& point, std::vector<PointMemory>& memory) {
   return true;
 }
 
-// The places where a chord goes through faces at the end of its way, as shares of it.
+// The places where a chord passes through faces at the end of its way, as shares of the chord.
 struct Piercing {
   std::vector<double> shares;
-  FaceId first;  // the face at the first of them
+  FaceId first;  // face at the first of them
 };
 
 Piercing places(const Vec3& from, const Vec3& to, const MovingBody& faces) {
@@ -87,8 +87,8 @@ Piercing places(const Vec3& from, const Vec3& to, const MovingBody& faces) {
   return piercing;
 }
 
-// How a chord that met the rim of a sheet is to leave it, where it came from the direction `back` (not 0): in
-// the plane of the face at the rim, or across it where it came rather from there. A unit vector.
+// Returns the unit normal of the contact of a chord that met the rim of a sheet coming from the direction
+// `back` (not 0): in the plane of the face at the rim, or across it if the chord came mainly from there.
 Vec3 rim_normal(const Triangle& face, const Vec3& back) {
   constexpr double kRather = 0.7;  // cosine
   const Vec3 came_from = glm::normalize(back), area = glm::cross(face[1] - face[0], face[2] - face[0]);
@@ -97,7 +97,7 @@ Vec3 rim_normal(const Triangle& face, const Vec3& back) {
   return glm::normalize(glm::length(across) > kRather ? across : came_from - across);
 }
 
-// The middles between these places and the ends of the chord.
+// Returns the midpoints between these places and the ends of the chord.
 std::vector<double> middles(const std::vector<double>& places) {
   std::vector<double> shares;
   double last = 0;
@@ -176,7 +176,7 @@ bool remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
 
 namespace {
 
-// Follows the points of one body among the faces of another.
+// Tracks the points of one body among the faces of another.
 class PointTracker {
  public:
   PointTracker(const MovingBody& points, const MovingBody& faces, const ContactLengths& lengths,
@@ -191,7 +191,7 @@ class PointTracker {
         memory_(memory),
         out_(out) {}
 
-  // Returns what is to be remembered.
+  // Returns the new memory.
   std::vector<PointMemory> track() {
     const auto near = [&](const Cluster& cluster) {
       const Box way = way_of(cluster, now_, next_);
@@ -204,7 +204,7 @@ class PointTracker {
   }
 
  private:
-  // Precondition: points are asked for in their order.
+  // Precondition: called with ascending points.
   const Vec3* remembered_normal(uint32_t i) {
     while (old_ < memory_.size() && memory_[old_].point < i) ++old_;
     return old_ < memory_.size() && memory_[old_].point == i ? &memory_[old_].normal : nullptr;
@@ -227,7 +227,7 @@ class PointTracker {
     out_.push_back({faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}, on_edge});
   }
 
-  // Such a contact lasts while the chord would go through a face if it went on against the normal.
+  // Such a contact lasts while the chord would pass through a face if it moved on against the normal.
   void follow_at_rim(uint32_t i, const Vec3& normal) {
     KERF_ASSERT(std::abs(glm::dot(normal, normal) - 1) < 1e-9);
     const Collider::Chord& chord = chord_of(points_, i);

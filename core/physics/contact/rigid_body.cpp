@@ -11,9 +11,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double kMinInertia = 1e-4;  // of the largest one
+constexpr double kMinInertia = 1e-4;  // share of the largest one
 
-// The sums over the pieces that weigh as sheets, and what the others weigh.
+// Sums over the pieces that are sheets, and the mass properties of the others.
 struct Sums {
   double area = 0;
   AreaMoments moments;
@@ -43,7 +43,7 @@ MassProperties mass_of(const Body& body) {
   return together(shell, sums.solids);
 }
 
-// The principal axes by Jacobi rotations.
+// Computes the principal axes by Jacobi rotations.
 void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
   const auto& m = inertia;
   btMatrix3x3 matrix(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]), turn;

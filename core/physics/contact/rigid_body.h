@@ -10,27 +10,27 @@
 
 namespace kerf {
 
-// The mass properties of a body and its principal frame: the centre of mass, and the axes along which its
+// Mass properties of a body and its principal frame: the centre of mass, and the axes along which its
 // inertia is diagonal.
 struct RigidFrame {
   double mass = 0;              // kg
-  Vec3 centre{0};               // m, in the frame of the body
-  glm::dquat axes{1, 0, 0, 0};  // turns principal axes to those of the body
-  Vec3 inertia{0};              // kg m^2, along the principal axes
+  Vec3 centre{0};               // in the body frame [m]
+  glm::dquat axes{1, 0, 0, 0};  // rotates principal axes to those of the body
+  Vec3 inertia{0};              // along the principal axes [kg m^2]
 
-  // Where the principal frame is when the body is at this placement.
+  // Returns the placement of the principal frame for a placement of the body.
   Placement in_world(const Placement& body) const { return {body.to_world(centre), body.orientation * axes}; }
-  // Where the body is when its principal frame is at this placement, its orientation normalised.
+  // Returns the placement of the body, with normalised orientation, for one of its principal frame.
   Placement body_at(const Placement& principal) const {
     const glm::dquat turn = glm::normalize(principal.orientation * glm::conjugate(axes));
     return {principal.position - turn * centre, turn};
   }
 };
 
-// The rigid frame of all pieces of a body together: closed pieces of a solid body, as it was weighed last,
-// are solids, and everything else is a sheet. Constant time in faces, linear in pieces. The inertia about an
-// axis along which a sheet has no extent is raised to a small share of the largest one, so that a needle
-// cannot spin up without bound.
+// Returns the rigid frame of all pieces of a body together: closed pieces of a solid body are solids as of
+// its last mass computation, everything else is a sheet. Constant time in faces, linear in pieces. The
+// inertia about an axis along which a sheet has no extent is raised to a small share of the largest one, to
+// bound the spin of a needle.
 RigidFrame rigid_frame(const Body& body);
 
 // A rigid motion x -> turn * x + shift.
@@ -43,7 +43,7 @@ struct RigidMap {
 inline RigidMap map_of(const Placement& placement) {
   return {glm::mat3_cast(placement.orientation), placement.position};
 }
-// First `inner`, then the reverse of `outer`.
+// Returns the composition: first `inner`, then the inverse of `outer`.
 inline RigidMap into(const RigidMap& outer, const RigidMap& inner) {
   const glm::dmat3 back = glm::transpose(outer.turn);
   return {back * inner.turn, back * (inner.shift - outer.shift)};
@@ -55,33 +55,33 @@ struct MovingBody {
   Body* body = nullptr;
   const Collider* collider = nullptr;
   RigidFrame frame;
-  bool fixed = false;  // the body does not move
+  bool fixed = false;  // does not move
   bool asleep = false;
   Placement start;     // of the body at the beginning of the tick
-  RigidMap now, next;  // body to world: at the beginning of the tick, and where it goes
-  double margin = 0;   // in units of length: what is nearer than this beside its way matters, too
-  Box bounds;          // in the world, of its way within the tick and the margin
+  RigidMap now, next;  // body to world: at the beginning of the tick, and at the end of its way
+  double margin = 0;   // distance around its way within which features matter, in units of length
+  Box bounds;          // in world coordinates, of its way within the tick and the margin
   double metre = 1;    // in units of length, see Environment
-  double scale = 1;    // of all lengths of contact, see ContactLengths; in units of length
-  double sunk = 0;     // how far it is below the ground at the beginning of the tick, in units of length
+  double scale = 1;    // factor of all lengths of contact, see ContactLengths; in units of length
+  double sunk = 0;     // depth below the ground at the beginning of the tick, in units of length
 
   bool glides = false;      // see Guided
   double sweeps_aside = 0;  // kg, likewise
 
-  // The loss of spin because the body touches others: a share of the spin, 1/s, and a constant part, rad/s^2.
+  // Loss of spin due to contacts: a share of the spin [1/s], and a constant part [rad/s^2].
   double rolling_loss = 0, rolling_brake = 0;
 
   bool moves() const { return !fixed && !asleep; }
 };
 
-// The position of a body in a list that is sorted by ids, or the length of the list if the body is not in it.
+// Returns the index of the body in a list sorted by ids, or the length of the list if it is not in it.
 inline uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
   const auto at = std::ranges::lower_bound(bodies, id, {}, &MovingBody::id);
   const bool found = at != bodies.end() && at->id == id;
   return static_cast<uint32_t>(found ? at - bodies.begin() : std::ssize(bodies));
 }
 
-// The bounds of a box under a rigid motion.
+// Returns the bounds of a box under a rigid motion.
 inline Box moved(const RigidMap& map, const Box& box) {
   KERF_ASSERT(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
   const Vec3 middle = map(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);
@@ -90,26 +90,26 @@ inline Box moved(const RigidMap& map, const Box& box) {
   return {middle - extent, middle + extent};
 }
 
-// A box around all items of a cluster at both ends of a motion.
+// Returns a box around all items of a cluster at both ends of a motion.
 inline Box way_of(const Cluster& cluster, const RigidMap& now, const RigidMap& next) {
   KERF_ASSERT(cluster.begin < cluster.end && cluster.radius >= 0);
   const Vec3 from = now(cluster.centre), to = next(cluster.centre);
   return Box{glm::min(from, to), glm::max(from, to)}.wider(cluster.radius);
 }
 
-// A box around all items of a cluster where a rigid map brings them.
+// Returns a box around all items of a cluster mapped by a rigid motion.
 inline Box box_of(const Cluster& cluster, const RigidMap& map) {
   KERF_ASSERT(cluster.begin < cluster.end && cluster.radius >= 0);
   const Vec3 at = map(cluster.centre);
   return Box{at, at}.wider(cluster.radius);
 }
 
-// Lengths of contact, for bodies of about a metre and more. Smaller bodies use smaller ones, in proportion.
+// Lengths of contact, for bodies of about a metre and more. Smaller bodies use proportionally smaller ones.
 struct ContactLengths {
   double skin = 0.002;         // m, kept between a point and a face
   double chord_skin = 0.001;   // between two chords
   double ground_skin = 0.001;  // between a point and the ground
-  double reach = 0.010;        // how far apart contacts are found
+  double reach = 0.010;        // max distance of detected contacts
 };
 inline constexpr ContactLengths kContactLengths;
 

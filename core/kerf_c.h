@@ -76,8 +76,7 @@ typedef struct kerf_mesh kerf_mesh;
  * Errors: KERF_BAD_INPUT if the file cannot be opened or parsed, or has no usable face. O(file size). */
 KERF_API kerf_result kerf_mesh_read(const char* path, const kerf_control* control, kerf_mesh** out);
 
-/* Creates a mesh from arrays, which are copied. Equal positions are welded when the mesh is added to a
- * world.
+/* Creates a mesh from arrays, which are copied. Equal positions are welded when the mesh is added to a world.
  * vertices: vertex_count positions (m), finite.
  * vertex_count, face_count: 1 to 2^31.
  * faces: face_count triples of vertex indices, < vertex_count.
@@ -130,8 +129,7 @@ KERF_API kerf_result kerf_world_make(kerf_world** out);
 /* Opens a file as a world.
  * path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.
  * out: receives the world; free it with kerf_world_free.
- * Errors: KERF_BAD_INPUT if the file is wrong. Cost: that of loading the meshes and of replaying the
- * cuts. */
+ * Errors: KERF_BAD_INPUT if the file is wrong. Cost: that of loading the meshes and of replaying the cuts. */
 KERF_API kerf_result kerf_world_open(const char* path, const kerf_control* control, kerf_world** out);
 /* Frees a world. No-op if `world` is null. Precondition: no call uses the world. */
 KERF_API void kerf_world_free(kerf_world* world);
@@ -213,8 +211,7 @@ KERF_API kerf_result kerf_world_nearest_hits(const kerf_world* world, const doub
                                              const kerf_control* control, double* distances, uint32_t* bodies,
                                              uint32_t* faces);
 
-/* Crossings of rays: those of ray i are entries first[i] to first[i + 1] - 1 of the arrays, nearest
- * first. */
+/* Crossings of rays: those of ray i are entries first[i] to first[i + 1] - 1 of the arrays, nearest first. */
 typedef struct kerf_hits {
   size_t count;
   const size_t* first; /* n + 1 offsets */

@@ -58,8 +58,7 @@ struct kerf_mesh {
 
 namespace kerf {
 
-// Computes the values that follow from the arrays, area and centroid, and sets the placement to the
-// identity.
+// Computes the values that follow from the arrays, area and centroid, and sets the placement to the identity.
 void measure(kerf_mesh& mesh);
 
 // Returns the mesh in the form of a file's content.

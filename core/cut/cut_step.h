@@ -230,9 +230,8 @@ using SweptByBody = std::map<BodyId, std::vector<BeamMove>>;
 //
 // Faces in which a chord would deviate from the boundary by more than kRimChord are first split by the
 // scheme. A vertex near the boundary is moved onto it along an edge if that does not change the surface;
-// every other edge across the boundary is split there, so that the rim lies on the original surface.
-// Finally, edges within one base face are flipped if that increases the smallest angle. Fails like
-// cut_step.
+// every other edge across the boundary is split there, so that the rim lies on the original surface. Finally,
+// edges within one base face are flipped if that increases the smallest angle. Fails like cut_step.
 Result<StepResult> rim_step(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                             const SweptByBody& swept, UnfinishedRim& unfinished,
                             const Progress* progress = nullptr);

@@ -24,10 +24,9 @@ class StrokeRegion {
 
   // Appends a part to the list of a face. Precondition: parts are added to a face in ascending order.
   void record_near(FaceId f, uint32_t part);
-  // Passes lists on from replaced faces: each child is near every part that any parent is near, since it
-  // may lie where only that parent lay. Slots are reused, so parents may be among the children.
-  // Precondition: a parent is near the region. Constant time if the parents have one list, else linear in
-  // their lists.
+  // Passes lists on from replaced faces: each child is near every part that any parent is near, since it may
+  // lie where only that parent lay. Slots are reused, so parents may be among the children. Precondition: a
+  // parent is near the region. Constant time if the parents have one list, else linear in their lists.
   void inherit(std::span<const FaceId> children, std::span<const FaceId> parents);
   bool is_near(FaceId f) const { return list_of_.get(f.index) != 0; }
 

@@ -142,8 +142,7 @@ std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
 
 namespace {
 
-// Returns the loaded faces from which those of a piece were made, ascending, one entry per face of the
-// piece.
+// Returns the loaded faces from which those of a piece were made, ascending, one entry per face of the piece.
 std::vector<uint32_t> loaded_faces_of(const Body& body, uint32_t label) {
   std::vector<uint32_t> faces;
   for (const FaceId f : body.faces_of(label)) faces.push_back(body.loaded_face(body.loaded_base(f)).index);

@@ -7,12 +7,11 @@
 
 namespace kerf {
 
-// Makes every cut-off piece a separate body, so that it can move (see detach). In each visible body the
-// piece with the lowest label stays; the others inherit its velocity and spin, are not pinned, and are
-// pushed apart from it: with equal and opposite impulses along the line between the centres of mass, to a
-// relative speed of kPushApart. Pinned bodies are not pushed, nor are parts that were not cut off but turn
-// on joints. New bodies get `generation` (see BodyId). Appends the change to `delta`, and wakes the changed
-// bodies.
+// Makes every cut-off piece a separate body, so that it can move (see detach). In each visible body the piece
+// with the lowest label stays; the others inherit its velocity and spin, are not pinned, and are pushed apart
+// from it: with equal and opposite impulses along the line between the centres of mass, to a relative speed
+// of kPushApart. Pinned bodies are not pushed, nor are parts that were not cut off but turn on joints. New
+// bodies get `generation` (see BodyId). Appends the change to `delta`, and wakes the changed bodies.
 //
 // Precondition: no search for separated pieces is unfinished. O(pieces) if no piece was cut off.
 void release_pieces(World& world, uint32_t generation, Delta& delta);

@@ -16,9 +16,8 @@ namespace kerf {
 bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                   std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds);
 
-// Counts the ticks for which bodies were slow, after a tick. Bodies that turn on a joint must be much
-// slower, because they turn slowly at the ends of a swing. Bodies that are pushed out of each other are not
-// slow.
+// Counts the ticks for which bodies were slow, after a tick. Bodies that turn on a joint must be much slower,
+// because they turn slowly at the ends of a swing. Bodies that are pushed out of each other are not slow.
 void count_quiet(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                  std::span<const BodyJoint> joints);
 

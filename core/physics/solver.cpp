@@ -251,8 +251,7 @@ class BulletGroup {
     p.m_appliedImpulse = std::min(c.impulse[0], most_warm_impulse);
   }
 
-  // Moves a body by its velocities: a second-order step of a unit quaternion by a spin, which needs no
-  // sine.
+  // Moves a body by its velocities: a second-order step of a unit quaternion by a spin, which needs no sine.
   void move_on(MovingBody& b, const btRigidBody& rigid) const {
     const Vec3 velocity = from_bullet(rigid.getLinearVelocity()),
                spin = from_bullet(rigid.getAngularVelocity());

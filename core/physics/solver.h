@@ -69,10 +69,9 @@ class SolverMemory {
 // velocities, and stores the impulses in the contacts. Fixed and sleeping bodies are unchanged.
 // Precondition: a body of each pair moves.
 //
-// Uses Bullet's solver: projected Gauss-Seidel on velocities with warm starting (E. Catto: Iterative
-// dynamics with temporal coherence, 2005), speculative contacts for those still apart, and split impulses
-// for those that overlap. All its objects are set from the bodies on each call; `memory` only keeps their
-// storage.
+// Uses Bullet's solver: projected Gauss-Seidel on velocities with warm starting (E. Catto: Iterative dynamics
+// with temporal coherence, 2005), speculative contacts for those still apart, and split impulses for those
+// that overlap. All its objects are set from the bodies on each call; `memory` only keeps their storage.
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
                     std::span<const BodyJoint> joints, const SolverSettings& settings, SolverMemory& memory);
 

@@ -26,8 +26,7 @@ struct WallPatch {
   std::vector<VertexId> rim;
   std::vector<Vec3> added;  // m
   std::vector<std::array<uint32_t, 3>> faces;
-  // Connected walls: index of the wall by face of the patch and by side, and for each wall a face at its
-  // rim.
+  // Connected walls: index of the wall by face of the patch and by side, and for each wall a face at its rim.
   std::vector<uint32_t> wall_of_face, wall_of_side;
   std::vector<FaceId> beside_wall;
 };

@@ -14,10 +14,9 @@ namespace kerf {
 
 namespace {
 
-// Relative to the radius. Sides that nearly coincide, such as those of collinear moves, are distinguished
-// by the depth of a point in another region. Where an arc leaves a line at a small angle, the depth grows
-// with the square of the length, so kDepth corresponds to a length of 1.4e-5. It exceeds the errors of the
-// angles.
+// Relative to the radius. Sides that nearly coincide, such as those of collinear moves, are distinguished by
+// the depth of a point in another region. Where an arc leaves a line at a small angle, the depth grows with
+// the square of the length, so kDepth corresponds to a length of 1.4e-5. It exceeds the errors of the angles.
 constexpr double kDepth = 1e-10, kMinPiece = 1e-4, kLargestGap = 1e-3;
 
 double squared_distance(Vec2 p, const DiscMove& m) {

@@ -185,8 +185,7 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
   return vertices;
 }
 
-// Returns all vertices except those amid flat faces, which lie between others unless they end lines or
-// seams.
+// Returns all vertices except those amid flat faces, which lie between others unless they end lines or seams.
 std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, const FeatureEdges& edges) {
   constexpr double kFlat = 1 - 1e-9;  // cosine of the mean angle to the mean normal
   std::vector<bool> ends(mesh.vertex_slots(), false);

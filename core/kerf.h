@@ -254,8 +254,7 @@ class World {
     });
     return hits;
   }
-  // Finds all surfaces that each ray crosses, nearest first; arguments and errors are those of
-  // nearest_hits().
+  // Finds all surfaces that each ray crosses, nearest first; otherwise like nearest_hits().
   Hits all_hits(std::span<const double> origins, std::span<const double> directions,
                 std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                 const Control& control = {}) const {
@@ -271,8 +270,8 @@ class World {
             {found.faces, found.faces + found.count}};
   }
 
-  // Writes the bodies as OBJ files and a scene.json that the editor opens. Throws Failure if a file cannot
-  // be written.
+  // Writes the bodies as OBJ files and a scene.json for the editor. Throws Failure if a file cannot be
+  // written.
   void save_scene(const std::string& folder) const { check(kerf_world_save_scene(get(), folder.c_str())); }
 
   // Writes the journal of the cuts, which `kerf replay` verifies, and the added meshes next to it.

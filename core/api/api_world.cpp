@@ -43,8 +43,7 @@ Kept& kept() {
   return message;
 }
 
-// Sets rounding to nearest and disables flushing of denormals during its lifetime. Programs compiled with
-// -ffast-math enable flushing.
+// Sets rounding to nearest and no flushing of denormals (as -ffast-math sets it) during its lifetime.
 class DefaultArithmetic {
  public:
   DefaultArithmetic() : control_(_mm_getcsr()) {

@@ -78,8 +78,7 @@ bool WallClosing::is_at_rim(const Mesh::Side& side) {
   return lies_there(side.from) && lies_there(side.to);
 }
 
-// Returns true if the faces on an edge of several sheets do not bound solids: more of them run one way
-// along it than the other.
+// Returns true if the faces on an edge of several sheets bound no solids: more run one way than the other.
 bool WallClosing::is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const {
   if (seen.contains({side.face, side.from})) return false;
   std::vector<Mesh::Side> others;
@@ -92,8 +91,7 @@ bool WallClosing::is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const
   return balance != 0;
 }
 
-// Finds the sides along the rim of parts that were closed before the stroke, and reports where others are
-// open.
+// Finds the sides along the rim of parts closed before the stroke; reports where others are open.
 Resumable<Done> WallClosing::find_sides() {
   sides_.clear();
   left_open_.clear();

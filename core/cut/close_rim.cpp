@@ -46,8 +46,7 @@ void add_to_region(RimState& rim, const BeamMove& move, bool in_body_frame) {
   for (const SweptCylinder& part : rim.step.beam) rim.region.add(part);
 }
 
-// Finds the faces that meet the boundary of part `i` of the region, or lie so near that a vertex could be
-// on it. Returns their number.
+// Finds the faces that meet the boundary of part `i` or could have a vertex on it. Returns their number.
 size_t find_near(RimState& rim, uint32_t i) {
   std::vector<FaceId> found;
   const SweptCylinder& part = rim.region.part(i);
@@ -139,8 +138,7 @@ class RimBite {
     rim.step.edit.refit_tree();
   }
 
-  // A stage that processes a list: the function that does its next part and returns true at the end of the
-  // list, and the following stage.
+  // A stage over a list: the function that does its next part (true at the end), and the following stage.
   struct ListStage {
     Stage stage;
     bool (*do_part)(RimState&);

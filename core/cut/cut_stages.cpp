@@ -215,8 +215,7 @@ class Deposit {
     return share * enthalpy_before_transition(sheet_.substance);
   }
 
-  // Returns the integral of the enthalpy over the area of a triangle, by the midpoint rule on parts that
-  // are small compared with the width.
+  // Integrates the enthalpy over a triangle, by the midpoint rule on parts much smaller than the width.
   double integral(const Triangle& t, int halvings) const {
     if (halvings == 0 || longest_edge2(t) <= 0.25 * width_ * width_)
       return triangle_area(t) * enthalpy((t[0] + t[1] + t[2]) / 3.0);

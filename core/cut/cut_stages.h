@@ -30,11 +30,10 @@ size_t faces_together();
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame = false);
 // Finds the faces that the beam touches, each once, ascending.
 void hit(BodyStep& step, std::vector<FaceId>& faces);
-// Processes the next faces_together() faces of move.to_split. Fails if settings.max_faces is exceeded or
-// `progress` cancels.
+// Processes the next faces_together() faces of move.to_split. Fails at settings.max_faces or on
+// cancellation.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
-// Returns true if the resolution needs no split of a face under the beam of the move. Precondition: the
-// face is live.
+// Returns true if a face need not be split under the beam of the move. Precondition: the face is live.
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f);
 // Removes the next faces_together() faces of move.hit; with `only_within` only those entirely within the
 // beam of the move. With `keeps_beside`, also lists their neighbours in the move.

@@ -115,8 +115,7 @@ class Bite {
  private:
   using Stage = UnfinishedMove::Stage;
 
-  // Returns the number of faces that the next part handles. Faces that it finds or searches are counted
-  // afterwards.
+  // Returns the number of faces of the next part, without those that it finds or searches.
   size_t faces_ahead() const {
     const auto together = [](size_t faces) { return std::clamp<size_t>(faces, 1, faces_together()); };
     switch (move_.stage) {
@@ -266,8 +265,7 @@ Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId i
   return cut_one(world, settings, id, moves, false, nullptr);
 }
 
-// Hidden bodies are included: one may have been hidden during a search, and is_settled waits for the end of
-// that search.
+// Includes hidden bodies: one may have been hidden during a search, for whose end is_settled waits.
 StepResult go_on_separating(World& world, size_t most, Hold hold) {
   StepResult result;
   for (const BodyId id : world.ids()) {

@@ -26,8 +26,7 @@ bool fails(RimState& rim, FaceId f) {
 
 }  // namespace
 
-// The beam may be near only one half of a green pair, and the faces that replace the pair need not lie
-// within one half.
+// The beam may be near one half of a green pair only, and the faces that replace it may span both halves.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
   for (const Replacement& r : split_by_scheme(rim.step, rim.settings.resolution.scheme, f)) {
     const std::span<const FaceId> gone(r.gone.data(), r.gone_count), born(r.born.data(), r.born_count);
@@ -77,8 +76,7 @@ bool visit_nearest(std::vector<RimSnap>& snaps, Visit visit) {
   return snaps.empty();
 }
 
-// Returns the direction in the plane of the face in which the distance grows fastest, or zero if there is
-// none.
+// Returns the direction of steepest growth of the distance in the plane of the face; zero if there is none.
 Vec3 in_plane_gradient(const RimState& rim, FaceId f, const Triangle& t, const Vec3& at) {
   const double step = kRimOn * rim.radius();
   const Vec3 u = glm::normalize(t[1] - t[0]), normal = glm::cross(u, t[2] - t[0]);

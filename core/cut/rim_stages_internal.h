@@ -59,8 +59,7 @@ bool split_in_the_way(RimState& rim);
 // Treat vertices that cannot be moved but lie very near the boundary as lying on it, if the chords permit.
 bool list_near_rim(RimState& rim);
 bool settle_on_rim(RimState& rim);
-// Splits a face by the scheme. Appends its parts and those of other faces near the boundary that conformity
-// required.
+// Splits a face by the scheme. Appends its parts and those of other faces near the boundary that it entails.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
 bool clip_at_rim(RimState& rim);
 bool choose_within_rim(RimState& rim);

@@ -35,8 +35,7 @@ void StrokeRegion::record_near(FaceId f, uint32_t part) {
   append(lists_[list - 1], part);
 }
 
-// Returns the index plus one of a list with the parts of two. Children share the lists of their parents, so
-// an inherited list is never changed.
+// Returns the index plus one of a list with the parts of two. Children share lists, so these are immutable.
 uint32_t StrokeRegion::list_of_both(uint32_t a, uint32_t b) {
   if (a == b) return a;
   List both;
@@ -76,8 +75,7 @@ double StrokeRegion::signed_distance(FaceId near, const Vec3& p) const {
 
 namespace {
 
-// Returns true if a point of a grid over a triangle lies this deep in the volume. The triangle is no larger
-// than the beam.
+// Returns true if a point of a grid over a triangle, no larger than the beam, lies this deep in the volume.
 bool has_point_within(const SweptCylinder& part, const Triangle& t, double depth) {
   constexpr int kParts = 8;
   for (int i = 0; i <= kParts; ++i) {

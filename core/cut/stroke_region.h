@@ -30,8 +30,7 @@ class StrokeRegion {
   void inherit(std::span<const FaceId> children, std::span<const FaceId> parents);
   bool is_near(FaceId f) const { return list_of_.get(f.index) != 0; }
 
-  // Returns the signed distance (m) from the boundary of the union of a point in or near the face: negative
-  // inside, positive outside.
+  // Returns the signed distance (m) of a point in or near the face from the boundary: negative inside.
   double signed_distance(FaceId near, const Vec3& p) const;
 
   // Returns true if any part, with its radius reduced by `graze` metres, meets the triangle.

@@ -377,8 +377,7 @@ class ThermalMoves {
     return glm::length(way - glm::dot(way, part.from.direction) * part.from.direction);
   }
 
-  // Removes the faces that have their energy of removal. Returns the depth of the beam, 1 if a face was
-  // removed.
+  // Removes the faces that have their energy of removal. Returns the depth of the beam, 1 if there were any.
   double remove_gone() {
     double depth = 0;
     for (size_t b = 0; b < burned_.size(); ++b) {

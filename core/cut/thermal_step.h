@@ -28,8 +28,8 @@ class Burn {
   // Returns true if a face of the body with this index is as fine as the resolution requires.
   using IsFine = std::function<bool(size_t body, FaceId)>;
 
-  // `face`: size of the faces under the beam, in radii. Precondition: `bodies` are those that the beam may
-  // cut, in the order of their slots.
+  // `face`: size of the faces under the beam, in radii. Precondition: `bodies` are the cuttable ones, by
+  // slot.
   Burn(World& world, const CutSettings& settings, std::vector<BurnedBody>& bodies, double face,
        IsFine is_fine);
 
@@ -42,8 +42,7 @@ class Burn {
   bool any_waiting() const { return !waiting_.empty(); }
   // Returns the max distance of waiting rays from the axis (m).
   double waiting_within() const;
-  // Emits the waiting energy. With `splits`, rays may have to wait again; without, such faces are removed
-  // unsplit. Precondition as for emit().
+  // Emits the waiting energy. Without `splits`, rays do not wait again and remove such faces unsplit.
   void emit_waiting(bool splits);
 
   // Adds the heat of burning in oxygen if a face met at the last pose is hot enough. It is shared by mass
@@ -51,8 +50,7 @@ class Burn {
   // (see core/heat/material.h). The beam cuts a kerf of `area` (m^2) at `speed` (m/s).
   void burn(double area, double speed);
 
-  // Returns the max distance along the rays of a beam at this pose to the first face that they meet (m), or
-  // nullopt on a miss.
+  // Returns the max distance along the beam's rays to the first face that each meets (m); nullopt on a miss.
   std::optional<double> reach(const Pose& pose);
 
  private:

@@ -212,8 +212,8 @@ class Groups {
     }
   }
 
-  // Returns the components that must move to another piece of their body, by body and component. Labels
-  // from Body::pieces.size() on are new.
+  // Returns the components that must move to another piece, by body. Labels from Body::pieces.size() on are
+  // new.
   std::map<BodyId, std::map<uint32_t, uint32_t>> changes() {
     std::map<BodyId, std::map<uint32_t, uint32_t>> changes;
     std::map<std::pair<BodyId, uint32_t>, uint32_t> new_label;  // by body and group

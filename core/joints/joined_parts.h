@@ -12,8 +12,7 @@
 
 namespace kerf {
 
-// A connected part of a body at the last call of settle(): the rest of a loaded component, or a part that
-// was cut off and became a piece.
+// A connected part of a body at the last settle(): the rest of a loaded component, or a cut-off piece.
 struct ConnectedPart {
   BodyId body;
   uint32_t label = 0;

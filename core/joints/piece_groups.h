@@ -28,8 +28,7 @@ struct PieceGroups {
   }
 };
 
-// Groups the faces of a body. Distance is measured in cells of 1/64 of the body's longest side. O(n) if the
-// body has more than one piece, else O(1).
+// Groups the faces of a body; resolves distances to 1/64 of its longest side. O(n), O(1) for a single piece.
 PieceGroups group_pieces(const Body& body);
 
 // Returns the live faces whose group differs between two groupings, ascending; null stands for a grouping

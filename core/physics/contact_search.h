@@ -30,8 +30,8 @@ class ContactSearch {
   // on the number of threads.
   void find();
 
-  // Returns, sorted, the pairs that come near each other on their ways, except those known to have
-  // intersected at the beginning.
+  // Returns, sorted, the pairs near each other on their ways, except those that intersected at the
+  // beginning.
   std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
   // Permits two bodies to intersect: they do not touch until they are apart.
   void let_cross(uint32_t first, uint32_t second) { pair_of(first, second).memory.crossed = 1; }
@@ -49,8 +49,7 @@ class ContactSearch {
   TouchingPair start(uint32_t first, uint32_t second) const;
   TouchingPair& pair_of(uint32_t first, uint32_t second);
   const TouchingPair* find(uint32_t first, uint32_t second) const;
-  // Returns the pairs that find() must process and that are not known yet, with only their bodies set, in
-  // order.
+  // Returns the pairs that find() must process and that are not known yet, in order, with only bodies set.
   std::vector<TouchingPair> pairs_to_look_at();
   void look_at(TouchingPair& pair) const;
   bool remember_piercing(uint32_t first, uint32_t second);

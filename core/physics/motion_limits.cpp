@@ -124,8 +124,8 @@ void keep_only(std::vector<Pair>& pairs, const Test& test) {
   pairs = std::move(kept);
 }
 
-// Holds back the bodies of a tick. After the crossing pairs are separated, tests all pairs of the shortened
-// bodies again.
+// Holds back the bodies of a tick. After crossing pairs are separated, tests the pairs of shortened bodies
+// again.
 class Holding {
  public:
   Holding(std::span<MovingBody> bodies, ContactSearch& search)
@@ -180,8 +180,8 @@ class Holding {
     return shortened;
   }
 
-  // Shortens the ways of each pair, unless one of the two was just shortened for another pair. Removes
-  // pairs that do not move.
+  // Shortens the ways of each pair unless one was just shortened for another. Removes pairs that do not
+  // move.
   void shorten_once(std::vector<Pair>& crossing, std::vector<bool>& shortened) {
     std::vector<bool> just_now(bodies_.size(), false);
     std::erase_if(crossing, [&](const Pair& p) {

@@ -25,8 +25,8 @@ size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search);
 // shoot out light bodies that are jammed between heavy ones.
 class SpeedLimit {
  public:
-  // Stores the motions before the tick. `gain` (m/s): permitted increase, due to gravity and for bodies
-  // that are pressed out of a gap.
+  // Stores the motions before the tick. `gain`: permitted increase (m/s), from gravity and from release of a
+  // gap.
   SpeedLimit(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
              std::span<const BodyJoint> joints, double gain);
 

@@ -129,8 +129,7 @@ void begin_tick(MovingBody& b, const Environment& around) {
   b.sunk = depth_below_ground(b, b.now, around);
 }
 
-// Sheet metal rolls badly: bodies that touched in the last tick lose spin, faster the smaller they are, and
-// stop unless they turn on a joint.
+// Sheet metal rolls badly: bodies that touched lose spin, small ones faster, and stop unless on a joint.
 void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> joints,
                       const ContactMemory& before, const Vec3& gravity) {
   const auto lose = [&](BodyId id) {

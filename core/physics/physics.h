@@ -86,11 +86,9 @@ class Physics {
   // so neither touch anything nor have a mass of their own.
   Delta tick(World& world, bool under_beam = false, std::span<const Guided> guided = {},
              std::span<const BodyId> carried = {});
-  // Makes the colliders that the next tick needs, and finds the intact joints. The tick then computes no
-  // masses of these bodies.
+  // Makes the colliders of the next tick, which then weighs none of these bodies; finds the intact joints.
   void prepare(const World& world, std::span<const BodyId> carried = {});
-  // Returns true if such a tick makes a collider of this body, if any is awake, and computes its mass
-  // properties (see update_mass_properties).
+  // Returns true if such a tick makes a collider of this body, if any is awake, and computes its mass.
   bool makes_collider(const World& world, BodyId id, bool under_beam) const;
   static constexpr size_t kMaxUnderBeam = 20'000;
 
@@ -104,8 +102,7 @@ class Physics {
   const std::vector<TouchingPair>& pairs() const { return pairs_; }
 
  private:
-  // Computes the mass properties of the bodies whose colliders the tick makes: both are functions of the
-  // faces.
+  // Computes the masses of the bodies whose colliders the tick makes: both are functions of the faces.
   void weigh_changed(World& world, std::span<const BodyId> ids, bool under_beam) const;
   // Returns tasks, independent of each other, that make their colliders and find unknown intact joints.
   std::vector<std::function<void()>> preparations(const World& world, std::span<const BodyId> ids,

@@ -27,8 +27,7 @@ Vec3 across(const Vec3& axis) {
   return glm::normalize(glm::cross(axis, other));
 }
 
-// Returns the frame of a joint in the principal frame of a body: its origin is the anchor, its third axis
-// the axis.
+// Returns the frame of a joint in the principal frame of a body: origin at the anchor, third axis the axis.
 btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
   KERF_ASSERT(joint.kind == Joint::Kind::kWeld || std::abs(glm::dot(joint.axis, joint.axis) - 1) < 1e-9);
   const glm::dquat back = glm::conjugate(frame.axes);

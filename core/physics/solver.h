@@ -29,8 +29,7 @@ std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::s
 // Returns true if a joint connects two bodies; such bodies do not touch each other.
 bool are_joined(std::span<const BodyJoint> joints, uint32_t a, uint32_t b);
 
-// Marks pairs of bodies that joints connect as touching: they sleep together, and a change of one wakes the
-// other. `memory` is sorted and stays so.
+// Marks bodies that joints connect as touching: they sleep and wake together. `memory` stays sorted.
 void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
                      ContactMemory& memory);
 

@@ -80,8 +80,7 @@ class ChartSweep {
   const std::vector<uint32_t>& conflict() const { return conflict_; }
 
   const ChartRegion::Winding& winding() const { return winding_; }
-  // Returns the diagonals: each joins the vertices at the left and right end of a trapezoid of winding
-  // number 1 unless one of its sides does.
+  // Returns diagonals: each joins the end vertices of a trapezoid of winding number 1 unless a side does.
   const std::vector<ChartEdge>& diagonals() const { return diagonals_; }
 
  private:

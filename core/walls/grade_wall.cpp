@@ -9,11 +9,9 @@ namespace kerf {
 
 namespace {
 
-// Max ratio of the shortest to the longest side of a thin triangle; the second on a bent wall, whose edges
-// cannot be long in all directions.
+// Max ratio of the shortest to the longest side of a thin triangle; the second on a bent wall.
 constexpr double kThin = 1.0 / 4, kThinBent = 1.0 / 16;
-// A triangle whose height is less than this share of its shorter sides is flat, not thin; a split does not
-// improve it.
+// A triangle with height below this share of its shorter sides is flat, not thin: no split improves it.
 constexpr double kFlat = 1e-3;
 // Max number of vertices that grading may add per vertex.
 constexpr size_t kMaxGraded = 4;

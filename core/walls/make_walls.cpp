@@ -325,8 +325,7 @@ class WallMaker {
     if (const auto v = meeting_vertex(*triangles, side.wall.placed().size()))
       co_return left_open("the wall is so narrow that its edges meet", place_of(side, *v));
     co_await worked(triangles->size() / 8);
-    // The chart may map several points to one place; without vertices added for shape alone that may not
-    // occur.
+    // The chart may map several points to one place; the retry without vertices for shape may avoid these.
     Vec3 here = place_of(side, 0);
     for (const bool graded : {true, false}) {
       const std::optional<WallMesh> wall = co_await fill(side, *triangles, graded);

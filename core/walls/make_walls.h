@@ -38,8 +38,8 @@ struct WallStroke {
   Interval range;     // m along the beam
   // Returns the signed distance from the boundary of the swept volume (m).
   std::function<double(const Vec3&)> distance;
-  // Returns the faces that a ray from a point along a unit vector crosses: 1 if it leaves the solid there,
-  // -1 if it enters.
+  // Returns the faces that a ray along a unit vector crosses: 1 if it leaves the solid there, -1 if it
+  // enters.
   std::function<std::vector<std::pair<FaceId, int>>(const Vec3&, const Vec3&)> crossings;
   // Returns by face slot the index of the face's connected part of the mesh, for all parts that have sides;
   // kNoPart for other faces. Parts that touch without a common edge are different.
@@ -83,8 +83,8 @@ struct PatchFault {
 // the rim) and every side of the rim is one of the patch. O(n log n).
 Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim);
 
-// Computes the connected walls of the faces and of the sides of the rim. `sides` are those beyond `rim`.
-// Precondition: the patch has no fault.
+// Computes the walls of the faces and of `rim`, beyond which are `sides`. Precondition: fault_of() is
+// nullopt.
 Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> rim,
                                  std::span<const RimSide> sides);
 

@@ -168,8 +168,7 @@ double least_distance(const Band& a, const Band& b) {
   return std::sqrt(least2) - a.apart - b.apart;
 }
 
-// Binary tree over consecutive moves, with a band around each node. Paths bend slowly, so the bands are
-// narrow.
+// Binary tree over consecutive moves, each node with a band, which is narrow since paths bend slowly.
 class MoveTree {
  public:
   struct Node {

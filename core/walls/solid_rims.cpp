@@ -70,8 +70,7 @@ constexpr uint32_t kNowhere = 0xffffffffu;
 // Edges this near to each other in the chart coincide, except for its rounding.
 constexpr double kOneUnit = 1;
 
-// A side of a wall along the rim: in the chart of a curve of the outline, or in the plane of an end of the
-// range, which counts as a further curve.
+// A side of a wall along the rim, in the chart of a curve of the outline or of an end (a further curve).
 struct ChartSide {
   uint32_t from = 0, to = 0;  // vertices
   uint32_t part = 0;
@@ -248,8 +247,7 @@ class RimGrouping {
     return std::nullopt;
   }
 
-  // For a loop in the plane of an end: joins it to the parts that wind around its vertices, seen away from
-  // the beam.
+  // Joins a loop in the plane of an end to the parts that wind around its vertices, seen away from the beam.
   void join_to_solid_around(uint32_t side) {
     const ChartSide& s = sides_[side];
     const double sign = s.curve > low_end() ? 1 : -1;

@@ -15,8 +15,7 @@ namespace kerf {
 
 namespace {
 
-// Directions that differ by less are parallel: over the longest ranges, lines then deviate by at most a
-// thousandth of the radius.
+// Directions that differ by less are parallel: over the longest ranges lines deviate by 1e-3 radii at most.
 constexpr double kParallel = 1e-9;
 // Max distance of a line from the apex, in radii.
 constexpr double kAtApex = 1e-3;

@@ -90,8 +90,7 @@ class WallChart {
   struct Curve {
     OutlineCurve outline;
     std::vector<double> starts;  // by piece: length along the curve, followed by the total length
-    // Landmarks: the length along the curve at the first one, and from there to each, ascending. Places are
-    // lengths if there are none.
+    // Landmarks: length at the first, and from it to each, ascending. Without any, places are lengths.
     double first_mark = 0;
     std::vector<double> marks;
     double period = 0;
@@ -121,8 +120,7 @@ class WallChart {
   std::vector<Slice> slices_;  // by depth
 };
 
-// Depths at which the range of a beam begins and ends (m, of the pencil); nullopt if it differs between
-// moves, as for beams through an apex.
+// Depths of the ends of the range (m, of the pencil); nullopt if moves differ, as with an apex.
 struct RangeEnds {
   std::optional<double> low, high;
 };

@@ -47,8 +47,8 @@ constexpr size_t kMaxFlips = 16;
 constexpr double kMinGain = 0.99;
 // An edge is not split if one part would be less than this share of it.
 constexpr double kBesideEnd = 1.0 / 16;
-// A flip makes no triangle flatter than this, in units of the chart: an edge whose middle is a vertex,
-// except for rounding, would come back.
+// A flip makes no flatter triangle, in chart units: an edge through a vertex, but for rounding, would
+// return.
 constexpr int64_t kFlattest = 2;
 // Initial capacity of lists, as a multiple of their size: copying a list that grows would be a long pause.
 constexpr size_t kRoom = 4;

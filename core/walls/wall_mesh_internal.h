@@ -48,11 +48,9 @@ class WallMesh {
     Vec3 at{0};  // m
     ChartVertex chart;
   };
-  // Returns the deviation of an edge from the surface (m); 0 if it may stay. The x of the ends may lie
-  // beyond the width of the strip.
+  // Deviation of an edge from the surface (m); 0 if it may stay. The x of the ends may exceed the width.
   using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
-  // Returns the position of a vertex in the middle of an edge from its place in the chart; nullopt if the
-  // edge must not be split.
+  // Position of a vertex in the middle of an edge, from its place in the chart; nullopt forbids the split.
   using Middle = std::function<std::optional<Vec3>(const ChartVertex& middle)>;
 
   // Edges may deviate by `most` metres. Precondition: the triangles are those of a ChartRegion of this
@@ -65,8 +63,8 @@ class WallMesh {
   // interpolation, 1977). So long triangles along the beam on a bent wall need no further vertices.
   Resumable<Done> improve();
 
-  // Splits every inner edge that deviates and for which `middle` returns a vertex, including new edges, and
-  // improves the surrounding triangles.
+  // Splits every inner edge, old or new, that deviates and has a `middle`, and improves the triangles
+  // around.
   Resumable<Done> refine(const Middle& middle);
 
   // Splits long sides of thin triangles, longest first, and improves the surrounding triangles, so that
@@ -76,8 +74,7 @@ class WallMesh {
   // most `least` metres stay; the positions must be as exact as the chart.
   Resumable<Done> grade(double least, const Middle& middle);
 
-  // Splits the inner edges between two of the first `fixed` vertices for which `splits` holds, at the
-  // position returned by `middle`.
+  // Splits, at `middle`, the inner edges between two of the first `fixed` vertices for which `splits` holds.
   Resumable<Done> split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                                 const Middle& middle);
 
@@ -90,8 +87,7 @@ class WallMesh {
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
   static constexpr std::array<double, 3> kUnknown{-1, -1, -1};
-  // Side of a triangle from its corner `side` to the next one. `from` and `to` detect whether it is
-  // unchanged.
+  // Side of a triangle from its corner `side` to the next; `from` and `to` detect whether it is unchanged.
   struct Edge {
     uint32_t triangle = 0, side = 0, from = 0, to = 0;
   };

@@ -114,8 +114,7 @@ Resumable<std::optional<ChartRegion::Winding>> untangle(
 
 namespace {
 
-// Angle between two corners of the end of a wall, seen from the centre of an arc: their chord deviates from
-// it by kRimChord.
+// Angle of a chord between corners of a wall's end, from the arc's centre: it deviates by kRimChord.
 constexpr double kTurnOfEnd = 0.0979;
 
 }  // namespace

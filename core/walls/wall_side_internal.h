@@ -31,8 +31,7 @@ class SideChart {
   static ChartVertex middle(const ChartVertex& from, const ChartVertex& to);
 
  private:
-  // For beams through an apex, straight lines are straight in the chart if depth is measured by its
-  // reciprocal.
+  // With an apex, straight lines are straight in the chart if depth is measured by its reciprocal.
   double height(double depth) const { return chart_->parallel() ? -depth : 1 / depth; }
   double depth(double height) const { return chart_->parallel() ? -height : 1 / height; }
 

@@ -98,8 +98,7 @@ struct Clustering {
 // along the largest extent of their midpoints. Deterministic. O(n log^2 n).
 Clustering make_clusters(std::span<const std::array<Vec3, 2>> segments);
 
-// Occupied cells of a coarse grid over a box: rejects most queries in empty space at the cost of a few
-// bits. Initially empty.
+// Occupied cells of a coarse grid over a box: rejects most queries in empty space cheaply. Initially empty.
 class Occupancy {
  public:
   Occupancy() = default;
@@ -108,8 +107,8 @@ class Occupancy {
 
   // Marks all cells that a box meets; ignores its part outside the bounds. O(cells of the box).
   void add(const Box& box);
-  // Returns true if the box meets a marked cell, hence whenever it meets an added box. Precondition: the
-  // box is not empty. O(cells of the box).
+  // Returns true if a non-empty box meets a marked cell, hence if it meets an added box. O(cells of the
+  // box).
   bool meets(const Box& box) const;
 
  private:

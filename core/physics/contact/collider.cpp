@@ -171,8 +171,7 @@ std::vector<Collider::Chord> chords_of(const Lines& lines, double error, size_t 
   return chords;
 }
 
-// Returns the vertices at the ends of chords: a sheet passes through another with one of them first, or
-// edge by edge.
+// Returns the vertices at ends of chords: a sheet passes through another there first, or edge by edge.
 std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const Mesh& mesh,
                               const std::vector<VertexId>& on_lines) {
   std::vector<Vec3> ends;

@@ -7,8 +7,7 @@
 
 namespace kerf {
 
-// Contact features of a body in addition to its faces: points and straight chords of its sheet, in the body
-// frame (m).
+// Contact features of a body besides its faces: points and straight chords of its sheet, in its frame (m).
 struct Collider {
   struct Point {
     Vec3 at{0};

@@ -77,8 +77,7 @@ void reduce_contacts(std::vector<Contact>& contacts) {
 
 namespace {
 
-// Returns the positions of contacts on a plane, along the longest distance from one of them and across it,
-// relative to their extents.
+// Returns positions of contacts on a plane, along the longest distance and across it, relative to extents.
 std::vector<Vec3> places_on_plane(const std::vector<Contact>& contacts, uint32_t from, const Vec3& up) {
   std::vector<Vec3> places;
   for (const Contact& c : contacts) {
@@ -95,8 +94,7 @@ std::vector<Vec3> places_on_plane(const std::vector<Contact>& contacts, uint32_t
   return places;
 }
 
-// Replaces each selected contact by the deepest of those whose positions are nearer to its own than to
-// those of the other selected ones.
+// Replaces each selected contact by the deepest of those nearer to it than to the other selected ones.
 void take_deepest_near(const std::vector<Contact>& contacts, const std::vector<Vec3>& places,
                        const Rank& rank, std::vector<uint32_t>& chosen) {
   std::vector<uint32_t> deepest = chosen;

@@ -18,8 +18,7 @@ void find_chord_contacts(const MovingBody& first, const MovingBody& second, cons
 // Finds the contacts of two bodies, at most 8: the deepest and then those farthest apart. Updates `memory`
 // and applies the impulses of the last tick from it.
 //
-// Sheets that intersect when they meet do not touch until they are apart; they are pushed out of each other
-// (see push_out).
+// Sheets that intersect when they meet touch only after they were apart; push_out() separates them.
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
                                    const ContactLengths& lengths, PairMemory& memory);
 

@@ -177,8 +177,8 @@ void try_between(const std::vector<Vec3>& ways, const std::vector<Vec3>& first,
   take_shorter(best, exit.way, exit.depth);
 }
 
-// Returns directions evenly over a hemisphere, on a spiral (E. Saff, A. Kuijlaars: Distributing many points
-// on a sphere, 1997).
+// Returns directions over a hemisphere, on a spiral (Saff, Kuijlaars: Distributing many points on a sphere,
+// 1997).
 std::vector<Vec3> spread_ways() {
   constexpr int kWays = 48;
   constexpr double kTurnCosine = -0.7373688780783197, kTurnSine = 0.6754902942615238;  // of the golden angle

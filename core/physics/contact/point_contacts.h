@@ -7,7 +7,7 @@
 #include "core/world/rigid_body.h"
 
 namespace kerf {
-// The plane of a face that a ray met.
+
 // The plane of a face that a ray met.
 struct FacePlane {
   Vec3 at{0};      // intersection point
@@ -39,8 +39,7 @@ Collider::Point point_of(const Collider& collider, uint32_t point);
 // Returns the chord on which a point lies. Precondition: is_on_chord(point).
 const Collider::Chord& chord_of(const Collider& collider, uint32_t point);
 
-// Adds the guards of one body that meet faces of the other on their way to `memory`, that of the points of
-// `points` on `faces`.
+// Adds guards that meet faces of the other body on their way to `memory` (of `points` on `faces`).
 void remember_passing_guards(const MovingBody& points, const MovingBody& faces,
                              std::vector<PointMemory>& memory);
 

@@ -10,8 +10,7 @@
 
 namespace kerf {
 
-// Mass properties of a body and its principal frame: the centre of mass, and the axes along which its
-// inertia is diagonal.
+// Mass properties of a body and its principal frame: centre of mass and principal axes of inertia.
 struct RigidFrame {
   double mass = 0;              // kg
   Vec3 centre{0};               // in the body frame [m]

@@ -377,7 +377,7 @@ void add_exceptions(py::module_& m) {
 }  // namespace
 
 PYBIND11_MODULE(_kerf, m) {
-  m.doc() = "Kerf: a laser drills through any triangle mesh.";
+  m.doc() = "Kerf: cuts triangle meshes with a laser.";
   m.attr("__version__") = kerf_version();
   m.attr("__name__") = "kerf";  // the module that exports the classes, for their names
   add_exceptions(m);

@@ -48,7 +48,7 @@ struct MissingKey {
 constexpr MissingKey always_written(double value) { return {value, true}; }
 constexpr MissingKey added_later(double value) { return {value, false}; }
 
-// A number of a saved type, as shared by its readers, its writers and its row in a panel.
+// A number of a saved type, as its readers and writers share it.
 template <typename Owner>
 struct NumberField {
   const char* name;  // of the member, and in assets/materials.json
@@ -56,11 +56,6 @@ struct NumberField {
   double Owner::*member;
   NumberRange range;
   MissingKey missing;
-  // Row in the panel, in units of `scale`; no row without a label.
-  const char* label = nullptr;
-  double scale = 1;
-  const char* format = "";   // with the displayed unit
-  const char* meaning = "";  // tooltip
 };
 
 }  // namespace kerf

@@ -12,34 +12,22 @@ namespace kerf {
 // Temperature of the environment and of everything that was never heated (K).
 inline constexpr double kAmbient = 293;
 
-// The constants of a material, one row each: the member of Substance, key and limits in scenes, journals and
-// assets/materials.json, and the row in the Material panel. Columns:
-//   member, key in scenes and journals, default (mild steel), value of a missing key, minimum, maximum,
-//   unit, and for the panel: label (null: not shown), size of the displayed unit, format, tooltip
+// The constants of a material, one row each. Columns:
+//   member of Substance, key in scenes, journals and assets/materials.json, default (mild steel), value of a
+//   missing key, minimum, maximum, unit
 // A missing key of a newer constant reproduces Kerf's behaviour before it existed: added_later(X).
-#define KERF_SUBSTANCE(ROW)                                                                                  \
-  ROW(density, "material-density", 7850, always_written(7850), 1e-3, 1e6, "kg/m^3", "Density", 1,            \
-      "%.5g kg/m\xc2\xb3", "Mass per volume of the material.")                                               \
-  ROW(heat_solid, "heat-solid", 620, always_written(620), 1e-3, 1e6, "J/(kg K)", "Heat, solid", 1,           \
-      "%.4g J/(kg K)", "Specific heat below the transition.")                                                \
-  ROW(heat_liquid, "heat-liquid", 820, always_written(820), 1e-3, 1e6, "J/(kg K)", "Heat, liquid", 1,        \
-      "%.4g J/(kg K)", "Specific heat above the transition.")                                                \
-  ROW(conductivity, "conductivity", 45, always_written(45), 0, 1e6, "W/(m K)", "Conductivity", 1,            \
-      "%.4g W/(m K)", "Thermal conductivity, a mean over temperature.")                                      \
-  ROW(transition, "transition", 1800, always_written(1800), kAmbient + 1, 1e5, "K", "Melts at", 1, "%.4g K", \
-      "Temperature of melting or decomposition; removal takes the latent heat in addition.")                 \
-  ROW(latent, "latent", 270e3, always_written(270e3), 0, 1e9, "J/kg", "Latent heat", 1000, "%.4g kJ/kg",     \
-      "Heat of fusion, or the remaining heat of ablation.")                                                  \
-  ROW(emissivity, "emissivity", 0.8, always_written(0.8), 0, 1, "", "Emissivity", 1, "%.3g",                 \
-      "0 to 1: radiation of both sides relative to a black body.")                                           \
-  ROW(absorptivity_fibre, "absorptivity-fibre", 0.33, always_written(0.33), 0, 1, "", "Absorbs, fibre", 1,   \
-      "%.3g", "0 to 1: the absorbed share of a beam of 1.07 \xc2\xb5m.")                                     \
-  ROW(absorptivity_co2, "absorptivity-co2", 0.1, always_written(0.1), 0, 1, "", "Absorbs, CO2", 1, "%.3g",   \
-      "0 to 1: the absorbed share of a beam of 10.6 \xc2\xb5m.")                                             \
-  ROW(burnt_share, "burnt-share", 0.4, added_later(0), 0, 1, "", "Burns", 1, "%.3g",                         \
-      "0 to 1: the share of the kerf that burns with oxygen as the assist gas.")                             \
-  ROW(wavelength, "wavelength", 1.07e-6, always_written(1.07e-6), 1e-9, 1, "m", nullptr, 1, "",              \
-      "Wavelength with which the material is usually cut.")
+#define KERF_SUBSTANCE(ROW)                                                                         \
+  ROW(density, "material-density", 7850, always_written(7850), 1e-3, 1e6, "kg/m^3")                 \
+  ROW(heat_solid, "heat-solid", 620, always_written(620), 1e-3, 1e6, "J/(kg K)")                    \
+  ROW(heat_liquid, "heat-liquid", 820, always_written(820), 1e-3, 1e6, "J/(kg K)")                  \
+  ROW(conductivity, "conductivity", 45, always_written(45), 0, 1e6, "W/(m K)")                      \
+  ROW(transition, "transition", 1800, always_written(1800), kAmbient + 1, 1e5, "K")                 \
+  ROW(latent, "latent", 270e3, always_written(270e3), 0, 1e9, "J/kg")                               \
+  ROW(emissivity, "emissivity", 0.8, always_written(0.8), 0, 1, "")                                 \
+  ROW(absorptivity_fibre, "absorptivity-fibre", 0.33, always_written(0.33), 0, 1, "") /* 1.07 um */ \
+  ROW(absorptivity_co2, "absorptivity-co2", 0.1, always_written(0.1), 0, 1, "")       /* 10.6 um */ \
+  ROW(burnt_share, "burnt-share", 0.4, added_later(0), 0, 1, "")                                    \
+  ROW(wavelength, "wavelength", 1.07e-6, always_written(1.07e-6), 1e-9, 1, "m")
 
 // The constants that determine the heat needed to remove a material: means over the temperature range, by
 // default of mild steel. Precondition of its use: density, heat_solid, heat_liquid are positive, transition >
@@ -57,8 +45,8 @@ struct Substance {
   friend bool operator==(const Substance&, const Substance&) = default;
 };
 
-#define KERF_FIELD(member, key, initial, missing, least, most, unit, ...) \
-  {#member, key, &Substance::member, {least, most, unit}, missing, __VA_ARGS__},
+#define KERF_FIELD(member, key, initial, missing, least, most, unit) \
+  {#member, key, &Substance::member, {least, most, unit}, missing},
 inline constexpr NumberField<Substance> kSubstanceFields[] = {KERF_SUBSTANCE(KERF_FIELD)};
 #undef KERF_FIELD
 constexpr const NumberField<Substance>& substance_field(double Substance::*member) {

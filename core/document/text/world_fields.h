@@ -17,15 +17,8 @@ void describe(Fields& f, Placement& placement);  // "position" and "orientation"
 // "piece": [slot, generation, label].
 void piece_field(Fields& f, PieceId& piece);
 
-inline constexpr NumberField<Sheet> kThickness{"thickness",
-                                               "thickness",
-                                               &Sheet::thickness,
-                                               {1e-9, 1e3, "m", true},
-                                               always_written(0.001),
-                                               "Thickness",
-                                               0.001,
-                                               "%.4g mm",
-                                               "Determines the mass and the heat capacity of the sheet."};
+inline constexpr NumberField<Sheet> kThickness{
+    "thickness", "thickness", &Sheet::thickness, {1e-9, 1e3, "m", true}, always_written(0.001)};
 inline constexpr NumberField<Sheet> kDensity{
     "density", "density", &Sheet::density, {1e-3, 1e6, "kg/m^3", true}, always_written(7850)};
 

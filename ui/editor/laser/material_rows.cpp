@@ -226,6 +226,46 @@ std::optional<bool> SolidRow::draw(const Workspace& workspace, const PieceId& pi
 
 namespace {
 
+// A row of the panel, in units of `scale`.
+struct NumberRow {
+  const char* label;
+  double scale;
+  RealFormat format;
+  const char* tooltip;
+};
+
+constexpr NumberRow kThicknessRow{"Thickness", 0.001, "%.4g mm",
+                                  "Determines the mass and the heat capacity of the sheet."};
+constexpr NumberRow kDensityRow{"Density", 1, "%.5g kg/m\xc2\xb3", "Mass per volume of the material."};
+
+struct ConstantRow {
+  double Substance::*member;
+  NumberRow row;
+};
+constexpr std::array kConstantRows{
+    ConstantRow{&Substance::heat_solid,
+                {"Heat, solid", 1, "%.4g J/(kg K)", "Specific heat below the transition."}},
+    ConstantRow{&Substance::heat_liquid,
+                {"Heat, liquid", 1, "%.4g J/(kg K)", "Specific heat above the transition."}},
+    ConstantRow{&Substance::conductivity,
+                {"Conductivity", 1, "%.4g W/(m K)", "Thermal conductivity, a mean over temperature."}},
+    ConstantRow{&Substance::transition,
+                {"Melts at", 1, "%.4g K",
+                 "Temperature of melting or decomposition; removal takes the latent heat in addition."}},
+    ConstantRow{&Substance::latent,
+                {"Latent heat", 1000, "%.4g kJ/kg", "Heat of fusion, or the remaining heat of ablation."}},
+    ConstantRow{&Substance::emissivity,
+                {"Emissivity", 1, "%.3g", "0 to 1: radiation of both sides relative to a black body."}},
+    ConstantRow{&Substance::absorptivity_fibre,
+                {"Absorbs, fibre", 1, "%.3g", "0 to 1: the absorbed share of a beam of 1.07 \xc2\xb5m."}},
+    ConstantRow{&Substance::absorptivity_co2,
+                {"Absorbs, CO2", 1, "%.3g", "0 to 1: the absorbed share of a beam of 10.6 \xc2\xb5m."}},
+    ConstantRow{
+        &Substance::burnt_share,
+        {"Burns", 1, "%.3g", "0 to 1: the share of the kerf that burns with oxygen as the assist gas."}}};
+static_assert(kConstantRows.size() + 2 == std::size(kSubstanceFields),
+              "the density and the wavelength have no row here");
+
 // What the user has chosen or typed.
 struct MaterialChange {
   std::optional<Sheet> sheet;
@@ -244,7 +284,7 @@ class MaterialPanel {
   bool draw_numbers(Sheet& sheet);
   bool draw_constants(Substance& substance);
   template <typename Owner>
-  bool number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner);
+  bool number(const NumberField<Owner>& field, const NumberRow& row, Owner& owner);
 
   NumberFields fields_;
   SolidRow solid_;
@@ -261,16 +301,16 @@ std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view)
   return PieceId{bodies.front(), 0};
 }
 
-// What is typed is limited to what a journal can hold. Lengths are saved in metres.
+// Typed numbers are clamped to the limits of a journal. Lengths are saved in metres.
 template <typename Owner>
-bool MaterialPanel::number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner) {
-  double shown = owner.*field.member / field.scale;
+bool MaterialPanel::number(const NumberField<Owner>& field, const NumberRow& row, Owner& owner) {
+  double shown = owner.*field.member / row.scale;
   const bool is_length = std::string_view(field.range.unit) == "m";
-  const NumberUnit unit{is_length ? Quantity::kLength : Quantity::kPlain, field.scale};
-  const NumberRange range{field.range.least / field.scale, field.range.most / field.scale};
-  if (!fields_.number(field.label, shown, format, field.meaning, is_length ? unit : NumberUnit(), range))
+  const NumberUnit unit{is_length ? Quantity::kLength : Quantity::kPlain, row.scale};
+  const NumberRange range{field.range.least / row.scale, field.range.most / row.scale};
+  if (!fields_.number(row.label, shown, row.format, row.tooltip, is_length ? unit : NumberUnit(), range))
     return false;
-  owner.*field.member = std::clamp(shown * field.scale, field.range.least, field.range.most);
+  owner.*field.member = std::clamp(shown * row.scale, field.range.least, field.range.most);
   return true;
 }
 
@@ -300,22 +340,15 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
   return changed;
 }
 
-// The compiler checks the formats, so that the rows are unrolled.
 bool MaterialPanel::draw_constants(Substance& substance) {
   bool changed = false;
-  const auto row = [&](const NumberField<Substance>& field, const RealFormat& format) {
-    if (field.label == nullptr || field.member == &Substance::density) return;
-    changed |= number(field, format, substance);
-  };
-  [&]<size_t... i>(std::index_sequence<i...>) { (row(kSubstanceFields[i], kSubstanceFields[i].format), ...); }
-  (std::make_index_sequence<std::size(kSubstanceFields)>());
+  for (const auto& [member, row] : kConstantRows) changed |= number(substance_field(member), row, substance);
   return changed;
 }
 
 bool MaterialPanel::draw_numbers(Sheet& sheet) {
-  bool changed = number(kThickness, kThickness.format, sheet);
-  constexpr const NumberField<Substance>& kDensityOfMaterial = substance_field(&Substance::density);
-  if (number(kDensityOfMaterial, kDensityOfMaterial.format, sheet.substance)) {
+  bool changed = number(kThickness, kThicknessRow, sheet);
+  if (number(substance_field(&Substance::density), kDensityRow, sheet.substance)) {
     sheet.density = sheet.substance.density;
     changed = true;
   }

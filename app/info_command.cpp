@@ -1,8 +1,8 @@
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/material_table.h"
 #include "core/document/text/fields.h"

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/document/cut_effects.h"
 #include "core/document/replay.h"
 #include "core/document/single_step.h"

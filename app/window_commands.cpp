@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
 #include "app/console.h"
+#include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/input_files.h"
 #include "core/document/text/hash.h"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/json.h"
 #include "core/cut/cut_step.h"
 #include "core/document/extract.h"
 #include "core/mesh/mesh_file.h"

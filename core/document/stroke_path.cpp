@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "core/base/tick.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json.h"

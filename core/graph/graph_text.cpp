@@ -1,9 +1,10 @@
 #include "core/graph/graph_text.h"
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+
+#include "core/base/json.h"
 
 namespace kerf {
 

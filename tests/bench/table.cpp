@@ -3,7 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
+
+#include "core/base/json.h"
 
 namespace kerf::bench {
 

@@ -1,9 +1,9 @@
 #include "ui/editor/editor.h"
 
-#include <nlohmann/json.hpp>
 #include <random>
 #include <utility>
 
+#include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/save.h"
 #include "core/game/vehicle/vehicle.h"

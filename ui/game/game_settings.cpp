@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
+#include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/text/json.h"
 #include "ui/window/kept_fields.h"

@@ -114,7 +114,7 @@ Film::Film(OffscreenRenderer renderer, FilmOptions options, const World::Bounds&
 Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
   KERF_ASSERT(options.frames_per_second > 0);
   auto renderer = OffscreenRenderer::open(scene, options.picture);
-  if (!made) return made.error();
+  if (!renderer) return renderer.error();
 
   Film film(std::move(*renderer), std::move(options), scene.world.bounds());
   if (const Status rested = film.pass(kRest, scene.world, std::nullopt); !rested) return rested.error();

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
+#include "core/base/json.h"
 #include "core/base/result.h"
 
 namespace kerf {

@@ -3,9 +3,9 @@
 #include <imgui.h>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/base/platform.h"
 
 namespace kerf {

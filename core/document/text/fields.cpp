@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "core/base/deterministic_math.h"
 #include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "core/base/version.h"
 #include "core/document/text/json.h"
 #include "core/document/text/nearest_name.h"

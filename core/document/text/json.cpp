@@ -5,13 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
+#include "core/base/json.h"
 #include "core/mesh/files/mesh_format.h"
 
 namespace kerf {

@@ -2,14 +2,13 @@
 
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
-#include <nlohmann/json.hpp>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "core/base/result.h"
 
 namespace kerf {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/base/random.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/hash.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/json.h"
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/encode.h"
 #include "core/mesh/files/gltf_file_internal.h"

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "core/base/result.h"
 #include "core/mesh/files/vertex_colour.h"
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/json.h"
 #include "core/document/journal.h"
 #include "core/document/journal_text.h"
 #include "core/document/scene_text.h"

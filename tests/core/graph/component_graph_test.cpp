@@ -1,9 +1,9 @@
+#include "core/base/json.h"
 #include "core/graph/component_graph.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 

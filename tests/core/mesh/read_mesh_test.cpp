@@ -1,3 +1,4 @@
+#include "core/base/json.h"
 #include "core/mesh/mesh_file.h"
 
 #include <gtest/gtest.h>
@@ -5,7 +6,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/core/mesh/files/sample_files.h"

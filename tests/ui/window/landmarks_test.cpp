@@ -1,10 +1,10 @@
+#include "core/base/json.h"
 #include "ui/window/layout.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/temporary_folder.h"
 

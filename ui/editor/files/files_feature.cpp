@@ -1,8 +1,7 @@
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 
 #include <imgui.h>
-
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"

@@ -1,9 +1,9 @@
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"

@@ -1,8 +1,8 @@
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "ui/editor/files/tour.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "ui/editor/inspect/graph_state.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/file_frames.h"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/base/platform.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"

@@ -1,9 +1,9 @@
+#include "core/base/json.h"
 #include "ui/editor/inspect/scalar_map.h"
 
 #include <imgui.h>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/features.h"

@@ -1,9 +1,9 @@
 #include "ui/editor/laser/comparison_cut.h"
 
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/file_frames.h"

@@ -1,3 +1,4 @@
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 
 #include <imgui.h>
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/base/deterministic_math.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/cut/cut_step.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"

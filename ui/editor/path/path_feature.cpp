@@ -1,10 +1,9 @@
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 
 #include <imgui.h>
 
 #include <GLFW/glfw3.h>
-
-#include <nlohmann/json.hpp>
 
 #include "core/document/save.h"
 #include "core/document/stroke_path.h"

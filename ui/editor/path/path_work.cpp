@@ -1,10 +1,10 @@
 #include "ui/editor/path/path_work.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "core/document/stroke_path.h"
 #include "ui/render/passes/beam_effects.h"
 

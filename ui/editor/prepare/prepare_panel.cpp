@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/mesh/remesh/openmesh_tools.h"
 #include "ui/editor/prepare/preparation.h"
 #include "ui/editor/shared/command_labels.h"

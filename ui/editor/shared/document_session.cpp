@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/document.h"
 #include "core/document/execution.h"

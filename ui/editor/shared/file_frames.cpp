@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/document/commands.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/shared/command_labels.h"

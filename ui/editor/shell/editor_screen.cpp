@@ -2,10 +2,10 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "ui/editor/shell/action_menus.h"
 #include "ui/editor/shell/mouse_input.h"
 #include "ui/editor/shell/panel_column.h"

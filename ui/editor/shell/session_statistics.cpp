@@ -2,11 +2,11 @@
 
 #include <imgui.h>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/document/cut_effects.h"
 #include "core/document/text/hash.h"
 #include "core/world/world.h"

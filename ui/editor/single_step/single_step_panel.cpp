@@ -2,9 +2,9 @@
 
 #include <imgui.h>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/single_step/stage_cut.h"

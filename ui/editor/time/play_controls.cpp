@@ -2,11 +2,11 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/document/text/json.h"
 #include "core/world/heat_flow.h"
 #include "core/world/rigid_body.h"

@@ -3,10 +3,10 @@
 #include <imgui.h>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 #include "ui/editor/shared/gizmo.h"
 #include "ui/editor/shared/panel_rows.h"

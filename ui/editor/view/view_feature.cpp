@@ -1,3 +1,4 @@
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 
 #include <imgui.h>
@@ -5,7 +6,6 @@
 #include <GLFW/glfw3.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
 #include "ui/editor/shared/gizmo.h"

@@ -1,8 +1,7 @@
+#include "core/base/json.h"
 #include "core/document/material_table.h"
 
 #include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 
 #include "core/document/text/json.h"
 #include "tests/support/checkout.h"

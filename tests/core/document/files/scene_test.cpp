@@ -1,9 +1,9 @@
+#include "core/base/json.h"
 #include "core/document/scene.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/document/save.h"
 #include "core/mesh/mesh_file.h"

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "core/base/json.h"
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/document/journal_text.h"

@@ -1,9 +1,9 @@
+#include "core/base/json.h"
 #include "core/document/text/fields.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "core/document/text/json.h"
 

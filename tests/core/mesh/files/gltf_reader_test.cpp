@@ -1,10 +1,10 @@
+#include "core/base/json.h"
 #include "core/mesh/files/readers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/base/random.h"
 #include "core/mesh/files/bytes.h"

@@ -1,8 +1,7 @@
+#include "core/base/json.h"
 #include "ui/editor/path/emitter.h"
 
 #include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 
 namespace kerf {
 namespace {

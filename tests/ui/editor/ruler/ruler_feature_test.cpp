@@ -1,9 +1,8 @@
+#include "core/base/json.h"
 #include "ui/editor/shared/features.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"

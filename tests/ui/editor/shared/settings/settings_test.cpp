@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/json.h"
 #include "ui/editor/shared/settings.h"
 
 namespace kerf {

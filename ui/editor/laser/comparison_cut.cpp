@@ -18,7 +18,8 @@ namespace kerf {
 
 namespace {
 
-// The world that the first's last stroke began with, or as it is where nothing was cut; none: too large.
+// Returns the world before the last stroke of `first`, or its current world if it has no stroke; nullopt if
+// it is too large to copy.
 std::optional<World> world_to_cut(Document& first) {
   if (first.history().last_cut()) return first.before_last_stroke();
   if (first.world().live_faces() > Document::kMaxFacesToCopy) return std::nullopt;
@@ -55,7 +56,7 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
       start->settings = first.history().last_settings();
       start->settings.resolution = resolution_;
     }
-    // Time stands still in the twin.
+    // The twin skips commands that let time pass.
     const bool in_time = std::visit([]<typename C>(const C&) { return TimedCommand<C>; }, command);
     if (in_time) continue;
     const Outcome applied = document_.apply(command);
@@ -67,7 +68,7 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
 
 namespace {
 
-constexpr size_t kMovesOfTwin = 16;  // in a step
+constexpr size_t kMovesOfTwin = 16;  // per step
 
 std::string resolution_text(const Resolution& r, FileUnit unit) {
   if (r.rule == Resolution::Rule::kTargetEdge) return "Edges of " + length_label(r.target_edge, unit);
@@ -75,7 +76,7 @@ std::string resolution_text(const Resolution& r, FileUnit unit) {
   return r.depth == 0 ? "Whole faces" : "Depth " + std::to_string(r.depth);
 }
 
-// What a half shows, in its upper left corner.
+// Draws two lines of text in the upper left corner of a half.
 void draw_half_label(const Area& half, const std::string& what, const std::string& faces, ImDrawList& list) {
   const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
   const float x = static_cast<float>(half.at.x) + em, y = static_cast<float>(half.at.y) + em;
@@ -92,7 +93,7 @@ class SplitFeature : public Feature {
  public:
   explicit SplitFeature(Workspace& workspace) : workspace_(workspace) {
     workspace.time_holds.push_back(
-        [this] { return shown_ ? "Bodies stand still in the split view." : nullptr; });
+        [this] { return shown_ ? "Bodies do not move in the split view." : nullptr; });
   }
 
   std::vector<Panel> panels() override {
@@ -103,7 +104,7 @@ class SplitFeature : public Feature {
              "View",
              {UserAction{.name = "Split view",
                          .shortcut = "S",
-                         .tip = "The last stroke at a second resolution, in a right half of the picture.",
+                         .tip = "Shows the last cut at a second resolution in the right half.",
                          .run = [this] { show(!shown_); },
                          .checked = [this] { return shown_; }}}}};
   }
@@ -117,7 +118,7 @@ class SplitFeature : public Feature {
   }
 
  private:
-  // A stroke by hand ends.
+  // Ends a stroke that is being drawn.
   void show(bool shown) {
     cancel_stroke(workspace_);
     shown_ = shown;
@@ -154,7 +155,7 @@ void SplitFeature::after_queue(double) {
   workspace_.view.picture_old = workspace_.statistics.world_changed = true;
 }
 
-// Returns whether anything was queued, or the world is another one.
+// Returns true if anything was queued, or if the world was replaced.
 bool SplitFeature::cut(Renderer& renderer) {
   const bool anew = twin_.follow(workspace_.work.document, resolution_);
   if (anew) workspace_.changes.show_world(twin_.world(), renderer);
@@ -163,7 +164,7 @@ bool SplitFeature::cut(Renderer& renderer) {
     const Result<StepResult> step = twin_.step(kMovesOfTwin);
     if (!step) {
       renderer.resend(twin_.world());
-      workspace_.message.say("In the right half: " + step.error().message, true);
+      workspace_.message.say("Right view: " + step.error().message, true);
       break;
     }
     renderer.follow(twin_.world(), step->delta);
@@ -180,14 +181,14 @@ void SplitFeature::draw_rows() {
   if (ImGui::Checkbox((with_shortcut(workspace_.view, "two resolutions", "Split view") + "###split").c_str(),
                       &shown))
     show(shown);
-  tooltip("The last stroke once more beside the picture, at a resolution of its own.");
+  tooltip("Shows the last cut at a second resolution in the right half of the viewport.");
   if (shown_) {
     property("Right half");
     ImGui::Dummy({1, ImGui::GetFrameHeight()});
     if (resolution_rows(resolution_, {workspace_.laser.radius, workspace_.view.frame.unit}))
       workspace_.view.picture_old = true;
     figure_row("Faces", grouped(workspace_.statistics.shown.twin_faces),
-               "Faces of all bodies in the right half.");
+               "Faces of all bodies in the right view.");
   }
   end_properties();
 }
@@ -206,7 +207,7 @@ void SplitFeature::draw_overlay(ImDrawList& list) {
       count_text(workspace_.statistics.shown.faces, "face"), list);
   draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
                   twin_.there() ? count_text(workspace_.statistics.shown.twin_faces, "face")
-                                : "Too large to be cut twice (more than 400 000 faces)",
+                                : "Too large to compare (more than 400 000 faces)",
                   list);
   const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
   list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);

@@ -36,8 +36,7 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
   const double low = laser.default_radius / LaserControls::kRadiusSpan / unit.metres;
   const double high = laser.default_radius * LaserControls::kRadiusSpan / unit.metres;
   constexpr const char* kMeaning =
-      "Half the width of the cut. Ctrl+click to type a number, right click for the default. The last stroke "
-      "follows while \"as the slider moves\" is on in the Resolution panel.";
+      "Half the width of the cut. Ctrl+click to type a number, right-click for the default.";
   if (real_slider({"Radius", "##radius", kMeaning, true}, shown, low, high, "%.3g ", length_unit(unit.name)))
     laser.radius = shown * unit.metres;
   mark_last_item("radius");
@@ -46,12 +45,11 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
 }
 
 void pattern_row(LaserControls& laser) {
-  choice_row(
-      "Pattern", "##pattern", laser.pattern, "Volume\0Four rays\0", "pattern",
-      "Volume burns everything in the beam. Four rays burns only what four parallel rays on its rim meet.");
+  choice_row("Pattern", "##pattern", laser.pattern, "Volume\0Four rays\0", "pattern",
+             "Volume removes everything in the beam, Four rays only what four parallel rays on its rim hit.");
 }
 
-// Draws the radius and the pattern of the beam. Returns whether the radius was changed.
+// Draws radius and pattern of the beam. Returns true if the radius was changed.
 bool draw_laser_panel(LaserControls& laser, FileUnit unit) {
   if (!begin_properties("laser")) return false;
   const bool changed = radius_row(laser, unit);
@@ -64,7 +62,7 @@ constexpr const char* kLaserTool = "Laser";
 constexpr double kRadiusStep = 1.25;
 constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 
-// The stroke that is drawn by hand.
+// A stroke drawn with the mouse.
 class DrawnStroke : public Interaction {
  public:
   DrawnStroke(Workspace& workspace, double heard) : workspace_(workspace) {
@@ -82,31 +80,31 @@ class DrawnStroke : public Interaction {
   }
   bool over() const override { return !workspace_.beam.cutting(); }
   bool cuts() const override { return true; }
-  const char* words() const override { return "Cutting: release to end, Esc ends"; }
+  const char* words() const override { return "Cutting... release to finish, Esc to stop"; }
 
  private:
   Workspace& workspace_;
 };
 
 const char* why_no_recut(const Document& document) {
-  if (!document.history().last_cut()) return "Nothing is cut yet.";
-  if (document.execution().in_stroke()) return "A stroke is being cut.";
-  return document.can_recut() ? nullptr : "What was before the last stroke is no longer remembered.";
+  if (!document.history().last_cut()) return "No cut yet.";
+  if (document.execution().in_stroke()) return "Finish or cancel the current cut first.";
+  return document.can_recut() ? nullptr : "The undo data of the last cut were discarded.";
 }
 
 std::string smallest_angle_text(double largest_cosine) {
-  if (largest_cosine < 0) return "no face is left of them";
+  if (largest_cosine < 0) return "none remain";
   return text_of("%.1f degrees", std::acos(largest_cosine) * 180 / kPi);
 }
 
 void stroke_rows(const std::optional<ShownStatistics::Stroke>& stroke, FileUnit unit) {
-  const std::string none = "nothing is cut";
+  const std::string none = "-";
   figure_row("Made", stroke ? grouped(stroke->statistics.faces_made) : none,
-             "Faces that splitting made in the last stroke.");
+             "Faces that the last cut created by splitting.");
   figure_row("Least angle", stroke ? smallest_angle_text(stroke->statistics.largest_cosine) : none,
-             "Smallest angle of all faces that the last stroke made and left.");
+             "Smallest angle of the remaining faces that the last cut created.");
   figure_row("Removed", stroke ? area_label(stroke->removed_area, unit) : none,
-             "Area that the last stroke has taken away.");
+             "Area that the last cut removed.");
 }
 
 class LaserFeature : public Feature {
@@ -121,7 +119,7 @@ class LaserFeature : public Feature {
             {"Resolution", Tab::kCut, 400, true, [this] { draw_resolution(); }}};
   }
   std::vector<ActionGroup> actions() override {
-    return {{300, "Tool", {tool_action(workspace_, kLaserTool, "L", "Left drag cuts.")}},
+    return {{300, "Tool", {tool_action(workspace_, kLaserTool, "L", "Left-drag to cut.")}},
             {304, "Tool", {recut_action()}},
             {1000, "Laser", laser_actions()}};
   }
@@ -134,8 +132,8 @@ class LaserFeature : public Feature {
     return cancel_stroke(workspace_) || at_work;
   }
   const char* status_hint() const override {
-    return workspace_.cut_once ? "Laser: left drag cuts, Ctrl+click picks"
-                               : "Laser: left drag cuts, F1 shows all shortcuts";
+    return workspace_.cut_once ? "Laser: drag to cut, Ctrl+click to select"
+                               : "Laser: drag to cut, F1 for all shortcuts";
   }
 
   void update(double) override {
@@ -187,7 +185,7 @@ class LaserFeature : public Feature {
   CutProgress progress_;
   BeamSparks sparks_;
   WaitingStrokes waiting_;
-  bool recut_radius_ = false;  // the recut that was asked for is with the radius that is set now, too
+  bool recut_radius_ = false;  // the requested recut also uses the current radius
 };
 
 // Input
@@ -195,7 +193,7 @@ class LaserFeature : public Feature {
 
 std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press) {
   if (workspace_.opening.loader.busy()) {
-    workspace_.message.say("The laser waits until " + workspace_.opening.loader.order().name() + " is open.");
+    workspace_.message.say("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
     return nullptr;
   }
   stand_together(workspace_);
@@ -207,7 +205,7 @@ std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press)
   return stroke;
 }
 
-// A stroke that was drawn to its end stops at once, one that is being drawn when its cut lags behind.
+// A finished stroke can be stopped immediately, one that is being drawn only if its cut lags behind.
 bool LaserFeature::can_stop() const {
   const Execution& execution = workspace_.work.document.execution();
   if (workspace_.beam.cutting()) return progress_.can_stop();
@@ -217,7 +215,7 @@ bool LaserFeature::can_stop() const {
 UserAction LaserFeature::recut_action() {
   return {.name = "Cut the last stroke again",
           .shortcut = "R",
-          .tip = "At the resolution that is set now.",
+          .tip = "Recuts the last stroke at the current resolution.",
           .run = [this] { ask_for_recut(false); },
           .disabled_reason = [this] { return why_no_recut(workspace_.work.document); },
           .ends_group = true};
@@ -225,7 +223,7 @@ UserAction LaserFeature::recut_action() {
 
 UserAction LaserFeature::radius_action(const char* name, double factor) {
   return {.name = name,
-          .tip = "By a quarter. The last stroke follows while that is on in the Resolution panel.",
+          .tip = "Changes the beam radius by a quarter; with live update, the last stroke is recut.",
           .run =
               [this, factor] {
                 LaserControls& laser = workspace_.laser;
@@ -240,7 +238,7 @@ UserAction LaserFeature::radius_action(const char* name, double factor) {
 UserAction LaserFeature::finer_action(const char* name, int steps) {
   return {.menu = "Resolution",
           .name = name,
-          .tip = "Halves or doubles the size of the faces along the cut, or splits once more or less.",
+          .tip = "Halves or doubles the edge length along the cut, or changes the depth by one.",
           .run =
               [this, steps] {
                 make_finer(workspace_.laser.resolution, steps);
@@ -260,28 +258,29 @@ std::vector<UserAction> LaserFeature::laser_actions() {
   return {
       radius_action("Wider beam", kRadiusStep),
       radius_action("Narrower beam", 1 / kRadiusStep),
-      setting_action(nullptr, "Pattern: volume", "Burns everything in the beam.", pattern, Pattern::kVolume),
+      setting_action(nullptr, "Pattern: volume", "Removes everything in the beam.", pattern,
+                     Pattern::kVolume),
       setting_action(nullptr, "Pattern: four rays",
-                     "Burns only what four parallel rays on the rim of the beam meet.", pattern,
+                     "Removes only what four parallel rays on the rim of the beam hit.", pattern,
                      Pattern::kRays4),
       finer_action("Finer cut", 1),
       finer_action("Coarser cut", -1),
       choice("Split to edge length", resolution.rule, Rule::kTargetEdge,
-             "Faces are small enough when their edges are."),
+             "Splits faces until their edges are short enough."),
       choice("Split to tolerance", resolution.rule, Rule::kTolerance,
-             "Faces are small enough when what is removed overshoots the beam by no more than that."),
-      choice("Split to depth", resolution.rule, Rule::kDepth, "Faces are split so many times."),
+             "Splits faces until the removed area exceeds the beam by at most the tolerance."),
+      choice("Split to depth", resolution.rule, Rule::kDepth, "Splits faces a fixed number of times."),
       choice("Scheme: one to four", resolution.scheme, Scheme::kOneToFour,
-             "A face is split in four, as in the paper."),
+             "Splits a face into four, as in the paper."),
       choice("Scheme: longest edge", resolution.scheme, Scheme::kLongestEdge,
-             "A face is split in two at its longest edge."),
+             "Splits a face into two at its longest edge."),
       choice("Rim: faces", resolution.rim, Rim::kFaces,
-             "All that the beam touches goes, so the rim is a saw."),
+             "Removes every face the beam touches; the edge is jagged."),
       choice("Rim: smooth", resolution.rim, Rim::kSmooth,
-             "When the stroke ends, faces across the boundary of the beam are cut along it."),
+             "Cuts faces along the boundary of the beam when the stroke ends."),
       UserAction{.menu = "Resolution",
                  .name = "Cut again as the slider moves",
-                 .tip = "A change of the resolution or the radius cuts the last stroke again.",
+                 .tip = "Recuts the last stroke when the resolution or the radius changes.",
                  .run = [&live] { live = !live; },
                  .checked = [&live] { return live; },
                  .in_menu = false},
@@ -297,17 +296,14 @@ void LaserFeature::draw_resolution() {
   ImGui::BeginDisabled(disabled_reason != nullptr);
   if (ImGui::Button("Cut again", {-1, 0})) ask_for_recut(false);
   ImGui::EndDisabled();
-  const std::string meaning =
-      with_shortcut(workspace_.view, "Takes the last stroke back and cuts it at this resolution.",
-                    "Cut the last stroke again");
+  const std::string meaning = with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.",
+                                            "Cut the last stroke again");
   tooltip(disabled_reason != nullptr ? disabled_reason : meaning.c_str());
   property("");
   ImGui::Checkbox("as the slider moves", &workspace_.settings.live_recut);
-  tooltip(
-      "Moving a slider above, or that of the radius, cuts the last stroke again: the same cut, just with "
-      "different parameters.");
+  tooltip("Recuts the last stroke while a slider above, or that of the radius, moves.");
   if (changed) cut_again_live(false);
-  figure_row("Faces", grouped(workspace_.statistics.shown.faces), "Faces of all bodies as they stand.");
+  figure_row("Faces", grouped(workspace_.statistics.shown.faces), "Current faces of all bodies.");
   stroke_rows(workspace_.statistics.shown.stroke, workspace_.view.frame.unit);
   end_properties();
 }
@@ -320,8 +316,8 @@ void LaserFeature::ask_for_recut(bool radius) {
   workspace_.changes.ask("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
 }
 
-// Undoes the last stroke and queues it again at the resolution that is set now, and with `radius` with the
-// radius, too; its other settings stay. Consecutive recuts are one step of the history.
+// Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
+// radius; its other settings stay. Consecutive recuts share one history entry.
 void LaserFeature::recut(bool radius) {
   const Document& document = workspace_.work.document;
   if (why_no_recut(document) != nullptr) return;
@@ -333,18 +329,18 @@ void LaserFeature::recut(bool radius) {
   const bool again = last.kind() == HistoryStep::Kind::kRecut;
   if (again) commands.emplace_back(Undo{});
   commands.emplace_back(Recut{settings});
-  // The time that passed after the recut that is undone passes again.
+  // Queue the time again that had passed after the undone recut.
   if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
   workspace_.changes.change("Cut again", true, apply_all(std::move(commands)));
   ++workspace_.statistics.recuts;
 }
 
-// Ends the stroke that is being cut where it is, and takes back those that wait behind it.
+// Ends the current stroke at the beam, and drops the strokes queued after it.
 void LaserFeature::stop_cutting() {
   cancel_stroke(workspace_);
   workspace_.changes.change(
       "Stop cutting", true, [](Document& document, const Progress*) { return stop_strokes(document); },
-      "Stopped: the stroke ends here. Undo takes it back.");
+      "Stopped: the stroke ends here. Undo restores the uncut state.");
 }
 
 void LaserFeature::after_queue(double seconds) {
@@ -359,7 +355,7 @@ void LaserFeature::after_queue(double seconds) {
                   waiting_, changed, workspace_.view);
 }
 
-// As large as the cut would be where the pointer is.
+// Draws a ring with the width of the cut at the pointer.
 void LaserFeature::draw_ring(ImDrawList& list) const {
   const bool cuts = dynamic_cast<const DrawnStroke*>(workspace_.held.get()) != nullptr;
   if (!cuts && (!workspace_.points() || workspace_.tool != kLaserTool ||

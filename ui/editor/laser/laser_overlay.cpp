@@ -18,7 +18,7 @@
 namespace kerf {
 
 namespace {
-constexpr double kUnseen = 0.3;  // s, of work that is not told of
+constexpr double kUnseen = 0.3;  // s, before work is shown
 }
 
 CutProgress::Work CutProgress::work_of(const Document& document) {
@@ -52,12 +52,12 @@ std::string CutProgress::text() const {
       break;
     case Work::kCut: {
       const auto done = static_cast<double>(done_), all = static_cast<double>(done_ + waits_);
-      return text_of("Cutting, %.0f %%, Esc stops", std::min(99.0, 100 * done / all));
+      return text_of("Cutting, %.0f %%, Esc to stop", std::min(99.0, 100 * done / all));
     }
     case Work::kEnd:
       return "Smoothing the rim";
     case Work::kSearch:
-      return "Looking for what came apart";
+      return "Searching for separated pieces";
   }
   return "";
 }
@@ -65,11 +65,11 @@ std::string CutProgress::text() const {
 namespace {
 
 constexpr size_t kMaxWaiting = 8;
-constexpr double kWaitingStrength = 0.35;  // of a beam that is on
+constexpr double kWaitingStrength = 0.35;  // relative to a beam that is on
 constexpr double kShownAfter = 0.3;        // s, of waiting for another stroke
-constexpr double kWaitingLength = 3;       // diagonals of the world, of a beam that meets nothing
+constexpr double kWaitingLength = 3;       // diagonals of the world, of a beam that hits nothing
 
-// The steps of the history whose strokes wait, the first ones first.
+// Returns the history entries of the waiting strokes, in order.
 std::vector<size_t> waiting_steps(const Document& document, bool held_back) {
   const Execution& execution = document.execution();
   std::vector<size_t> steps;
@@ -116,8 +116,8 @@ bool WaitingStrokes::follow(const Document& document, FileUnit unit, bool held_b
   strokes_.clear();
   for (const size_t step : steps) {
     const size_t now = document.execution().next_step();
-    const std::string why =
-        step == now ? "Waits for its first stage" : "Waits for " + short_name(document.history(), now, unit);
+    const std::string why = step == now ? "Waiting for its first stage"
+                                        : "Waiting for " + short_name(document.history(), now, unit);
     strokes_.push_back({step, why, beam_of(document, step)});
   }
   return had_any || !strokes_.empty();
@@ -143,7 +143,7 @@ void WaitingStrokes::draw(const ViewState& view, ImDrawList& list) const {
 
 namespace {
 
-constexpr double kCar = 4.5;  // m, the diagonal of what particles have their usual size for
+constexpr double kCar = 4.5;  // m, diagonal of a world with particles of the default size
 
 }  // namespace
 
@@ -174,8 +174,8 @@ void BeamSparks::advance(double seconds, const LaserTool& beam, const Document& 
 namespace {
 
 constexpr std::array kHints{
-    "Hold the left button and drag to cut",
-    "Middle drag to look round, wheel to come closer",
+    "Left-drag to cut",
+    "Middle-drag to orbit, scroll to zoom",
     "F1 shows all shortcuts",
 };
 
@@ -183,7 +183,7 @@ std::array<Vec2, 4> corners_of(const Area& a) {
   return {a.at, a.at + Vec2(a.size.x, 0), a.at + Vec2(0, a.size.y), a.at + a.size};
 }
 
-// Whether two sets of points lie on different sides of a line across `axis`.
+// Returns true if a line perpendicular to `axis` separates two sets of points.
 bool apart_along(const Vec2& axis, std::span<const Vec2> a, std::span<const Vec2> b) {
   const auto less = [&](const Vec2& p, const Vec2& q) { return glm::dot(axis, p) < glm::dot(axis, q); };
   const auto [low_a, high_a] = std::minmax_element(a.begin(), a.end(), less);

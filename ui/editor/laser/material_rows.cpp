@@ -29,8 +29,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double kMaxRadii = 100;  // that heat can be wide
-constexpr double kSlanted = 1.05;  // from which on a slant is told
+constexpr double kMaxRadii = 100;  // width of the heat, in beam radii
+constexpr double kSlanted = 1.05;  // min. slant that is shown
 
 std::string energy_label(double joules) {
   return joules >= 1000 ? text_of("%.3g kJ", joules / 1000) : text_of("%.3g J", joules);
@@ -45,9 +45,8 @@ void model_row(LaserControls& laser) {
   int model = static_cast<int>(laser.model);
   marked_choice_row(
       "Model", "##model", model, kNames, "laser model",
-      "Geometric removes at once what the beam touches, and leaves heat beside it. Thermal heats it: a "
-      "face "
-      "goes when it has taken the energy that its material needs.");
+      "Geometric removes what the beam touches. Thermal heats faces and removes those that absorbed enough "
+      "energy.");
   laser.model = static_cast<Model>(model);
 }
 
@@ -55,15 +54,14 @@ void hold_row(bool& held) {
   property("Hold the heat");
   ImGui::Checkbox("##hold", &held);
   mark_last_item("hold heat");
-  tooltip("What is hot stays as hot as it is. Otherwise it cools in real time, and the bodies stand still.");
+  tooltip("Freezes all temperatures; otherwise hot faces cool in real time.");
 }
 
 }  // namespace
 
 std::string depth_text(const StepStatistics& statistics) {
   if (statistics.met_s <= 0) return "";
-  return text_of("The last stroke got %.0f %% of the way through",
-                 100 * statistics.depth_s / statistics.met_s);
+  return text_of("Last cut reached %.0f %% depth", 100 * statistics.depth_s / statistics.met_s);
 }
 
 std::string forecast_text(const LaserControls& laser, const MetSheet& met, double speed, FileUnit unit) {
@@ -74,9 +72,9 @@ std::string forecast_text(const LaserControls& laser, const MetSheet& met, doubl
   const LumpedCut cut = met.balance(laser.beam());
   if (speed > 0)
     return watts + " at " + length_label(speed, unit) + "/s cuts " +
-           text_of("%.2g mm", 1000 * cut_thickness(cut, speed)) + "; this sheet has " + thickness;
+           text_of("%.2g mm", 1000 * cut_thickness(cut, speed)) + "; this sheet is " + thickness;
   const double fastest = cutting_speed(cut, met.sheet.thickness);
-  if (fastest <= 0) return watts + " does not cut this sheet of " + thickness + " with so wide a beam";
+  if (fastest <= 0) return watts + " is too little to cut " + thickness + " with this beam width";
   return watts + " cuts this sheet of " + thickness + " at up to " + length_label(fastest, unit) + "/s";
 }
 
@@ -84,12 +82,12 @@ std::string pointer_text(const LaserControls& laser, const PointerAim& aim, File
   if (aim.speed <= 0) return "";
   const LumpedCut cut = aim.met.balance(laser.beam());
   const bool through = cut_thickness(cut, aim.speed) >= aim.met.sheet.thickness;
-  return "The pointer goes at " + length_label(aim.speed, unit) + "/s, " +
-         (through ? "slowly enough to get through" : "too fast to get through");
+  return "The pointer moves at " + length_label(aim.speed, unit) + "/s, " +
+         (through ? "slow enough to cut through" : "too fast to cut through");
 }
 
 std::string beam_text(const StrokeWatch::Now& now, FileUnit unit) {
-  const std::string text = now.through ? "The beam gets through" : "The beam does not get through";
+  const std::string text = now.through ? "The beam cuts through" : "The beam does not cut through";
   return now.speed > 0 ? text + ", at " + length_label(now.speed, unit) + "/s" : text;
 }
 
@@ -100,13 +98,13 @@ std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit) {
   const double thickness = crossing.met.sheet.thickness;
   if (cut_thickness(cut, crossing.speed) >= thickness) return "";
   const CutRemedies would = remedies(cut, thickness, crossing.speed);
-  std::string text = "It would have got through ";
+  std::string text = "It would have cut through ";
   if (would.speed > 0)
     text += "at " + length_label(would.speed, unit) + "/s instead of " + length_label(crossing.speed, unit) +
             "/s, ";
   text += "with " + power_label(would.power) + " instead of " + power_label(laser.power);
   const double radius = 0.5 * would.kerf / crossing.met.slant;
-  if (radius <= 0) return text + "; a smaller radius alone would not do";
+  if (radius <= 0) return text + "; a smaller radius alone is not enough";
   return text + ", or with a radius of " + length_label(radius, unit) + " instead of " +
          length_label(laser.radius, unit);
 }
@@ -123,21 +121,21 @@ void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
   double width = laser.width_of_heat();
   const LengthUnit in = label_unit(default_heat_width(laser.radius), unit);
   if (length_field(fields_, "Heat beside", width, in,
-                   "How far from the rim the cut leaves heat: at the melting point on the rim, less with the "
-                   "distance. 0 leaves none. A negative number is for what suits the radius.",
+                   "Width of the heated zone: from the melting point at the rim down to ambient. 0: none, "
+                   "-1: automatic.",
                    "", {std::numeric_limits<double>::lowest(), kMaxRadii * laser.radius}))
     laser.heat_width = width >= 0 ? std::optional(width) : std::nullopt;
 }
 
 void LaserHeatRows::draw_thermal(LaserControls& laser) {
   property("Power");
-  real_slider({"Power", "##power", "Of the beam while it is on. Ctrl+click to type a number.", true},
-              laser.power, LaserControls::kMinPower, LaserControls::kMaxPower, "%.4g W", kWatts);
+  real_slider({"Power", "##power", "Power of the beam. Ctrl+click to type a number.", true}, laser.power,
+              LaserControls::kMinPower, LaserControls::kMaxPower, "%.4g W", kWatts);
   mark_last_item("laser power");
   property("Oxygen");
   ImGui::Checkbox("##oxygen", &laser.oxygen);
   mark_last_item("oxygen");
-  tooltip("Is blown into the cut: part of mild steel burns in it, and its heat helps to cut. Empirical.");
+  tooltip("Oxygen assist: mild steel burns in part, and its heat helps to cut. Empirical.");
 }
 
 void LaserHeatRows::draw_forecast(const Workspace& workspace, const Sheet& sheet,
@@ -148,7 +146,7 @@ void LaserHeatRows::draw_forecast(const Workspace& workspace, const Sheet& sheet
   const std::string forecast = forecast_text(workspace.laser, met, workspace.laser.planned_speed, unit);
   ImGui::TextWrapped("%s", (whose + forecast).c_str());
   mark_last_item("laser forecast");
-  tooltip("From the heat balance of the cut, with what is conducted into the sheet beside it.");
+  tooltip("Forecast from the heat balance of the cut, including conduction into the sheet.");
   const std::string pointer = aim ? pointer_text(workspace.laser, *aim, unit) : "";
   if (!pointer.empty()) ImGui::TextWrapped("%s", pointer.c_str());
 }
@@ -184,12 +182,12 @@ void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::op
 }
 
 const char* why_not_solid(bool closed, const LaserControls& laser) {
-  if (!closed) return "Only what is closed can be solid, and this piece has open edges.";
+  if (!closed) return "A solid must be closed, but this piece has open edges.";
   if (laser.model == Model::kThermal)
-    return "A thermal beam leaves no walls: choose the model Geometric in the Laser panel.";
+    return "The thermal model leaves no walls: select the model Geometric in the Laser panel.";
   if (laser.pattern == Pattern::kRays4)
-    return "Four rays leave no walls: choose the pattern Volume in the Laser panel.";
-  if (laser.resolution.rim != Rim::kSmooth) return "Walls need a smooth rim: choose it in the Laser panel.";
+    return "Four rays leave no walls: select the pattern Volume in the Laser panel.";
+  if (laser.resolution.rim != Rim::kSmooth) return "Walls need a smooth rim: select it in the Laser panel.";
   return nullptr;
 }
 
@@ -207,7 +205,7 @@ std::optional<bool> SolidRow::draw(const Workspace& workspace, const PieceId& pi
   bool solid = workspace.world().body(piece.body).solid;
   const char* disabled_reason = nullptr;
   if (workspace.cutting()) {
-    disabled_reason = "Wait until the stroke is cut.";
+    disabled_reason = "Finish or cancel the current cut first.";
   } else if (!solid) {
     disabled_reason = why_not_solid(closed_.of(workspace.world(), piece), workspace.laser);
   }
@@ -216,11 +214,9 @@ std::optional<bool> SolidRow::draw(const Workspace& workspace, const PieceId& pi
   const bool changed = ImGui::Checkbox("##solid", &solid);
   ImGui::EndDisabled();
   mark_last_item("solid");
-  tooltip(
-      disabled_reason != nullptr
-          ? disabled_reason
-          : "The faces enclose a volume: strokes leave walls along the kerf, so that the pieces are closed "
-            "again, and weigh what they hold. Otherwise they are a sheet.");
+  tooltip(disabled_reason != nullptr ? disabled_reason
+                                     : "The faces enclose a volume, and cuts leave walls that close the "
+                                       "pieces. Otherwise they are a sheet.");
   return changed ? std::optional(solid) : std::nullopt;
 }
 
@@ -266,15 +262,14 @@ constexpr std::array kConstantRows{
 static_assert(kConstantRows.size() + 2 == std::size(kSubstanceFields),
               "the density and the wavelength have no row here");
 
-// What the user has chosen or typed.
+// Changes made in the panel.
 struct MaterialChange {
   std::optional<Sheet> sheet;
   std::optional<bool> solid;
 };
 
-// The sheet of the chosen pieces, or of all pieces if none is chosen: its material, from
-// assets/materials.json, its thickness, the constants of the material, each of which can be typed, and
-// whether they are solid. Every change is one step of the history.
+// Edits the sheet of the selected pieces, or of all pieces if none is selected: material (from
+// assets/materials.json), thickness, constants, and solidity. Each change is one history entry.
 class MaterialPanel {
  public:
   MaterialChange draw(const Workspace& workspace);
@@ -288,10 +283,10 @@ class MaterialPanel {
 
   NumberFields fields_;
   SolidRow solid_;
-  std::optional<Result<std::vector<Material>>> materials_;  // once the panel was drawn
+  std::optional<Result<std::vector<Material>>> materials_;  // set when the panel is first drawn
 };
 
-// The piece whose sheet the panel shows: the first chosen one, else the first body. Nothing in an empty
+// Returns the piece whose sheet is shown: the first selected one, else the first body; nullopt in an empty
 // world.
 std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view) {
   const auto chosen = first_chosen(view.look.pieces);
@@ -301,7 +296,7 @@ std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view)
   return PieceId{bodies.front(), 0};
 }
 
-// Typed numbers are clamped to the limits of a journal. Lengths are saved in metres.
+// Limits the input to values that a journal can store. Lengths are stored in metres.
 template <typename Owner>
 bool MaterialPanel::number(const NumberField<Owner>& field, const NumberRow& row, Owner& owner) {
   double shown = owner.*field.member / row.scale;
@@ -335,7 +330,7 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
     ImGui::EndCombo();
   } else {
     mark_last_item("material");
-    tooltip("Sets all constants of the material; `kerf materials` lists them with their sources.");
+    tooltip("Sets all material constants; `kerf materials` lists them with sources.");
   }
   return changed;
 }
@@ -366,16 +361,16 @@ MaterialChange MaterialPanel::draw(const Workspace& workspace) {
   MaterialChange change;
   const auto piece = piece_of_sheet(workspace.world(), workspace.view);
   if (!piece) {
-    ImGui::TextDisabled("Nothing is open.");
+    ImGui::TextDisabled("No file is open.");
     return change;
   }
   const Body& body = workspace.world().body(piece->body);
   const size_t chosen = chosen_pieces(workspace.view.look.pieces);
   const std::string of = chosen == 0   ? std::string("All pieces")
                          : chosen == 1 ? body.name_of(piece->label)
-                                       : std::to_string(chosen) + " chosen pieces";
+                                       : std::to_string(chosen) + " selected pieces";
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  draw_fitted_text(of, "Changes are for the chosen pieces, or for all of them if none is chosen.");
+  draw_fitted_text(of, "Changes apply to the selected pieces, or to all if none is selected.");
   ImGui::PopStyleColor();
   Sheet sheet = body.sheet;
   bool changed = false;
@@ -429,7 +424,7 @@ class MaterialFeature : public Feature {
     }
   }
   using CommandFor = std::function<Command(const PieceId&)>;
-  // One change of all pieces in question.
+  // Requests one change of the selected pieces, or of all.
   void ask_for_all(const char* name, const CommandFor& command) {
     workspace_.changes.ask({.name = name,
                             .run = [this, name, command] { return change_all(name, command), true; },
@@ -445,7 +440,7 @@ class MaterialFeature : public Feature {
   StrokeWatch watch_;
 };
 
-// Beside the pointer, because that is where one looks while a stroke is drawn.
+// Drawn at the pointer, where the user looks while drawing.
 void MaterialFeature::draw_overlay(ImDrawList& list) {
   if (!watch_.now() || !workspace_.beam.cutting()) return;
   const bool through = watch_.now()->through;
@@ -459,7 +454,7 @@ void MaterialFeature::draw_overlay(ImDrawList& list) {
   list.AddText(at, through ? colours::kPictureText : colours::accent(), text);
 }
 
-// Changes the chosen pieces, or all pieces if none is chosen.
+// Changes the selected pieces, or all pieces if none is selected.
 void MaterialFeature::change_all(const char* name, const CommandFor& command) {
   std::vector<PieceId> pieces;
   const PieceMap& looks = workspace_.view.look.pieces;

@@ -9,12 +9,12 @@
 
 namespace kerf {
 
-// The rows of the Laser panel that are about heat: the model, what the beam leaves or emits, whether heat is
-// held, a forecast from the heat balance of a cut (see LumpedCut), and what the stroke does or the last one
-// did.
+// Rows of the Laser panel on heat: the model, the heat that the beam leaves or emits, freezing of
+// temperatures, a forecast from the heat balance (see LumpedCut), and the result of the current or last
+// stroke.
 class LaserHeatRows {
  public:
-  // The forecast is for what the pointer is over, else for `sheet`.
+  // Forecasts for the sheet under the pointer, else for `sheet`.
   void draw(Workspace& workspace, const Sheet& sheet, const std::optional<PointerAim>& aim,
             const StrokeWatch& watch);
 
@@ -27,34 +27,33 @@ class LaserHeatRows {
   NumberFields fields_;
 };
 
-// "2000 W cuts this sheet of 1 mm at up to 52 mm/s", and with a speed (m/s) what it cuts at that.
+// "2000 W cuts this sheet of 1 mm at up to 52 mm/s", or with a `speed` [m/s] > 0 the thickness cut at it.
 std::string forecast_text(const LaserControls& laser, const MetSheet& met, double speed, FileUnit unit);
 
-// "The pointer goes at 80 mm/s, too fast to get through", or empty while it rests.
+// "The pointer moves at 80 mm/s, too fast to cut through", or empty while it rests.
 std::string pointer_text(const LaserControls& laser, const PointerAim& aim, FileUnit unit);
 
-// "The beam does not get through, at 80 mm/s".
+// "The beam does not cut through, at 80 mm/s".
 std::string beam_text(const StrokeWatch::Now& now, FileUnit unit);
 
-// What would have got a stroke through that went too fast: "It would have got through at 20 mm/s instead of
-// 80 mm/s, with 5.1 kW instead of 2 kW, or with a radius of 30 um instead of 100 um". Empty where it did, or
-// where the heat balance says that it did.
+// Settings with which a failed stroke would have cut through: "It would have cut through at 20 mm/s instead
+// of 80 mm/s, with 5.1 kW instead of 2 kW, or with a radius of 30 um instead of 100 um". Empty if it did,
+// also by the heat balance.
 std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit);
 
-// Where the energy of all beams went: "Emitted 1.2 kJ: 310 J absorbed, 220 J of it ejected".
+// Energy balance of all beams: "Emitted 1.2 kJ: 310 J absorbed, 220 J of it ejected".
 std::string energy_text(const World& world);
 
-// How deep the last stroke got where it was on a surface, or empty where it met none: "The last stroke got 40
-// % of the way through".
+// Depth of the last stroke where it hit a surface, or empty if it hit none: "Last cut reached 40 % depth".
 std::string depth_text(const StepStatistics& statistics);
 
-// Why a piece with this laser cannot be made solid: a sentence, or null.
+// Returns why a piece cannot be made solid with this laser, as a sentence, or null if it can.
 const char* why_not_solid(bool closed, const LaserControls& laser);
 
-// Whether a piece is closed. It is looked at again, in O(faces), once its faces have changed.
+// Caches whether a piece is closed. Recomputed, in O(faces), after its faces have changed.
 class KnownClosed {
  public:
-  // Precondition: the world has the piece.
+  // Precondition: the world contains the piece.
   bool of(const World& world, const PieceId& piece);
 
  private:
@@ -68,10 +67,10 @@ class KnownClosed {
   bool closed_ = false;
 };
 
-// The row of the Material panel that says whether a piece is solid.
+// Row of the Material panel for solidity.
 class SolidRow {
  public:
-  // Returns what the user has chosen, if anything.
+  // Returns the new value if the user has changed it.
   std::optional<bool> draw(const Workspace& workspace, const PieceId& piece);
 
  private:

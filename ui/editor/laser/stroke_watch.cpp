@@ -26,8 +26,8 @@ std::optional<MetSheet> met_sheet(const World& world, const ViewOptions& options
 
 namespace {
 
-constexpr double kEven = 0.2;   // s
-constexpr double kResting = 5;  // pixels/s
+constexpr double kEven = 0.2;   // s, time constant of the smoothing
+constexpr double kResting = 5;  // pixels/s, max. speed at rest
 
 }  // namespace
 
@@ -51,16 +51,16 @@ std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed&
 
 namespace {
 
-constexpr double kPlaceSpacing = 0.5;  // radii, between places
-constexpr double kBehind = 2;          // radii, from where on the beam does nothing more
-constexpr double kSteepest = 5;        // the slant that is assumed where a beam meets a sheet beside its axis
-constexpr double kRests = 0.25;        // s in one place, after which a beam is judged there
+constexpr double kPlaceSpacing = 0.5;  // beam radii, between places
+constexpr double kBehind = 2;          // beam radii, distance at which the beam has no more effect
+constexpr double kSteepest = 5;        // assumed slant if only the axis of the beam misses the sheet
+constexpr double kRests = 0.25;        // s in one place until a beam is judged there
 
 const HistoryStep& stroke_of(const Document& document) {
   return document.history().step(*document.history().last_cut());
 }
 
-// m, across the beam.
+// Distance [m] perpendicular to the beam.
 double way_across(const Pose& axis, const Vec3& from, const Vec3& to) {
   const Vec3 way = to - from;
   return glm::length(way - glm::dot(way, axis.direction) * axis.direction);
@@ -86,7 +86,7 @@ void StrokeWatch::begin(const Document& document) {
   now_.reset();
 }
 
-// Returns the length along the beam in which a sheet lies that the whole width of the beam meets.
+// Returns the extent [m] along the beam of a sheet that the whole width of the beam hits.
 double StrokeWatch::record_sheet(const World& world, const Pose& axis) {
   const double width = 2 * crossing_.settings.laser.radius;
   const std::optional<MetSheet> met = met_sheet(world, {}, axis);

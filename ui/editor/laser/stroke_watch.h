@@ -14,14 +14,14 @@
 
 namespace kerf {
 
-// The sheet that a ray meets first.
+// The first sheet that a ray hits.
 struct MetSheet {
   Sheet sheet;
-  double slant = 1;   // how many times as thick it is along the ray, at most 5
-  double length = 0;  // m, from the origin of the ray
+  double slant = 1;   // thickness along the ray relative to that of the sheet, at most 5
+  double length = 0;  // distance from the origin of the ray [m]
 
-  // The heat balance of a cut through it by a beam along the ray: at a slant the beam is spread over an
-  // ellipse, which takes more metal with it. Heat is still conducted into a sheet of its own thickness.
+  // Heat balance of a cut along the ray: at a slant the beam spreads over an ellipse, which removes more
+  // metal. Conduction still uses the thickness of the sheet itself.
   LumpedCut balance(const Laser& laser) const {
     return {.substance = sheet.substance,
             .power = laser.power,
@@ -31,14 +31,14 @@ struct MetSheet {
   }
 };
 
-// As seen with these options (see pick); nothing where the ray meets nothing. Precondition: its direction is
-// a unit vector.
+// Intersects a ray with the visible faces (see pick); nullopt on a miss. Precondition: its direction is a
+// unit vector.
 std::optional<MetSheet> met_sheet(const World& world, const ViewOptions& options, const Pose& ray);
 
-// How fast the pointer moves over the screen, evened out over a fifth of a second.
+// Speed of the pointer on the screen, smoothed over a fifth of a second.
 class PointerSpeed {
  public:
-  // To be called once a frame; `seconds` have passed since the last call.
+  // Call once per frame, with the seconds since the last call.
   void follow(const Vec2& pointer, double seconds);
   double pixels_per_second() const { return speed_; }
 
@@ -47,51 +47,50 @@ class PointerSpeed {
   double speed_ = 0;
 };
 
-// What the pointer is over.
+// The sheet under the pointer.
 struct PointerAim {
   MetSheet met;
-  double speed = 0;  // m/s, with which the pointer goes over it; 0 where it rests
+  double speed = 0;  // of the pointer over the sheet [m/s], 0 at rest
 };
 
-// Nothing where the pointer is over no body. O(log faces).
+// Returns nullopt if no body is under the pointer. O(log faces).
 std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed& pointer);
 
-// Watches the beam of a stroke of the thermal model: how fast it goes over what it meets, and whether it has
-// got through, which shows behind it.
+// Watches the beam of a thermal stroke: its speed over the surface, and whether it cuts through, judged
+// behind the beam.
 class StrokeWatch {
  public:
-  // To be called once a frame, after the queue of the document was worked on, with the beam as it is drawn
-  // (see LaserTool::picture): nothing if none is on.
+  // Call once per frame after processing the queue, with the beam as drawn (see LaserTool::picture), nullopt
+  // if none is on.
   void follow(const Document& document, const std::optional<BeamPicture>& beam);
 
-  // Of the stroke that is cut: whether the beam has got through what it met lately, and how fast it went
-  // there (m/s, 0 as long as that is not known). Nothing while there is none or it meets nothing.
+  // State of the current stroke; nullopt if there is none, or if it hits nothing.
   struct Now {
-    bool through = false;
-    double speed = 0;
+    bool through = false;  // the beam has recently cut through
+    double speed = 0;      // there [m/s], 0 if unknown
   };
   const std::optional<Now>& now() const { return now_; }
 
-  // The last stroke that met something, and what it was at where it did not get through.
+  // Result of the last stroke that hit something.
   struct Crossing {
-    size_t step = 0;           // of the history
-    size_t removed_faces = 0;  // by that step
-    double share = 1;          // of the places on its way at which it got through
-    double speed = 0;          // m/s, the mean where it did not
+    size_t step = 0;           // history entry
+    size_t removed_faces = 0;  // by that entry
+    double share = 1;          // of the places on its path that were cut through
+    double speed = 0;          // mean at the other places [m/s]
     MetSheet met;
     CutSettings settings;
   };
-  // Nothing once that stroke is undone or cut otherwise.
+  // Returns null if that stroke was undone or recut.
   const Crossing* last(const Document& document) const;
 
  private:
-  // A place on the way.
+  // A place on the path of the beam.
   struct Place {
     Pose axis;
-    Vec3 strike;           // m, where the beam met something first
-    double clock = 0;      // s, of the beam
-    double speed = 0;      // m/s, since the place before
-    double thickness = 0;  // m along the beam, in which what was met there lies
+    Vec3 strike;           // first hit of the beam [m]
+    double clock = 0;      // beam time [s]
+    double speed = 0;      // since the previous place [m/s]
+    double thickness = 0;  // extent of the hit sheet along the beam [m]
   };
   void begin(const Document& document);
   void pass(const Document& document, const BeamPicture& beam);
@@ -102,9 +101,9 @@ class StrokeWatch {
   void end(const Document& document);
 
   bool runs_ = false;
-  std::deque<Place> way_;  // that is not judged yet, but for the place before
+  std::deque<Place> way_;  // the last judged place, then those not judged yet
   size_t through_ = 0, not_through_ = 0;
-  double too_fast_ = 0;  // m/s, summed up over `not_through_`
+  double too_fast_ = 0;  // sum of the speeds [m/s] over `not_through_`
   Crossing crossing_;
   std::optional<Now> now_;
   std::optional<Crossing> last_;

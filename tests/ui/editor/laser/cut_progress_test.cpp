@@ -43,11 +43,11 @@ TEST_F(CutProgressTest, tells_what_lasts_and_how_much_of_it_is_done) {
   const size_t moves = document.waiting();
   EXPECT_EQ(follow(0.1), "");
   EXPECT_FALSE(progress.can_stop());
-  EXPECT_EQ(follow(0.5), "Cutting, 0 %, Esc stops");
+  EXPECT_EQ(follow(0.5), "Cutting, 0 %, Esc to stop");
   EXPECT_TRUE(progress.can_stop());
   while (document.waiting() > moves / 2) ASSERT_TRUE(document.step(1).ok());
   int share = 0;
-  ASSERT_EQ(std::sscanf(follow(0.1).c_str(), "Cutting, %d %%, Esc stops", &share), 1);
+  ASSERT_EQ(std::sscanf(follow(0.1).c_str(), "Cutting, %d %%, Esc to stop", &share), 1);
   EXPECT_NEAR(share, 50, 2);
   finish();
   EXPECT_EQ(follow(0.1), "");

@@ -38,7 +38,7 @@ TEST_F(WaitingStrokesTest, behind_the_one_that_is_cut_are_shown_once_that_lasts)
   EXPECT_TRUE(waiting.strokes().empty());
   EXPECT_TRUE(follow(1));
   ASSERT_EQ(waiting.strokes().size(), 1u);
-  EXPECT_EQ(waiting.strokes()[0].waits_for, "Waits for Cut 1");
+  EXPECT_EQ(waiting.strokes()[0].waits_for, "Waiting for Cut 1");
   EXPECT_LT(waiting.strokes()[0].beam.strength, 0.5);
   EXPECT_EQ(waiting.strokes()[0].beam.from, Vec3(-0.6, 1, 0.3));
   EXPECT_FALSE(follow(1));
@@ -51,7 +51,7 @@ TEST_F(WaitingStrokesTest, of_single_steps_are_shown_at_once_until_a_part_is_cut
   draw(0.01);
   EXPECT_TRUE(follow(0.01, true));
   ASSERT_EQ(waiting.strokes().size(), 1u);
-  EXPECT_EQ(waiting.strokes()[0].waits_for, "Waits for its first stage");
+  EXPECT_EQ(waiting.strokes()[0].waits_for, "Waiting for its first stage");
   ASSERT_TRUE(document.step_stage().ok());
   EXPECT_TRUE(follow(0.01, false));
   EXPECT_TRUE(waiting.strokes().empty());

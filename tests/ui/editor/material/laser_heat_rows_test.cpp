@@ -13,14 +13,14 @@ TEST(Forecast, is_told_with_the_speed_of_the_path_and_without_one) {
             std::string::npos);
   const std::string with_speed = forecast_text(laser, sheet, 0.02, FileUnit::kMetre);
   EXPECT_NE(with_speed.find("2000 W at 20 mm/s cuts"), std::string::npos) << with_speed;
-  EXPECT_NE(with_speed.find("this sheet has 1 mm"), std::string::npos) << with_speed;
+  EXPECT_NE(with_speed.find("this sheet is 1 mm"), std::string::npos) << with_speed;
 }
 
 TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
   LaserControls laser;
   laser.radius = 0.01;
   laser.power = 1;
-  EXPECT_NE(forecast_text(laser, MetSheet(), 0, FileUnit::kMetre).find("does not cut"), std::string::npos);
+  EXPECT_NE(forecast_text(laser, MetSheet(), 0, FileUnit::kMetre).find("too little to cut"), std::string::npos);
 }
 
 TEST(Forecast, of_a_sheet_that_is_met_at_a_slant_is_slower) {
@@ -41,9 +41,10 @@ TEST(PointersSpeed, is_told_with_whether_it_is_slow_enough) {
   EXPECT_EQ(pointer_text(laser, aim, FileUnit::kMetre), "");
   aim.speed = 0.02;
   EXPECT_EQ(pointer_text(laser, aim, FileUnit::kMetre),
-            "The pointer goes at 20 mm/s, slowly enough to get through");
+            "The pointer moves at 20 mm/s, slow enough to cut through");
   aim.speed = 2;
-  EXPECT_EQ(pointer_text(laser, aim, FileUnit::kMetre), "The pointer goes at 2 m/s, too fast to get through");
+  EXPECT_EQ(pointer_text(laser, aim, FileUnit::kMetre),
+            "The pointer moves at 2 m/s, too fast to cut through");
 }
 
 TEST(RemediesOfAStroke, name_the_speed_the_power_and_the_radius_that_would_have_done) {
@@ -54,7 +55,7 @@ TEST(RemediesOfAStroke, name_the_speed_the_power_and_the_radius_that_would_have_
   crossing.share = 0;
   crossing.speed = 0.135;
   EXPECT_EQ(remedy_text(crossing, FileUnit::kMetre),
-            "It would have got through at 89.8 mm/s instead of 135 mm/s, with 2.5 kW instead of 2 kW, or "
+            "It would have cut through at 89.8 mm/s instead of 135 mm/s, with 2.5 kW instead of 2 kW, or "
             "with a radius "
             "of 66.5 \xC2\xB5m instead of 100 \xC2\xB5m");
   crossing.speed = 0.05;
@@ -69,9 +70,9 @@ TEST(DepthOfTheStroke, is_told_in_per_cent_where_the_beam_met_something) {
   EXPECT_EQ(depth_text(statistics), "");
   statistics.met_s = 2;
   statistics.depth_s = 2;
-  EXPECT_EQ(depth_text(statistics), "The last stroke got 100 % of the way through");
+  EXPECT_EQ(depth_text(statistics), "Last cut reached 100 % depth");
   statistics.depth_s = 0.75;
-  EXPECT_EQ(depth_text(statistics), "The last stroke got 38 % of the way through");
+  EXPECT_EQ(depth_text(statistics), "Last cut reached 38 % depth");
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ class Path(WindowTest):
         editor.settle()
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["strokes"], report["faces_removed"]), (0, 0, 0))
-        self.assertIn("The path was stopped: nothing was cut.", report["messages"])
+        self.assertIn("Path stopped; nothing was cut.", report["messages"])
         self.assertEqual(report["path"]["strokes"], 200)
 
     def test_a_grid_of_holes_around_a_clicked_point_drills_the_plate(self):

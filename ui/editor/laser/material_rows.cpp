@@ -120,7 +120,7 @@ std::string energy_text(const World& world) {
 void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
   double width = laser.width_of_heat();
   const LengthUnit in = label_unit(default_heat_width(laser.radius), unit);
-  if (length_field(fields_, "Heat beside", width, in,
+  if (length_field(fields_, "Heat-affected zone", width, in,
                    "Width of the heated zone: from the melting point at the rim down to ambient. 0: none, "
                    "-1: automatic.",
                    "", {std::numeric_limits<double>::lowest(), kMaxRadii * laser.radius}))

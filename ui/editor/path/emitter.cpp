@@ -35,7 +35,7 @@ namespace {
 using Part = EmitterHandle::Part;
 
 constexpr double kArrowEms = 4;
-constexpr double kFreeShare = 0.22;      // of an arrow: its start belongs to the body
+constexpr double kFreeShare = 0.22;      // of an arrow: its start belongs to the body handle
 constexpr float kBody = 7, kTarget = 7;  // radii in screen coordinates
 constexpr ImU32 kShade = IM_COL32(10, 12, 16, 150);
 
@@ -85,7 +85,7 @@ void Emitter::take(Part part, Vec2 pointer) {
   held_at_ = at_;
 }
 
-// What it aims at stays where it is while the emitter itself is moved.
+// Moving the emitter keeps its target.
 void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface) {
   if (held_ == Part::kTarget) return aim_at(surface ? *surface : picture.at_depth_of(target_, pointer));
   Vec3 to = held_at_;
@@ -220,7 +220,7 @@ class EmitterFeature : public Feature {
 
   Workspace& workspace_;
   Emitter emitter_;
-  nlohmann::json kept_;  // its entry in the head of the document
+  nlohmann::json kept_;  // entry stored in the head of the document
   NumberFields fields_;
 };
 
@@ -240,42 +240,38 @@ void EmitterFeature::keep() {
   kept_ = std::move(entry);
 }
 
-// Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the
-// pointer itself does.
+// Moves or aims the emitter. If it fires, its beam follows each move of the pointer.
 void EmitterFeature::drag(double now) {
   emitter_.drag(FirstPicture(workspace_.view), workspace_.pointer, point_under_pointer(workspace_));
   if (emitter_.drawing) workspace_.beam.carry_to(workspace_.work.document, emitter_.pose(), now);
 }
 
 std::vector<UserAction> EmitterFeature::emitter_actions() {
-  const auto why_none = [this] {
-    return emitter_.placed() ? nullptr : "There is no emitter: place one first.";
-  };
+  const auto why_none = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
   return {
       UserAction{.name = "Place the emitter",
                  .shortcut = "Shift+U",
-                 .tip = "A laser that stands in the scene, aimed at the middle of the picture.",
+                 .tip = "Places a laser in the scene, aimed at the centre of the viewport.",
                  .run = [this] { place(); }},
       UserAction{
           .name = "Fire the emitter",
           .shortcut = "U",
-          .tip = "Switches it on or off. The Laser panel says whether it fires without a break or in shots.",
+          .tip = "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
           .run = [this] { emitter_.firing = !emitter_.firing; },
           .checked = [this] { return emitter_.firing; },
           .disabled_reason = why_none},
       UserAction{.name = "Take the emitter away",
-                 .tip = "Takes it out of the scene.",
+                 .tip = "Removes the emitter from the scene.",
                  .run = [this] { emitter_.remove(); },
                  .disabled_reason = why_none},
   };
 }
 
-// Buttons that place the emitter, switch it and take it away, its pace, and its place and aim as numbers.
+// Draws buttons that place, switch and remove the emitter, and its pace, position and target.
 void EmitterFeature::draw_rows() {
   if (!emitter_.placed()) {
-    const std::string meaning =
-        with_shortcut(workspace_.view, "A laser that stands in the scene. It is moved and aimed by handles.",
-                      "Place the emitter");
+    const std::string meaning = with_shortcut(
+        workspace_.view, "Places a laser in the scene; move and aim it by its handles.", "Place the emitter");
     if (row_button("Place an emitter", 1, nullptr, meaning.c_str())) place();
     return;
   }
@@ -285,40 +281,38 @@ void EmitterFeature::draw_rows() {
     emitter_.firing = !emitter_.firing;
   mark_last_item("fire");
   ImGui::SameLine();
-  const bool removed = row_button("Take away", 2, nullptr, "Takes the emitter out of the scene.");
+  const bool removed = row_button("Take away", 2, nullptr, "Removes the emitter from the scene.");
   if (!begin_properties("emitter")) return;
   draw_pace();
   Vec3 at = emitter_.at(), target = emitter_.target();
   const NumberUnit unit = file_unit(workspace_.view.frame.unit);
   const double size = workspace_.world().loaded_bounds().diagonal();
-  if (fields_.vector("Stands at", at, "%.5g", "X, Y and Z of the emitter, in the unit of the file.", unit,
+  if (fields_.vector("Stands at", at, "%.5g", "Position of the emitter, in the unit of the file.", unit,
                      size))
     emitter_.stand_at(at);
-  if (fields_.vector("Aims at", target, "%.5g", "X, Y and Z of what it aims at, in the unit of the file.",
-                     unit, size))
+  if (fields_.vector("Aims at", target, "%.5g", "Target of the emitter, in the unit of the file.", unit,
+                     size))
     emitter_.aim_at(target);
   end_properties();
   if (removed) emitter_.remove();
 }
 
 void EmitterFeature::draw_pace() {
-  constexpr std::array kKinds{"Without a break", "In shots"};
+  constexpr std::array kKinds{"Continuous", "Pulsed"};
   int kind = emitter_.in_shots ? 1 : 0;
-  marked_choice_row(
-      "Fires", "##fires", kind, kKinds, "emitter fires",
-      "Without a break: what the emitter is moved over is one stroke. In shots: at a steady pace, each "
-      "shot a stroke of its own that undo takes back. A shot that meets nothing is none.");
+  marked_choice_row("Fires", "##fires", kind, kKinds, "emitter fires",
+                    "Continuous: one stroke follows the motion of the emitter. Pulsed: each shot at a steady "
+                    "rate is a stroke.");
   emitter_.in_shots = kind == 1;
   if (!emitter_.in_shots) return;
   double pace = emitter_.pace.per_second();
   if (fields_.number("Pace", pace, "%.3g shots/s",
-                     "How many shots are fired a second, from 0.1 to 60. A shot waits until the last one is "
-                     "cut.",
-                     {}, {FirePace::kSlowest, FirePace::kFastest}))
+                     "Shots per second, 0.1 to 60. A shot waits until the last one is cut.", {},
+                     {FirePace::kSlowest, FirePace::kFastest}))
     emitter_.pace.set(pace);
 }
 
-// Where the view looks.
+// Places the emitter so that it aims at the centre of the viewport.
 void EmitterFeature::place() {
   const double diagonal = workspace_.world().bounds().diagonal();
   const CameraView view = workspace_.view.seen_first();
@@ -327,7 +321,7 @@ void EmitterFeature::place() {
                 diagonal > 0 ? kEmitterAway * diagonal : 1);
 }
 
-// Begins, continues or ends the stroke of the emitter, as it is switched, or fires the shot that is due.
+// Begins, continues or ends the stroke of the emitter as switched, or fires the due shot.
 void EmitterFeature::follow_switch(double now) {
   LaserTool& beam = workspace_.beam;
   const bool ended_elsewhere =
@@ -355,7 +349,7 @@ void EmitterFeature::begin_fire(double now) {
   workspace_.cut_once = true;
 }
 
-// A shot waits until the last one is cut. One that meets nothing would be an empty step of the history.
+// A shot waits until the last one is cut. A shot that hits nothing would be an empty history entry.
 void EmitterFeature::fire_shots(double now) {
   const Document& document = workspace_.work.document;
   if (!emitter_.firing) return emitter_.pace.begin();

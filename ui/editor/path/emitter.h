@@ -9,43 +9,42 @@ struct ImDrawList;
 
 namespace kerf {
 
-// The pace at which the emitter fires in shots: shots are due at equal times on one clock, and those that
-// nobody took in time are left out, so that slow frames make gaps and no bursts.
+// Pace of pulsed fire. Shots are due at equal intervals; shots not taken in time are dropped, so that slow
+// frames cause gaps rather than bursts.
 class FirePace {
  public:
-  static constexpr double kSlowest = 0.1, kFastest = 60;  // shots a second
+  static constexpr double kSlowest = 0.1, kFastest = 60;  // shots/s
 
   double per_second() const { return per_second_; }
-  // Limited to the slowest and the fastest pace.
+  // Sets the pace, limited to kSlowest .. kFastest.
   void set(double per_second);
 
-  // The next shot is due at once.
+  // Makes the next shot due immediately.
   void begin() { last_.reset(); }
-  // `now` (s) is of a clock that never goes back.
+  // Returns true if a shot is due at `now` [s], on a monotonic clock.
   bool is_due(double now) const;
-  // A shot was fired. Precondition: it was due.
+  // Records a shot. Precondition: is_due(now).
   void take(double now);
 
  private:
   double per_second_ = 4;
-  std::optional<double> last_;  // when the last shot was due, s
+  std::optional<double> last_;  // due time of the last shot [s]
 };
 
-// A part of the emitter that is dragged: the arrows that move it along an axis of the world, the emitter
-// itself, which moves parallel to the picture, and the place that it aims at. Their names: "emitter X",
-// "emitter body", "emitter target".
+// A handle of the emitter: an arrow that moves it along a world axis, its body, which moves parallel to the
+// screen, or its target. Landmarks: "emitter X", "emitter body", "emitter target".
 struct EmitterHandle : GizmoHandle {
   enum class Part { kX, kY, kZ, kBody, kTarget };
   Part part = Part::kBody;
 };
 
-// A laser that stands in the scene and fires while it is switched on, with the settings of the Laser panel.
+// A laser placed in the scene. It fires while switched on, with the settings of the Laser panel.
 class Emitter {
  public:
   bool placed() const { return placed_; }
-  // Places it at a point of the world (m), aimed at another one. Precondition: they differ.
+  // Places it at a point [m, world], aimed at another one. Precondition: the points differ.
   void place(const Vec3& at, const Vec3& target);
-  // Takes it out of the scene. A stroke that is being drawn has to be ended by whoever draws it.
+  // Removes it from the scene. The caller ends a stroke in progress.
   void remove() { placed_ = firing = false; }
 
   const Vec3& at() const { return at_; }
@@ -53,20 +52,19 @@ class Emitter {
   double distance() const { return glm::length(target_ - at_); }
   Pose pose() const;
 
-  // Moves the emitter, which goes on to aim at the same place, or aims it anew. Nothing changes where the two
-  // would meet.
+  // Moves the emitter and keeps its target, or changes the target. No-op if both would coincide.
   void stand_at(const Vec3& at);
   void aim_at(const Vec3& target);
 
-  // Whether the user has switched it on.
+  // The user has switched it on.
   bool firing = false;
-  // Whether its stroke is being drawn, for whoever draws it.
+  // Its stroke is being drawn; for use by the caller.
   bool drawing = false;
-  // Whether it fires single shots, each a stroke that stands still, and not one stroke without a break.
+  // Fires single shots, each a stroke at a fixed place; else one continuous stroke.
   bool in_shots = false;
   FirePace pace;
 
-  // Dragging a part. Precondition of drag(): take() was called.
+  // Drag of a handle. Precondition of drag(): take() was called.
   void take(EmitterHandle::Part part, Vec2 pointer);
   void drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface);
 
@@ -75,27 +73,26 @@ class Emitter {
   Vec3 at_{0}, target_{0, 0, -1};  // m
   EmitterHandle::Part held_ = EmitterHandle::Part::kBody;
   Vec2 pressed_at_{0};
-  Vec3 held_at_{0};  // where the emitter stood
+  Vec3 held_at_{0};  // position of the emitter at the press
 };
 
-// Places the emitter above and to the right of the line from a point to the eye, at this distance (m, > 0)
-// from the point at which it aims.
+// Places the emitter above and to the right of the line from `target` to the eye, at this distance [m, > 0]
+// from the target.
 void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance);
 
-// The handles; none where it is not placed or behind the eye.
+// Returns the handles, or none if the emitter is not placed or lies behind the eye.
 std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture);
 
-// Draws the emitter, its line of aim and its handles; the one at `pointer` is highlighted.
+// Draws the emitter, its line of aim and its handles, with the handle at `pointer` highlighted.
 void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list);
 
-// The key of the emitter in the head of a document.
 inline constexpr const char* kEmitterKey = "emitter";
 
-// The entry of the emitter in the head of a document: {"at": [x, y, z], "target": [x, y, z] (m), "in_shots",
-// "pace": shots/s}; null where none stands in the scene.
+// Writes the entry of the emitter in the head of a document: {"at": [x, y, z], "target": [x, y, z] (m),
+// "in_shots", "pace": shots/s}; null if no emitter is placed.
 nlohmann::json emitter_entry(const Emitter& emitter);
 
-// The emitter of such an entry, switched off; one that is not placed where the entry cannot be read.
+// Reads such an entry. The emitter is switched off, and not placed if the entry is invalid.
 Emitter emitter_of_entry(const nlohmann::json& entry);
 
 }  // namespace kerf

@@ -20,16 +20,16 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kPath = "Path";     // the tool and the panel
+constexpr const char* kPath = "Path";     // tool and panel
 constexpr const char* kPathKey = "path";  // in the head of a document
 constexpr const char* kNoPoints = "The path has no points.";
 
-// Adds a point or takes one, and moves it.
+// Adds or grabs a point and drags it.
 class DragOfPoint : public Interaction {
  public:
   DragOfPoint(Workspace& workspace, PathWork& path) : workspace_(workspace), path_(path) {}
 
-  // Returns why nothing happened, or an empty text.
+  // Returns the reason if nothing happened, else an empty text.
   std::string press(bool new_stroke) {
     return tool_.press(path_, workspace_.world(), workspace_.view, workspace_.pointer, new_stroke,
                        PathTool::beam_for(workspace_.world(), workspace_.laser.radius));
@@ -37,7 +37,7 @@ class DragOfPoint : public Interaction {
   void move(const InputEvent&) override {
     tool_.move(path_, workspace_.world(), workspace_.view, workspace_.pointer);
   }
-  const char* words() const override { return "Path: the point follows the pointer over the surface"; }
+  const char* words() const override { return "Path: drag the point over the surface"; }
 
  private:
   Workspace& workspace_;
@@ -66,7 +66,8 @@ class PathFeature : public Feature {
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   const char* status_hint() const override {
-    return in_hand() ? "Path: click adds a point, Shift begins another stroke, Ctrl+Enter runs it" : nullptr;
+    return in_hand() ? "Path: click to add a point, Shift+click for a new stroke, Ctrl+Enter to run"
+                     : nullptr;
   }
 
   void update(double) override {
@@ -102,9 +103,9 @@ class PathFeature : public Feature {
 
   Workspace& workspace_;
   PathWork path_;
-  bool at_panel_resolution_ = false;  // the path is run so, and not as kerf cut --path does
+  bool at_panel_resolution_ = false;  // run with the Resolution panel, not like kerf cut --path
   PathPanel panel_;
-  size_t kept_ = 0;                             // PathWork::changes() of the path in the head of the document
+  size_t kept_ = 0;                             // PathWork::changes() of the path stored in the document
   std::vector<std::filesystem::path> waiting_;  // path files, until a document is open
 };
 
@@ -115,7 +116,7 @@ std::unique_ptr<Interaction> PathFeature::begin_interaction(const Press& press) 
   if (!in_hand() || press.control) return nullptr;
   auto drag = std::make_unique<DragOfPoint>(workspace_, path_);
   if (workspace_.view.in_second) {
-    workspace_.message.say("The path is drawn in the left half.", true);
+    workspace_.message.say("Edit the path in the left half.", true);
     return drag;
   }
   stand_together(workspace_);
@@ -126,22 +127,20 @@ std::unique_ptr<Interaction> PathFeature::begin_interaction(const Press& press) 
 }
 
 const char* PathFeature::why_no_run() const {
-  if (path_.empty()) return "The path has no points: click on a surface with the tool Path.";
-  return workspace_.opening.loader.busy() ? "A file is being opened." : nullptr;
+  if (path_.empty()) return "The path has no points: click a surface with the Path tool.";
+  return workspace_.opening.loader.busy() ? "Wait until the file is open." : nullptr;
 }
 
 UserAction PathFeature::take_tool_action() {
-  UserAction action = tool_action(workspace_, kPath, "O",
-                                  "A click on a surface adds a point to the path of the laser, with Shift "
-                                  "the first of another stroke; points "
-                                  "and their beams are dragged.",
-                                  true);
+  UserAction action = tool_action(
+      workspace_, kPath, "O",
+      "Click a surface to add a point, Shift+click for a new stroke; drag points and beams.", true);
   action.ends_group = true;
   return action;
 }
 
 std::vector<UserAction> PathFeature::path_actions() {
-  // The keys of undo and redo belong to the path while it is in hand, until it is run.
+  // The undo and redo keys act on the path while its tool is active, until the path is run.
   const auto takes_undo = [this] {
     return in_hand() && path_.is_newer_than(workspace_.work.document.history().position());
   };
@@ -150,15 +149,15 @@ std::vector<UserAction> PathFeature::path_actions() {
       UserAction{.name = "Run the path",
                  .shortcut = "Ctrl+Enter",
                  .pad_key = GLFW_KEY_KP_ENTER,
-                 .tip = "Cuts along the path, as kerf cut --path does with its file.",
+                 .tip = "Cuts along the path, like kerf cut --path.",
                  .run = [this] { ask_for_run(); },
                  .disabled_reason = [this] { return why_no_run(); },
                  .ends_group = true},
       UserAction{.name = "Load a path...",
-                 .tip = "A path file (.json). It can also be dropped on the window.",
+                 .tip = "Loads a path file (.json); you can also drop one on the window.",
                  .run = [this] { choose_file_to_load(); }},
       UserAction{.name = "Save the path...",
-                 .tip = "As a file (.json) for kerf cut --path.",
+                 .tip = "Saves the path as a file (.json) for kerf cut --path.",
                  .run = [this] { choose_file_to_save(); },
                  .disabled_reason = why_empty},
       UserAction{.name = "Clear the path",
@@ -169,24 +168,23 @@ std::vector<UserAction> PathFeature::path_actions() {
           .name = "Remove the point",
           .shortcut = "Del",
           .pad_key = GLFW_KEY_BACKSPACE,
-          .tip = "The chosen point of the path; Backspace does the same.",
+          .tip = "Deletes the selected point of the path; Backspace does the same.",
           .run = [this] { path_.begin_edit(), path_.remove(*path_.chosen()); },
-          .disabled_reason = [this] { return path_.chosen() ? nullptr : "No point of the path is chosen."; },
+          .disabled_reason = [this] { return path_.chosen() ? nullptr : "Select a point of the path."; },
           .has_key_when = [this] { return in_hand() && path_.chosen(); },
           .ends_group = true},
       UserAction{
           .name = "Undo the edit of the path",
           .shortcut = "Ctrl+Z",
-          .tip = "The key does it with the path in hand, until the path is run.",
+          .tip = "The key works with the Path tool, until the path is run.",
           .run = [this] { path_.undo(); },
-          .disabled_reason = [this] { return path_.can_undo() ? nullptr : "The path was not edited yet."; },
+          .disabled_reason = [this] { return path_.can_undo() ? nullptr : "There is no path edit to undo."; },
           .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_undo(); }},
       UserAction{.name = "Redo the edit of the path",
                  .shortcut = "Ctrl+Shift+Z",
-                 .tip = "Edits the path again as before the undo.",
+                 .tip = "Repeats the undone edit of the path.",
                  .run = [this] { path_.redo(); },
-                 .disabled_reason =
-                     [this] { return path_.can_redo() ? nullptr : "No edit of the path was undone."; },
+                 .disabled_reason = [this] { return path_.can_redo() ? nullptr : "No path edit to redo."; },
                  .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_redo(); },
                  .ends_group = true},
   };
@@ -203,14 +201,14 @@ void PathFeature::draw_panel() {
 // Files
 // --------------------------------------------------------------------------------------------------------
 
-// Path files that are dropped on the window, opened by the menu or named on the command line.
+// Accepts path files that are dropped on the window, opened by the menu, or named on the command line.
 bool PathFeature::take_file(const std::filesystem::path& file) {
   if (!is_path_file(file)) return false;
   waiting_.push_back(file);
   return true;
 }
 
-// The path of a file belongs to the document that is opened with it.
+// The path belongs to the document that is opened with it.
 void PathFeature::load_waiting() {
   if (workspace_.opening.loader.busy()) return;
   for (const std::filesystem::path& file : std::exchange(waiting_, {})) {
@@ -218,8 +216,8 @@ void PathFeature::load_waiting() {
   }
 }
 
-// Loads a file in place of the path, which comes back by undo, and takes the path in hand. Returns the reason
-// if that is impossible, else an empty text.
+// Loads a path file, which can be undone, and activates the Path tool. Returns the reason on failure, else
+// an empty text.
 std::string PathFeature::load(const std::filesystem::path& file) {
   auto strokes = read_path_file(file);
   if (!strokes) return strokes.error().message;
@@ -235,9 +233,9 @@ std::string PathFeature::load(const std::filesystem::path& file) {
 
 void PathFeature::choose_file_to_load() {
   browse(workspace_.browser,
-         {.title = "Load a path of the laser",
+         {.title = "Load Path",
           .verb = "Load",
-          .hint = "Type a part of a name, or a whole path",
+          .hint = "Filter, or paste a full path",
           .listed = ".json",
           .take = [this](const std::filesystem::path& file) { return load(file); }},
          workspace_.settings.folder, "");
@@ -246,9 +244,9 @@ void PathFeature::choose_file_to_load() {
 void PathFeature::choose_file_to_save() {
   const std::string name = path_.file().filename().string();
   browse(workspace_.browser,
-         {.title = "Save the path of the laser",
+         {.title = "Save Path",
           .verb = "Save",
-          .hint = "Name; the ending is .json",
+          .hint = "File name (.json)",
           .listed = ".json",
           .endings = {".json"},
           .take =
@@ -287,7 +285,7 @@ void PathFeature::ask_for_run() {
   workspace_.changes.ask({.name = "Run of the path", .run = [this] { return run(), true; }, .is_one = true});
 }
 
-// All strokes are cut on a thread of their own, or none if the user stops it.
+// Cuts all strokes on another thread, or none if the user stops it.
 void PathFeature::run() {
   if (const auto why = why_no_cut(path_.strokes())) return workspace_.message.say(*why, true);
   cancel_stroke(workspace_);
@@ -299,17 +297,17 @@ void PathFeature::run() {
                                              resolution)](Document& document, const Progress* progress) {
     Outcome outcome = document.run_whole(commands, progress);
     if (!outcome.ok() && outcome.error().message == cancelled().message)
-      outcome.fail(failed("The path was stopped: nothing was cut."));
+      outcome.fail(failed("Path stopped; nothing was cut."));
     return outcome;
   };
-  workspace_.changes.change("Cutting the path", false, cut, "The path is cut.");
+  workspace_.changes.change("Cutting the path", false, cut, "Path cut.");
   workspace_.cut_once = true;
 }
 
-// Telling
+// Report
 // --------------------------------------------------------------------------------------------------------
 
-// The path while it is in hand or its panel is unfolded.
+// Draws the path while its tool is active or its panel is unfolded.
 void PathFeature::draw_overlay(ImDrawList& list) {
   if (!shows_path() || workspace_.cutting()) return;
   const FirstPicture picture(workspace_.view);

@@ -22,9 +22,9 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 constexpr int kMinKeys = 12, kMaxKeys = 360;  // of a hole
-constexpr double kSagitta = 1.0 / 16;         // of the beam's radius: so far a chord may be inside its circle
+constexpr double kSagitta = 1.0 / 16;         // max. distance of a chord from its circle, in beam radii
 
-// Directions across the beam: that of the rows, and that of the columns.
+// Directions of the rows and columns, perpendicular to the beam.
 struct Plane {
   Vec3 along, across;
   Vec3 at(double x, double y) const { return along * x + across * y; }
@@ -47,7 +47,7 @@ int keys_of_circle(double circle, double radius) {
   return static_cast<int>(std::clamp<double>(keys, kMinKeys, kMaxKeys));
 }
 
-// The middles of the holes, from the middle of the pattern.
+// Returns the centres of the holes relative to that of the pattern.
 std::vector<Vec3> middles(const HolePattern& p, const Plane& plane) {
   std::vector<Vec3> all;
   if (p.kind == HolePattern::Kind::kCircle) {
@@ -110,15 +110,16 @@ void length_row(NumberFields& fields, const char* name, double& length, FileUnit
 }  // namespace
 
 void HoleForm::draw_grid(FileUnit unit) {
-  number_row(fields_, "Rows", pattern_.rows, "How many rows of holes there are.");
-  number_row(fields_, "Columns", pattern_.columns, "How many holes there are in each row.");
-  length_row(fields_, "Spacing", pattern_.spacing, unit, "Between the middles of neighbouring holes.");
+  number_row(fields_, "Rows", pattern_.rows, "Number of rows.");
+  number_row(fields_, "Columns", pattern_.columns, "Number of holes in each row.");
+  length_row(fields_, "Spacing", pattern_.spacing, unit,
+             "Distance between the centres of neighbouring holes.");
 }
 
 void HoleForm::draw_circle(FileUnit unit) {
-  number_row(fields_, "Holes", pattern_.count, "How many holes there are on the circle.");
+  number_row(fields_, "Holes", pattern_.count, "Number of holes on the circle.");
   length_row(fields_, "Circle radius", pattern_.circle_radius, unit,
-             "Of the circle on which the middles of the holes lie.");
+             "Radius of the circle through the centres of the holes.");
 }
 
 void HoleForm::fit_to(double diagonal) {
@@ -147,13 +148,13 @@ void HoleForm::draw(PathWork& path, const World& world, double radius, double sp
   if (grid) draw_grid(unit);
   if (!grid) draw_circle(unit);
   length_row(fields_, "Hole radius", pattern_.hole_radius, unit,
-             "A hole that is no wider than the beam is a single burst.");
+             "Holes no wider than the beam are cut by a single burst.");
   end_properties();
   const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
   const std::string label = "Add " + count_text(static_cast<size_t>(count), "hole");
   if (row_button((label + "###add holes").c_str(), 1,
-                 path.chosen() ? nullptr : "Click a point on a surface first: it is the middle of the holes.",
-                 "Adds a stroke for each hole around the chosen point, along its beam."))
+                 path.chosen() ? nullptr : "Select a point of the path first: the centre of the holes.",
+                 "Adds a stroke for each hole around the selected point, along its beam."))
     add_holes(path, world, radius, speed);
   mark_last_item("add holes");
 }
@@ -165,7 +166,7 @@ constexpr const char* kEmpty = "The path has no points.";
 
 std::string summary(const PathWork& path, const ViewState& view) {
   if (path.empty())
-    return with_shortcut(view, "Click points on a surface with the tool Path,", "Path") +
+    return with_shortcut(view, "Click points on a surface with the Path tool,", "Path") +
            " or load a path file.";
   double way = 0, seconds = 0;
   for (const StrokePath& stroke : path.strokes()) {
@@ -176,7 +177,7 @@ std::string summary(const PathWork& path, const ViewState& view) {
          ", length " + length_label(way, view.frame.unit) + ", " + text_of("%.3g s", seconds);
 }
 
-// The point with this number, counted over all strokes.
+// Returns the point with this number, counted over all strokes.
 PathPoint numbered(const PathWork& path, size_t number) {
   KERF_ASSERT(number < path.points());
   size_t stroke = 0;
@@ -190,7 +191,7 @@ size_t number_of(const PathWork& path, PathPoint point) {
   return number;
 }
 
-// The headings, which stay while the list scrolls; lengths are in the unit.
+// Sets up the headings, which stay visible while the list scrolls. `unit`: of lengths.
 void set_up_columns(const std::string& unit) {
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Point");
@@ -202,18 +203,17 @@ void set_up_columns(const std::string& unit) {
 
 void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run,
                              const PathWishes& wishes) {
-  const std::string run =
-      with_shortcut(view, "Cuts along the path, as kerf cut --path does with its file.", "Run the path");
+  const std::string run = with_shortcut(view, "Cuts along the path, like kerf cut --path.", "Run the path");
   if (row_button("Run", 4, why_no_run, run.c_str())) wishes.run();
   ImGui::SameLine();
-  if (row_button("Load", 4, nullptr, "Reads a path file (.json). It can also be dropped on the window."))
+  if (row_button("Load", 4, nullptr, "Loads a path file (.json); you can also drop one on the window."))
     wishes.load();
   ImGui::SameLine();
   const char* why_empty = path.empty() ? kEmpty : nullptr;
-  if (row_button("Save", 4, why_empty, "Writes the path to a file (.json) for kerf cut --path."))
+  if (row_button("Save", 4, why_empty, "Saves the path as a file (.json) for kerf cut --path."))
     wishes.save();
   ImGui::SameLine();
-  if (!row_button("Clear", 4, why_empty, "Removes all points; undo brings them back.")) return;
+  if (!row_button("Clear", 4, why_empty, "Removes all points; undo restores them.")) return;
   path.begin_edit();
   path.clear();
 }
@@ -222,9 +222,8 @@ void PathPanel::draw_speed(PathWork& path, FileUnit unit) {
   double speed = path.speed();
   const char* meaning =
       path.has_times_of_file()
-          ? "Of the origin of the beam: the mean of the times in the file. A speed that is typed replaces "
-            "these times."
-          : "Of the origin of the beam.";
+          ? "Mean speed of the beam origin by the times in the file. Typing a speed replaces these times."
+          : "Speed of the beam origin.";
   if (!length_field(fields_, "Speed", speed, label_unit(speed, unit), meaning, "/s", kPositive)) return;
   path.begin_edit();
   path.set_speed(speed);
@@ -235,10 +234,9 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
   const StrokePath& drawn = path.strokes()[stroke];
   double radius = default_settings(drawn, world.bounds().diagonal()).laser.radius;
   if (!length_field(fields_, "Beam radius", radius, label_unit(radius, unit),
-                    drawn.radius
-                        ? "Of the stroke of the chosen point."
-                        : "Of the stroke of the chosen point: the file gives none, so it is 1/400 of the "
-                          "diagonal of all meshes.",
+                    drawn.radius ? "Beam radius of the stroke with the selected point."
+                                 : "Beam radius of the stroke with the selected point. By default 1/400 of "
+                                   "the diagonal of all meshes.",
                     "", kPositive))
     return;
   path.begin_edit();
@@ -248,11 +246,9 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
 void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit) {
   if (path.empty() || !begin_properties("beam")) return;
   draw_speed(path, unit);
-  choice_row(
-      "Cut", "##cut", at_panel_resolution, "As kerf cut does\0As in the Resolution panel\0",
-      "path resolution",
-      "How fine the faces along the cut are, and which rim is left: as kerf cut --path does with the same "
-      "file, or as strokes of the pointer are cut.");
+  choice_row("Cut", "##cut", at_panel_resolution, "As kerf cut does\0As in the Resolution panel\0",
+             "path resolution",
+             "Resolution and rim of the cut: those of kerf cut --path, or those of the Resolution panel.");
   if (path.chosen()) draw_radius(path, world, unit);
   end_properties();
 }
@@ -302,17 +298,14 @@ void PathPanel::draw_chosen(PathWork& path, const World& world, FileUnit unit) {
   double distance = path.distance(point);
   bool edited =
       fields_.vector("Aims at", target, "%.5g",
-                     "X, Y and Z of the chosen point, in the unit of the file. The origin of its beam "
-                     "moves along.",
+                     "Position of the selected point, in the unit of the file. Its beam moves along.",
                      file_unit(unit), world.loaded_bounds().diagonal());
-  edited = fields_.vector("Direction", direction, "%.4g",
-                          "X, Y and Z of the direction of the beam, of any length.") ||
-           edited;
-  edited = length_field(fields_, "Distance", distance, label_unit(distance, unit),
-                        "From the origin of the beam to the point that it aims at. The beam cuts all that it "
-                        "meets within its range.",
-                        "", kPositive) ||
-           edited;
+  edited = fields_.vector("Direction", direction, "%.4g", "Direction of the beam, of any length.") || edited;
+  edited =
+      length_field(fields_, "Distance", distance, label_unit(distance, unit),
+                   "Distance of the beam origin from the target. The beam cuts everything within its range.",
+                   "", kPositive) ||
+      edited;
   end_properties();
   if (!edited || direction == Vec3(0)) return;
   direction = beam_direction(direction);
@@ -330,7 +323,7 @@ void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState&
   draw_chosen(path, world, unit);
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   mark_last_item("Holes header");
-  tooltip("A grid or a circle of holes around the chosen point.");
+  tooltip("Adds a grid or circle of holes around the selected point.");
   if (unfolded) holes_.draw(path, world, beam.radius, beam.speed, unit);
 }
 

@@ -16,26 +16,27 @@ struct HolePattern {
   enum class Kind { kGrid, kCircle };
   Kind kind = Kind::kGrid;
   int rows = 3, columns = 4;   // of a grid, 1 .. kMaxInALine
-  double spacing = 0.1;        // m, between the middles of neighbours in a grid
+  double spacing = 0.1;        // of neighbouring centres in a grid [m]
   int count = 8;               // on a circle, 1 .. kMaxInALine
-  double circle_radius = 0.2;  // m, of the circle on which the middles lie
-  double hole_radius = 0.03;   // m
+  double circle_radius = 0.2;  // of the circle through the centres [m]
+  double hole_radius = 0.03;   // [m]
 
   static constexpr int kMaxInALine = 100;
 };
 
-// The strokes that drill the holes, one for each: the beam, of this radius (m), goes once round along the
-// inside of the hole and ends where it began. A hole that is no wider than the beam is one key of a beam as
-// wide as the hole. `beam` is in the middle of the pattern. The rows of a grid lie along the axis of the
-// world that is most nearly across the beam, X before Z before Y. The times are those of 1 m/s. Precondition:
-// all numbers are positive, and the direction is one of beam_direction().
+// Returns one stroke per hole. A beam of this radius [m] moves once along the inside of the hole and ends
+// where it began; a hole no wider than the beam is a single key of a beam as wide as the hole. `beam` passes
+// through the centre of the pattern. Rows are parallel to the world axis most nearly perpendicular to the
+// beam, X before Z before Y. Times are those of 1 m/s. Precondition: all numbers are positive, and the
+// direction is a result of beam_direction().
 std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& beam, double radius);
 
-// The rows of the Path panel that make a grid or a circle of holes around the chosen point of the path.
+// Rows of the Path panel that add a grid or circle of holes around the selected point.
 class HoleForm {
  public:
-  // `radius` (m) is that of the beam, `speed` (m/s) that of a path that begins with the holes. The lengths
-  // follow from the size of the world until they are typed; a world of quite another size sets them anew.
+  // `radius` [m]: of the beam. `speed` [m/s]: of a path that begins with the holes. Lengths default to
+  // values from the size of the world until they are typed, and are reset in a world of a very different
+  // size.
   void draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit);
 
  private:
@@ -46,19 +47,19 @@ class HoleForm {
 
   HolePattern pattern_;
   NumberFields fields_;
-  double fitted_to_ = 0;  // the diagonal from which the lengths were set
+  double fitted_to_ = 0;  // diagonal [m] that the lengths were set from
 };
 
-// What the panel asks for beside edits of the path.
+// Actions of the panel that are not edits of the path.
 struct PathWishes {
   std::function<void()> run, load, save;
 };
 
-// The path as numbers: its speed and beam, its points, the chosen point, and holes in a pattern.
+// Edits the path as numbers: speed and beam, points, the selected point, and patterns of holes.
 class PathPanel {
  public:
-  // `at_panel_resolution`: the path is run so, and not as kerf cut --path does. `beam` is what a new point
-  // gets. `why_no_run` is the reason why the path cannot be run, or null.
+  // `at_panel_resolution`: the path is run at the resolution of the Resolution panel, else like kerf cut
+  // --path. `beam`: of new points. `why_no_run`: the reason why the path cannot be run, or null.
   void draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
             const PathTool::Beam& beam, const char* why_no_run, const PathWishes& wishes);
 
@@ -73,7 +74,7 @@ class PathPanel {
 
   NumberFields fields_;
   HoleForm holes_;
-  std::optional<PathPoint> shown_;  // the point to which the list was scrolled last
+  std::optional<PathPoint> shown_;  // point that the list was last scrolled to
 };
 
 }  // namespace kerf

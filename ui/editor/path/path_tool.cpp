@@ -14,13 +14,13 @@ namespace kerf {
 namespace {
 
 constexpr float kDot = 4.5f, kKnob = 6;  // screen coordinates
-constexpr double kMarkReach = 9;         // the same
+constexpr double kMarkReach = 9;         // screen coordinates
 constexpr double kMinApart = 14;         // of dots, screen coordinates
 constexpr double kMarkArrowEms = 3, kKnobEms = 5.5;
-constexpr double kNearEnough = 0.998;  // of the depth of a point: a surface there does not hide it
-constexpr size_t kMaxLookedFor = 600;  // points beyond which no surface is asked whether it hides them
+constexpr double kNearEnough = 0.998;  // of the depth of a point, from which on a surface does not hide it
+constexpr size_t kMaxLookedFor = 600;  // points, above which occlusion is not tested
 constexpr size_t kMaxNumbered = 40;
-constexpr size_t kMaxFollowed = 64;  // segments beyond which lines do not follow the surface
+constexpr size_t kMaxFollowed = 64;  // segments, above which lines do not follow the surface
 constexpr int kParts = 12;           // of a segment that follows the surface
 
 constexpr ImU32 kMarkShade = IM_COL32(10, 12, 16, 150);
@@ -35,8 +35,8 @@ bool is_hidden(const World& world, const FirstPicture& picture, const Vec3& p, V
   return hit && *hit < kNearEnough * glm::dot(p - ray.origin, ray.direction);
 }
 
-// Where the beam meets the surface between two points of a stroke; where the surface is cut away, about where
-// it was.
+// Returns where the beam hits the surface between two points of a stroke; where the surface is cut away, an
+// estimate of where it was.
 Vec3 target_between(const PathWork& path, const World& world, PathPoint a, PathPoint b, double share) {
   const Vec3 origin = glm::mix(path.pose(a).origin, path.pose(b).origin, share);
   const Vec3 mixed = glm::mix(path.pose(a).direction, path.pose(b).direction, share);
@@ -79,7 +79,7 @@ void draw_lines(const PathWork& path, const World& world, const FirstPicture& pi
   }
 }
 
-// The end of the beam of a point, with the head of an arrow at its target.
+// Draws the end of the beam of a point, with an arrowhead at its target.
 void draw_arrow(const PathWork& path, const PathMark& mark, const FirstPicture& picture, double ems,
                 ImU32 colour, ImDrawList& list) {
   const Vec3 target = path.target(mark.point);
@@ -92,7 +92,7 @@ void draw_arrow(const PathWork& path, const PathMark& mark, const FirstPicture& 
   list.AddTriangleFilled(to_im(tip), to_im(base + across * 3.5), to_im(base - across * 3.5), colour);
 }
 
-// Only one of several points that lie close together and have parallel beams gets an arrow.
+// Draws one arrow for several points that are close together and have parallel beams.
 void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const FirstPicture& picture,
                  ImDrawList& list) {
   const PathMark* before = nullptr;
@@ -183,10 +183,10 @@ void draw_path(const PathWork& path, const World& world, const FirstPicture& pic
 
 namespace {
 
-constexpr double kMinDrag = 3;  // screen coordinates; less is a click that chooses
+constexpr double kMinDrag = 3;  // screen coordinates; less is a click that selects
 
-// The normal of the surface at which a point aims, as seen from its origin; against its beam where there is
-// none.
+// Returns the normal of the surface at the target of a point, as seen from its origin; opposite to its beam
+// if there is no surface.
 Vec3 normal_under(const PathWork& path, const World& world, const ViewState& view, PathPoint point) {
   const Pose& pose = path.pose(point);
   const auto surface = surface_point(world, view.look, pose);
@@ -211,7 +211,7 @@ std::string PathTool::press(PathWork& path, const World& world, const ViewState&
     return "";
   }
   const auto surface = surface_point(world, view.look, picture.ray(pointer));
-  if (!surface) return "There is no surface under the pointer: points of the path lie on surfaces.";
+  if (!surface) return "Click on a surface to add a point of the path.";
   const Vec3 direction = beam_direction(-surface->normal);
   path.begin_edit();
   path.add({surface->at - direction * beam.height, direction}, beam.height, new_stroke, beam.radius,

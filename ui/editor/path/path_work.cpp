@@ -12,9 +12,10 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMaxSteps = 200;  // of the undo
+constexpr size_t kMaxSteps = 200;  // undo steps
 
-// To the first surface that the beam meets, else to the plane through the middle of the world across it.
+// Returns the distance to the first surface that the beam hits, else to the plane through the centre of the
+// world perpendicular to it.
 double distance_to_surface(const World& world, const Pose& pose) {
   if (const auto hit = first_hit(world, pose)) return *hit;
   const World::Bounds bounds = world.bounds();
@@ -155,7 +156,7 @@ namespace {
 constexpr const char* kDistancesKey = "distances";
 constexpr const char* kSpeedKey = "speed";
 
-// One positive number for each point, or nothing.
+// Returns one positive number per point, or nullopt if the entry is invalid.
 std::optional<std::vector<std::vector<double>>> distances_of(const nlohmann::json& json,
                                                              const std::vector<StrokePath>& strokes) {
   if (!json.is_array() || json.size() != strokes.size()) return std::nullopt;

@@ -17,14 +17,14 @@ struct PathPoint {
   friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
 
-// The path of the laser that the user edits, with an undo of its own. Each point has, beside its key, the
-// distance from the origin of the beam to the place that it aims at, where the point is drawn.
+// The laser path that the user edits, with its own undo. In addition to its key, each point has the distance
+// from the origin of the beam to its target, where the point is drawn.
 class PathWork {
  public:
   const std::vector<StrokePath>& strokes() const { return now_.strokes; }
   bool empty() const { return now_.strokes.empty(); }
   size_t points() const;
-  // Precondition of all that take a point: the path has it.
+  // Precondition of all functions that take a point: the path has it.
   const Pose& pose(PathPoint p) const {
     KERF_ASSERT(has(p));
     return now_.strokes[p.stroke].keys[p.key];
@@ -33,14 +33,14 @@ class PathWork {
     KERF_ASSERT(p.stroke < now_.distances.size() && p.key < now_.distances[p.stroke].size());
     return now_.distances[p.stroke][p.key];
   }
-  // One a key of each stroke (m).
+  // One per key of each stroke [m].
   const std::vector<std::vector<double>>& distances() const { return now_.distances; }
   Vec3 target(PathPoint p) const { return pose(p).origin + pose(p).direction * distance(p); }
 
-  // The speed of the beam's origin (m/s): the one that was set, else the mean speed of the path, or 0 if it
-  // does not move.
+  // Speed of the origin of the beam [m/s]: the one set, else the mean speed of the path, or 0 if it does not
+  // move.
   double speed() const;
-  // Whether the times of the points are those of the file that was loaded.
+  // Returns true if the times of the points are those of the loaded file.
   bool has_times_of_file() const { return !empty() && !now_.speed; }
 
   const std::optional<PathPoint>& chosen() const { return chosen_; }
@@ -49,28 +49,27 @@ class PathWork {
     chosen_ = point;
   }
 
-  // Begins a step of the undo: the edits until the next call belong to it.
+  // Begins an undo step, which contains all edits until the next call.
   void begin_edit();
-  // Edits. Precondition of all: begin_edit() was called, or the path is new. Directions are unit vectors as
-  // beam_direction() gives them.
+  // Edits. Precondition of all: begin_edit() was called, or the path is new. Directions are results of
+  // beam_direction(), i.e. unit vectors.
   //
-  // Adds a point after the chosen one, or at the end, and chooses it. A first point, and any with
-  // `new_stroke`, begins a stroke with a beam of this radius (m). A path that was empty gets this speed.
+  // Adds a point after the selected one, or at the end, and selects it. A first point, or any with
+  // `new_stroke`, begins a stroke with a beam of this radius [m]. An empty path gets this speed [m/s].
   void add(const Pose& pose, double distance, bool new_stroke, double radius, double speed);
   void set(PathPoint point, const Pose& pose, double distance);
-  // Removes a point, and its stroke with its last point; chooses the point before it.
+  // Removes a point, and its stroke with its last point. Selects the previous point.
   void remove(PathPoint point);
   void set_radius(size_t stroke, double radius);
   void set_speed(double speed);
-  // Adds strokes, in place of the chosen point if it is a stroke of its own. Their points aim at places on
-  // the surfaces of the world or, where their beams meet none, at this distance (m).
+  // Adds strokes; they replace the selected point if it is a stroke of its own. Their points aim at the
+  // surfaces of the world, or have this distance [m] if their beams hit nothing.
   void add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance, double speed);
-  // Replaces the path by that of a file. The places at which the points aim are found on the surfaces of the
-  // world.
+  // Replaces the path by that of a file. Its points aim at the surfaces of the world.
   void load(std::vector<StrokePath> strokes, const World& world);
   void clear() { replace({}); }
-  // Replaces the path by one that was kept: with a distance for each key, and the speed that was set, if any.
-  // Precondition: there are as many distances as keys of each stroke.
+  // Replaces the path by a stored one. `speed`: the one set, if any. Precondition: as many distances as keys
+  // in each stroke.
   void restore(std::vector<StrokePath> strokes, std::vector<std::vector<double>> distances,
                std::optional<double> speed) {
     replace({std::move(strokes), std::move(distances), speed});
@@ -81,22 +80,22 @@ class PathWork {
   void undo();
   void redo();
 
-  // The file that the path was loaded from or saved to; empty: none.
+  // File that the path was loaded from or saved to; empty: none.
   const std::filesystem::path& file() const { return file_; }
   void record_file(std::filesystem::path file) { file_ = std::move(file); }
-  // A number that grows with everything that changes the path.
+  // Counter that increases with each change of the path.
   size_t changes() const { return changes_; }
 
-  // Notes that the path is run at this position of the history of the document. Until the path is edited
-  // again, only positions up to this one are older than the last edit of the path.
+  // Records that the path was run at this position of the document history. Until the next edit of the path,
+  // only positions up to this one are older than its last edit.
   void record_run(size_t position) { run_at_ = position; }
   bool is_newer_than(size_t position) const { return !run_at_ || position <= *run_at_; }
 
  private:
   struct Version {
     std::vector<StrokePath> strokes;
-    std::vector<std::vector<double>> distances;  // m, one for each key
-    std::optional<double> speed;                 // m/s, that was set
+    std::vector<std::vector<double>> distances;  // one per key [m]
+    std::optional<double> speed;                 // as set [m/s]
   };
   bool has(PathPoint p) const {
     return p.stroke < now_.strokes.size() && p.key < now_.strokes[p.stroke].keys.size();
@@ -112,12 +111,12 @@ class PathWork {
   std::optional<size_t> run_at_;
 };
 
-// The entry of the path in the head of a document: {"strokes": as in a path file, "distances": [[..], ..],
-// "speed": m/s, where it was set}; null for an empty path.
+// Writes the entry of the path in the head of a document: {"strokes": as in a path file, "distances": [[..],
+// ..], "speed": m/s, if set}; null for an empty path.
 nlohmann::json path_entry(const PathWork& path);
 
-// The path of such an entry; an empty one where it cannot be read. Where distances are missing, the points
-// aim at the surfaces of the world.
+// Reads such an entry. Returns an empty path if it is invalid. Without distances, the points aim at the
+// surfaces of the world.
 PathWork path_of_entry(const nlohmann::json& entry, const World& world);
 
 }  // namespace kerf

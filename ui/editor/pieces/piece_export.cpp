@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The sRGB value of linear light, as files state colours, to four digits.
+// Converts linear light to sRGB, as stored in files, rounded to four digits.
 double to_srgb(double x) {
   x = std::clamp(x, 0.0, 1.0);
   const double shown = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
@@ -35,12 +35,12 @@ std::string replaced(std::string text, const std::string& name) {
   return text;
 }
 
-// The file with something ahead of its ending.
+// Inserts a suffix before the extension.
 fs::path with_suffix(const fs::path& file, const std::string& suffix) {
   return file.parent_path() / (file.stem().string() + suffix + file.extension().string());
 }
 
-// The MTL file of the materials that the faces have.
+// Returns the text of the MTL file for the materials of the faces.
 std::string materials_text(const Extract& extract, const std::vector<std::string>& names,
                            const std::map<std::string, Paint>& paints) {
   std::set<uint16_t> used(extract.materials.begin(), extract.materials.end());
@@ -118,7 +118,7 @@ Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
   const auto format = mesh_format(file.extension().string());
   if (!format) return bad_input("The name must end in " + list_mesh_endings());
   std::vector<PieceFile> files = files_to_export(world, looks, file);
-  if (files.empty()) return bad_input("No piece is chosen");
+  if (files.empty()) return bad_input("No piece is selected");
   PrecisionLoss precision;
   for (const PieceFile& to : files) {
     const auto written = write_piece(world, to, paints, *format);
@@ -128,7 +128,7 @@ Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
   return ExportedPieces{std::move(files), precision_note(precision, *format, "export OBJ, PLY or OFF")};
 }
 
-// The chosen piece, or a "*" for the names of several.
+// Returns the name of the selected piece, or with "*" for several.
 std::string PieceExport::suggested_name() const {
   const PieceMap& looks = workspace_.view.look.pieces;
   const std::string ending = "." + std::string(format_row(workspace_.browser.format).ending);
@@ -141,9 +141,9 @@ std::string PieceExport::suggested_name() const {
 
 void PieceExport::choose_file() {
   browse(workspace_.browser,
-         {.title = "Export the chosen pieces",
+         {.title = "Export Selected",
           .verb = "Export",
-          .hint = "Name; a * stands for the name of each piece",
+          .hint = "File name; * stands for the name of each piece",
           .take = [this](const std::filesystem::path& file) { return export_to(file); },
           .writes =
               [this](const std::filesystem::path& file) {
@@ -164,9 +164,9 @@ std::string PieceExport::export_to(const std::filesystem::path& file) {
       export_chosen(workspace_.world(), workspace_.view.look.pieces, workspace_.work.paints, file);
   if (!written) return written.error().message;
   const std::string first = written->files.front().mesh.string();
-  const std::string done = written->files.size() == 1 ? "Written: " + first
+  const std::string done = written->files.size() == 1 ? "Exported " + first
                                                       : std::to_string(written->files.size()) +
-                                                            " pieces written, the first: " + first;
+                                                            " pieces exported, the first: " + first;
   workspace_.message.say(written->note ? done + ". " + *written->note + "." : done,
                          written->note.has_value());
   return "";

@@ -12,43 +12,43 @@
 
 namespace kerf {
 
-// What an export of the chosen pieces writes.
+// The files of one exported piece.
 struct PieceFile {
   PieceId piece;
   std::filesystem::path mesh;
-  std::filesystem::path mtl;  // the MTL file beside an OBJ file whose faces have materials; else empty
+  std::filesystem::path mtl;  // for an OBJ file whose faces have materials; else empty
 };
 
-// The name of a piece as the name of a file without its ending: characters that file systems do not take, and
-// blanks, become "-". Never empty.
+// Turns the name of a piece into a file name without extension: blanks and characters not allowed in file
+// names become "-". Never empty.
 std::string file_name_of(const std::string& piece);
 
-// The files for the chosen pieces of a world, in the order of list_pieces. In the name of `file` each "*"
-// stands for the name of the piece; without it several pieces get numbers, "part-1.obj" and so on. No two
-// files have the same name. The ending says the format.
+// Returns the files for the selected pieces, in the order of list_pieces. "*" in the name of `file` is
+// replaced by the name of the piece; without it several pieces are numbered: "part-1.obj" etc. All names
+// differ. The extension sets the format.
 std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks,
                                        const std::filesystem::path& file);
 
-// The files of an export, and what their format lost.
+// The files of an export, and the precision lost by their format.
 struct ExportedPieces {
   std::vector<PieceFile> files;
   std::optional<std::string> note;  // for the user; see precision_note
 };
 
-// Writes the chosen pieces where they stand to the files of files_to_export; MTL files hold the paints.
-// Bad input if no piece is chosen or the ending is not that of a mesh; what was written
-// before a failure stays.
+// Writes the selected pieces, in world space, to the files of files_to_export; MTL files hold the paints.
+// Returns bad input if no piece is selected or the extension is not that of a mesh. Files written before a
+// failure remain.
 Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
                                      const std::map<std::string, Paint>& paints,
                                      const std::filesystem::path& file);
 
-// Asks for a file and writes the chosen pieces to it (see export_chosen).
+// Opens a file dialog and exports the selected pieces (see export_chosen).
 class PieceExport {
  public:
   // The workspace must outlive it.
   explicit PieceExport(Workspace& workspace) : workspace_(workspace) {}
 
-  // Precondition: a piece is chosen.
+  // Precondition: a piece is selected.
   void choose_file();
 
  private:

@@ -55,27 +55,27 @@ namespace {
 constexpr double kTurn = 2 * kPi, kDegree = kTurn / 360;
 constexpr size_t kMaxTyped = 18;
 
-// Where a ray meets the plane through `at` that is parallel to the picture.
+// Intersects a ray with the plane through `at` parallel to the screen.
 Vec3 on_picture_plane(const CameraView& view, const Pose& ray, const Vec3& at) {
   const double depth = glm::dot(at - ray.origin, view.forward);
   return ray.origin + ray.direction * (depth / glm::dot(ray.direction, view.forward));
 }
 
-// The direction from the pivot to the pointer in the picture, radians, counterclockwise.
+// Returns the direction from the pivot to the pointer on the screen, in radians, counterclockwise.
 double direction_in_picture(const CameraView& view, const Vec3& pivot, Vec2 pointer) {
   const Vec3 seen = view.project(pivot);
   const Vec2 way = (pointer - Vec2(seen)) * Vec2(view.aspect, 1);
   return std::atan2(way.y, way.x);
 }
 
-// Digits of the keys above the letters and of the number pad.
+// Returns the digit of a key above the letters or on the number pad.
 std::optional<char> digit_of(int key) {
   if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return static_cast<char>('0' + key - GLFW_KEY_0);
   if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return static_cast<char>('0' + key - GLFW_KEY_KP_0);
   return std::nullopt;
 }
 
-// An amount is edited as people expect: minus changes the sign wherever it is typed.
+// Edits a typed amount. Minus toggles the sign at any position.
 bool edit_amount(std::string& typed, int key) {
   const bool minus = key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT;
   const bool point = key == GLFW_KEY_PERIOD || key == GLFW_KEY_COMMA || key == GLFW_KEY_KP_DECIMAL;
@@ -157,7 +157,7 @@ Vec3 PieceMove::shift() const {
   return snap_ ? snapped_shift() : pointed_shift();
 }
 
-// To where the pivot is at the vertex, or by whole steps along each axis that is free.
+// Moves the pivot to the vertex, or by whole steps along each free axis.
 Vec3 PieceMove::snapped_shift() const {
   const auto along = [&](const Vec3& way) {
     if (!axis_) return way;
@@ -168,7 +168,7 @@ Vec3 PieceMove::snapped_shift() const {
   return along(glm::round(pointed_shift() / snap_->step) * snap_->step);
 }
 
-// Towards the eye, so that what follows the pointer turns as it does in the picture.
+// Without an axis, returns the direction to the eye, so that the piece turns with the pointer on the screen.
 Vec3 PieceMove::turning_axis() const { return axis_ ? direction_of(*axis_) : -view_.forward; }
 
 double PieceMove::angle() const {
@@ -223,7 +223,7 @@ void show_at(ViewState& view, const PieceId& piece, const PieceMove::Look& at) {
 
 const char* why_no_move(const PieceMap& looks) {
   if (const char* why = why_none_chosen(looks)) return why;
-  return chosen_pieces(looks) > 1 ? "Several pieces are chosen: choose one alone to move it." : nullptr;
+  return chosen_pieces(looks) > 1 ? "Select a single piece to move it." : nullptr;
 }
 
 const PieceMove& Moving::move() const {

@@ -12,44 +12,44 @@
 
 namespace kerf {
 
-// What a move snaps to: whole steps, or a vertex to which the pivot of the piece goes.
+// Snap target of a move: whole steps, or a vertex for the pivot of the piece.
 struct MoveSnap {
-  double step = 0.01;  // in the numbers of the file, > 0
+  double step = 0.01;  // in file units, > 0
   std::optional<Vec3> vertex;
-  static constexpr double kDegrees = 5;  // of a turn
+  static constexpr double kDegrees = 5;  // angle step of a turn
 };
 
-// A centimetre where the file has metres or centimetres, a millimetre where it has millimetres, else a tenth
-// of an inch.
+// Returns a centimetre for files in metres or centimetres, a millimetre for files in millimetres, else a
+// tenth of an inch; in file units.
 double snap_step(FileUnit unit);
 
-// The vertex of what is seen under the pointer (screen coordinates), without the piece that is moved, if one
-// is seen within about the height of the text. Costs a traversal of each body's tree.
+// Returns the visible vertex nearest to the pointer (screen coordinates), except of the moved piece, if it
+// lies within about the height of the text. Traverses the tree of each body.
 std::optional<Vec3> vertex_near(const World& world, const ViewState& view, Vec2 pointer,
                                 const PieceId& moved);
 
-// Moving or turning a piece by the pointer, by keys and by numbers, while the picture shows where it would
-// stand. The world is changed once, when the user confirms it.
+// Moves or turns a piece by pointer, keys and numbers, as a preview. The world is changed once, on
+// confirmation.
 class PieceMove {
  public:
   enum class Kind { kMove, kTurn };
   enum class Axis { kX, kY, kZ };
 
-  // Begins at the placement of the piece's body. `pivot` (m, world) is the point that stays where it is in a
-  // turn; `pointer` as in CameraView::ray.
+  // Begins at the placement of the body of the piece. `pivot` [m, world]: fixed point of a turn. `pointer`:
+  // as in CameraView::ray.
   PieceMove(Kind kind, const PieceId& piece, const Placement& from, const Vec3& pivot, const CameraView& view,
             Vec2 pointer);
 
-  // Follows the pointer, unless an amount was typed. Where the view has changed since, the piece stays where
-  // it is and follows the pointer from there.
+  // Follows the pointer, unless an amount was typed. If the view has changed since the last call, the piece
+  // stays in place and follows the pointer from there.
   void point(const CameraView& view, Vec2 pointer);
-  // Takes a key (GLFW_KEY_*): X, Y and Z constrain it to an axis of the world or set it free again; digits,
-  // point, minus and Backspace edit the amount. Returns whether it was one of these.
+  // Handles a key (GLFW_KEY_*): X, Y and Z constrain the move to a world axis or release it; digits, point,
+  // minus and Backspace edit the amount. Returns true if the key was handled.
   bool key(int key);
-  // Snaps what follows the pointer from now on, or lets it go freely. Amounts that are typed are exact.
+  // Snaps subsequent pointer motion, or not if nullopt. Typed amounts are exact.
   void snap(const std::optional<MoveSnap>& to) { snap_ = to; }
   const std::optional<MoveSnap>& snap() const { return snap_; }
-  // Constrains it to an axis.
+  // Constrains the move to an axis.
   void constrain(Axis axis) { axis_ = axis; }
 
   Kind kind() const { return kind_; }
@@ -57,17 +57,17 @@ class PieceMove {
   const Vec3& pivot() const { return pivot_; }
   std::optional<Axis> axis() const { return axis_; }
 
-  // Whether the piece would stand elsewhere.
+  // Returns true if the previewed placement differs from the initial one.
   bool moves() const { return placement() != from_; }
-  // Where the piece would stand.
+  // Returns the previewed placement.
   Placement placement() const;
-  // That placement relative to the one at the beginning: a point p of the world goes to turn * p + offset.
+  // The previewed placement relative to the initial one: maps a point p of the world to turn * p + offset.
   struct Look {
     glm::dquat turn;
     Vec3 offset;
   };
   Look look() const;
-  // What it does in words: "Move along X: 0.25 mm". `unit` is that of lengths.
+  // Describes the move: "Move along X: 0.25 mm". `unit`: of lengths.
   std::string words(const char* unit) const;
 
  private:
@@ -75,7 +75,7 @@ class PieceMove {
   Vec3 pointed_shift() const;
   Vec3 snapped_shift() const;
   Vec3 shift() const;
-  double angle() const;  // radians
+  double angle() const;  // [radians]
   Vec3 turning_axis() const;
   std::optional<double> typed_amount() const;
 
@@ -84,25 +84,24 @@ class PieceMove {
   Placement from_;
   Vec3 pivot_;
   CameraView view_;
-  Vec2 began_, now_;  // of the pointer
+  Vec2 began_, now_;  // places of the pointer
   std::optional<Axis> axis_;
-  Vec3 carried_{0};    // m, by the pointer before the view changed
-  double turned_ = 0;  // radians, by the pointer; the angle grows beyond full turns
+  Vec3 carried_{0};    // by the pointer before the view changed [m]
+  double turned_ = 0;  // by the pointer [radians], not limited to a full turn
   std::string typed_;
   std::optional<MoveSnap> snap_;
 };
 
-// The unit vector of an axis.
 Vec3 direction_of(PieceMove::Axis axis);
 
-// The centre of area of a piece in the world, about which it turns. Precondition: the body has this label.
+// Returns the centre of area of a piece in the world, its pivot. Precondition: the body has this label.
 Vec3 pivot_of(const Body& body, uint32_t label);
 
-// The sentence why no piece can be moved, or null: exactly one has to be chosen.
+// Returns why no piece can be moved, as a sentence, or null. Exactly one must be selected.
 const char* why_no_move(const PieceMap& looks);
 
-// The chosen piece while it is moved or turned, on the picture alone until that is confirmed. Places of the
-// pointer are of the window (screen coordinates).
+// Interactive move of the selected piece, previewed until confirmed. Places of the pointer are in the
+// window, in screen coordinates.
 class Moving {
  public:
   // The view must outlive it.
@@ -110,25 +109,25 @@ class Moving {
 
   bool moves() const { return move_.has_value(); }
   const std::optional<PieceMove>& now() const { return move_; }
-  // Precondition of all but begin() and forget(): moves().
+  // Precondition of all functions except begin() and forget(): moves().
   const PieceMove& move() const;
 
-  // Begins with the chosen piece. Precondition: why_no_move() gives no reason. Pieces that are drawn apart
-  // stand together before.
+  // Begins to move the selected piece; resets an exploded view first. Precondition: why_no_move() returns
+  // null.
   void begin(const World& world, PieceMove::Kind kind, Vec2 pointer);
-  // Takes a key (see PieceMove::key).
+  // Handles a key (see PieceMove::key).
   bool key(int key);
   void constrain(PieceMove::Axis axis);
-  // Shows the piece where the pointer and the keys have it so far. With `snaps`, what follows the pointer
-  // goes to a vertex near it or by whole steps (see MoveSnap).
+  // Updates the preview. With `snaps`, pointer motion snaps to a vertex near the pointer or to whole steps
+  // (see MoveSnap).
   void follow(const World& world, Vec2 pointer, bool snaps);
-  // Ends it, and shows the piece where it stands in the world.
+  // Ends the move and shows the piece at its place in the world.
   void end();
-  // The same, and returns the command that moves the piece; nothing where it goes nowhere.
+  // Like end(), and returns the command that moves the piece; nullopt if it does not move.
   std::optional<Command> confirm();
-  // Ends a move whose piece is gone.
+  // Ends the move if its piece no longer exists.
   void drop_if_lost(const World& world);
-  // Another document is open.
+  // Discards the move because another document was opened.
   void forget() { move_.reset(); }
 
  private:

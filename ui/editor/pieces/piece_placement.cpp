@@ -23,7 +23,7 @@ namespace kerf {
 namespace {
 
 constexpr double kArrowEms = 5.5, kRingEms = 4.2;  // length and radius
-constexpr double kFreeFromEms = 1.2;  // around the pivot arrows are not taken: a click there picks
+constexpr double kFreeFromEms = 1.2;  // radius around the pivot without handles: a click there selects
 constexpr std::array kAxes{PieceMove::Axis::kX, PieceMove::Axis::kY, PieceMove::Axis::kZ};
 
 char letter_of(PieceMove::Axis axis) { return static_cast<char>('X' + static_cast<int>(axis)); }
@@ -46,7 +46,7 @@ PieceHandle ring(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis
           axis};
 }
 
-// A long line through the pivot along the axis that the move keeps to.
+// Draws a long line through the pivot along the axis of the move.
 void draw_axis(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis axis, ImDrawList& list) {
   const Vec3 way = direction_of(axis) * (60 * picture.metres_of_em(pivot));
   Vec3 ends[2] = {pivot - way, pivot + way};
@@ -58,7 +58,8 @@ void draw_axis(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis a
 }
 
 void draw_words(const Area& picture, const std::string& words, ImDrawList& list) {
-  constexpr const char* kKeys = "X Y Z: axis   0-9: amount   Enter or click: done   Esc or right click: back";
+  constexpr const char* kKeys =
+      "X/Y/Z lock axis   type amount   Enter/click confirm   Esc/right-click cancel";
   const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
   const float width = std::max(ImGui::CalcTextSize(words.c_str()).x, ImGui::CalcTextSize(kKeys).x);
   const auto x = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * width;
@@ -69,7 +70,7 @@ void draw_words(const Area& picture, const std::string& words, ImDrawList& list)
   list.AddText({x, y + 1.2f * line}, colours::kPictureSecondary, kKeys);
 }
 
-// The point of pivot_shown(), wherever the eye is.
+// Like pivot_shown(), but also behind the eye.
 std::optional<Vec3> turned_about(const PieceMap& looks, const std::optional<PieceMove>& move, bool picks,
                                  const World& world) {
   if (move) {
@@ -122,7 +123,7 @@ namespace {
 constexpr double kRadiansOfDegree = kPi / 180;
 constexpr double kHalfTurn = 180;  // degrees
 
-// Angles are shown without the rounding of sines and cosines, and without a sign at zero.
+// Removes rounding errors of sines and cosines, and the sign of zero.
 double tidy(double degrees) { return std::round(degrees * 1e9) / 1e9 + 0.0; }
 
 }  // namespace
@@ -157,11 +158,11 @@ std::optional<Command> PlacementRows::draw_fields(const World& world, const View
   const Vec3 before = pivot_of(body, piece.label), centre_in_body = to.to_body(before);
   Vec3 centre = before, angles = angles_of(to.orientation);
   if (fields_.vector("Centre", centre, "%.5g",
-                     "X, Y and Z of the chosen piece's centre of area, in the unit of the file.",
+                     "Centre of area of the selected piece, in the unit of the file.",
                      file_unit(view.frame.unit), world.loaded_bounds().diagonal()))
     to.position += centre - before;
   if (fields_.vector("Rotation", angles, "%.4g",
-                     "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.", kDegrees,
+                     "Rotation about X, then Y, then Z, about the centre; 0: as loaded.", kDegrees,
                      kHalfTurn)) {
     to.orientation = orientation_of(angles);
     to.position = before - to.orientation * centre_in_body;
@@ -205,7 +206,7 @@ class MovingFeature : public Feature {
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   const char* status_hint() const override {
     if (!moving_.moves()) return nullptr;
-    return moving_.move().kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Turning a piece";
+    return moving_.move().kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Rotating a piece";
   }
 
   void update(double) override {
@@ -225,7 +226,6 @@ class MovingFeature : public Feature {
   }
 
  private:
-  // A drag by one of the handles.
   class DragOfPiece : public Interaction {
    public:
     explicit DragOfPiece(MovingFeature& feature) : feature_(feature) {}
@@ -255,7 +255,7 @@ class MovingFeature : public Feature {
   void confirm() {
     if (const auto command = moving_.confirm()) workspace_.changes.ask(*command);
   }
-  // A copy that was moved is taken back by undo.
+  // Cancelling the move of a copy undoes the copy.
   void cancel_move() {
     if (moves_copy_)
       workspace_.changes.ask("Undo", [this] { workspace_.changes.step_through_history(true); });
@@ -266,12 +266,12 @@ class MovingFeature : public Feature {
 
   Workspace& workspace_;
   Moving moving_{workspace_.view};
-  bool moves_copy_ = false;                   // the piece is a copy that was made for the move
-  std::optional<BodyId> newest_before_copy_;  // the body that was the newest when a copy was asked for
+  bool moves_copy_ = false;                   // the piece is a copy made for the move
+  std::optional<BodyId> newest_before_copy_;  // newest body when the copy was requested
   PlacementRows placement_;
 };
 
-// While a piece is moved by keys it follows the pointer without a button; a click ends that.
+// A piece moved by keys follows the pointer without a button; a click confirms.
 bool MovingFeature::handle_event(const InputEvent& event, bool in_picture) {
   if (!moving_.moves()) return false;
   if (event.kind == InputEvent::Kind::kKey) {
@@ -290,7 +290,7 @@ bool MovingFeature::handle_event(const InputEvent& event, bool in_picture) {
   return in_picture;
 }
 
-// Enter confirms, Esc cancels, G and R change what is done, the others go to PieceMove::key.
+// Enter confirms, Esc cancels, G and R switch between moving and turning; PieceMove::key handles the rest.
 void MovingFeature::take_key(int key) {
   switch (key) {
     case GLFW_KEY_ENTER:
@@ -320,15 +320,14 @@ std::unique_ptr<Interaction> MovingFeature::begin_interaction(const Press& press
   return std::make_unique<DragOfPiece>(*this);
 }
 
-// The key has its usual meaning unless the tool that picks is in hand and a piece is chosen.
+// The key moves the piece only if the Select tool is active and a piece is selected.
 UserAction MovingFeature::move_action(const char* name, const char* key, PieceMove::Kind kind) {
   return {
       .name = name,
       .shortcut = key,
       .tip =
-          "The chosen piece follows the pointer: X, Y and Z keep it to an axis, digits give the "
-          "amount, Enter or a click ends it, Esc takes it back. The key does it with the tool that "
-          "picks in hand.",
+          "The selected piece follows the pointer: X/Y/Z lock an axis, digits set the amount. The key needs "
+          "the Select tool.",
       .run =
           [this, kind] {
             cancel_stroke(workspace_);
@@ -343,12 +342,12 @@ UserAction MovingFeature::move_action(const char* name, const char* key, PieceMo
 UserAction MovingFeature::duplicate_action() {
   return {.name = "Duplicate the chosen",
           .shortcut = "Shift+D",
-          .tip = "Adds a copy of the chosen piece, which the pointer then moves.",
+          .tip = "Adds a copy of the selected piece and moves it with the pointer.",
           .run = [this] { workspace_.changes.ask("Duplicate the chosen", [this] { duplicate(); }); },
           .disabled_reason = [this] { return why_no_move(workspace_.view.look.pieces); }};
 }
 
-// A piece that was hidden meanwhile is not chosen any more.
+// The piece may have been hidden, and so deselected, since the request.
 void MovingFeature::duplicate() {
   const auto piece = first_chosen(workspace_.view.look.pieces);
   if (!piece) return;
@@ -356,7 +355,7 @@ void MovingFeature::duplicate() {
   workspace_.changes.apply(DuplicatePiece{*piece, workspace_.world().body(piece->body).placement});
 }
 
-// Chooses the copy that was made since it was asked for, if it is there, and begins to move it.
+// Selects the requested copy, if it exists, and begins to move it.
 void MovingFeature::grab_copy() {
   const std::optional<BodyId> newest_before = std::exchange(newest_before_copy_, std::nullopt);
   const std::vector<BodyId> ids = workspace_.world().ids();

@@ -8,37 +8,37 @@
 
 namespace kerf {
 
-// Handles around the chosen piece while the tool that picks is in hand: an arrow along each axis of the world
-// that moves the piece, and a ring about each that turns it. Their names: "move X", "turn Y".
+// A handle of the selected piece, shown with the Select tool: an arrow along each world axis that moves the
+// piece, and a ring about each that turns it. Landmarks: "move X", "turn Y".
 struct PieceHandle : GizmoHandle {
   PieceMove::Kind kind = PieceMove::Kind::kMove;
   PieceMove::Axis axis = PieceMove::Axis::kX;
 };
 
-// The point of the picture about which the piece turns that is moved or, with the tool that picks, is chosen.
-// Nothing where not exactly one piece is chosen, or where the point is behind the eye.
+// Returns the pivot of the moved piece or, with the Select tool (`picks`), of the selected one. Returns
+// nullopt unless exactly one piece is selected, or if the pivot lies behind the eye.
 std::optional<Vec3> pivot_shown(const ViewState& view, const std::optional<PieceMove>& move, bool picks,
                                 const World& world);
 
-// The handles around a pivot; none without one.
+// Returns the handles around a pivot; none without one.
 std::vector<PieceHandle> piece_handles(const ViewState& view, const std::optional<Vec3>& pivot);
 
-// Draws the handles, the one at `pointer` highlighted, or, during a move, the axis that it is constrained to,
-// and what it does in words.
+// Draws the handles, with the one at `pointer` highlighted; during a move draws the locked axis and a
+// description instead.
 void draw_piece_handles(const ViewState& view, const std::optional<Vec3>& pivot,
                         const std::optional<PieceMove>& move, Vec2 pointer, ImDrawList& list);
 
-// Angles in degrees about the axes of the world: the orientation turns about X first, then about Y, then
-// about Z. The angle about Y is within 90 degrees of 0.
+// Converts to and from angles in degrees: the orientation turns about the world axes X, then Y, then Z. The
+// angle about Y is in [-90, 90].
 Vec3 angles_of(const glm::dquat& orientation);
 glm::dquat orientation_of(const Vec3& angles);
 
-// Where the chosen piece stands as numbers that can be typed: its centre of area in the unit of the file, and
-// its angles, which turn it about this centre.
+// Fields for the placement of the selected piece: its centre of area in file units, and its angles about
+// this centre.
 class PlacementRows {
  public:
-  // Where not exactly one piece is chosen the fields are empty, so that what is below stays in its place when
-  // one is. Enter or leaving a field returns the command.
+  // Unless exactly one piece is selected, the fields are empty, so that rows below keep their place. Returns
+  // the command when a field is confirmed by Enter or left.
   std::optional<Command> draw(const World& world, const ViewState& view);
 
  private:

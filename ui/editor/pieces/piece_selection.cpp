@@ -29,8 +29,8 @@ bool contains(const RubberBand& band, const Corners& corners) {
   });
 }
 
-// Whether the triangle has a point in the box. Method: separating axes, of which the sides of the box and
-// those of the triangle are enough for two convex polygons.
+// Returns true if the triangle intersects the box. Method: separating axes; the sides of both suffice for
+// convex polygons.
 bool touches(const RubberBand& band, const Corners& corners) {
   const Vec2 low = band.low(), high = band.high();
   const Vec2 least = glm::min(corners[0], glm::min(corners[1], corners[2]));
@@ -51,7 +51,7 @@ bool touches(const RubberBand& band, const Corners& corners) {
   return true;
 }
 
-// Decides piece by piece of one body, and looks at no more faces of a piece than that takes.
+// Tests the pieces of one body, and visits no more faces of a piece than needed.
 class PiecesOfBody {
  public:
   PiecesOfBody(BodyId id, const Body& body, const ViewOptions& options)
@@ -77,7 +77,7 @@ class PiecesOfBody {
   bool chosen(uint32_t label) const { return chosen_[label]; }
 
  private:
-  // None where one lies behind the eye.
+  // Returns nullopt if a corner lies behind the eye.
   std::optional<Corners> corners_of(FaceId face, const Vec3& offset, const CameraView& view) const {
     const Triangle t = body_.mesh.triangle(face);
     Corners corners;
@@ -150,7 +150,7 @@ class PressOnPieces : public Interaction {
   }
   bool cancel() override { return boxes_; }
   const char* words() const override {
-    return boxes_ ? "Choosing what lies wholly in the box; from right to left: what it touches" : nullptr;
+    return boxes_ ? "Select pieces inside the box; drag right to left for pieces it touches" : nullptr;
   }
   void draw(ImDrawList& list) const override {
     if (boxes_) draw_rubber_band({pressed_at_, workspace_.pointer}, list);
@@ -158,7 +158,7 @@ class PressOnPieces : public Interaction {
 
  private:
   void choose_in_box(bool add) {
-    if (workspace_.view.in_second) return workspace_.message.say("Pieces are chosen in the left half.", true);
+    if (workspace_.view.in_second) return workspace_.message.say("Select pieces in the left half.", true);
     PieceMap& looks = workspace_.view.look.pieces;
     if (!add) choose_none(looks);
     const RubberBand band{workspace_.view.in_picture(pressed_at_),
@@ -204,7 +204,7 @@ std::vector<PieceId> Isolation::to_show_again() const {
 const char* Isolation::disabled_reason() const {
   if (!to_show_again().empty()) return nullptr;
   if (const char* why = why_none_chosen(workspace_.view.look.pieces)) return why;
-  return other_pieces(workspace_.world(), workspace_.view.look.pieces).empty() ? "All pieces are chosen."
+  return other_pieces(workspace_.world(), workspace_.view.look.pieces).empty() ? "All pieces are selected."
                                                                                : nullptr;
 }
 

@@ -43,8 +43,7 @@ class PiecesFeature : public Feature {
         {301,
          "Tool",
          {tool_action(workspace_, kPickTool, "K",
-                      "A click chooses a piece, a drag the pieces in a box; with Shift they are added. With "
-                      "the laser in hand, Ctrl does the same.")}},
+                      "Click a piece or drag a box to select; Shift adds. With the Laser tool, use Ctrl.")}},
         {1400, "Pieces", shown_actions()}};
   }
   std::vector<Gesture> gestures() const override {
@@ -63,9 +62,8 @@ class PiecesFeature : public Feature {
     return any;
   }
   const char* status_hint() const override {
-    return workspace_.tool == kPickTool
-               ? "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it"
-               : nullptr;
+    return workspace_.tool == kPickTool ? "Select: click or drag a box, Shift to add, G to move, R to rotate"
+                                        : nullptr;
   }
 
   bool awaits_focus() const override { return list_.awaits_focus(); }
@@ -119,29 +117,27 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
   const auto why_none = [this] { return why_none_chosen(workspace_.view.look.pieces); };
   const auto why_no_rename = [this]() -> const char* {
     if (const char* why = why_none_chosen(workspace_.view.look.pieces)) return why;
-    return chosen_pieces(workspace_.view.look.pieces) > 1
-               ? "Several pieces are chosen: choose one alone to rename it."
-               : nullptr;
+    return chosen_pieces(workspace_.view.look.pieces) > 1 ? "Select a single piece to rename it." : nullptr;
   };
   return {
       UserAction{.name = "Choose all pieces",
                  .shortcut = "Ctrl+A",
-                 .tip = "All that are not hidden.",
+                 .tip = "Selects all visible pieces.",
                  .run = [this] { choose_all(); }},
       UserAction{.name = "Hide the chosen",
                  .shortcut = "H",
-                 .tip = "Leaves the chosen pieces out of the picture; the beam passes them by.",
+                 .tip = "Hides the selected pieces; the beam does not cut them.",
                  .run = [this] { ask_to_hide(); },
                  .disabled_reason = why_none},
       UserAction{.name = "Show all pieces",
                  .shortcut = "Shift+H",
-                 .tip = "Draws the hidden pieces again.",
+                 .tip = "Shows the hidden pieces again.",
                  .run = [this] { ask_to_show(); },
                  .disabled_reason = [this] { return why_none_hidden(); }},
       UserAction{.name = "Isolate the chosen",
                  .shortcut = "/",
                  .pad_key = GLFW_KEY_KP_DIVIDE,
-                 .tip = "Hides all other pieces; the same again shows them as they were.",
+                 .tip = "Hides all other pieces; repeat to show them again.",
                  .run =
                      [this] {
                        workspace_.changes.ask({.name = "Isolate pieces",
@@ -149,16 +145,15 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                                                .is_one = true});
                      },
                  .disabled_reason = [this] { return isolation_.disabled_reason(); }},
-      UserAction{
-          .name = "Rename the chosen",
-          .shortcut = "F2",
-          .tip = "Edits the name of the chosen piece in the Pieces panel: Enter takes it, Esc does not.",
-          .run = [this] { rename_chosen(); },
-          .disabled_reason = why_no_rename},
+      UserAction{.name = "Rename the chosen",
+                 .shortcut = "F2",
+                 .tip = "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
+                 .run = [this] { rename_chosen(); },
+                 .disabled_reason = why_no_rename},
       UserAction{
           .name = "Delete the chosen",
           .shortcut = "Del",
-          .tip = "Takes the chosen pieces out of the world.",
+          .tip = "Removes the selected pieces from the scene.",
           .run =
               [this] {
                 workspace_.changes.ask(
@@ -174,7 +169,7 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
 UserAction PiecesFeature::export_action() {
   return {.name = "Export chosen pieces...",
           .shortcut = "Ctrl+E",
-          .tip = "As meshes, where they stand; several go to numbered files.",
+          .tip = "Writes the selected pieces to mesh files, in world space.",
           .run = [this] { export_.choose_file(); },
           .disabled_reason = [this] { return why_none_chosen(workspace_.view.look.pieces); }};
 }
@@ -184,7 +179,7 @@ std::vector<UserAction> PiecesFeature::pieces_to_choose() {
   PieceMap& looks = workspace_.view.look.pieces;
   for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
     if (actions.size() >= kMaxNamed) break;
-    actions.push_back({.name = row.name, .tip = "Chooses this piece, and no other."});
+    actions.push_back({.name = row.name, .tip = "Selects only this piece."});
     actions.back().run = [this, &looks, id = row.id] {
       choose_none(looks);
       looks[id].selected = true;
@@ -192,7 +187,7 @@ std::vector<UserAction> PiecesFeature::pieces_to_choose() {
     };
     actions.back().disabled_reason = [&looks, id = row.id] {
       const auto look = looks.find(id);
-      return look != looks.end() && look->second.hidden ? "It is hidden." : nullptr;
+      return look != looks.end() && look->second.hidden ? "This piece is hidden." : nullptr;
     };
   }
   return actions;
@@ -200,8 +195,7 @@ std::vector<UserAction> PiecesFeature::pieces_to_choose() {
 
 UserAction PiecesFeature::spread_action(const char* name, double by) {
   return picture_action(workspace_.view, name,
-                        "Draws the pieces away from the middle, or back. They stay where they are.",
-                        [this, by] {
+                        "Draws the pieces apart or closer together, without moving them.", [this, by] {
                           workspace_.view.spread = std::clamp(workspace_.view.spread + by, 0.0, kMaxSpread);
                           spread_pieces(workspace_.world(), workspace_.view.spread, workspace_.view.look);
                         });
@@ -227,20 +221,19 @@ void PiecesFeature::draw_list() {
 void PiecesFeature::draw_buttons() {
   const char* why_none = chosen_pieces(workspace_.view.look.pieces) > 0
                              ? nullptr
-                             : "No piece is chosen: Ctrl+click one in the picture, or click it in the list.";
+                             : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
   const auto told = [&](const char* meaning, const char* action) {
     return with_shortcut(workspace_.view, meaning, action);
   };
-  if (row_button("Hide", 3, why_none,
-                 told("Leaves the chosen pieces out of the picture.", "Hide the chosen").c_str()))
+  if (row_button("Hide", 3, why_none, told("Hides the selected pieces.", "Hide the chosen").c_str()))
     ask_to_hide();
   ImGui::SameLine();
   if (row_button("Show all", 3, why_none_hidden(),
-                 told("Draws the hidden pieces again.", "Show all pieces").c_str()))
+                 told("Shows the hidden pieces again.", "Show all pieces").c_str()))
     ask_to_show();
   ImGui::SameLine();
   if (row_button("Export", 3, why_none,
-                 told("Writes the chosen pieces to mesh files.", "Export chosen pieces...").c_str()))
+                 told("Writes the selected pieces to mesh files.", "Export chosen pieces...").c_str()))
     export_.choose_file();
 }
 
@@ -249,9 +242,8 @@ void PiecesFeature::draw_spread(bool one_piece) {
   property("Spread");
   double& spread = workspace_.view.spread;
   ImGui::BeginDisabled(one_piece);
-  const char* meaning = one_piece ? "There is only one piece: cut something off first."
-                                  : "Draws the pieces apart, away from the middle. They stay where they are: "
-                                    "the next cut draws them together again.";
+  const char* meaning = one_piece ? "There is only one piece: cut a piece off first."
+                                  : "Draws the pieces apart without moving them; the next cut resets it.";
   if (real_slider({"Spread", "##spread", meaning}, spread, 0, kMaxSpread, "%.2f", {},
                   spread == 0 ? "together" : "")) {
     spread_further(workspace_.world(), spread, workspace_.view.look);
@@ -292,8 +284,8 @@ void PiecesFeature::rename_chosen() {
   list_.rename(*first_chosen(workspace_.view.look.pieces));
 }
 
-// One after the other, because a piece may be part of another body after a command. Returns false where some
-// are left because one became pending.
+// Changes the pieces one by one, because a command may move a piece to another body. Returns false if some
+// are left because a change became pending.
 bool PiecesFeature::change_chosen(const std::function<Command(const PieceId&)>& command_for) {
   while (const auto piece = first_chosen(workspace_.view.look.pieces)) {
     if (workspace_.changes.is_pending()) return false;
@@ -303,7 +295,7 @@ bool PiecesFeature::change_chosen(const std::function<Command(const PieceId&)>& 
   return true;
 }
 
-// Hidden pieces are bodies of their own, so that no id changes when one of them is shown.
+// Hidden pieces are separate bodies, so no id changes when one of them is shown.
 void PiecesFeature::show_hidden() {
   std::vector<Command> commands;
   for (const PieceId& piece : hidden_pieces(workspace_.view.look.pieces))

@@ -21,9 +21,9 @@ namespace kerf {
 namespace {
 
 constexpr float kLine = 1.4f;
-constexpr float kBetween = 0.35f;  // sizes of the text, between two switches
+constexpr float kBetween = 0.35f;  // gap between two switches, in text sizes
 
-// The room of a switch, by its middle and the half of its height.
+// Area of a switch.
 struct Cell {
   ImVec2 middle;
   float radius = 0;
@@ -42,7 +42,7 @@ Cell cell(const char* id, const char* meaning) {
   return cell;
 }
 
-// What is as usual is quiet, so that what is not stands out.
+// Draws default states in a quiet colour, so that others stand out.
 ImU32 colour_of(const Cell& cell, bool stands_out) {
   return cell.hovered || stands_out ? colours::text() : colours::secondary();
 }
@@ -64,7 +64,7 @@ void draw_eye(const Cell& cell, bool open) {
   }
 }
 
-// A drawing pin that stands in the surface, or lies aside as an outline.
+// Draws a pin: upright if pinned, else an outline lying aside.
 void draw_pin(const Cell& cell, bool pinned) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = colour_of(cell, pinned);
@@ -98,8 +98,8 @@ float width_of_switches() { return 2 * ImGui::GetTextLineHeight() + kBetween * I
 
 namespace {
 
-constexpr size_t kRowsInSight = 8;   // that are seen at once
-constexpr int kMaxUnseenFrames = 6;  // until the field of a name is in view
+constexpr size_t kRowsInSight = 8;   // visible at once
+constexpr int kMaxUnseenFrames = 6;  // until the name field is in view
 
 void draw_swatch(const Vec3& c) {
   const float side = 0.8f * ImGui::GetFontSize();
@@ -112,7 +112,7 @@ void draw_swatch(const Vec3& c) {
   ImGui::SameLine();
 }
 
-// The colour in which the picture shows the piece (sRGB, 0 .. 1), somewhat brighter; grey for what keeps its
+// Returns the colour of the piece in the viewport (sRGB, 0 .. 1), slightly brighter; grey for a piece with
 // paint.
 Vec3 swatch_colour(const Workspace& workspace, const PieceRow& row) {
   if (row.number == 0 || workspace.view.look.show.pieces) return strong_piece_colour(row.number);
@@ -123,7 +123,7 @@ Vec3 swatch_colour(const Workspace& workspace, const PieceRow& row) {
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
-// The text, or its beginning with three dots where it is wider than `room`.
+// Shortens the text with three dots to fit `room`.
 std::string shortened(std::string text, float room) {
   if (width_of(text) <= room) return text;
   while (!text.empty() && width_of(text + "...") > room) {
@@ -133,7 +133,7 @@ std::string shortened(std::string text, float room) {
   return text + "...";
 }
 
-// The columns of statistics are as wide as the widest figure, and the names get what is left.
+// The columns of numbers are as wide as their widest number; names get the rest.
 void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
   float faces = width_of("Faces"), area = width_of("Area");
   size_t all_faces = 0;
@@ -164,7 +164,7 @@ PieceLook look_of(const ViewState& view, const PieceId& id) {
 }
 
 struct Listed {
-  const PieceRow* row = nullptr;  // null: the row that stands for all specks
+  const PieceRow* row = nullptr;  // null: the row for all specks
   bool is_folded = false;
 };
 
@@ -206,7 +206,7 @@ void PiecesList::begin_asked_rename(const SortedPieces& sorted) {
   }
 }
 
-// The field of the name, in place of the name. Whatever ends the edit but Esc renames the piece.
+// Draws the field that replaces the name. Any end of the edit except Esc renames the piece.
 void PiecesList::edit_name(WorldChanges& changes) {
   field_drawn_ = true;
   if (take_focus_) ImGui::SetKeyboardFocusHere();
@@ -242,8 +242,7 @@ void PiecesList::end_hidden_edit(Workspace& workspace) {
   if (renamed_ && !take_focus_ && !drawn) return take_new_name(workspace.changes);
   if (!awaits_focus() || ++unseen_frames_ <= kMaxUnseenFrames) return;
   forget_rename();
-  workspace.message.say("There is no room for the list of pieces: make the window larger to rename one.",
-                        true);
+  workspace.message.say("The list of pieces does not fit: enlarge the window to rename a piece.", true);
 }
 
 void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook& look) {
@@ -256,7 +255,7 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
   if (look.hidden) ImGui::PopStyleColor();
   if (look.selected) ImGui::PopStyleColor();
   tooltip(
-      (row.name + ". Click chooses it, Ctrl+click or Shift+click adds it, double click renames it.").c_str());
+      (row.name + ". Click to select, Ctrl+click or Shift+click to add, double-click to rename.").c_str());
   if (!clicked) return;
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     begin_rename(row);
@@ -268,12 +267,11 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
 }
 
 void PiecesList::draw_switches(WorldChanges& changes, const PieceRow& row, bool hidden) {
-  if (eye_switch(!hidden, hidden ? "Draws this piece again."
-                                 : "Leaves this piece out of the picture; the beam passes it by."))
+  if (eye_switch(!hidden, hidden ? "Shows this piece again." : "Hides this piece; the beam does not cut it."))
     changes.ask(HidePiece{row.id, !hidden});
   mark_last_item(("eye " + row.name).c_str());
-  if (pin_switch(row.pinned, row.pinned ? "Lets this piece move again."
-                                        : "Pins this piece where it is while others move."))
+  if (pin_switch(row.pinned, row.pinned ? "Releases this piece so that it moves again."
+                                        : "Fixes this piece in place while others move."))
     changes.ask(PinPiece{row.id, !row.pinned});
   mark_last_item(("pin " + row.name).c_str());
 }
@@ -319,11 +317,9 @@ void PiecesList::draw_specks(ViewState& view, const std::vector<PieceRow>& speck
       label.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
   if (chosen) ImGui::PopStyleColor();
   mark_last_item("specks");
-  tooltip(
-      "Pieces that were smaller than an eighth of the beam's cross-section when they came off. A click lists "
-      "them.");
+  tooltip("Pieces smaller than an eighth of the beam's cross-section when cut off. Click to list them.");
   draw_statistics(faces, area, view.frame.unit);
-  if (eye_switch(true, "Leaves all specks out of the picture; the beam passes them by.")) {
+  if (eye_switch(true, "Hides all specks; the beam does not cut them.")) {
     choose_only(view, specks);
     hide_chosen();
   }
@@ -335,7 +331,7 @@ void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted, con
     if (each.row == nullptr) return draw_specks(workspace.view, sorted.specks, hide_chosen);
     draw_row(workspace, *each.row, each.is_folded);
   };
-  // A field that is to take the focus has to be drawn, also where it is scrolled away.
+  // A field that needs the focus must be drawn even if it is scrolled out of view.
   if (take_focus_) {
     std::for_each(listed.begin(), listed.end(), draw_one);
     return;

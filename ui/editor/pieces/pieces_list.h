@@ -8,34 +8,34 @@
 
 namespace kerf {
 
-// Small switches of a row of a list, drawn as an eye and as a pin, each a square as high as the text. They
-// return whether they were clicked.
+// Small switches in the rows of a list, drawn as an eye and a pin in a square as high as the text. They
+// return true if clicked.
 
-// Open: what the row stands for is drawn.
+// An open eye: the item is visible.
 bool eye_switch(bool open, const char* meaning);
 bool pin_switch(bool pinned, const char* meaning);
 
-// The width of both beside each other.
+// Returns the width of both switches next to each other.
 float width_of_switches();
 
-// The table of the pieces. A click chooses a piece; a double click edits its name in place: Enter renames it,
-// Esc leaves the name as it is. A click on its eye hides a piece or shows it again, one on its pin pins it.
-// Specks share one row, which a click unfolds.
+// Table of the pieces. A click selects a piece; a double click edits its name in place: Enter renames it,
+// Esc cancels. Its eye hides or shows it, its pin fixes or releases it. Specks share one row, which a click
+// unfolds.
 class PiecesList {
  public:
   using HideChosen = std::function<void()>;
 
   void draw(Workspace& workspace, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen);
-  // The next draw() begins to edit the name of this piece.
+  // Makes the next draw() edit the name of this piece.
   void rename(const PieceId& piece) {
     asked_ = piece;
     unseen_frames_ = 0;
   }
-  // Another document is open.
+  // Discards the edit because another document was opened.
   void forget_rename();
-  // Whether a name is about to be edited, and its field does not have the keyboard yet.
+  // Returns true if an edit is requested or begun, but its field does not have the focus yet.
   bool awaits_focus() const { return asked_ || (renamed_ && take_focus_); }
-  // To be called once a frame when all panels are drawn: ends the edit of a name whose field was not drawn.
+  // Call once per frame after drawing all panels: ends an edit whose field was not drawn.
   void end_hidden_edit(Workspace& workspace);
 
  private:
@@ -51,11 +51,11 @@ class PiecesList {
 
   std::optional<PieceId> asked_;
   bool specks_unfolded_ = false;
-  std::optional<PieceId> renamed_;    // whose name is being edited
-  std::string old_name_;              // of the piece
-  bool take_focus_ = false;           // the field of the name is new
+  std::optional<PieceId> renamed_;    // piece whose name is edited
+  std::string old_name_;              // of that piece
+  bool take_focus_ = false;           // the field is new
   bool field_drawn_ = false;          // in this frame
-  int unseen_frames_ = 0;             // in which the field was to come into view and did not
+  int unseen_frames_ = 0;             // for which the field stayed out of view
   std::array<char, 128> new_name_{};  // as edited so far
 };
 

@@ -12,15 +12,16 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMaxFaces = 16'000'000;  // that a subdivision may lead to
+constexpr size_t kMaxFaces = 16'000'000;  // after a subdivision
 
-// The share of a piece in a number of faces for all pieces.
+// Returns the share of a piece in the target number of faces of all pieces.
 size_t share_of_faces(const PieceRow& piece, const FaceForecast& all, size_t faces) {
   const double share = static_cast<double>(piece.faces) / static_cast<double>(all.before);
   return std::max<size_t>(1, static_cast<size_t>(std::floor(share * static_cast<double>(faces))));
 }
 
-// The commands for one piece. What they do to it must be followed from one to the next.
+// Returns the commands for one piece. The caller renames it in each command after the previous ones (see
+// rename()).
 std::vector<Command> commands_for(const PieceRow& row, const FaceForecast& all, const Preparation& p) {
   using Tool = Preparation::Tool;
   switch (p.tool) {
@@ -90,9 +91,9 @@ const char* why_no_preparation(std::span<const PieceRow> pieces, const Preparati
   const FaceForecast faces = forecast(pieces, p);
   if (faces.before == 0) return "There are no faces.";
   if (p.tool == Preparation::Tool::kSubdivide && *faces.after > kMaxFaces)
-    return "That would make more than 16 million faces.";
+    return "The result would exceed 16 million faces.";
   if (p.tool == Preparation::Tool::kSimplifyToFaces && p.faces >= faces.before)
-    return "There are no more faces than that.";
+    return "The mesh already has fewer faces.";
   return nullptr;
 }
 
@@ -101,7 +102,7 @@ Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, con
   KERF_ASSERT(why_no_preparation(pieces, preparation) == nullptr);
   const FaceForecast faces = forecast(pieces, preparation);
   std::vector<Command> commands;
-  std::vector<double> shares;  // of the time
+  std::vector<double> shares;  // of the run time
   for (const PieceRow& row : pieces) {
     const std::vector<Command> own = commands_for(row, faces, preparation);
     commands.insert(commands.end(), own.begin(), own.end());
@@ -121,13 +122,14 @@ Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, con
   Outcome undone(std::move(all.delta));
   undone.append(document.travel(from));
   const bool stopped = all.error().message == cancelled().message;
-  undone.fail(stopped ? failed("It was stopped: nothing was changed.") : all.error());
+  undone.fail(stopped ? failed("Stopped; nothing was changed.") : all.error());
   return undone;
 }
 
 namespace {
 
-constexpr double kMaxDepth = 0.008;  // of the size of the world, from which a wire shines through a surface
+constexpr double kMaxDepth =
+    0.008;  // of the world size, max. depth behind a surface at which a wire is visible
 
 std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
   std::vector<FaceId> faces;
@@ -137,7 +139,7 @@ std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
   return faces;
 }
 
-// The faces of a piece where it stands in the world.
+// Returns the faces of a piece in world space.
 std::vector<Triangle> surface_of(const World& world, const PieceId& piece) {
   const Body& body = world.body(piece.body);
   std::vector<Triangle> surface;
@@ -157,7 +159,7 @@ void add_statistics(std::span<const Triangle> surface, Preview::Statistics& stat
   statistics.least_angle = degrees_of(std::acos(std::clamp(largest, -1.0, 1.0)));
 }
 
-// The sides of the faces of a piece as pairs of vertices, each once.
+// Returns the edges of the faces of a piece as pairs of vertices, each once.
 std::vector<std::pair<uint32_t, uint32_t>> sides_of(const Body& body, uint32_t label) {
   std::vector<std::pair<uint32_t, uint32_t>> sides;
   for (const FaceId f : faces_of(body, label)) {
@@ -170,7 +172,7 @@ std::vector<std::pair<uint32_t, uint32_t>> sides_of(const Body& body, uint32_t l
   return sides;
 }
 
-// The wire of `made`, which is to be drawn as `shown` is.
+// Returns the wireframe of `made`, drawn with the placement of `shown`.
 DrawnWire::Part wire_of(const World& world, const PieceId& made, const PieceId& shown) {
   const Body& body = world.body(made.body);
   DrawnWire::Part part{.piece = shown, .frame = {}, .edges = {}};
@@ -198,9 +200,9 @@ DrawnWire::Part wire_of(const World& world, const PieceId& made, const PieceId& 
 
 const char* why_no_preview(const World& world, std::span<const PieceRow> pieces, const Preparation& p) {
   if (const char* why = why_no_preparation(pieces, p)) return why;
-  if (world.live_faces() > kMaxFacesToPreview) return "More than 400 000 faces are too many for a preview.";
+  if (world.live_faces() > kMaxFacesToPreview) return "No preview: the scene has more than 400 000 faces.";
   if (forecast(pieces, p).after.value_or(0) > kMaxFacesPreviewed)
-    return "More than 1 600 000 faces afterwards are too many for a preview.";
+    return "No preview: the result would exceed 1 600 000 faces.";
   return nullptr;
 }
 

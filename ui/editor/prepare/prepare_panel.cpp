@@ -50,11 +50,11 @@ void draw_statistics(const Preview& preview, FileUnit unit) {
     ImGui::TextDisabled("%s", heading);
   }
   const Preview::Statistics &before = preview.before, &after = preview.after;
-  draw_row({"Faces", grouped(before.faces), grouped(after.faces), "How many faces the pieces have."});
+  draw_row({"Faces", grouped(before.faces), grouped(after.faces), "Number of faces of the pieces."});
   draw_row({"Least angle", angle_text(before.least_angle), angle_text(after.least_angle),
-            "The smallest angle of all these faces."});
+            "Smallest angle of all these faces."});
   draw_row({"Distance", "", preview.distance > 0 ? length_label(preview.distance, unit) : "none",
-            "How far the old and the new surface are from each other at most, measured both ways."});
+            "Maximum distance between the old and the new surface, measured both ways."});
   ImGui::EndTable();
   mark_last_item("preview figures");
 }
@@ -64,7 +64,7 @@ void draw_statistics(const Preview& preview, FileUnit unit) {
 void draw_preview(const LivePreview& preview, const char* disabled_reason, FileUnit unit, bool& previewed) {
   ImGui::Checkbox("Preview", &previewed);
   mark_last_item("preview");
-  tooltip("Draws the edges that the new mesh would have over the surface as it is. Nothing is changed yet.");
+  tooltip("Draws the edges of the new mesh over the current surface, without changing it.");
   if (!previewed || disabled_reason != nullptr) {
     if (previewed) secondary_text(disabled_reason);
     return;
@@ -83,9 +83,9 @@ using PrepareTool = Preparation::Tool;
 
 constexpr size_t kMaxSubdivisions = 4;
 constexpr size_t kMaxTyped = 1'000'000'000'000;  // faces
-constexpr double kUsualError = 0.001;            // of the size of the world
+constexpr double kUsualError = 0.001;            // of the world size
 
-// In the order of the tools and of the schemes.
+// In the order of Preparation::Tool and Subdivision.
 constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth",
                             "Turn inner shells"};
 constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
@@ -100,14 +100,14 @@ const char* button_name(PrepareTool tool) {
 
 std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks) {
   if (chosen_pieces(looks) == 0) return "All pieces";
-  return pieces.size() == 1 ? pieces[0].name : std::to_string(pieces.size()) + " chosen pieces";
+  return pieces.size() == 1 ? pieces[0].name : std::to_string(pieces.size()) + " selected pieces";
 }
 
 std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit) {
   const FaceForecast faces = forecast(pieces, preparation);
   const std::string now = count_text(faces.before, "face");
   if (preparation.tool == PrepareTool::kTurnShells)
-    return "Closed parts that lie in others and face the same way become cavities.";
+    return "Closed parts inside others that face the same way become cavities.";
   const std::string become = now + (faces.before == 1 ? " becomes " : " become ");
   if (!faces.after) return become + "as few as stay within " + length_label(preparation.error, unit) + ".";
   if (*faces.after == faces.before) return now + (faces.before == 1 ? " moves." : " move.");
@@ -134,15 +134,14 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
   switch (shown.tool) {
     case PrepareTool::kSimplifyToFaces: {
       size_t faces = shown.faces;
-      if (fields_.count("Faces", faces, "How many faces are left, of all these pieces together.", 1,
-                        kMaxTyped))
+      if (fields_.count("Faces", faces, "Target number of faces of all these pieces together.", 1, kMaxTyped))
         preparation.faces = faces;
       break;
     }
     case PrepareTool::kSimplifyToError: {
       double error = shown.error;
       const LengthUnit shown_unit = label_unit(kUsualError * world.loaded_bounds().diagonal(), unit);
-      const char* meaning = "How far the new surface and the old one may be from each other.";
+      const char* meaning = "Maximum distance between the new and the old surface.";
       if (length_field(fields_, "Error", error, shown_unit, meaning, "", kPositive))
         preparation.error = error;
       break;
@@ -150,12 +149,11 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
     case PrepareTool::kSubdivide:
       marked_choice_row(
           "Scheme", "##scheme", preparation.scheme, kSchemes, "scheme",
-          "Loop and the square root of 3 round the surface; midpoints leave it as it is. A face becomes four "
-          "or three.");
-      draw_times(preparation, "How often every face is divided.", kMaxSubdivisions);
+          "Loop and square root of 3 round the surface; midpoints keep it. Each face becomes four or three.");
+      draw_times(preparation, "Number of times that each face is subdivided.", kMaxSubdivisions);
       break;
     case PrepareTool::kSmooth:
-      draw_times(preparation, "How often vertices move half the way to the middle of their neighbours.",
+      draw_times(preparation, "Number of times that vertices move halfway to the mean of their neighbours.",
                  kMaxSmoothing);
       break;
     case PrepareTool::kTurnShells:
@@ -167,17 +165,16 @@ bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
                         const LivePreview& preview, bool& previewed) {
   const std::vector<PieceRow> pieces = pieces_to_prepare(world, view.look.pieces);
   if (pieces.empty()) {
-    ImGui::TextDisabled("Nothing is open.");
+    ImGui::TextDisabled("No file is open.");
     return false;
   }
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   draw_fitted_text(prepared_text(pieces, view.look.pieces),
-                   "It is for the chosen pieces, or for all of them if none is chosen.");
+                   "Applies to the selected pieces, or to all if none is selected.");
   ImGui::PopStyleColor();
   if (begin_properties("preparation")) {
     const char* meaning =
-        "What is done to the mesh. Boundaries, edges of three faces or more and edges between materials "
-        "stay.";
+        "Mesh operation. Keeps boundaries, edges of three or more faces, and edges between materials.";
     if (marked_choice_row("Tool", "##preparation", preparation.tool, kTools, "preparation", meaning))
       preparation.times = 1;
     draw_numbers(preparation, with_numbers(preparation, pieces, world), world, view.frame.unit);
@@ -187,7 +184,7 @@ bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
   draw_preview(preview, why_no_preview(world, pieces, wanted), view.frame.unit, previewed);
   ImGui::TextWrapped("%s", forecast_text(pieces, wanted, view.frame.unit).c_str());
   const bool pressed = row_button(button_name(wanted.tool), 1, why_no_preparation(pieces, wanted),
-                                  "Makes a new mesh of each piece. One undo takes it back.");
+                                  "Replaces the mesh of each piece, as one undo entry.");
   mark_last_item("prepare");
   return pressed;
 }
@@ -212,23 +209,23 @@ class PrepareFeature : public Feature {
     return {
         {540,
          "Prepare",
-         {tool_action("Simplify to faces", "Fewer faces: the panel Prepare says how many.",
+         {tool_action("Simplify to faces", "Reduces the number of faces to the number in the Prepare panel.",
                       Kind::kSimplifyToFaces),
-          tool_action("Simplify to an error", "As few faces as an error in the unit of the file allows.",
+          tool_action("Simplify to an error", "Reduces the number of faces within a maximum error.",
                       Kind::kSimplifyToError),
-          tool_action("Subdivide", "Three or four faces of each, rounder or where they are.",
+          tool_action("Subdivide", "Splits each face into three or four; can round the surface.",
                       Kind::kSubdivide),
-          tool_action("Smooth", "Vertices move to the middle of their neighbours.", Kind::kSmooth),
+          tool_action("Smooth", "Moves vertices towards the mean of their neighbours.", Kind::kSmooth),
           tool_action("Turn inner shells",
-                      "Closed parts that lie in others and face the same way become cavities.",
+                      "Closed parts inside others that face the same way become cavities.",
                       Kind::kTurnShells),
           UserAction{.name = "Prepare the mesh",
-                     .tip = "Does what the panel Prepare says, to the chosen pieces, or to all.",
+                     .tip = "Applies the Prepare panel to the selected pieces, or to all.",
                      .run = [this] { ask(); },
                      .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},
           UserAction{
               .name = "Preview of the preparation",
-              .tip = "The edges that the new mesh would have, over the surface as it is.",
+              .tip = "Draws the edges of the new mesh over the current surface.",
               .run = [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
               .checked = [this] { return workspace_.settings.prepare_preview; }}}}};
   }
@@ -242,7 +239,7 @@ class PrepareFeature : public Feature {
   void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  // Unfolds the panel with this tool.
+  // Unfolds the panel with this tool selected.
   UserAction tool_action(const char* name, const char* tip, Preparation::Tool tool) {
     return {.name = name,
             .tip = tip,
@@ -267,10 +264,10 @@ class PrepareFeature : public Feature {
                             .run = [this, wanted = wanted()] { return prepare(wanted), true; },
                             .is_one = true});
   }
-  // All of them, or none if one fails or the user stops it.
+  // Prepares all pieces, or none if one fails or the user stops it.
   void prepare(const Preparation& wanted) {
     const std::vector<PieceRow> pieces = this->pieces();
-    if (why_no_preparation(pieces, wanted) != nullptr) return;  // other pieces are chosen by now
+    if (why_no_preparation(pieces, wanted) != nullptr) return;  // the selection has changed since
     cancel_stroke(workspace_);
     const FaceForecast faces = forecast(pieces, wanted);
     const bool quick = std::max(faces.before, faces.after.value_or(0)) <= kQuickToPrepare;
@@ -280,7 +277,7 @@ class PrepareFeature : public Feature {
                               });
   }
 
-  // Whether the world stays as it is, so that a copy of it is worth its time.
+  // Returns true if the world is at rest, so that a copy is worth its time.
   bool world_rests() const {
     const Document& document = workspace_.work.document;
     const bool queued = document.waiting() > 0 && !document.execution().only_cools();

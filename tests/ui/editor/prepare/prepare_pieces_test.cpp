@@ -80,7 +80,7 @@ TEST(PreparePieces, are_all_as_they_were_where_it_is_stopped) {
     const Progress stop{[&](double) { return asked++ < most; }};
     const Outcome outcome = prepare_pieces(document, pieces, preparation, &stop);
     ASSERT_FALSE(outcome.ok());
-    EXPECT_EQ(outcome.error().message, "It was stopped: nothing was changed.");
+    EXPECT_EQ(outcome.error().message, "Stopped; nothing was changed.");
     EXPECT_EQ(state_hash(document.world()), state_hash(world));
     EXPECT_EQ(document.world().ids(), world.ids());
   }

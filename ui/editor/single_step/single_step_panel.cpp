@@ -21,8 +21,8 @@ namespace {
 
 constexpr float kRows = 9;
 
-// A button that tells the key of an action, or says why it cannot be pressed at the moment. Returns whether
-// it was pressed.
+// Draws a button whose tooltip states the key of its action, or why it is disabled. Returns true if it was
+// pressed.
 bool button(const ViewState& view, const char* label, const char* mark, const char* tip, const char* action,
             const char* disabled_reason, float width) {
   ImGui::BeginDisabled(disabled_reason != nullptr);
@@ -35,7 +35,7 @@ bool button(const ViewState& view, const char* label, const char* mark, const ch
   return pressed;
 }
 
-// That of one of so many buttons in a row.
+// Returns the width of one of several buttons in a row.
 float width_of_one(int buttons) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   return (ImGui::GetContentRegionAvail().x - static_cast<float>(buttons - 1) * gap) /
@@ -50,11 +50,10 @@ void draw_beginnings(StageState& stages, const Document& document, const ViewSta
     wishes.on = on;
   }
   mark_last_item("stages on");
-  tooltip("A stroke waits when it is drawn, and is cut stage by stage. The result is the same.");
+  tooltip("A drawn stroke waits and is cut stage by stage. The result is the same.");
   ImGui::SameLine();
-  if (button(view, "Start again", "stage start",
-             "Takes the last stroke back, to be cut again stage by stage.", "Step through the last stroke",
-             why_not_again(document), width_of_one(1)))
+  if (button(view, "Start again", "stage start", "Undoes the last stroke and cuts it again, stage by stage.",
+             "Step through the last stroke", why_not_again(document), width_of_one(1)))
     wishes.begin_again();
 }
 
@@ -62,24 +61,23 @@ void draw_steps(StageState& stages, const Document& document, const ViewState& v
   StageWishes& wishes = stages.wishes;
   const char* no_next = why_no_next_stage(stages, document);
   const float third = width_of_one(3);
-  if (button(view, "Back", "stage back", "Takes the last stage back.", "Stage back",
+  if (button(view, "Back", "stage back", "Undoes the last stage.", "Stage back",
              why_no_stage_back(stages, document), third))
     wishes.go_to(stages.log.done() - 1);
   ImGui::SameLine();
   const char* no_play = no_next != nullptr && !wishes.playing ? why_not_again(document) : nullptr;
   if (button(view, wishes.playing ? "Pause" : "Play", "stage play",
-             "Executes stage after stage. At the end of the stroke it begins again.", "Play the stages",
-             no_play, third))
+             "Plays the stages; restarts at the end of the stroke.", "Play the stages", no_play, third))
     play_or_pause(stages, document);
   ImGui::SameLine();
   if (button(view, "Next", "stage next", "Executes one stage.", "Next stage", no_next, third))
     wishes.go_to(stages.log.done() + 1);
   const float half = width_of_one(2);
   if (button(view, "Finish the move", "stage end of move",
-             "Executes stages until a move of the beam is finished.", "Finish the move", no_next, half))
+             "Executes the remaining stages of this segment of the beam.", "Finish the move", no_next, half))
     wishes.run_to_end_of_move();
   ImGui::SameLine();
-  if (button(view, "Finish the stroke", "stage end of stroke", "Executes all stages that are left.",
+  if (button(view, "Finish the stroke", "stage end of stroke", "Executes all remaining stages.",
              "Finish the stroke", no_next, half))
     wishes.go_to(StageWishes::kAll);
 }
@@ -87,13 +85,13 @@ void draw_steps(StageState& stages, const Document& document, const ViewState& v
 void draw_speed(StageWishes& wishes) {
   if (!begin_properties("speed")) return;
   property("Speed");
-  real_slider({"Speed", "##speed", "How many stages a second are played.", true}, wishes.per_second,
+  real_slider({"Speed", "##speed", "Speed of playback in stages per second.", true}, wishes.per_second,
               StageWishes::kSlowest, StageWishes::kFastest, "%.1f stages/s");
   mark_last_item("stage speed");
   end_properties();
 }
 
-// Returns whether the row was clicked.
+// Returns true if the row was clicked.
 bool draw_row(size_t stage, const std::string& sentence, size_t done) {
   ImGui::PushID(static_cast<int>(stage));
   const bool now = stage == done, ahead = stage > done;
@@ -103,9 +101,9 @@ bool draw_row(size_t stage, const std::string& sentence, size_t done) {
   const bool clicked = ImGui::Selectable(fitted_text(text, ImGui::GetContentRegionAvail().x).c_str(), now);
   mark_last_item("stage row", static_cast<int>(stage));
   if (now || ahead) ImGui::PopStyleColor();
-  tooltip((sentence + (ahead ? " A click executes the stages up to this one."
+  tooltip((sentence + (ahead ? " Click to execute the stages up to this one."
                        : now ? ""
-                             : " A click goes back to this stage."))
+                             : " Click to go back to this stage."))
               .c_str());
   ImGui::PopID();
   return clicked && !now;
@@ -154,7 +152,7 @@ void SingleStepPanel::draw(StageState& stages, const Document& document, const V
   draw_speed(stages.wishes);
   const std::string place = place_text(stages, document);
   if (place.empty()) {
-    return secondary_text("Draw a stroke, or start the last one again.");
+    return secondary_text("Draw a stroke, or step through the last one again.");
   }
   ImGui::TextWrapped("%s", place.c_str());
   if (!stages.log.told().empty()) draw_list(stages, document);
@@ -166,8 +164,7 @@ namespace {
 
 constexpr float kMaxEms = 44;
 
-// Draws what the last stage of single steps did, in words, at the lower edge of a picture. Draws nothing if
-// no stage was executed.
+// Draws a description of the last stage at the lower edge of the viewport; no-op if no stage was executed.
 void draw_stage_caption(const StageLog& stages, const Area& picture) {
   if (stages.done() == 0) return;
   KERF_ASSERT(stages.done() <= stages.told().size());
@@ -195,8 +192,7 @@ void visited_row(StageLog& stages) {
   property("Tested");
   int visited = static_cast<int>(query.visited());
   const std::string shown = grouped(query.visited()) + " of " + grouped(query.size());
-  if (whole_slider({"Tested", "##visited",
-                    "The boxes in the order in which the query tested them; the keys [ and ] go box by box."},
+  if (whole_slider({"Tested", "##visited", "Boxes in the order of their tests; step with the keys [ and ]."},
                    visited, 1, static_cast<int>(query.size()), shown))
     stages.visit(static_cast<size_t>(visited));
   mark_last_item("query slider");
@@ -207,10 +203,10 @@ void drawn_row(StageLog& stages) {
   bool drawn = stages.query().drawn;
   if (ImGui::Checkbox("shown", &drawn)) stages.draw_query(drawn);
   mark_last_item("query shown");
-  tooltip("Draws the boxes that the last query of the tree tested, coloured by what became of them.");
+  tooltip("Draws the boxes tested by the last tree query, coloured by outcome.");
 }
 
-// A number beside the colour of its boxes.
+// A number next to the colour of its boxes.
 void count_row(const char* name, const QueryWalk& query, Found outcome, Kind kind, const char* meaning) {
   property(name);
   const uint32_t hex = colour_of(kind);
@@ -226,8 +222,7 @@ void count_row(const char* name, const QueryWalk& query, Found outcome, Kind kin
   tooltip(meaning);
 }
 
-// Rows of the Tree panel: the last query of the tree in single steps, walked through box by box with a
-// slider.
+// Rows of the Tree panel: a slider through the boxes of the last tree query.
 void draw_query_walk(StageLog& stages) {
   const QueryWalk& query = stages.query();
   ImGui::Separator();
@@ -238,12 +233,11 @@ void draw_query_walk(StageLog& stages) {
     return;
   }
   visited_row(stages);
-  count_row("Entered", query, Found::kEntered, Kind::kEntered, "Boxes that may meet the beam.");
+  count_row("Entered", query, Found::kEntered, Kind::kEntered, "Boxes that may intersect the beam.");
   count_row("Culled", query, Found::kCulled, Kind::kCulled,
-            "Boxes outside the beam, with all that is in them.");
-  count_row("Missed", query, Found::kMissed, Kind::kMissed,
-            "Faces that were tested and that the beam misses.");
-  count_row("Hit", query, Found::kTouched, Kind::kTouched, "Faces that were tested and that the beam hits.");
+            "Boxes outside the beam, with everything in them.");
+  count_row("Missed", query, Found::kMissed, Kind::kMissed, "Tested faces that the beam misses.");
+  count_row("Hit", query, Found::kTouched, Kind::kTouched, "Tested faces that the beam hits.");
   end_properties();
   ImGui::TextWrapped("%s", query.words().c_str());
   mark_last_item("query words");
@@ -256,7 +250,7 @@ class SingleStepFeature : public Feature {
   explicit SingleStepFeature(Workspace& workspace) : workspace_(workspace) {
     workspace.holds_back = [this] { return cut_.holds_back(); };
     workspace.time_holds.push_back(
-        [this] { return stages_.wishes.on ? "Bodies stand still during single steps." : nullptr; });
+        [this] { return stages_.wishes.on ? "Bodies do not move during single steps." : nullptr; });
   }
 
   std::vector<Panel> panels() override {
@@ -301,7 +295,7 @@ class SingleStepFeature : public Feature {
   }
 
  private:
-  // What single steps do at the moment, or wait for.
+  // Describes what single steps do or wait for.
   std::string state_text() const;
   const char* why_no_next() const { return why_no_next_stage(stages_, workspace_.work.document); }
   std::vector<UserAction> beginnings();
@@ -336,17 +330,17 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
   return {
       UserAction{.name = "Single steps",
                  .shortcut = "F8",
-                 .tip = "A stroke waits, and is cut stage by stage: sweep, hit, refine, remove, separate.",
+                 .tip = "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
                  .run = [&wishes] { wishes.stop(), wishes.on = !wishes.on; },
                  .checked = [&wishes] { return wishes.on; }},
       UserAction{.name = "Step through the last stroke",
                  .shortcut = "Shift+F8",
-                 .tip = "Takes the last stroke back, to be cut again stage by stage.",
+                 .tip = "Undoes the last stroke and cuts it again, stage by stage.",
                  .run = [&wishes] { wishes.begin_again(); },
                  .disabled_reason = why_not_start},
       UserAction{.name = "Play the stages",
                  .shortcut = "Space",
-                 .tip = "In slow motion, or pauses. At the end of the stroke it begins again.",
+                 .tip = "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
                  .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.work.document); },
                  .checked = [&wishes] { return wishes.playing; },
                  .disabled_reason = why_no_play,
@@ -357,7 +351,7 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
 std::vector<UserAction> SingleStepFeature::steps() {
   StageWishes& wishes = stages_.wishes;
   const auto disabled_reason = [this] { return why_no_next(); };
-  const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key lets a tick pass
+  const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key advances a tick
   return {
       UserAction{.name = "Next stage",
                  .shortcut = ".",
@@ -371,17 +365,17 @@ std::vector<UserAction> SingleStepFeature::steps() {
                  .has_key_when = while_on},
       UserAction{.name = "Stage back",
                  .shortcut = ",",
-                 .tip = "Takes the last stage back, exactly.",
+                 .tip = "Undoes the last stage, to the bit.",
                  .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
                  .disabled_reason = [this] { return why_no_stage_back(stages_, workspace_.work.document); }},
       UserAction{.name = "Finish the move",
                  .shortcut = "Shift+.",
-                 .tip = "Executes stages until a move of the beam is finished.",
+                 .tip = "Executes the remaining stages of this segment of the beam.",
                  .run = [this] { cut_.follow(), stages_.wishes.run_to_end_of_move(); },
                  .disabled_reason = disabled_reason},
       UserAction{.name = "Finish the stroke",
                  .shortcut = "End",
-                 .tip = "Executes all stages that are left.",
+                 .tip = "Executes all remaining stages.",
                  .run = [this] { cut_.follow(), stages_.wishes.go_to(StageWishes::kAll); },
                  .disabled_reason = disabled_reason},
   };
@@ -390,7 +384,7 @@ std::vector<UserAction> SingleStepFeature::steps() {
 UserAction SingleStepFeature::speed_action(const char* name, double factor) {
   return {.menu = "Single step",
           .name = name,
-          .tip = "How many stages a second are played.",
+          .tip = "Speed of playback in stages per second.",
           .run =
               [this, factor] {
                 double& speed = stages_.wishes.per_second;
@@ -399,20 +393,18 @@ UserAction SingleStepFeature::speed_action(const char* name, double factor) {
           .in_menu = false};
 }
 
-// With the boxes of the last query, one box more or less.
+// Visits one more or one less box of the last query.
 UserAction SingleStepFeature::visit_action(const char* name, const char* shortcut, int by) {
   return {.name = name,
           .shortcut = shortcut,
-          .tip = "Of the last query of the tree in single steps: the boxes in the order of their tests.",
+          .tip = "Steps through the boxes of the last tree query in the order of their tests.",
           .run =
               [this, by] {
                 const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
                 stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
               },
           .disabled_reason =
-              [this] {
-                return stages_.log.query().empty() ? "No stage of single steps has asked the tree." : nullptr;
-              },
+              [this] { return stages_.log.query().empty() ? "No stage has queried the tree yet." : nullptr; },
           .in_menu = false};
 }
 
@@ -423,7 +415,7 @@ std::vector<UserAction> SingleStepFeature::view_actions() {
       visit_action("Query: next box", "]", 1),
       visit_action("Query: box before", "[", -1),
       {.name = "Query: show the boxes",
-       .tip = "Draws the boxes that the last query of the tree has tested, coloured by what became of them.",
+       .tip = "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
        .run = [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
        .checked = [this] { return stages_.log.query().drawn; },
        .in_menu = false}};

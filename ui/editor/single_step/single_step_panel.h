@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// Single steps of the last stroke: the switch, the buttons that go forth and back, and what each stage did.
+// Panel of single steps: the switch, the buttons for the stages, and a description of each stage.
 class SingleStepPanel {
  public:
   void draw(StageState& stages, const Document& document, const ViewState& view);
@@ -14,7 +14,7 @@ class SingleStepPanel {
  private:
   void draw_list(StageState& stages, const Document& document);
 
-  size_t shown_ = 0;  // the stages for which the list was scrolled
+  size_t shown_ = 0;  // stage that the list was last scrolled to
 };
 
 }  // namespace kerf

@@ -23,17 +23,17 @@ void play_or_pause(StageState& stages, const Document& document) {
 }
 
 const char* why_not_again(const Document& document) {
-  if (!document.history().last_cut()) return "Nothing is cut yet.";
-  if (*document.history().last_cut() + 1 != document.history().position())
-    return "Something was done after the last stroke: undo that first.";
-  return document.can_start_again() ? nullptr : "What was before the last stroke is no longer remembered.";
+  if (!document.history().last_cut()) return "No cut yet.";
+  if (*document.history().last_cut() + 1 != document.history().position()) return "Undo later changes first.";
+  return document.can_start_again() ? nullptr : "The undo data of the last cut were discarded.";
 }
 
 const char* why_no_next_stage(const StageState& stages, const Document& document) {
   if (!stages.wishes.on) return kOff;
   if (document.waiting() > 0 && stages.runs_on)
-    return "This stroke is cut to its end: what was before it is no longer remembered.";
-  return document.waiting() > 0 ? nullptr : "The stroke is cut. Go back, start again, or draw another one.";
+    return "This stroke is cut to its end, because its undo data were discarded.";
+  return document.waiting() > 0 ? nullptr
+                                : "The stroke is finished: go back, start again, or draw another one.";
 }
 
 const char* why_no_stage_back(const StageState& stages, const Document& document) {
@@ -42,8 +42,8 @@ const char* why_no_stage_back(const StageState& stages, const Document& document
 }
 
 namespace {
-constexpr double kStageSeconds = 0.020;  // of executing stages in one frame, or as long as a picture takes
-constexpr double kQuickSeconds = 0.100;  // going back that takes longer runs beside the frames
+constexpr double kStageSeconds = 0.020;  // budget for stages per frame, or the time of a frame if longer
+constexpr double kQuickSeconds = 0.100;  // above this time, going back runs in the background
 }  // namespace
 
 StageCut::Key StageCut::key_now() const {
@@ -98,7 +98,7 @@ void StageCut::follow() {
   begin();
 }
 
-// A stroke of which a part was executed otherwise starts again, where it can.
+// Restarts a stroke that was partly executed without single steps, if possible.
 void StageCut::begin() {
   single_.emplace(workspace_.work.document);
   spent_ = 0;
@@ -147,7 +147,7 @@ void StageCut::go_on() {
   show();
 }
 
-// What is asked for while earlier strokes are cut stays.
+// Requests made while earlier strokes are cut are kept.
 void StageCut::drop_fulfilled() {
   StageWishes& wishes = stages_.wishes;
   const Document& document = workspace_.work.document;

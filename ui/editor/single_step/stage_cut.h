@@ -11,17 +11,17 @@
 
 namespace kerf {
 
-// What the user asks for in single steps.
+// Requests of the user in single steps.
 struct StageWishes {
   static constexpr double kSlowest = 0.5, kFastest = 60;
   static constexpr size_t kAll = std::numeric_limits<size_t>::max();
 
-  bool on = false;              // the last stroke is executed in single steps
-  double per_second = 4;        // stages, while playing
+  bool on = false;              // single steps are enabled
+  double per_second = 4;        // speed of playback [stages/s]
   bool playing = false;         // stages are executed one after the other
-  bool start_again = false;     // the last stroke is taken back, to be executed again
-  bool to_end_of_move = false;  // stages are executed until a move of the beam is finished
-  std::optional<size_t> stage;  // the number of stages of the stroke that are to be executed; kAll: all
+  bool start_again = false;     // undo the last stroke and execute it again
+  bool to_end_of_move = false;  // execute the remaining stages of the segment
+  std::optional<size_t> stage;  // target number of executed stages; kAll: all
 
   void stop() {
     playing = to_end_of_move = false;
@@ -41,47 +41,45 @@ struct StageWishes {
   }
 };
 
-// Single steps of the last stroke in the editor; StageCut executes them.
+// State of single steps; StageCut executes them.
 struct StageState {
   StageWishes wishes;
   StageLog log;
-  bool runs_on = false;  // a part of the last stroke was cut without stages, and cannot be taken back
+  bool runs_on = false;  // a part of the last stroke was cut without stages and cannot be undone
 };
 
-// Plays the stages or pauses; at the end of the stroke, and while single steps are off, it begins again.
+// Plays or pauses the stages; restarts at the end of the stroke and while single steps are off.
 void play_or_pause(StageState& stages, const Document& document);
 
-// Why the last stroke cannot be stepped through again, why there is no next stage, and why the last one
-// cannot be taken back; one sentence each, or null where it can be done.
+// Return why the last stroke cannot be stepped through again, why there is no next stage, and why the last
+// stage cannot be undone; a sentence, or null if it is possible.
 const char* why_not_again(const Document& document);
 const char* why_no_next_stage(const StageState& stages, const Document& document);
 const char* why_no_stage_back(const StageState& stages, const Document& document);
 
-// Executes the last stroke of the open document in single steps, forth and back, while the user wants it.
-// Earlier strokes of which moves wait are left to WorldChanges::cut.
+// Executes the last stroke of the open document in single steps, forward and backward. Leaves earlier
+// strokes with queued moves to WorldChanges::cut.
 class StageCut {
  public:
   // Both must outlive it.
   StageCut(Workspace& workspace, StageState& stages) : workspace_(workspace), stages_(stages) {}
 
-  // Executes what the user asked for, at most for a part of a frame; `seconds` have passed since the last
-  // frame. Going back in a long stroke becomes a pending change.
+  // Executes requested stages, at most for a part of a frame; `seconds` since the last frame. Going back in
+  // a long stroke becomes a pending change.
   void advance(double seconds);
-  // Finds out whether the stages in the log are those of the last stroke, and begins anew where they are not.
-  // To be called before the user asks for more of them.
+  // Restarts the log if it does not belong to the last stroke. Call before the user requests more stages.
   void follow();
-  // Whether the next step of the document waits for the user.
+  // Returns true if the next step of the document waits for the user.
   bool holds_back() const;
-  // Whether the last stroke waits for earlier ones, which are cut without stages. What the user asks for
-  // waits, too.
+  // Returns true if the last stroke and its requests wait for earlier strokes, which are cut without stages.
   bool waits_for_earlier() const;
-  // Whether more stages are to be executed.
+  // Returns true if more stages are requested.
   bool wants_more() const;
-  // Whether more is to be executed in the next frames.
+  // Returns true if the next frames have to execute more.
   bool waits() const;
 
  private:
-  // What the stages in the log belong to.
+  // Identifies the stroke and queue that the log belongs to.
   struct Key {
     size_t revision = 0, position = 0, forgotten = 0;
     friend bool operator==(const Key&, const Key&) = default;
@@ -102,9 +100,9 @@ class StageCut {
   std::optional<SingleStep> single_;
   std::optional<Key> key_;
   bool went_back_ = false;      // since the last frame
-  bool from_its_start_ = true;  // the last stroke is executed in single steps from its start on
-  double spent_ = 0;            // s, on the stages that were executed
-  double due_ = 0;              // stages, while playing
+  bool from_its_start_ = true;  // the last stroke is in single steps from its start
+  double spent_ = 0;            // on the executed stages [s]
+  double due_ = 0;              // stages due while playing
 };
 
 }  // namespace kerf

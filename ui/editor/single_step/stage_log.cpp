@@ -28,7 +28,7 @@ void mark_face(const Triangle& t, uint32_t piece, Kind kind, OfBody& marks) {
   outline(t, piece, kind, marks);
 }
 
-// How deep along the beam the body lies: the part of the volume that is drawn.
+// Returns the depths of the body along the beam, i.e. the part of the volume that is drawn.
 Interval depths_of(const Body& body, const SweptCylinder::Slab& whole) {
   const Bounds box = body.bounds();
   Interval depths{INFINITY, -INFINITY};
@@ -42,7 +42,7 @@ Interval depths_of(const Body& body, const SweptCylinder::Slab& whole) {
   return {std::max(depths.low - beyond, whole.depth.low), std::min(depths.high + beyond, whole.depth.high)};
 }
 
-// The cross-section of the volume: two half circles around the ends of the motion of the axis.
+// Returns the cross-section of the volume: two half circles around the ends of the motion of the axis.
 std::vector<Vec3> section(const SweptCylinder::Slab& slab, double radius) {
   std::vector<Vec3> corners;
   for (const bool back : {false, true}) {
@@ -129,11 +129,11 @@ Kind kind_of(Found outcome) {
 std::string why_culled(Side side) {
   switch (side) {
     case Side::kDepth:
-      return "it lies before the beginning of the beam or behind its end";
+      return "it lies before the start or beyond the end of the beam";
     case Side::kMotion:
-      return "it lies ahead of the volume that the beam sweeps, or behind it, in the direction of its motion";
+      return "it lies ahead of or behind the volume that the beam sweeps";
     case Side::kLateral:
-      return "it lies beside the volume that the beam sweeps, across its motion";
+      return "it lies to the side of the volume that the beam sweeps";
     case Side::kNone:
       break;
   }
@@ -186,13 +186,13 @@ std::string QueryWalk::words() const {
       face.empty() ? "A box at level " + std::to_string(visit.box.depth) : "The box of face " + face;
   switch (visit.outcome) {
     case Found::kEntered:
-      return box + " was entered: it may meet the beam, so what it contains is tested, too.";
+      return box + " was entered: it may intersect the beam, so its contents are tested.";
     case Found::kCulled:
       return box + " was culled: " + why_culled(visit.outside) + ".";
     case Found::kMissed:
-      return box + " may meet the beam, so the face was tested: the beam misses it.";
+      return box + " may intersect the beam, so the face was tested: the beam misses it.";
     case Found::kTouched:
-      return box + " may meet the beam, so the face was tested: the beam hits it.";
+      return box + " may intersect the beam, so the face was tested: the beam hits it.";
   }
   return box;
 }
@@ -212,7 +212,7 @@ void QueryWalk::mark(StageMarks& marks) const {
   add_box(visits_[visited_ - 1].box, Kind::kLast, on.lines);
 }
 
-// A stage that is executed again says the same; one of another queue does not.
+// A stage executed again has the same sentence; if it differs, the rest of the log belongs to another queue.
 void StageLog::note(const World& world, const StageRecord& stage, FileUnit unit) {
   std::string sentence = stage_label(stage, unit);
   if (done_ < told_.size() && told_[done_] != sentence) told_.resize(done_);
@@ -239,7 +239,7 @@ size_t StageLog::moves() const {
 
 size_t StageLog::stage_of_move() const { return moves() == 0 ? done_ : done_ - sweeps_[moves() - 1] + 1; }
 
-// The last query is that of the last sweep, or comes again with the stages that follow.
+// The last query is that of the last sweep, or is traced again by the following stages.
 void StageLog::restart(size_t stages) {
   KERF_ASSERT(stages <= done_);
   done_ = stages;

@@ -12,35 +12,35 @@
 
 namespace kerf {
 
-// What is drawn of a stage that was just executed: the volumes that the beam sweeps, the faces that it
-// touches, the faces that were made and those that were removed. Linear in these faces.
+// Returns the overlay of a stage right after its execution: swept volumes, hit faces, created and removed
+// faces. Linear in these faces.
 StageMarks mark_stage(const World& world, const StageRecord& stage);
 
-// The last query of the tree in single steps, visited box by box.
+// The last tree query in single steps, visited box by box.
 class QueryWalk {
  public:
-  // Traces the query of a stage that found faces, right after the stage. A beam of several rays asks the tree
-  // once for each; these walks follow each other. Takes a constant factor more time than the query.
+  // Traces the query of a stage that searched faces, right after the stage. A beam of several rays queries
+  // the tree once per ray; the walks are appended. Costs a constant factor more than the query.
   void trace(const World& world, const StageRecord& found);
   void clear();
 
-  // Whether the boxes are drawn; clear() leaves it as it is.
+  // Draws the boxes; not changed by clear().
   bool drawn = false;
 
   bool empty() const { return visits_.empty(); }
   size_t size() const { return visits_.size(); }
-  // The number of boxes that the display has visited: all, until it is set by visit(), to one at least.
+  // Number of boxes shown as visited: all, unless set by visit(), and at least one.
   size_t visited() const { return visited_; }
   void visit(size_t boxes);
 
-  // What became of the box that was visited last, and why: one sentence. Precondition: visited() > 0.
+  // Returns the outcome of the last visited box, and the reason, as a sentence. Precondition: visited() > 0.
   std::string words() const;
-  // How many of the boxes that were visited had this outcome.
+  // Returns the number of visited boxes with this outcome.
   size_t count(TouchedWalk::Outcome outcome) const;
-  // The face of the box that was visited last, if it is that of one face.
+  // Returns the face of the last visited box if it is a leaf, else an invalid id.
   FaceId face() const { return visited_ > 0 ? visits_[visited_ - 1].face : FaceId(); }
 
-  // Adds the boxes that were visited to the marks. Of more than kMaxDrawn the latest are drawn.
+  // Adds the visited boxes to the overlay, at most the last kMaxDrawn.
   static constexpr size_t kMaxDrawn = 2000;
   void mark(StageMarks& marks) const;
 
@@ -50,44 +50,42 @@ class QueryWalk {
   size_t visited_ = 0;
 };
 
-// The stages of the last stroke that were executed in single steps, and what is drawn of them.
+// The executed stages of the last stroke, and their overlay.
 class StageLog {
  public:
-  // The number of stages that were executed.
+  // Number of executed stages.
   size_t done() const { return done_; }
-  // The moves of the stroke that they belong to, and which stage of the last of them it was; 0 before the
-  // first.
+  // Number of segments of the stroke begun so far, and the number of the last stage within its segment; 0
+  // before the first.
   size_t moves() const;
   size_t stage_of_move() const;
-  // What the stages did, one sentence each: first those that were executed, then those that were executed
-  // before the user went back.
+  // One sentence per stage: the executed ones, then those executed before going back.
   const std::vector<std::string>& told() const { return told_; }
-  // The stage that was executed last; null if none was.
+  // The last executed stage, or null.
   const StageRecord* last() const { return last_ ? &*last_ : nullptr; }
 
-  // Notes a stage right after it was executed. Lengths are told in the unit in which the work is shown.
+  // Records a stage right after its execution. Lengths in its sentence are in `unit`.
   void note(const World& world, const StageRecord& stage, FileUnit unit);
-  // The stroke was taken back to where so many stages were executed, to be executed again from there.
-  // Precondition: no more than done().
+  // Records that the stroke was undone to its first `stages` stages. Precondition: stages <= done().
   void restart(size_t stages = 0);
-  // Another stroke, or another document.
+  // Clears the log for another stroke or document.
   void forget();
-  // A number that increases with every forget().
+  // Number of calls of forget().
   size_t forgotten() const { return forgotten_; }
 
-  // The last query of the tree, and how much of it is displayed.
+  // The last tree query and its displayed part.
   const QueryWalk& query() const { return query_; }
   void draw_query(bool drawn);
   void visit(size_t boxes);
 
-  // What is drawn of the last stage and of the query; null if nothing is. `world` is the one right after the
-  // stage. Made when it is first asked for after a change.
+  // Returns the overlay of the last stage and of the query, or null if it is empty. `world`: right after the
+  // stage. Computed on the first call after a change.
   std::shared_ptr<const StageMarks> marks(const World& world);
 
  private:
   size_t done_ = 0, forgotten_ = 0;
   std::vector<std::string> told_;
-  std::vector<size_t> sweeps_;  // the numbers of the stages among them that begin a move, from 1 on
+  std::vector<size_t> sweeps_;  // numbers (from 1) of the stages that begin a segment
   std::optional<StageRecord> last_;
   size_t swept_ = 0;       // stages up to the last sweep
   std::set<PieceId> cut_;  // pieces that lost faces since then

@@ -37,16 +37,16 @@ UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
   return {.name = faster ? "Time: faster" : "Time: slower",
           .shortcut = faster ? "=" : "-",
           .pad_key = faster ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT,
-          .tip = "From an eighth of real time to real time.",
+          .tip = "Changes the speed between 1/8 of real time and real time.",
           .run =
               [&play, &message = workspace.message, faster] {
                 KERF_ASSERT(faster ? play.can_go_faster() : play.can_go_slower());
                 faster ? ++play.speed_index : --play.speed_index;
-                message.say(std::string("Time passes at ") + play.speed().name);
+                message.say(std::string("Speed: ") + play.speed().name);
               },
           .disabled_reason = [&play, faster]() -> const char* {
-            if (faster) return play.can_go_faster() ? nullptr : "Time passes in real time already.";
-            return play.can_go_slower() ? nullptr : "Time passes at an eighth of real time already.";
+            if (faster) return play.can_go_faster() ? nullptr : "Already at maximum speed: real time.";
+            return play.can_go_slower() ? nullptr : "Already at minimum speed: 1/8 of real time.";
           },
           .ends_group = faster};
 }
@@ -57,13 +57,13 @@ std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
       UserAction{
           .name = "Play",
           .shortcut = "Space",
-          .tip = "Pieces that came off fall, or everything stands still again. One undo takes a fall back.",
+          .tip = "Plays or pauses the simulation, in which separated pieces fall. One undo covers all of it.",
           .run = [&play] { play.play_or_pause(); },
           .checked = [&play] { return play.playing; },
           .disabled_reason = [&play, why_no_play] { return play.playing ? nullptr : why_no_play(); }},
       UserAction{.name = "One tick",
                  .shortcut = ".",
-                 .tip = "Lets 1/120 s pass.",
+                 .tip = "Advances the simulation by one tick (1/120 s).",
                  .run = [&play] { play.ask_for_tick(); },
                  .disabled_reason = why_no_play},
       speed_action(workspace, play, false),
@@ -110,7 +110,7 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
   const auto has_gravity = [&workspace] { return workspace.world().environment().gravity != Vec3(0); };
   const auto are_pinned = [&workspace] { return chosen_are_pinned(workspace.world(), workspace.view); };
   actions.push_back({.name = "Gravity",
-                     .tip = "Without it pieces float apart. The Bodies panel sets its value.",
+                     .tip = "Switches gravity on or off; the Bodies panel sets its value.",
                      .run =
                          [&workspace, has_gravity] {
                            workspace.changes.ask(
@@ -119,9 +119,7 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
                      .checked = has_gravity});
   actions.push_back({.name = "Pin the chosen",
                      .shortcut = "Shift+P",
-                     .tip =
-                         "The chosen pieces stay where they are while others move; the same again lets them "
-                         "move.",
+                     .tip = "Fixes the selected pieces in place while others move; repeat to release them.",
                      .run = [&workspace, are_pinned] { ask_to_pin(workspace, !are_pinned()); },
                      .checked = are_pinned,
                      .disabled_reason = [&workspace] { return why_no_pin(workspace.view); }});
@@ -131,9 +129,9 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
 namespace {
 
 constexpr int kCoils = 9;
-constexpr float kMinCoiled = 2;  // sizes of the text; a shorter spring is a line
+constexpr float kMinCoiled = 2;  // text sizes; a shorter spring is a line
 
-constexpr double kAsFast = 0.9;  // of the chosen speed; a smaller one that is reached is told
+constexpr double kAsFast = 0.9;  // of the selected speed; below, the actual speed is shown
 
 std::string words_of(const PlayState& play, const ReachedSpeed& reached, const World& world) {
   const double seconds = seconds_of_ticks(world.clock());
@@ -141,7 +139,7 @@ std::string words_of(const PlayState& play, const ReachedSpeed& reached, const W
   return "Playing " + speed_text(play, reached) + text_of("  %.1f s", seconds);
 }
 
-// A zigzag between two places, with a dark line under it.
+// Draws a zigzag between two places, over a dark line.
 void draw_coil(Vec2 from, Vec2 to, float em, ImDrawList& list) {
   const Vec2 way = to - from;
   const double length = glm::length(way);
@@ -166,7 +164,7 @@ std::string speed_text(const PlayState& play, const ReachedSpeed& reached) {
   return text_of("%.2gx of %s", *reached.of_real_time(), play.speed().name);
 }
 
-// As wide as the longest time to come, so that it stands still.
+// Has a minimum width, so that its size stays the same as the time grows.
 void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const World& world,
                      const ViewState& view, Badges& badges) {
   constexpr float kMinEms = 9.5f;
@@ -192,8 +190,8 @@ void draw_spring(const Spring& spring, const World& world, const ViewState& view
 
 namespace {
 
-// A spring, without tension, on the point of a visible piece that is seen at a place of the first half of the
-// picture (screen coordinates). Nothing where nothing is seen, or where the body is pinned.
+// Returns a relaxed spring at the point of a visible piece under a place in the first half (screen
+// coordinates); nullopt on a miss, or if the body is pinned.
 std::optional<Spring> spring_at(const World& world, const ViewState& view, Vec2 place) {
   const Pose ray = FirstPicture(view).ray(place);
   const std::optional<Pick> seen = pick(world, view.look, ray);
@@ -203,13 +201,14 @@ std::optional<Spring> spring_at(const World& world, const ViewState& view, Vec2 
   return Spring{{seen->body, body.mesh.data(seen->face).piece}, body.placement.to_body(held), held};
 }
 
-// Moves the far end of the spring under a place of the first half, in the plane through where it is that
-// faces the camera.
+// Moves the far end of the spring under a place of the first half, in the plane through the end that faces
+// the camera.
 void stretch(Spring& spring, const ViewState& view, Vec2 place) {
   spring.to = FirstPicture(view).at_depth_of(spring.to, place);
 }
 
-// Play, pause and speed, gravity and ground, pins, the views of contacts, and what the last tick did.
+// Panel for play, pause and speed, gravity and ground, pins, display of contacts, and numbers of the last
+// tick.
 class BodiesPanel {
  public:
   void draw(Workspace& workspace, PlayState& play);
@@ -226,11 +225,12 @@ void draw_time(Workspace& workspace, PlayState& play) {
     return with_shortcut(workspace.view, meaning, action);
   };
   if (row_button(play.playing ? "Pause###play" : "Play###play", 2, play.playing ? nullptr : disabled_reason,
-                 told("Pieces that came off fall, or everything stands still again.", "Play").c_str()))
+                 told("Plays or pauses the simulation.", "Play").c_str()))
     play.play_or_pause();
   mark_last_item("bodies play");
   ImGui::SameLine();
-  if (row_button("One tick", 2, disabled_reason, told("Lets 1/120 s pass.", "One tick").c_str()))
+  if (row_button("One tick", 2, disabled_reason,
+                 told("Advances the simulation by one tick (1/120 s).", "One tick").c_str()))
     play.ask_for_tick();
   mark_last_item("bodies tick");
 }
@@ -243,14 +243,14 @@ void draw_speed(PlayState& play) {
     }
     ImGui::EndCombo();
   } else {
-    tooltip("How fast time passes, against real time. It passes more slowly where a tick takes longer.");
+    tooltip("Speed relative to real time. The simulation slows down if ticks take too long.");
   }
 }
 
 void draw_pin(Workspace& workspace) {
   const bool pinned = chosen_are_pinned(workspace.world(), workspace.view);
   if (row_button(pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(workspace.view),
-                 with_shortcut(workspace.view, "What is pinned stays where it is while other pieces move.",
+                 with_shortcut(workspace.view, "Fixes the selected pieces in place while others move.",
                                "Pin the chosen")
                      .c_str()))
     ask_to_pin(workspace, !pinned);
@@ -262,7 +262,7 @@ void draw_statistics(const TickStatistics& statistics) {
   const std::string text = grouped(statistics.bodies) + " bodies, " + grouped(statistics.awake) + " awake, " +
                            grouped(statistics.contacts) + " contacts";
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  draw_fitted_text(text, "What the last tick in which bodies moved found.");
+  draw_fitted_text(text, "Numbers of the last tick in which bodies moved.");
   ImGui::PopStyleColor();
 }
 
@@ -275,20 +275,20 @@ void BodiesPanel::draw_environment(Workspace& workspace) {
   property("Gravity");
   if (ImGui::Checkbox("##gravity", &gravity)) workspace.changes.ask(with_gravity(world, frame, gravity));
   mark_last_item("gravity on");
-  tooltip("Without gravity pieces float apart.");
+  tooltip("Switches gravity on or off.");
   if (!around.ground) around = default_environment(world, frame);
   around.metre = 1 / metres;
   double value = metres * glm::length(around.gravity);
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
   if (gravity && fields_.number("Its value", value, "%.3g m/s\xc2\xb2",
-                                "9.81 on the earth, 1.62 on the moon.", {}, kPositive)) {
+                                "Gravity: 9.81 on Earth, 1.62 on the Moon.", {}, kPositive)) {
     around.gravity = value / metres * down;
     workspace.changes.ask(SetEnvironment{around});
   }
   double height = around.ground.value_or(0);
   const LengthUnit unit = label_unit(0.1 * world.loaded_bounds().diagonal(), frame.unit);
   if (gravity &&
-      length_field(fields_, "Ground", height, unit, "The height of the ground on which pieces rest.")) {
+      length_field(fields_, "Ground", height, unit, "Height of the ground on which pieces rest.")) {
     around.ground = height;
     workspace.changes.ask(SetEnvironment{around});
   }
@@ -307,7 +307,7 @@ void BodiesPanel::draw(Workspace& workspace, PlayState& play) {
   draw_statistics(workspace.work.document.execution().physics().statistics());
 }
 
-// Whether the user has let time pass for the bodies, and that is not undone.
+// Returns true if the history up to its position contains playback.
 bool has_played(const History& history) {
   for (size_t i = 0; i < history.position(); ++i) {
     const std::vector<Command>& commands = history.step(i).commands();
@@ -334,7 +334,7 @@ class TimeFeature : public Feature {
     return spring ? std::make_unique<Pull>(*this, *spring) : nullptr;
   }
   const char* status_hint() const override {
-    return workspace_.tool == kPickTool && play_.playing ? "Pick: drag pulls a piece, a click chooses it"
+    return workspace_.tool == kPickTool && play_.playing ? "Select: drag to pull a piece, click to select it"
                                                          : nullptr;
   }
 
@@ -354,12 +354,12 @@ class TimeFeature : public Feature {
     if (play_.playing || stands)
       draw_play_badge(play_, reached_, workspace_.world(), workspace_.view, workspace_.badges);
     if (workspace_.settings.heat_held && is_hot(workspace_.world()))
-      workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Heat is held", "heat badge");
+      workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Temperatures frozen", "heat badge");
   }
   void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  // What was pressed while time passes is pulled by a drag, and chosen by a click.
+  // While time passes, a drag pulls the pressed piece and a click selects it.
   class Pull : public Interaction {
    public:
     Pull(TimeFeature& feature, const Spring& spring)
@@ -370,7 +370,7 @@ class TimeFeature : public Feature {
       if (!pulls_) choose_under_pointer(feature_.workspace_, (event.mods & GLFW_MOD_SHIFT) != 0);
     }
     bool cancel() override { return pulls_; }
-    const char* words() const override { return pulls_ ? "Pulling: release to let go" : nullptr; }
+    const char* words() const override { return pulls_ ? "Pulling: release to end" : nullptr; }
 
    private:
     TimeFeature& feature_;
@@ -381,7 +381,7 @@ class TimeFeature : public Feature {
 
   Workspace& workspace_;
   PlayState play_;
-  std::optional<Spring> spring_;  // that a piece is pulled by
+  std::optional<Spring> spring_;  // that pulls a piece
   TimeFlow flow_{workspace_, play_, spring_};
   Cooling cooling_{workspace_, play_};
   ReachedSpeed reached_;
@@ -403,7 +403,7 @@ void TimeFeature::after_queue(double seconds) {
   workspace_.plays = play_.playing;
   reached_.follow(play_.playing, workspace_.world().clock(), seconds);
   workspace_.statistics.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
-  // The picture is old wherever contacts may have changed.
+  // The viewport is redrawn whenever contacts may have changed.
   if (workspace_.changes.is_pending() || !workspace_.view.picture_old) return;
   workspace_.view.look.bodies = gather_body_marks(
       workspace_.world(), workspace_.work.document.execution().physics(), workspace_.view.look.show);

@@ -9,7 +9,7 @@
 namespace kerf {
 
 namespace {
-constexpr double kMeasured = 0.5;  // s
+constexpr double kMeasured = 0.5;  // s, of one measurement
 }
 
 void ReachedSpeed::follow(bool playing, Ticks clock, double seconds) {
@@ -27,11 +27,11 @@ void ReachedSpeed::follow(bool playing, Ticks clock, double seconds) {
 }
 
 namespace {
-constexpr double kLongestLag = 0.1;  // s, that are made up for
+constexpr double kLongestLag = 0.1;  // s, max. lag to catch up with
 constexpr double kMaxTicks = kLongestLag * kTicksPerSecond;
-constexpr double kLongestFrame = 0.1, kRest = 1;  // s, that are made up for in a frame and between rests
-constexpr double kTintedFrom = 500;               // K; below, no tint spreads and nothing glows
-constexpr double kSeenOnScale = 8;                // K over the ambient, a step of the temperature view
+constexpr double kLongestFrame = 0.1, kRest = 1;  // s, max. time to catch up with, visible and not visible
+constexpr double kTintedFrom = 500;               // K; below, there is neither tint nor glow
+constexpr double kSeenOnScale = 8;                // K above ambient, a step of the temperature view
 }  // namespace
 
 void TimeFlow::advance(double seconds) {
@@ -47,7 +47,7 @@ void TimeFlow::advance(double seconds) {
   const bool single = std::exchange(play_.one_tick, false);
   const auto ticks = single ? Ticks{1} : static_cast<Ticks>(pace_.due);
   if (ticks > 0) queue_ticks(ticks);
-  if (single) begun_ = false;  // each single tick is a step of the history
+  if (single) begun_ = false;  // each single tick is a history entry
 }
 
 void TimeFlow::end() {
@@ -58,7 +58,7 @@ void TimeFlow::end() {
   begun_ = false;
 }
 
-// Ends playing where it has to end.
+// Ends playback if required.
 bool TimeFlow::may_go_on() {
   const size_t position = workspace_.work.document.history().position();
   const bool undone = position < std::exchange(position_, position);
@@ -70,7 +70,7 @@ bool TimeFlow::may_go_on() {
   return play_.playing || play_.one_tick;
 }
 
-// Returns false while something else has to be done first.
+// Returns false while something else must be done first.
 bool TimeFlow::begin() {
   if (begun_) return true;
   Document& document = workspace_.work.document;
@@ -84,14 +84,14 @@ bool TimeFlow::begin() {
   }
   if (!document.execution().in_stroke()) document.apply(Play{});
   position_ = document.history().position();
-  // The user has done nothing in between: one undo takes the ground away, too.
+  // The user has done nothing in between, so one undo includes the ground.
   if (before_ground_ && position_ == *before_ground_ + 2)
     workspace_.changes.groups().add(*before_ground_, document, "Play", true);
   before_ground_.reset();
   return begun_ = true;
 }
 
-// The spring of the document becomes the one that the user pulls.
+// Sets the spring of the document to that of the user.
 void TimeFlow::queue_spring() {
   Document& document = workspace_.work.document;
   if (!spring_ && document.world().spring()) document.apply(ReleaseBody{});
@@ -99,7 +99,7 @@ void TimeFlow::queue_spring() {
     document.apply(DragBody{spring_->piece, spring_->at, spring_->to});
 }
 
-// Up to a full minute at most.
+// Queues ticks up to a full minute at most.
 void TimeFlow::queue_ticks(Ticks ticks) {
   OpenWork& work = workspace_.work;
   const Ticks of_minute = work.document.world().clock() % Execution::kTicksToForget;

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// Whether time passes for the bodies of the open document, and how fast.
+// Playback state of the open document.
 struct PlayState {
   struct Speed {
     double of_real_time = 1;
@@ -21,7 +21,7 @@ struct PlayState {
                                       Speed{1, "1x"}};
 
   bool playing = false;
-  bool one_tick = false;  // a single tick is asked for
+  bool one_tick = false;  // a single tick is requested
   size_t speed_index = kSpeeds.size() - 1;
 
   const Speed& speed() const { return kSpeeds.at(speed_index); }
@@ -38,27 +38,27 @@ struct PlayState {
   void stop() { playing = one_tick = false; }
 };
 
-// How fast time passes for the bodies, as it was reached lately: in seconds of the world a second. Where cuts
-// or ticks take longer than real time, that is less than the speed that the user has chosen.
+// Measures the actual playback speed, in seconds of the world per second. It is below the selected speed if
+// cuts or ticks take longer than real time.
 class ReachedSpeed {
  public:
-  // To be called once a frame; `seconds` have passed since the last call, and `clock` is that of the world.
+  // Call once per frame with the seconds since the last call; `clock` is that of the world.
   void follow(bool playing, Ticks clock, double seconds);
-  // Over the last half second; nothing before that is over.
+  // Returns the speed over the last half second; nullopt before the first one is over.
   std::optional<double> of_real_time() const { return reached_; }
 
  private:
   bool playing_ = false;
-  Ticks from_ = 0;      // the clock when the measurement began
+  Ticks from_ = 0;      // clock at the start of the measurement
   double seconds_ = 0;  // since then
   std::optional<double> reached_;
 };
 
-// How many ticks are due, and how many of them are queued at once: that follows from how many the frames
-// before could do.
+// Number of ticks that are due, and how many are queued at once, which adapts to how many the previous
+// frames could execute.
 struct TickPace {
   double due = 0;   // ticks
-  double most = 1;  // ticks that are queued at once
+  double most = 1;  // max. ticks queued at once
 
   void slow_down() { most = std::max(1.0, 0.5 * most); }
   void speed_up(double limit) { limit_to(std::min(most + 1, limit)); }
@@ -69,19 +69,18 @@ struct TickPace {
   void take(Ticks ticks) { due -= std::min(due, static_cast<double>(ticks)); }
 };
 
-// Lets time pass in the open document while the user plays: queues ticks in which bodies move.
+// Advances time in the open document during playback by queueing ticks in which bodies move.
 //
-// Ticks are queued when all before them are done, so that the world goes on in slow motion where ticks or
-// cuts take longer than real time. Playing ends when a step of the history is undone. Where it ends, and at
-// each full minute, the journal gets a mark of where the bodies are, so that who opens it need not move them
-// again.
+// Ticks are queued only when all previous ones are done, so that the world runs in slow motion if ticks or
+// cuts take longer than real time. Undo ends playback. At its end, and at each full minute, the journal
+// records the state of the bodies, so that opening it need not simulate them again.
 class TimeFlow {
  public:
-  // All must outlive it. `spring` is the one that the user pulls a piece by.
+  // All must outlive it. `spring`: with which the user pulls a piece.
   TimeFlow(Workspace& workspace, PlayState& play, const std::optional<Spring>& spring)
       : workspace_(workspace), play_(play), spring_(spring) {}
 
-  // To be called once a frame after the queue was worked on; `seconds` have passed since the last frame.
+  // Call once per frame after processing the queue, with the seconds since the last frame.
   void advance(double seconds);
 
  private:
@@ -94,31 +93,30 @@ class TimeFlow {
   Workspace& workspace_;
   PlayState& play_;
   const std::optional<Spring>& spring_;
-  bool begun_ = false;                   // Play is in the document
-  size_t position_ = 0;                  // of the history, in the last frame
-  std::optional<size_t> before_ground_;  // the position before the world got its ground, until Play follows
+  bool begun_ = false;                   // the document contains Play
+  size_t position_ = 0;                  // of the history in the last frame
+  std::optional<size_t> before_ground_;  // position before the ground was set, until Play follows
   TickPace pace_;
 };
 
-// Lets what is hot in the open document cool down in real time while the user does not play: queues ticks in
-// which bodies stand still. They belong to the step of the history before them, so that one undo takes both.
+// Cools the open document in real time while playback is off, by queueing ticks in which bodies stand still.
+// They belong to the previous history entry, so that one undo covers both.
 //
-// Like the ticks of TimeFlow they are queued when all before them are done. While anything in the picture
-// changes by them, they are queued in every frame; after that time passes once a second, and the picture is
-// not drawn again. Time waits while heat is held, and while steps of the history are undone: a tick would
-// make it impossible to redo them.
+// Like those of TimeFlow, ticks are queued only when all previous ones are done: in each frame while they
+// change the viewport, later once per second without a redraw. Time stops while temperatures are frozen, and
+// while there are undone history entries, because a tick would discard them.
 class Cooling {
  public:
   // Both must outlive it.
   Cooling(Workspace& workspace, const PlayState& play) : workspace_(workspace), play_(play) {}
 
-  // To be called once a frame after the queue was worked on; `seconds` have passed since the last frame.
+  // Call once per frame after processing the queue, with the seconds since the last frame.
   void advance(double seconds);
-  // Whether a frame is due although nothing else moves.
+  // Returns true if a frame is due although nothing else changes.
   bool moving() const;
-  // Whether only ticks wait that change nothing in the picture.
+  // Returns true if only ticks that do not change the viewport are queued.
   bool passes_unseen() const { return unseen_ && !workspace_.work.document.execution().beam_waits(); }
-  // Whether something hot cools down as time passes. How long that is seen, the renderer tells.
+  // Returns true if something cools over time. The renderer reports how long that is visible.
   bool flows() const;
 
  private:
@@ -128,7 +126,7 @@ class Cooling {
   const PlayState& play_;
   TickPace pace_;
   bool unseen_ = false;
-  double passed_at_ = 0;  // s, when ticks were queued last
+  double passed_at_ = 0;  // time when ticks were last queued [s]
 };
 
 }  // namespace kerf

@@ -18,16 +18,14 @@ namespace kerf {
 namespace {
 
 constexpr std::array kMethods{
-    MethodWords{
-        ShadowMethod::kRobust, "Robust",
-        "Every polygon spans a closed volume without end; counted from behind. Right for any mesh and any "
-        "eye."},
-    MethodWords{
-        ShadowMethod::kPaperOneVolume, "Paper, one volume",
-        "The silhouette of the polygons that face the light, extruded so far and left open. Right for closed "
-        "meshes while the eye is in the light."},
+    MethodWords{ShadowMethod::kRobust, "Robust",
+                "Each polygon spans a closed infinite volume, counted from behind. Correct for any mesh and "
+                "any eye."},
+    MethodWords{ShadowMethod::kPaperOneVolume, "Paper, one volume",
+                "Extrudes the silhouette of light-facing polygons, without caps. Correct for closed meshes "
+                "while the eye is lit."},
     MethodWords{ShadowMethod::kPaperTwoVolumes, "Paper, two volumes",
-                "Another volume for the averted polygons: the paper's answer for hollow meshes."},
+                "Adds a volume for the back-facing polygons: the paper's solution for hollow meshes."},
 };
 
 }  // namespace
@@ -53,10 +51,10 @@ Legend legend_of_boxes(const ViewOptions& look) {
   const bool hit_only = look.show.aabb_hit || look.tree.hit_only;
   Legend legend;
   legend.title = look.tree.leaves_only ? "Boxes of single faces" : "Boxes of the tree";
-  legend.rows.push_back({colours.hit, "the beam is or was in it"});
-  if (!hit_only) legend.rows.push_back({colours.untouched, "the beam never came there", true, true});
+  legend.rows.push_back({colours.hit, "visited by the beam"});
+  if (!hit_only) legend.rows.push_back({colours.untouched, "not visited", true, true});
   if (!look.tree.leaves_only && look.tree.deepest < TreeOverlay().deepest)
-    legend.rows.push_back(sentence("down to level " + std::to_string(look.tree.deepest) + " under the root"));
+    legend.rows.push_back(sentence("down to level " + std::to_string(look.tree.deepest) + " below the root"));
   return legend;
 }
 
@@ -80,22 +78,22 @@ Legend legend_of_rays(const ShadowStatistics& shadows) {
   return {"Shadow rays",
           {{kTracedLit, "lit"},
            {kTracedShadow, "in shadow"},
-           {kWrong, "the picture has it otherwise: " +
+           {kWrong, "viewport differs: " +
                         (shadows.wrong ? grouped(*shadows.wrong) + " pixels" : tracing_text(shadows))}}};
 }
 
-// Empty for a view without colours of its own.
+// Returns the legend of a view; empty if it has no colours of its own.
 Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics& shadows) {
   switch (view) {
     case SwitchId::kSilhouette:
       return {"Silhouette: sides of the volume on an edge",
               {{kOneSide, "one"}, {kTwoSides, "two"}, {kMoreSides, "three or more"}}};
     case SwitchId::kShadowVolumes:
-      return {"Shadow volumes", {{kVolumeFront, "seen from outside"}, {kVolumeBack, "seen from within"}}};
+      return {"Shadow volumes", {{kVolumeFront, "front faces"}, {kVolumeBack, "back faces"}}};
     case SwitchId::kShadowCounts:
       return legend_of_counts();
     case SwitchId::kFacing:
-      return {"Facing the light", {{kFacing, "facing it"}, {kAverted, "averted"}, {kEdgeOn, "edge-on"}}};
+      return {"Facing the light", {{kFacing, "facing it"}, {kAverted, "facing away"}, {kEdgeOn, "edge-on"}}};
     case SwitchId::kCompare:
       return legend_of_comparison(look, shadows);
     case SwitchId::kTrace:
@@ -108,22 +106,22 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
                {0x48535f, "as loaded"}}};
     case SwitchId::kHeat:
       return {"Temperature in K",
-              {sentence("by the bar at the lower left,"), sentence("which ends where it melts")}};
+              {sentence("scale at the lower left,"), sentence("up to the melting point")}};
     case SwitchId::kBoxes:
       return legend_of_boxes(look);
     case SwitchId::kBoxesHit:
       return look.show.aabb || !look.show.aabb_hit ? Legend() : legend_of_boxes(look);
     case SwitchId::kPieces:
       return {"Pieces",
-              {{0x6f7174, "stays with its body"}, sentence("each other colour: one piece that came off")}};
+              {{0x6f7174, "part of the body"}, sentence("other colours: one separated piece each")}};
     case SwitchId::kFaceNumbers:
       return {"Numbers of faces", {{0xf2f5f7, "there"}, {0xff8a78, "removed"}}};
     case SwitchId::kGraph:
       return {"Component graph around the last cut",
-              {{kReached, "faces that hang together"},
-               {kApart, "what the cut separated from them"},
+              {{kReached, "connected faces"},
+               {kApart, "faces that the cut separated"},
                {kRemoved, "removed faces"},
-               {kLoop, "loops that they closed"}}};
+               {kLoop, "loops of removed faces"}}};
     case SwitchId::kContacts:
       return {"Contacts", {{kHeavyContact, "the largest impulse"}, {kLightContact, "none"}}};
     case SwitchId::kColliders:
@@ -151,25 +149,25 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
 const char* meaning_of(StageMarks::Kind kind) {
   switch (kind) {
     case StageMarks::Kind::kSwept:
-      return "what the beam sweeps";
+      return "swept volume";
     case StageMarks::Kind::kHit:
-      return "faces that it hits";
+      return "hit faces";
     case StageMarks::Kind::kBorn:
-      return "faces that splits made";
+      return "new faces";
     case StageMarks::Kind::kRemoved:
       return "removed faces";
     case StageMarks::Kind::kEntered:
-      return "boxes that the query entered";
+      return "boxes entered by the query";
     case StageMarks::Kind::kCulled:
-      return "boxes that it culled";
+      return "boxes culled";
     case StageMarks::Kind::kMissed:
-      return "boxes of faces that the beam misses";
+      return "boxes of missed faces";
     case StageMarks::Kind::kTouched:
-      return "boxes of faces that it hits";
+      return "boxes of hit faces";
     case StageMarks::Kind::kLast:
       break;
   }
-  return "the box that was tested last";
+  return "last tested box";
 }
 
 Legend legend_of_stage(const StageMarks& marks) {
@@ -179,8 +177,8 @@ Legend legend_of_stage(const StageMarks& marks) {
   }
   Legend legend{"Single step", {}};
   for (const StageMarks::Kind kind : kinds) legend.rows.push_back({colour_of(kind), meaning_of(kind)});
-  if (!marks.came_off.empty()) legend.rows.push_back({kApart, "what came off"});
-  if (!marks.stayed.empty()) legend.rows.push_back({kReached, "what it came off"});
+  if (!marks.came_off.empty()) legend.rows.push_back({kApart, "separated piece"});
+  if (!marks.stayed.empty()) legend.rows.push_back({kReached, "remainder"});
   return legend;
 }
 
@@ -189,7 +187,7 @@ uint32_t hex_of(const glm::vec3& screen) {
   return c.r << 16 | c.g << 8 | c.b;
 }
 
-// The largest value is at the top.
+// Lists the largest value first.
 Legend legend_of_scalars(const ScalarField& field) {
   Legend legend{field.name, {}};
   for (size_t i = field.labels.size(); i-- > 0;) {

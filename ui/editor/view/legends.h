@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-// A shadow method as people are told of it.
+// Name and description of a shadow method, for the user.
 struct MethodWords {
   ShadowMethod method;
   const char* name;
@@ -22,23 +22,23 @@ std::span<const MethodWords> shadow_methods();
 
 const char* method_name(ShadowMethod method);
 
-// What the colours of a view mean.
+// Legend of the colours of a view.
 struct Legend {
   struct Row {
     uint32_t colour = 0;  // 0xrrggbb
     std::string meaning;
-    bool swatch = true;   // false: a sentence alone
-    bool dotted = false;  // as the lines of the view are
+    bool swatch = true;   // false: text only
+    bool dotted = false;  // drawn dotted, like the lines of the view
   };
   std::string title;
   std::vector<Row> rows;
 };
 
-// The legends of all views with colours that are switched on, in the order of view_switches().
+// Returns the legends of all enabled views with colours, in the order of view_switches().
 std::vector<Legend> legends_of(const ViewOptions& look, const ShadowStatistics& shadows);
 
-// Draws the legends one below the other, from the upper left corner of a picture downward, each as long as
-// there is room. Returns the area that they take.
+// Draws the legends below each other from the upper left corner of a viewport, as many as fit. Returns the
+// covered area.
 Area draw_legends(const std::vector<Legend>& legends, const Area& picture);
 
 }  // namespace kerf

@@ -27,7 +27,7 @@ Light sun(const Vec3& direction, const Vec3& colour, double intensity) {
   return {Light::Kind::kDirectional, direction, colour, intensity};
 }
 
-// A lamp at a place between -1 and 1 of the world's box and as bright as a sun at `intensity` at its middle.
+// Returns a lamp at a place in -1 .. 1 of the bounds, as bright at their centre as a sun of `intensity`.
 Light lamp(const World::Bounds& bounds, const Vec3& place, const Vec3& colour, double intensity) {
   const Vec3 middle = (bounds.min + bounds.max) * 0.5, half = (bounds.max - bounds.min) * 0.5;
   const double diagonal = std::max(bounds.diagonal(), 1e-9);
@@ -39,7 +39,7 @@ Light lamp(const World::Bounds& bounds, const Vec3& place, const Vec3& colour, d
 const std::array<LightPreset, 6> kPresets{{
     {"Workshop", "One key light from the upper left.",
      [](const World::Bounds&) { return std::vector{Light{}}; }},
-    {"Noon", "The sun straight above.",
+    {"Noon", "The sun directly above.",
      [](const World::Bounds&) {
        return std::vector{sun({0.12, 1, 0.08}, kPale, 2.2)};
      }},
@@ -47,15 +47,15 @@ const std::array<LightPreset, 6> kPresets{{
      [](const World::Bounds&) {
        return std::vector{sun({-1, 0.32, 0.45}, kWarm, 2.6)};
      }},
-    {"Lamp overhead", "A lamp close above.",
+    {"Lamp overhead", "A lamp close above the scene.",
      [](const World::Bounds& b) {
        return std::vector{lamp(b, {0.5, 3.2, 0.4}, kPale, 2.2)};
      }},
-    {"Lamp inside", "A lamp in the middle: light falls out through the holes.",
+    {"Lamp inside", "A lamp in the centre; light shines out through the holes.",
      [](const World::Bounds& b) {
        return std::vector{lamp(b, {0.02, 0.05, 0.02}, kWarm, 3.5)};
      }},
-    {"Floodlights", "Four lamps around, as in a stadium.",
+    {"Floodlights", "Four lamps around the scene, as in a stadium.",
      [](const World::Bounds& b) {
        return std::vector{lamp(b, {-3, 4, 2}, kPale, 0.8), lamp(b, {3, 4, 2}, kCool, 0.7),
                           lamp(b, {3, 4, -2}, kPale, 0.6), lamp(b, {-3, 4, -2}, kCool, 0.6)};
@@ -91,10 +91,10 @@ void remove_light(ViewOptions& look) {
 
 namespace {
 
-constexpr double kReach = 12;     // screen coordinates around a handle that belong to it
-constexpr double kSphere = 0.72;  // its radius, of half the height of the picture
+constexpr double kReach = 12;     // pick radius of a handle, screen coordinates
+constexpr double kSphere = 0.72;  // its radius, relative to half the height of the viewport
 
-// Around what is looked at, as large as always fits the picture.
+// Sphere around the pivot of the camera that always fits the viewport.
 struct Sphere {
   Vec3 middle;
   double radius;
@@ -154,7 +154,7 @@ void draw_light_handles(const ViewState& view, ImDrawList& list) {
     list.AddCircleFilled(to_im(*at), 7.5f, IM_COL32(10, 12, 16, 170));
     list.AddCircleFilled(to_im(*at), 5, ImGui::ColorConvertFloat4ToU32(colour));
     list.AddCircle(to_im(*at), 9, chosen ? colours::accent() : colours::kPictureSecondary, 0, 1.5f);
-    // Rays tell the sun from a lamp.
+    // Rays distinguish the sun from a lamp.
     for (int ray = 0; light.kind == Light::Kind::kDirectional && ray < 8; ++ray) {
       const Vec2 out(std::cos(0.785398 * ray), std::sin(0.785398 * ray));
       list.AddLine(to_im(*at + out * 11.0), to_im(*at + out * 15.0),
@@ -204,16 +204,14 @@ bool shadow_rows(ViewState& view) {
   draw_switch(view, SwitchId::kShadows, "");
   changed |= method_row("Method", "##method", shadow.method);
   if (shadow.method != ShadowMethod::kRobust) {
-    changed |= slider_row(
-        {"Reach", "##reach",
-         "How far the paper's volumes are extruded, in sizes of the world; what lies beyond gets no "
-         "shadow.",
-         true},
-        shadow.extrusion, kMinReach, kMaxReach, "%.2g sizes");
+    changed |=
+        slider_row({"Reach", "##reach",
+                    "Length of the paper's volumes in world sizes; objects beyond are not shadowed.", true},
+                   shadow.extrusion, kMinReach, kMaxReach, "%.2g sizes");
   }
   property("");
   changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
-  tooltip("Transparent black over what is in shadow, as in the paper, in place of leaving the light out.");
+  tooltip("Draws shadows as transparent black, as in the paper, instead of omitting the light.");
   property("");
   draw_switch(view, SwitchId::kCullBacks);
   return changed;
@@ -225,11 +223,12 @@ bool compare_rows(ViewState& view, const ShadowStatistics& statistics) {
   draw_switch(view, SwitchId::kCompare, "two methods");
   if (!view.look.show.shadow_compare) return false;
   bool changed = method_row("with", "##beside", shadow.beside);
-  changed |= slider_row({"Split", "##split", "Where the two meet."}, shadow.split, 0, 1, "%.2f");
+  changed |= slider_row({"Split", "##split", "Position of the boundary between the two methods."},
+                        shadow.split, 0, 1, "%.2f");
   property("");
   ImGui::TextUnformatted(statistics.differing ? text_of("%zu pixels differ", *statistics.differing).c_str()
                                               : "counting the pixels that differ");
-  tooltip("Pixels of the whole picture that are in shadow with one method and lit with the other.");
+  tooltip("Pixels of the viewport in shadow with one method and lit with the other.");
   return changed;
 }
 
@@ -256,7 +255,7 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
   bool changed = false;
   Light::Kind kind = light.kind;
   if (choice_row("Kind", "##kind", kind, "Directional\0Point\0", nullptr,
-                 "Drag its handle in the picture to move it.")) {
+                 "Drag the handle in the viewport to move the light.")) {
     choose_kind(light, kind, bounds);
     changed = true;
   }
@@ -266,10 +265,10 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
     light.colour = Vec3(shown * shown);
     changed = true;
   }
-  changed |= slider_row(
-      {"Intensity", "##intensity",
-       "What arrives on a surface that faces it; of a lamp at a distance of one size of the world.", true},
-      light.intensity, kMinIntensity, kMaxIntensity, "%.3g");
+  changed |=
+      slider_row({"Intensity", "##intensity",
+                  "Light on a surface that faces it; for a lamp at a distance of one world size.", true},
+                 light.intensity, kMinIntensity, kMaxIntensity, "%.3g");
   return changed;
 }
 
@@ -290,7 +289,7 @@ bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
   return changed;
 }
 
-// Buttons to choose a light, to add one and to take the chosen one away.
+// Draws buttons that select a light, add one, and remove the selected one.
 bool choose_light(ViewOptions& look, UpAxis up) {
   std::vector<Light>& lights = look.lights;
   size_t& chosen = look.shadow.inspected;
@@ -312,7 +311,7 @@ bool choose_light(ViewOptions& look, UpAxis up) {
     add_light(look, up);
     changed = true;
   }
-  tooltip("Up to four.");
+  tooltip("Adds a light, up to four.");
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(lights.empty());
@@ -324,7 +323,7 @@ bool choose_light(ViewOptions& look, UpAxis up) {
   return changed;
 }
 
-// The lights and how their shadows are cast. `bounds` are those of the world.
+// Draws the lights and shadow options. `bounds`: of the world.
 void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowStatistics& statistics) {
   ViewOptions& look = view.look;
   bool changed = choose_light(look, view.camera.up_axis());
@@ -375,7 +374,7 @@ class LightFeature : public Feature {
         landmarks.mark("light " + std::to_string(i), {*handle, Vec2(0)});
     }
   }
-  // Where each light is, and its handle in the window where that is shown.
+  // Reports the position of each light, and its handle in the window if visible.
   void write_session_log(nlohmann::ordered_json& report) const override {
     nlohmann::ordered_json& all = report["lights"] = nlohmann::ordered_json::array();
     for (size_t i = 0; i < workspace_.view.look.lights.size(); ++i) {
@@ -416,24 +415,24 @@ std::vector<UserAction> LightFeature::light_actions() {
   ViewState& view = workspace_.view;
   ViewOptions& look = view.look;
   UserAction add = picture_action(view, "Add a light",
-                                  "A directional light; its handle is dragged while the Light panel is open.",
+                                  "Adds a directional light; drag its handle while the Light panel is open.",
                                   [&view] { add_light(view.look, view.camera.up_axis()); });
   add.disabled_reason = [&look] {
-    return look.lights.size() < kMaxLights ? nullptr : "There are four lights already.";
+    return look.lights.size() < kMaxLights ? nullptr : "There are already four lights, the maximum.";
   };
-  UserAction remove = picture_action(view, "Remove the chosen light", "The one that the Light panel shows.",
-                                     [&look] { remove_light(look); });
+  UserAction remove =
+      picture_action(view, "Remove the chosen light", "Removes the light shown in the Light panel.",
+                     [&look] { remove_light(look); });
   remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
-  UserAction next =
-      picture_action(view, "Next light", "Chooses the light whose values the Light panel shows.", [&look] {
-        KERF_ASSERT(!look.lights.empty());
-        look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
-      });
+  UserAction next = picture_action(view, "Next light", "Selects the next light in the Light panel.", [&look] {
+    KERF_ASSERT(!look.lights.empty());
+    look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
+  });
   next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
   return {UserAction{.name = "Light preset", .items = [this] { return presets(); }, .in_menu = false}, add,
           remove, next,
           flag_action(view, "Shadows: paper look", look.shadow.paper_look,
-                      "Transparent black over what is in shadow, in place of leaving the light out.")};
+                      "Draws shadows as transparent black instead of omitting the light.")};
 }
 
 }  // namespace

@@ -22,25 +22,25 @@ struct LightPreset {
 };
 std::span<const LightPreset> light_presets();
 
-// The lights of a preset for a world whose upward axis is `up`.
+// Returns the lights of a preset for a world with this up axis.
 std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up);
 
-// Adds a directional light and chooses it. Precondition: fewer than kMaxLights.
+// Adds a directional light and selects it. Precondition: fewer than kMaxLights lights.
 void add_light(ViewOptions& look, UpAxis up);
-// Removes the chosen light and chooses the first one. Precondition: there is a light.
+// Removes the selected light and selects the first one. Precondition: there is a light.
 void remove_light(ViewOptions& look);
 
-// A handle for every light in the first half of the picture: a lamp where it stands, a directional light on a
-// sphere around what is looked at. Places are of the window, screen coordinates.
+// Handles of the lights in the first half: a lamp has one at its position, a directional light on a sphere
+// around the pivot of the camera. Places are in the window, in screen coordinates.
 
-// Where the handle of a light is; nothing for a light that is not in the picture.
+// Returns the place of the handle of a light; nullopt if it is outside the viewport.
 std::optional<Vec2> light_handle(const ViewState& view, size_t light);
 
-// The light whose handle is at a position, if any.
+// Returns the light whose handle is at a place, if any.
 std::optional<size_t> light_under(const ViewState& view, Vec2 at);
 
-// Moves a light so that its handle is at a position: a lamp parallel to the picture at its depth, a
-// directional light on its sphere.
+// Moves a light so that its handle is at a place: a lamp parallel to the screen at its depth, a directional
+// light on its sphere.
 void drag_light(ViewState& view, size_t light, Vec2 to);
 
 void draw_light_handles(const ViewState& view, ImDrawList& list);

@@ -22,21 +22,21 @@ constexpr double kMargin = 1.06;                    // of the frame around the w
 constexpr ImU32 kColour = IM_COL32(0xbc, 0xdd, 0xff, 255), kFaint = IM_COL32(0xbc, 0xdd, 0xff, 90);
 constexpr ImU32 kDark = IM_COL32(10, 12, 16, 150);
 
-constexpr double kSmallAngle = 1e-4;  // radians, over which the grip's way in the picture is taken
-constexpr double kMinWay2 = 1e-6;     // of the grip in the picture, for a radian, squared
-constexpr double kMinLevel = 1e-6;    // sine of the angle between the normal and upwards
+constexpr double kSmallAngle = 1e-4;  // radians, step of the finite difference of the grip's motion
+constexpr double kMinWay2 = 1e-6;     // min. motion of the grip on the screen per radian, squared
+constexpr double kMinLevel = 1e-6;    // min. sine of the angle between the normal and the up axis
 
 Vec3 upwards(UpAxis up) { return up == UpAxis::kY ? Vec3(0, 1, 0) : Vec3(0, 0, 1); }
 
-// As wide as high, so that lengths and angles are those on the screen.
+// Scales to equal units in both directions, so that lengths and angles are those on the screen.
 Vec2 on_screen(const CameraView& view, const Vec3& seen) { return {seen.x * view.aspect, seen.y}; }
 
-// Half of what a box takes up along a unit vector.
+// Returns half the extent of a box along a unit vector.
 double half_size(const World::Bounds& bounds, const Vec3& along) {
   return 0.5 * glm::dot(glm::abs(along), bounds.max - bounds.min);
 }
 
-// The rectangle of the plane that the world's box fits in.
+// Draws the rectangle in the plane that encloses the bounds of the world.
 void draw_frame(const FirstPicture& picture, const SectionPlane& plane, const World::Bounds& bounds,
                 ImDrawList& list) {
   const PlaneAxes axes = axes_of(plane, picture.camera().up_axis);
@@ -55,8 +55,8 @@ void draw_frame(const FirstPicture& picture, const SectionPlane& plane, const Wo
   list.AddPolyline(corners.data(), 4, kFaint, ImDrawFlags_Closed, 1.2f);
 }
 
-// A half ring around an axis in the plane. The rings of both axes cross in their middles, so that their names
-// stand for other points.
+// A half ring about an axis in the plane. The rings of both axes cross in their middles, so their landmarks
+// are at other points.
 SectionHandle ring(const FirstPicture& picture, const SectionPlane& plane, const Vec3& axis, const char* name,
                    SectionDrag::Kind kind) {
   const Vec3 v = glm::cross(axis, plane.normal);
@@ -87,8 +87,8 @@ SectionPlane SectionDrag::moved(Vec2 pointer) const {
   return {from_.point + from_.normal * way, from_.normal};
 }
 
-// The grip goes along the tangent of its circle: the angle is the share of the pointer's way along the
-// tangent as it is seen.
+// The grip moves along the tangent of its circle: the angle is the motion of the pointer along the projected
+// tangent, relative to that of the grip per radian.
 SectionPlane SectionDrag::turned(Vec2 pointer) const {
   const PlaneAxes axes = axes_of(from_, view_.up_axis);
   const Vec3 axis = kind_ == Kind::kTilt ? axes.level : axes.steep;
@@ -139,27 +139,27 @@ namespace {
 // Edits, by buttons and by name
 // --------------------------------------------------------------------------------------------------------
 
-// Each edit ends with the plane shown.
+// Sets the plane and shows it.
 void show(ViewState& view, const SectionPlane& plane) {
   view.look.section = plane;
   view.look.show.section = true;
   view.picture_old = true;
 }
 
-// Sets the plane through the middle of the world if it is shown and stands nowhere yet.
+// Sets a plane through the centre of the world if the section is enabled but not placed yet.
 void place_section(ViewState& view, const World& world) {
   if (!view.look.show.section || view.look.section || world.ids().empty()) return;
   show(view, section_through(world.bounds(), -view.seen_first().forward));
 }
 
-// Shows what was taken away, and takes away what was shown.
+// Swaps the visible and the hidden side.
 void flip_section(ViewState& view) {
   KERF_ASSERT(view.look.section);
   show(view, {view.look.section->point, -view.look.section->normal});
 }
 
-// Turns the plane about its point: across an axis of the world (0: X, 1: Y, 2: Z), with the eye on the side
-// that is taken away, or parallel to the picture. Precondition: the plane is placed.
+// Turn the plane about its point: perpendicular to a world axis (0: X, 1: Y, 2: Z) with the eye on the
+// hidden side, or parallel to the screen. Precondition: the plane is placed.
 void turn_section_across(ViewState& view, int axis) {
   KERF_ASSERT(view.look.section && axis >= 0 && axis < 3);
   Vec3 normal(0);
@@ -172,17 +172,17 @@ void turn_section_to_view(ViewState& view) {
   show(view, {view.look.section->point, -view.seen_first().forward});
 }
 
-// The plane as text in the clipboard, and back; see section_text().
+// Copies the plane to the clipboard as text, and pastes it; see section_text().
 void copy_section(const ViewState& view, Message& message) {
   KERF_ASSERT(view.look.section);
   ImGui::SetClipboardText(section_text(*view.look.section).c_str());
-  message.say("The section plane is in the clipboard as text, as kerf render --section takes it");
+  message.say("Copied the section plane as text for kerf render --section");
 }
 
 void paste_section(ViewState& view, Message& message) {
   const char* text = ImGui::GetClipboardText();
   const Result<SectionPlane> plane = parse_section(text != nullptr ? text : "");
-  if (!plane) return message.say("The clipboard holds no section plane: " + plane.error().message, true);
+  if (!plane) return message.say("Cannot paste a section plane: " + plane.error().message, true);
   show(view, *plane);
   message.say("");
 }
@@ -200,24 +200,23 @@ bool button(const char* name, const char* landmark, const char* meaning, bool fi
 
 void draw_turns(ViewState& view) {
   property("Turn");
-  if (button("X", "section X", "Across the X axis.", true)) turn_section_across(view, 0);
-  if (button("Y", "section Y", "Across the Y axis.")) turn_section_across(view, 1);
-  if (button("Z", "section Z", "Across the Z axis.")) turn_section_across(view, 2);
-  if (button("View", "section view", "Parallel to the picture.")) turn_section_to_view(view);
-  if (button("Flip", "section flip", "Shows the other side.")) flip_section(view);
+  if (button("X", "section X", "Perpendicular to the X axis.", true)) turn_section_across(view, 0);
+  if (button("Y", "section Y", "Perpendicular to the Y axis.")) turn_section_across(view, 1);
+  if (button("Z", "section Z", "Perpendicular to the Z axis.")) turn_section_across(view, 2);
+  if (button("View", "section view", "Parallel to the screen.")) turn_section_to_view(view);
+  if (button("Flip", "section flip", "Swaps the visible and the hidden side.")) flip_section(view);
 }
 
 void draw_text(ViewState& view, Message& message) {
   property("As text");
-  if (button("Copy", "section copy", "To the clipboard, as kerf render --section takes it.", true))
+  if (button("Copy", "section copy", "Copies the plane as text for kerf render --section.", true))
     copy_section(view, message);
-  if (button("Paste", "section paste", "From the clipboard.")) paste_section(view, message);
+  if (button("Paste", "section paste", "Sets the plane from the clipboard.")) paste_section(view, message);
 }
 
 // The feature
 // --------------------------------------------------------------------------------------------------------
 
-// Moves or turns the plane by one of its handles.
 class DragOfPlane : public Interaction {
  public:
   DragOfPlane(Workspace& workspace, SectionDrag drag) : workspace_(workspace), drag_(std::move(drag)) {}
@@ -232,7 +231,7 @@ class DragOfPlane : public Interaction {
   }
   const char* words() const override {
     return drag_.kind() == SectionDrag::Kind::kMove ? "Moving the section plane"
-                                                    : "Turning the section plane";
+                                                    : "Rotating the section plane";
   }
 
  private:
@@ -242,7 +241,7 @@ class DragOfPlane : public Interaction {
 
 using Edit = std::function<void(ViewState&)>;
 
-// The plane is shown first, where it is not.
+// Shows the plane first if it is hidden.
 UserAction edit_action(Workspace& workspace, const char* name, const char* tip, Edit edit) {
   UserAction action{.name = name, .tip = tip, .in_menu = false};
   action.run = [&workspace, edit = std::move(edit)] {
@@ -254,8 +253,7 @@ UserAction edit_action(Workspace& workspace, const char* name, const char* tip, 
 }
 
 UserAction across(Workspace& workspace, const char* name, int axis) {
-  return edit_action(workspace, name,
-                     "Turns the section plane about its point; what is towards the eye goes.",
+  return edit_action(workspace, name, "Turns the plane about its point and hides the side towards the eye.",
                      [axis](ViewState& view) { turn_section_across(view, axis); });
 }
 
@@ -271,15 +269,17 @@ class SectionFeature : public Feature {
     return {
         {1500,
          "View",
-         {edit_action(workspace_, "Section plane: flip", "Shows the other side.", flip_section),
+         {edit_action(workspace_, "Section plane: flip", "Swaps the visible and the hidden side.",
+                      flip_section),
           across(workspace_, "Section plane: across X", 0), across(workspace_, "Section plane: across Y", 1),
           across(workspace_, "Section plane: across Z", 2),
-          edit_action(workspace_, "Section plane: parallel to the picture", "Turns it about its point.",
-                      turn_section_to_view),
-          edit_action(workspace_, "Section plane: copy", "As text, as kerf render --section takes it.",
+          edit_action(workspace_, "Section plane: parallel to the picture",
+                      "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
+          edit_action(workspace_, "Section plane: copy",
+                      "Copies the plane as text for kerf render --section.",
                       [this](ViewState& view) { copy_section(view, workspace_.message); }),
           UserAction{.name = "Section plane: paste",
-                     .tip = "Sets it as the text in the clipboard says.",
+                     .tip = "Sets the plane from text in the clipboard.",
                      .run = [this] { paste_section(workspace_.view, workspace_.message); },
                      .in_menu = false}}}};
   }
@@ -319,18 +319,15 @@ class SectionFeature : public Feature {
   NumberFields fields_;
 };
 
-// Rows of the panel while the plane is shown: its point and its normal as numbers that can be typed, in the
-// numbers of the file, and buttons that flip, turn, copy and paste it.
+// Draws fields for point and normal, in file units, and buttons that flip, turn, copy and paste the plane.
 void SectionFeature::draw_rows() {
   ViewState& view = workspace_.view;
   if (shown_section(view.look) == nullptr || !begin_properties("section plane")) return;
   SectionPlane plane = *view.look.section;
-  bool typed = fields_.vector("Section", plane.point, "%.5g",
-                              "X, Y and Z of the point that the plane goes through and turns about.",
+  bool typed = fields_.vector("Section", plane.point, "%.5g", "Point on the plane, about which it turns.",
                               file_unit(view.frame.unit), workspace_.world().loaded_bounds().diagonal());
   typed |= fields_.vector("Normal", plane.normal, "%.4g",
-                          "The direction that the plane faces, of any length. What lies on this side is not "
-                          "drawn.");
+                          "Normal of the plane, of any length. The side it points to is hidden.");
   if (typed && plane.normal != Vec3(0)) {
     view.look.section = SectionPlane::facing(plane.point, plane.normal);
     view.picture_old = true;

@@ -21,21 +21,21 @@ namespace kerf {
 
 namespace {
 
-// Theme and size of the text.
+// Panel for theme and text size.
 class DisplayPanel {
  public:
   void draw(Settings& settings, const ViewState& view);
 
  private:
-  double wanted_scale_ = 0;  // of the text, while its slider moves
+  double wanted_scale_ = 0;  // of the text, while the slider moves
 };
 
-// The size changes when the slider is let go, for the slider itself changes with it.
+// Applies the size when the slider is released, because the slider itself changes with it.
 void scale_row(Settings& settings, double& wanted) {
   property("Text size");
   constexpr double kLow = Settings::kMinScale * 100, kHigh = Settings::kMaxScale * 100;
   double percent = wanted > 0 ? 100 * wanted : 100 * settings.ui_scale;
-  constexpr const char* kMeaning = "Of the panels and menus, on top of what the display asks for.";
+  constexpr const char* kMeaning = "Size of panels and menus, relative to the scale of the display.";
   if (real_slider({"Text size", "##scale", kMeaning}, percent, kLow, kHigh, "%.0f %%"))
     wanted = std::round(percent / 5) * 0.05;
   if (ImGui::IsItemDeactivated() && wanted > 0) {
@@ -48,14 +48,14 @@ void DisplayPanel::draw(Settings& settings, const ViewState& view) {
   if (!begin_properties("display")) return;
   choice_row(
       "Theme", "##theme", settings.theme, "Dark\0Light\0", nullptr,
-      with_shortcut(view, "Colours of the panels; the picture stays as it is.", "Light theme").c_str());
+      with_shortcut(view, "Colours of panels and menus; the viewport keeps its own.", "Light theme").c_str());
   scale_row(settings, wanted_scale_);
   end_properties();
 }
 
 constexpr double kScaleStep = 0.125;
 
-// A press on the axes: a click looks along one of them, a drag orbits.
+// A press on the axes: a click looks along an axis, a drag orbits.
 class PressOnAxes : public Interaction {
  public:
   explicit PressOnAxes(Workspace& workspace) : workspace_(workspace), pressed_at_(workspace.pointer) {}
@@ -82,7 +82,7 @@ class PressOnAxes : public Interaction {
 void copy_view(Workspace& workspace) {
   ImGui::SetClipboardText(
       view_text({workspace.view.seen().near().eye, workspace.view.camera.pivot()}).c_str());
-  workspace.message.say("The view is in the clipboard as text");
+  workspace.message.say("Copied the camera as text");
 }
 
 void paste_view(Workspace& workspace) {
@@ -97,7 +97,7 @@ void change_scale(Settings& settings, double by) {
   settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kMinScale, Settings::kMaxScale);
 }
 
-// The action of a standard view. Each pair of views has a key; the second one needs Ctrl, too.
+// Returns the action of a standard view. Each pair of views shares a key; the second one adds Ctrl.
 UserAction look_action(ViewState& view, size_t which) {
   constexpr std::array kKeys{"1", "3", "7"};
   constexpr std::array kPadKeys{GLFW_KEY_KP_1, GLFW_KEY_KP_3, GLFW_KEY_KP_7};
@@ -106,7 +106,7 @@ UserAction look_action(ViewState& view, size_t which) {
   UserAction action{.name = looked.name,
                     .shortcut = std::string(opposite ? "Ctrl+" : "") + kKeys.at(which / 2),
                     .pad_key = kPadKeys.at(which / 2),
-                    .tip = "Also on the number pad, and by a click on the axes in the corner.",
+                    .tip = "Also on the number pad, and by clicking the axes in the corner.",
                     .ends_group = which + 1 == kStandardViews.size()};
   action.run = [&view, &looked] { view.camera.turn_to(looked.yaw, looked.pitch); };
   return action;
@@ -124,7 +124,7 @@ UserAction switch_action(Workspace& workspace, const ViewSwitch& s) {
   return action;
 }
 
-// The first half without the label in its corner.
+// Returns the first half without the label in its corner.
 Area under_label(const Layout& l) {
   const Vec2 label(0, l.split() ? 2.2 * ImGui::GetTextLineHeight() + ImGui::GetFontSize() : 0);
   return {l.first.at + label, l.first.size - label};
@@ -132,7 +132,7 @@ Area under_label(const Layout& l) {
 
 class ViewFeature : public Feature {
  public:
-  // The legends beside the picture take the place of those in it.
+  // The legends drawn here replace those of the renderer.
   explicit ViewFeature(Workspace& workspace) : workspace_(workspace) { workspace_.view.look.legends = false; }
 
   std::vector<Panel> panels() override {
@@ -186,11 +186,11 @@ std::vector<UserAction> ViewFeature::text_of_view_actions() {
   return {
       UserAction{.name = "Copy the view",
                  .shortcut = "Ctrl+C",
-                 .tip = "Where the eye stands, as text.",
+                 .tip = "Copies the position of the camera as text.",
                  .run = [this] { copy_view(workspace_); }},
       UserAction{.name = "Paste the view",
                  .shortcut = "Ctrl+V",
-                 .tip = "Looks from where the text in the clipboard says.",
+                 .tip = "Sets the camera from text in the clipboard.",
                  .run = [this] { paste_view(workspace_); },
                  .ends_group = true},
   };
@@ -200,14 +200,14 @@ std::vector<UserAction> ViewFeature::camera_actions() {
   std::vector<UserAction> actions{
       UserAction{.name = "Frame all",
                  .shortcut = "F",
-                 .tip = "Everything in the picture, seen from the side where the eye is.",
+                 .tip = "Fits the scene in the viewport and keeps the direction of view.",
                  .run =
                      [this] {
                        workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect());
                      }},
       UserAction{.name = "First view",
                  .shortcut = "Home",
-                 .tip = "As it was when the file was opened.",
+                 .tip = "Restores the view as it was when the file was opened.",
                  .run = [this] { go_home(workspace_.view, workspace_.world().bounds()); },
                  .ends_group = true},
   };
@@ -216,7 +216,7 @@ std::vector<UserAction> ViewFeature::camera_actions() {
       UserAction{.name = "Orthographic",
                  .shortcut = "5",
                  .pad_key = GLFW_KEY_KP_5,
-                 .tip = "Without perspective: lengths are drawn alike at all distances.",
+                 .tip = "Projection without perspective: sizes do not depend on the distance.",
                  .run = [this] { workspace_.view.camera.set_parallel(!workspace_.view.camera.parallel()); },
                  .checked = [this] { return workspace_.view.camera.parallel(); }});
   return actions;
@@ -234,7 +234,7 @@ UserAction ViewFeature::theme_action() {
   Theme& theme = workspace_.settings.theme;
   return {.name = "Light theme",
           .shortcut = "F9",
-          .tip = "Bright panels and menus; the picture stays as it is.",
+          .tip = "Light panels and menus; the viewport keeps its colours.",
           .run = [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
           .checked = [&theme] { return theme == Theme::kLight; }};
 }
@@ -244,20 +244,20 @@ std::vector<UserAction> ViewFeature::scale_actions() {
   return {
       UserAction{.name = "Larger text",
                  .shortcut = "Ctrl+=",
-                 .tip = "Of panels and menus.",
+                 .tip = "Size of panels and menus.",
                  .run = [&settings] { change_scale(settings, kScaleStep); },
                  .disabled_reason =
                      [&settings] {
-                       return settings.ui_scale >= Settings::kMaxScale ? "It is as large as it can be."
+                       return settings.ui_scale >= Settings::kMaxScale ? "Already at the maximum size."
                                                                        : nullptr;
                      }},
       UserAction{.name = "Smaller text",
                  .shortcut = "Ctrl+-",
-                 .tip = "Of panels and menus.",
+                 .tip = "Size of panels and menus.",
                  .run = [&settings] { change_scale(settings, -kScaleStep); },
                  .disabled_reason =
                      [&settings] {
-                       return settings.ui_scale <= Settings::kMinScale ? "It is as small as it can be."
+                       return settings.ui_scale <= Settings::kMinScale ? "Already at the minimum size."
                                                                        : nullptr;
                      }},
   };

@@ -67,10 +67,10 @@ TEST(Legends, the_shadow_rays_say_how_far_they_are_until_their_result_is_there) 
   look.show.shadow_reference = true;
   ShadowStatistics statistics;
   statistics.traced = 0.4;
-  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "the picture has it otherwise: tracing 40 %");
+  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "viewport differs: tracing 40 %");
   statistics.traced = 1;
   statistics.wrong = 0;
-  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "the picture has it otherwise: 0 pixels");
+  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "viewport differs: 0 pixels");
 }
 
 TEST(Legends, a_stage_of_single_steps_names_the_marks_that_are_drawn) {

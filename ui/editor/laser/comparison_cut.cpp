@@ -118,7 +118,6 @@ class SplitFeature : public Feature {
   }
 
  private:
-  // Ends a stroke that is being drawn.
   void show(bool shown) {
     cancel_stroke(workspace_);
     shown_ = shown;

@@ -62,7 +62,6 @@ constexpr const char* kLaserTool = "Laser";
 constexpr double kRadiusStep = 1.25;
 constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 
-// A stroke drawn with the mouse.
 class DrawnStroke : public Interaction {
  public:
   DrawnStroke(Workspace& workspace, double heard) : workspace_(workspace) {

@@ -77,7 +77,6 @@ class BeamSparks {
   // changed since the last call.
   void advance(double seconds, const LaserTool& beam, const Document& document, const WaitingStrokes& waiting,
                bool waiting_changed, ViewState& view);
-  // Returns true if there are particles.
   bool moving() const { return !particles_.empty(); }
 
  private:

@@ -68,7 +68,7 @@ std::string forecast_text(const LaserControls& laser, const MetSheet& met, doubl
   const std::string watts = text_of("%.4g W", laser.power);
   std::string thickness = text_of("%.3g mm", 1000 * met.sheet.thickness);
   if (met.slant > kSlanted)
-    thickness += text_of(", %.3g mm along the beam,", 1000 * met.slant * met.sheet.thickness);
+    thickness += text_of(" (%.3g mm along the beam)", 1000 * met.slant * met.sheet.thickness);
   const LumpedCut cut = met.balance(laser.beam());
   if (speed > 0)
     return watts + " at " + length_label(speed, unit) + "/s cuts " +
@@ -262,7 +262,6 @@ constexpr std::array kConstantRows{
 static_assert(kConstantRows.size() + 2 == std::size(kSubstanceFields),
               "the density and the wavelength have no row here");
 
-// Changes made in the panel.
 struct MaterialChange {
   std::optional<Sheet> sheet;
   std::optional<bool> solid;
@@ -454,7 +453,6 @@ void MaterialFeature::draw_overlay(ImDrawList& list) {
   list.AddText(at, through ? colours::kPictureText : colours::accent(), text);
 }
 
-// Changes the selected pieces, or all pieces if none is selected.
 void MaterialFeature::change_all(const char* name, const CommandFor& command) {
   std::vector<PieceId> pieces;
   const PieceMap& looks = workspace_.view.look.pieces;

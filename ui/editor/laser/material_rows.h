@@ -67,7 +67,6 @@ class KnownClosed {
   bool closed_ = false;
 };
 
-// Row of the Material panel for solidity.
 class SolidRow {
  public:
   // Returns the new value if the user has changed it.

@@ -47,7 +47,6 @@ class PointerSpeed {
   double speed_ = 0;
 };
 
-// The sheet under the pointer.
 struct PointerAim {
   MetSheet met;
   double speed = 0;  // of the pointer over the sheet [m/s], 0 at rest
@@ -84,7 +83,6 @@ class StrokeWatch {
   const Crossing* last(const Document& document) const;
 
  private:
-  // A place on the path of the beam.
   struct Place {
     Pose axis;
     Vec3 strike;           // first hit of the beam [m]

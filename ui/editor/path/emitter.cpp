@@ -312,7 +312,6 @@ void EmitterFeature::draw_pace() {
     emitter_.pace.set(pace);
 }
 
-// Places the emitter so that it aims at the centre of the viewport.
 void EmitterFeature::place() {
   const double diagonal = workspace_.world().bounds().diagonal();
   const CameraView view = workspace_.view.seen_first();

@@ -24,7 +24,6 @@ constexpr const char* kPath = "Path";     // tool and panel
 constexpr const char* kPathKey = "path";  // in the head of a document
 constexpr const char* kNoPoints = "The path has no points.";
 
-// Adds or grabs a point and drags it.
 class DragOfPoint : public Interaction {
  public:
   DragOfPoint(Workspace& workspace, PathWork& path) : workspace_(workspace), path_(path) {}

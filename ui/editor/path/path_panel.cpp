@@ -47,7 +47,6 @@ int keys_of_circle(double circle, double radius) {
   return static_cast<int>(std::clamp<double>(keys, kMinKeys, kMaxKeys));
 }
 
-// Returns the centres of the holes relative to that of the pattern.
 std::vector<Vec3> middles(const HolePattern& p, const Plane& plane) {
   std::vector<Vec3> all;
   if (p.kind == HolePattern::Kind::kCircle) {

@@ -11,7 +11,6 @@
 
 namespace kerf {
 
-// Holes in a grid or on a circle, all drilled in one direction.
 struct HolePattern {
   enum class Kind { kGrid, kCircle };
   Kind kind = Kind::kGrid;

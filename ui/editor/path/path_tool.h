@@ -49,7 +49,6 @@ void draw_path(const PathWork& path, const World& world, const FirstPicture& pic
 // window, in screen coordinates.
 class PathTool {
  public:
-  // Properties of a new point.
   struct Beam {
     double radius = 0.01;  // [m]
     double height = 0.1;   // of its origin over the surface [m]

@@ -35,12 +35,10 @@ std::string replaced(std::string text, const std::string& name) {
   return text;
 }
 
-// Inserts a suffix before the extension.
 fs::path with_suffix(const fs::path& file, const std::string& suffix) {
   return file.parent_path() / (file.stem().string() + suffix + file.extension().string());
 }
 
-// Returns the text of the MTL file for the materials of the faces.
 std::string materials_text(const Extract& extract, const std::vector<std::string>& names,
                            const std::map<std::string, Paint>& paints) {
   std::set<uint16_t> used(extract.materials.begin(), extract.materials.end());

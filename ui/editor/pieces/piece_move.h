@@ -49,7 +49,6 @@ class PieceMove {
   // Snaps subsequent pointer motion, or not if nullopt. Typed amounts are exact.
   void snap(const std::optional<MoveSnap>& to) { snap_ = to; }
   const std::optional<MoveSnap>& snap() const { return snap_; }
-  // Constrains the move to an axis.
   void constrain(Axis axis) { axis_ = axis; }
 
   Kind kind() const { return kind_; }
@@ -59,7 +58,6 @@ class PieceMove {
 
   // Returns true if the previewed placement differs from the initial one.
   bool moves() const { return placement() != from_; }
-  // Returns the previewed placement.
   Placement placement() const;
   // The previewed placement relative to the initial one: maps a point p of the world to turn * p + offset.
   struct Look {

@@ -23,7 +23,6 @@ namespace {
 constexpr float kLine = 1.4f;
 constexpr float kBetween = 0.35f;  // gap between two switches, in text sizes
 
-// Area of a switch.
 struct Cell {
   ImVec2 middle;
   float radius = 0;

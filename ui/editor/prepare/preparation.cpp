@@ -139,7 +139,6 @@ std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
   return faces;
 }
 
-// Returns the faces of a piece in world space.
 std::vector<Triangle> surface_of(const World& world, const PieceId& piece) {
   const Body& body = world.body(piece.body);
   std::vector<Triangle> surface;

@@ -28,7 +28,6 @@ struct Preparation {
   friend bool operator==(const Preparation&, const Preparation&) = default;
 };
 
-// Returns the selected pieces, or all pieces if none is selected.
 std::vector<PieceRow> pieces_to_prepare(const World& world, const PieceMap& looks);
 
 // Number of faces of pieces before and after a preparation. `after` is nullopt for simplification to an

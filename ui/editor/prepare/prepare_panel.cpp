@@ -239,7 +239,6 @@ class PrepareFeature : public Feature {
   void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  // Unfolds the panel with this tool selected.
   UserAction tool_action(const char* name, const char* tip, Preparation::Tool tool) {
     return {.name = name,
             .tip = tip,

@@ -29,7 +29,7 @@ class QueryWalk {
 
   bool empty() const { return visits_.empty(); }
   size_t size() const { return visits_.size(); }
-  // Number of boxes shown as visited: all, unless set by visit(), and at least one.
+  // Number of boxes shown as visited: all, or as set by visit(), which limits it to at least one.
   size_t visited() const { return visited_; }
   void visit(size_t boxes);
 
@@ -53,7 +53,6 @@ class QueryWalk {
 // The executed stages of the last stroke, and their overlay.
 class StageLog {
  public:
-  // Number of executed stages.
   size_t done() const { return done_; }
   // Number of segments of the stroke begun so far, and the number of the last stage within its segment; 0
   // before the first.
@@ -68,12 +67,10 @@ class StageLog {
   void note(const World& world, const StageRecord& stage, FileUnit unit);
   // Records that the stroke was undone to its first `stages` stages. Precondition: stages <= done().
   void restart(size_t stages = 0);
-  // Clears the log for another stroke or document.
   void forget();
   // Number of calls of forget().
   size_t forgotten() const { return forgotten_; }
 
-  // The last tree query and its displayed part.
   const QueryWalk& query() const { return query_; }
   void draw_query(bool drawn);
   void visit(size_t boxes);

@@ -32,7 +32,6 @@ std::string speed_text(const PlayState& play, const ReachedSpeed& reached);
 void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const World& world,
                      const ViewState& view, Badges& badges);
 
-// Draws the spring that pulls a piece.
 void draw_spring(const Spring& spring, const World& world, const ViewState& view);
 
 }  // namespace kerf

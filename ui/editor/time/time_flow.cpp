@@ -91,7 +91,6 @@ bool TimeFlow::begin() {
   return begun_ = true;
 }
 
-// Sets the spring of the document to that of the user.
 void TimeFlow::queue_spring() {
   Document& document = workspace_.work.document;
   if (!spring_ && document.world().spring()) document.apply(ReleaseBody{});

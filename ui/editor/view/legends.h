@@ -22,7 +22,6 @@ std::span<const MethodWords> shadow_methods();
 
 const char* method_name(ShadowMethod method);
 
-// Legend of the colours of a view.
 struct Legend {
   struct Row {
     uint32_t colour = 0;  // 0xrrggbb

@@ -289,7 +289,6 @@ bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
   return changed;
 }
 
-// Draws buttons that select a light, add one, and remove the selected one.
 bool choose_light(ViewOptions& look, UpAxis up) {
   std::vector<Light>& lights = look.lights;
   size_t& chosen = look.shadow.inspected;

@@ -14,7 +14,6 @@ struct ImDrawList;
 
 namespace kerf {
 
-// A predefined set of lights.
 struct LightPreset {
   const char* name;
   const char* meaning;

@@ -139,7 +139,6 @@ namespace {
 // Edits, by buttons and by name
 // --------------------------------------------------------------------------------------------------------
 
-// Sets the plane and shows it.
 void show(ViewState& view, const SectionPlane& plane) {
   view.look.section = plane;
   view.look.show.section = true;
@@ -152,7 +151,6 @@ void place_section(ViewState& view, const World& world) {
   show(view, section_through(world.bounds(), -view.seen_first().forward));
 }
 
-// Swaps the visible and the hidden side.
 void flip_section(ViewState& view) {
   KERF_ASSERT(view.look.section);
   show(view, {view.look.section->point, -view.look.section->normal});

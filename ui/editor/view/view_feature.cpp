@@ -21,7 +21,6 @@ namespace kerf {
 
 namespace {
 
-// Panel for theme and text size.
 class DisplayPanel {
  public:
   void draw(Settings& settings, const ViewState& view);

@@ -20,7 +20,8 @@ TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
   LaserControls laser;
   laser.radius = 0.01;
   laser.power = 1;
-  EXPECT_NE(forecast_text(laser, MetSheet(), 0, FileUnit::kMetre).find("too little to cut"), std::string::npos);
+  EXPECT_NE(forecast_text(laser, MetSheet(), 0, FileUnit::kMetre).find("too little to cut"),
+            std::string::npos);
 }
 
 TEST(Forecast, of_a_sheet_that_is_met_at_a_slant_is_slower) {

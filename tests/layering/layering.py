@@ -145,6 +145,8 @@ def objection(path, operand):
         return f'"{name}" is not written from the root (or is not of the project and belongs in angle brackets)'
     if GRAPHICS.match(name) and path.startswith('core/'):
         return f'<{name}>: core draws nothing and has no window'
+    if name == 'nlohmann/json.hpp' and path != 'core/base/json.h':
+        return f'<{name}>: include core/base/json.h, whose values are compiled once'
     if name.startswith('OpenMesh/') and not path.startswith(OPENMESH_USERS):
         return f'<{name}>: only core/mesh/remesh/openmesh_* knows OpenMesh'
     return None

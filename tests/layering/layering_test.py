@@ -4,6 +4,7 @@ import os
 import tempfile
 import unittest
 
+import group_names
 import layering
 
 GOOD = {
@@ -112,6 +113,9 @@ class Layering(unittest.TestCase):
             self.refuses(path, '#include <OpenMesh/Tools/Decimater/DecimaterT.hh>\n', 1,
                          'only core/mesh/remesh/openmesh_* knows OpenMesh')
 
+    def test_refuses_json_that_each_source_compiles(self):
+        self.refuses('core/document/bad.cpp', '#include <nlohmann/json.hpp>\n', 1, 'include core/base/json.h')
+
     def test_refuses_graphics_in_core(self):
         for header in ('imgui.h', 'imgui_internal.h', 'backends/imgui_impl_glfw.h', 'GLFW/glfw3.h', 'epoxy/gl.h',
                        'GL/gl.h', 'EGL/egl.h'):
@@ -123,6 +127,15 @@ class Layering(unittest.TestCase):
         for text in ('<core/mesh/mesh.h>', '"core/cut/../mesh/mesh.h"'):
             self.refuses('core/cut/bad.cpp', f'#include {text}\n', 1, 'plain path from the root')
         self.refuses('core/cut/bad.cpp', '#include HEADER\n', 1, 'through a macro')
+
+    def test_names_what_two_sources_of_a_group_declare(self):
+        source = 'namespace {{\n\nconstexpr int {0} = 1;\n\nint {1}(int a) {{ return a; }}\n\n}}  // namespace\n'
+        with tempfile.TemporaryDirectory() as root:
+            for name, words in (('a', ('kOne', 'first')), ('b', ('kOne', 'second'))):
+                os.makedirs(os.path.join(root, 'core/cut'), exist_ok=True)
+                with open(os.path.join(root, f'core/cut/{name}.cpp'), 'w') as file:
+                    file.write(source.format(*words))
+            self.assertEqual(['core/cut/b.cpp: kOne is also in core/cut/a.cpp'], list(group_names.collisions(root)))
 
     def test_refuses_a_stray_entry_at_the_top(self):
         self.refuses('notes.txt', '', 0, 'top level')

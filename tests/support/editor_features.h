@@ -7,11 +7,11 @@ namespace kerf::test {
 
 // All features of the editor without a window.
 struct EditorFeatures {
-  EditorFeatures() { catalogue.gather(features, on.panels); }
+  EditorFeatures() { catalogue.gather(features, workspace.panels); }
 
-  Workspace on;
+  Workspace workspace;
   Catalogue catalogue;
-  Features features = make_features(on, catalogue);
+  Features features = make_features(workspace, catalogue);
 };
 
 }  // namespace kerf::test

@@ -17,36 +17,36 @@ const char* why_no_recut(Feature& laser) {
 }
 
 TEST(LaserFeature, the_last_stroke_can_be_cut_again_and_where_there_is_none_it_says_so) {
-  Workspace on;
+  Workspace workspace;
   World world;
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
-  on.work.document = Document(std::move(world));
-  const auto laser = laser_feature(on);
+  workspace.work.document = Document(std::move(world));
+  const auto laser = laser_feature(workspace);
   EXPECT_NE(why_no_recut(*laser), nullptr);
   CutSettings settings;
   settings.laser.radius = 0.1;
-  on.work.document.apply(BeginStroke{settings, {{0, 0, 5}, {0, 0, -1}}});
+  workspace.work.document.apply(BeginStroke{settings, {{0, 0, 5}, {0, 0, -1}}});
   EXPECT_NE(why_no_recut(*laser), nullptr);
-  on.work.document.apply(EndStroke{});
-  while (on.work.document.waiting() > 0) ASSERT_TRUE(on.work.document.step(8).ok());
+  workspace.work.document.apply(EndStroke{});
+  while (workspace.work.document.waiting() > 0) ASSERT_TRUE(workspace.work.document.step(8).ok());
   EXPECT_EQ(why_no_recut(*laser), nullptr);
 }
 
 TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_moves_wait) {
-  Workspace on;
+  Workspace workspace;
   World world;
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
-  on.work.document = Document(std::move(world));
-  const auto laser = laser_feature(on);
+  workspace.work.document = Document(std::move(world));
+  const auto laser = laser_feature(workspace);
   EXPECT_FALSE(laser->cancel());
   CutSettings settings;
   settings.laser.radius = 0.1;
-  on.work.document.apply(BeginStroke{settings, {{-0.5, 0, 5}, {0, 0, -1}}});
-  on.work.document.apply(MoveBeam{{{0.5, 0, 5}, {0, 0, -1}}, 1});
-  on.work.document.apply(EndStroke{});
+  workspace.work.document.apply(BeginStroke{settings, {{-0.5, 0, 5}, {0, 0, -1}}});
+  workspace.work.document.apply(MoveBeam{{{0.5, 0, 5}, {0, 0, -1}}, 1});
+  workspace.work.document.apply(EndStroke{});
   EXPECT_TRUE(laser->cancel());  // in the frame in which the button was released
-  EXPECT_TRUE(on.changes.is_asked());
-  while (on.work.document.waiting() > 0) ASSERT_TRUE(on.work.document.step(8).ok());
+  EXPECT_TRUE(workspace.changes.is_asked());
+  while (workspace.work.document.waiting() > 0) ASSERT_TRUE(workspace.work.document.step(8).ok());
   EXPECT_FALSE(laser->cancel());
 }
 

@@ -18,18 +18,18 @@ class LightHandleTest : public testing::Test {
 };
 
 TEST(LightFeature, a_press_on_a_handle_moves_the_light_while_the_panel_is_unfolded) {
-  Workspace on;
-  on.view.layout = lay_out({1000, 700}, 16, 26, 26);
-  on.view.camera.look({0, 1, 8}, {0, 0, 0});
-  on.view.camera.finish();
-  const auto feature = light_feature(on);
-  on.pointer = light_handle(on.view, 0).value();
-  const InputEvent event{InputEvent::Kind::kPress, on.pointer};
+  Workspace workspace;
+  workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+  workspace.view.camera.look({0, 1, 8}, {0, 0, 0});
+  workspace.view.camera.finish();
+  const auto feature = light_feature(workspace);
+  workspace.pointer = light_handle(workspace.view, 0).value();
+  const InputEvent event{InputEvent::Kind::kPress, workspace.pointer};
   EXPECT_EQ(feature->begin_interaction({event}), nullptr);
-  on.panels.add("Light", Tab::kLook, Dock::kColumn, false);
-  on.panels.show("Light");
+  workspace.panels.add("Light", Tab::kLook, Dock::kColumn, false);
+  workspace.panels.show("Light");
   EXPECT_NE(feature->begin_interaction({event}), nullptr);
-  on.settings.side_shown = false;
+  workspace.settings.side_shown = false;
   EXPECT_EQ(feature->begin_interaction({event}), nullptr);
 }
 

@@ -154,14 +154,14 @@ struct Bench {
   Bench() {
     World world;
     id = world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
-    on.work.document = Document(std::move(world));
-    on.view.layout = lay_out({1000, 700}, 16, 26, 26);
-    on.view.camera.look({0, 0, 5}, {0, 0, 0});
-    on.view.camera.finish();
-    on.view.look.pieces[{id, 0}].selected = true;
-    on.tool = kPickTool;
-    const Area& area = on.view.layout.first;
-    on.pointer = area.at + 0.5 * area.size;
+    workspace.work.document = Document(std::move(world));
+    workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
+    workspace.view.camera.finish();
+    workspace.view.look.pieces[{id, 0}].selected = true;
+    workspace.tool = kPickTool;
+    const Area& area = workspace.view.layout.first;
+    workspace.pointer = area.at + 0.5 * area.size;
   }
   void run(const std::string& action) {
     for (const ActionGroup& group : feature->actions()) {
@@ -174,14 +174,14 @@ struct Bench {
   void keys(const std::string& typed) {
     for (const char c : typed) EXPECT_TRUE(key(c));
   }
-  const PieceLook& look() { return on.view.look.pieces[{id, 0}]; }
+  const PieceLook& look() { return workspace.view.look.pieces[{id, 0}]; }
   std::vector<PieceHandle> handles() const {
-    return piece_handles(on.view, pivot_shown(on.view, std::nullopt, on.tool == kPickTool, on.world()));
+    return piece_handles(workspace.view, pivot_shown(workspace.view, std::nullopt, workspace.tool == kPickTool, workspace.world()));
   }
 
-  Workspace on;
+  Workspace workspace;
   BodyId id;
-  std::unique_ptr<Feature> feature = moving_feature(on);
+  std::unique_ptr<Feature> feature = moving_feature(workspace);
 };
 
 TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {

@@ -63,7 +63,7 @@ TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames)
     fast.hear(e);
     fast.cut();
   }
-  EXPECT_GT(slow.on.work.document.history().removed_faces(), 100u);
+  EXPECT_GT(slow.workspace.work.document.history().removed_faces(), 100u);
   EXPECT_EQ(slow.hash(), fast.hash());
 }
 

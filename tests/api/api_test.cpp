@@ -369,7 +369,7 @@ TEST(Face, bad_input_gets_a_sentence) {
   says(cut([](auto& s, auto&) { s.radius = -1; }), "radius");
   says(cut([](auto& s, auto&) { s.range = {2, 1}; }), "range");
   says(cut([](auto&, auto& c) { c.target_edge = 0; }), "target_edge");
-  says(cut([](auto&, auto& c) { c.target_edge = 1, c.levels = 1; }), "choose one");
+  says(cut([](auto&, auto& c) { c.target_edge = 1, c.levels = 1; }), "set only one");
   says(cut([](auto&, auto& c) { c.levels = 99; }), "levels: must be from 0 to 24");
   says(cut([](auto&, auto& c) { c.levels = std::numeric_limits<int>::max(); }), "levels");
   says(cut([](auto&, auto& c) { c.material = "cheese"; }), "mild-steel");

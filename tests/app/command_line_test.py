@@ -658,7 +658,7 @@ class CommandLine(unittest.TestCase):
                            (["plate.kerf", "--frames", "f", "--fps", "0"], "--fps")):
             self.assert_refused(self.run_here("replay", *args), 2, word)
         self.write("plate.obj", PLATE + "v 1 2 3\n")
-        self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: this mesh is another one")
+        self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: the mesh differs")
         os.remove(os.path.join(self.folder.name, "plate.obj"))
         self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: there is no such file")
 

@@ -63,7 +63,7 @@ TEST_F(PathFile, refuses_what_makes_no_stroke_and_says_where) {
   expect_refused(keys(R"({"t": 0, "origin": [0,1,"x"], "direction": [0,1,0]})"), "/strokes/0/keys/0/origin/2",
                  "number");
   expect_refused(keys(R"({"t": 0, "origin": [0,1,0]})"), "/strokes/0/keys/0", "direction");
-  expect_refused(keys(good + "," + good), "/strokes/0/keys/1/t", "forward");
+  expect_refused(keys(good + "," + good), "/strokes/0/keys/1/t", "ascend");
   expect_refused(keys(good + R"(,{"t": 1, "origin": [0,1,0], "direction": [0,1,0]})"),
                  "/strokes/0/keys/1/direction", "opposite");
   expect_refused(R"({"strokes": [{"laser": {"radius": 0}, "keys": []}]})", "/strokes/0/laser/radius",

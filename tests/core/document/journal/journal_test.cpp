@@ -101,7 +101,7 @@ TEST_F(JournalFile, refuses_a_mesh_that_is_another_one_or_gone) {
   auto work = open_file(file());
   ASSERT_FALSE(work.ok());
   EXPECT_EQ(work.error().code, ErrorCode::kBadInput);
-  EXPECT_NE(work.error().message.find("plate.obj: this mesh is another one"), std::string::npos);
+  EXPECT_NE(work.error().message.find("plate.obj: the mesh differs"), std::string::npos);
   std::filesystem::remove(folder_ / "plate.obj");
   work = open_file(file());
   ASSERT_FALSE(work.ok());

@@ -26,7 +26,7 @@ TEST(VehicleFile, names_the_first_thing_that_is_wrong) {
         test::Wrong{"0.3, 1]", "0.3]", "/wheels/0/hub: must be three numbers"},
         test::Wrong{"\"radius\": 0.3", "\"radius\": -1", "/wheels/0/radius: must be from"},
         test::Wrong{"[-90, 90]", "[90, -90]", "/turret/yaw: must be two angles"},
-        test::Wrong{"\"muzzle\": [0, 1, 1]", "\"muzzle\": [0, 1, 0]", "/turret/barrel/muzzle: must be"},
+        test::Wrong{"\"muzzle\": [0, 1, 1]", "\"muzzle\": [0, 1, 0]", "/turret/barrel/muzzle: must differ"},
         test::Wrong{"\"kind\": \"engine\"", "\"kind\": \"radio\"", "/vital/0/kind: must be \"engine\""},
         test::Wrong{"[{\"kind\": \"engine\", \"part\": \"engine\"}]", "[]",
                     "/vital: must hold one part or more"},

@@ -48,7 +48,7 @@ TEST(StepWords, count_strokes_and_say_what_they_cut_in_the_unit_of_the_document)
   ASSERT_TRUE(test::run_all(document).ok());
   const size_t last = document.history().position() - 1;
   EXPECT_TRUE(step_words(document.history(), last, FileUnit::kInch).starts_with("Cut 2: "));
-  EXPECT_TRUE(step_words(document.history(), last - 1, FileUnit::kInch).starts_with("Name "));
+  EXPECT_TRUE(step_words(document.history(), last - 1, FileUnit::kInch).starts_with("Rename "));
 }
 
 TEST(StepWords, of_an_edit_have_the_name_that_its_piece_had) {
@@ -59,7 +59,7 @@ TEST(StepWords, of_an_edit_have_the_name_that_its_piece_had) {
   ASSERT_TRUE(document.apply(RenamePiece{{body, 0}, "sheet"}).ok());
   ASSERT_TRUE(document.apply(PinPiece{{body, 0}, false}).ok());
   EXPECT_EQ(step_words(document.history(), 0, FileUnit::kMetre), "Pin " + name);
-  EXPECT_EQ(step_words(document.history(), 1, FileUnit::kMetre), "Name " + name + " sheet");
+  EXPECT_EQ(step_words(document.history(), 1, FileUnit::kMetre), "Rename " + name + " to sheet");
   EXPECT_EQ(step_words(document.history(), 2, FileUnit::kMetre), "Unpin sheet");
 }
 

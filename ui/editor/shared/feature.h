@@ -36,60 +36,59 @@ struct ActionGroup {
   std::vector<UserAction> actions;
 };
 
-// A part of the editor that people can name: what it shows in panels and over the picture, what menus, keys
-// and the mouse do with it. Features do not know each other; what they share is in Workspace. The frame loop
-// calls each of these functions for all features, in the order of features.cpp.
+// A part of the editor with its panels, overlay, actions, keys and mouse input. Features are independent of
+// each other; they share state through Workspace. The frame loop calls each function for all features, in
+// the order of make_features().
 class Feature {
  public:
   virtual ~Feature() = default;
 
-  // Called once, at the start. What they return may refer to the feature.
+  // Called once, at the start. The results may refer to the feature.
   virtual std::vector<Panel> panels() { return {}; }
   virtual std::vector<ActionGroup> actions() { return {}; }
   virtual std::vector<Gesture> gestures() const { return {}; }
 
-  // Input. The first feature that returns true keeps an event from all that comes after it: keys from the
-  // actions, the mouse from interactions. `in_picture`: the pointer is over the picture and no panel.
+  // Input. The first feature that returns true consumes an event: keys before actions, mouse events before
+  // interactions. `in_picture`: the pointer is over the viewport and no panel.
   virtual bool handle_event(const InputEvent&, bool /*in_picture*/) { return false; }
-  // What a press begins; null: not the business of this feature.
+  // Begins the interaction of a press; null: not handled by this feature.
   virtual std::unique_ptr<Interaction> begin_interaction(const Press&) { return nullptr; }
-  // Esc. All features end what is at work; if none did anything, the first that returns true has undone a
-  // choice.
+  // Esc. All features cancel work in progress; if none did, the first that clears a selection returns true.
   virtual bool cancel() { return false; }
   virtual bool clear_selection() { return false; }
-  // Whether it has opened something with a text field that has to have the keyboard: until it has, what is
-  // typed waits.
+  // Returns true while a new text field waits for the keyboard focus. Typed keys are held back until it has
+  // it.
   virtual bool awaits_focus() const { return false; }
-  // What the left button does at the moment, for the status bar; null: nothing to tell of.
+  // Action of the left button, for the status bar; null: none.
   virtual const char* status_hint() const { return nullptr; }
 
-  // The editor begins, waits for input, and ends.
+  // Called at the start, before waiting for input, and at the end.
   virtual Status on_start(const EditorOptions&) { return Done{}; }
   virtual void on_idle() {}
   virtual void on_exit(bool /*left_by_user*/) {}
 
-  // Once a frame, after the changes that were asked for: lets time pass (s).
+  // Once a frame, after the requested changes: advances time [s].
   virtual void update(double /*seconds*/) {}
-  // Once a frame, after the queue of the document was worked on.
+  // Once a frame, after the queue of the document was processed.
   virtual void after_queue(double /*seconds*/) {}
-  // Whether the next frame has to come without input.
+  // Returns true if the next frame is needed without input.
   virtual bool needs_redraw() const { return false; }
 
-  // The open world has changed by this.
+  // Called after a change of the open world.
   virtual void on_world_changed(const Delta&) {}
-  // Another document is open: what belonged to the last one ends.
+  // Called after another document was opened; resets state of the last one.
   virtual void on_document_opened() {}
 
-  // Draws over the picture.
+  // Draws over the viewport.
   virtual void draw_overlay(ImDrawList&) {}
-  // Windows of its own, and what belongs over the panels.
+  // Draws windows, and everything above the panels.
   virtual void draw_windows() {}
-  // The picture without the panels, or all of the window, is drawn and not displayed yet.
+  // Called when the viewport without panels, or the whole window, is drawn but not displayed yet.
   enum class Captured { kPicture, kWindow };
   virtual void on_captured(Captured) {}
-  // Names the places of handles, for tests.
+  // Adds the landmarks of handles, for tests.
   virtual void add_landmarks(Landmarks&) const {}
-  // Adds to the report of the session.
+  // Adds entries to the report of the session.
   virtual void write_session_log(nlohmann::ordered_json&) const {}
 };
 

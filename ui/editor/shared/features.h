@@ -5,81 +5,76 @@
 
 namespace kerf {
 
-// Opening, saving and leaving the work, what becomes of it when it is not saved, and pictures of it.
+// Opening, saving and closing the work, recovery of unsaved work, and screenshots.
 std::unique_ptr<Feature> files_feature(Workspace& workspace);
 
-// The files that were opened and saved last, each with a picture of how it looked: a menu of them, and the
-// pictures.
+// Recent files: a menu of them, and their thumbnails.
 std::unique_ptr<Feature> recent_feature(Workspace& workspace);
 
-// What meets who has never opened anything: the car, recent files, scenes, and a tour of the first five
-// minutes. Any key or press outside closes it; the Help menu opens it again.
+// The welcome window of the first launch: the car, recent files, scenes, and a guided tour. Any key or press
+// outside closes it; the Help menu opens it again.
 std::unique_ptr<Feature> welcome_feature(Workspace& workspace);
 
-// The steps of the history: undo, redo, and the way to any of them.
+// The steps of the history: undo, redo, and jumps to any step.
 std::unique_ptr<Feature> history_feature(Workspace& workspace);
 
-// The laser that the pointer holds: its beam and its resolution, the stroke that is drawn, and cutting the
-// last stroke again.
+// The laser at the pointer: its beam and resolution, the stroke being drawn, and the recut of the last
+// stroke.
 std::unique_ptr<Feature> laser_feature(Workspace& workspace);
 
-// The sheet of the pieces, and what the beam does with heat.
+// The sheet of the pieces, and how the beam heats it.
 std::unique_ptr<Feature> material_feature(Workspace& workspace);
 
-// The split view: the last stroke at a second resolution, in a right half of the picture.
+// The split view: the last stroke at a second resolution, in the right half of the viewport.
 std::unique_ptr<Feature> split_feature(Workspace& workspace);
 
-// The path of the laser, which is drawn point by point over the surface and then run.
+// The path of the laser, drawn point by point over the surface and then run.
 std::unique_ptr<Feature> path_feature(Workspace& workspace);
 
-// A laser that stands in the scene and fires while it is switched on, without a break or in shots.
+// A laser fixed in the scene that fires while switched on, continuously or in pulses.
 std::unique_ptr<Feature> emitter_feature(Workspace& workspace);
 
-// The last stroke in single steps, forth and back, and the last query of the tree box by box.
+// Stepping through the last stroke, forwards and back, and through the nodes of the last tree query.
 std::unique_ptr<Feature> single_step_feature(Workspace& workspace);
 
-// Time: bodies move while the user plays and can be pulled by springs; what is hot cools down otherwise.
+// The simulation: falling bodies and springs that drag them; hot material cools even while it is paused.
 std::unique_ptr<Feature> time_feature(Workspace& workspace);
 
-// The pieces: their list, which of them are chosen, hidden, isolated, deleted and renamed, and how far they
-// are drawn apart.
+// The pieces: their list, their selection, hiding, isolating, deleting, renaming, and the exploded view.
 std::unique_ptr<Feature> pieces_feature(Workspace& workspace);
 
-// The chosen piece is moved, turned and duplicated: by handles, by keys and by numbers.
+// Moves, rotates and duplicates the selected piece: by handles, by keys and by numbers.
 std::unique_ptr<Feature> moving_feature(Workspace& workspace);
 
-// Simplifying, subdividing and smoothing the meshes of pieces before they are cut.
+// Simplifies, subdivides and smooths the meshes of pieces before they are cut.
 std::unique_ptr<Feature> prepare_feature(Workspace& workspace);
 
-// How the world is looked at: the camera, the axes in the corner, the switches of the picture with their
-// legends, and the look of the panels.
+// The view: the camera, the axes gizmo, the view options with their legends, and the theme of the panels.
 std::unique_ptr<Feature> view_feature(Workspace& workspace);
 
-// The lights and their shadows: their panel, and a handle for each light while that is unfolded.
+// The lights and their shadows: their panel, and handles of the lights while it is unfolded.
 std::unique_ptr<Feature> light_feature(Workspace& workspace);
 
-// The section plane: its handles in the picture, its numbers in the View panel, and what is done with it by
-// name.
+// The section plane: its handles in the viewport, its numbers in the View panel, and its actions.
 std::unique_ptr<Feature> section_feature(Workspace& workspace);
 
-// What there is to know about a face, the distance between two points, and the temperature of a point over
-// time.
+// Facts about a face, the distance between two points, and the temperature of a point over time.
 std::unique_ptr<Feature> inspect_feature(Workspace& workspace);
 
 // The component graph of the last stroke or of a piece, with its traversal.
 std::unique_ptr<Feature> graph_feature(Workspace& workspace);
 
-// The boxes of the trees: which of them are drawn, and how large the trees are.
+// The AABB trees: the displayed boxes, and the sizes of the trees.
 std::unique_ptr<Feature> tree_feature(Workspace& workspace);
 
-// What the last steps took and changed, and where memory goes.
+// Times and changes of the last steps, and memory usage.
 std::unique_ptr<Feature> statistics_feature(Workspace& workspace);
 
-// Colours the faces by a quantity, with its histogram and a range that is dragged.
+// Colours the faces by a quantity, with its histogram and an adjustable range.
 std::unique_ptr<Feature> scalar_map_feature(Workspace& workspace);
 
-// Distances that are measured and stay: marks between two points of surfaces, which are named, moved, listed,
-// exported as CSV, and saved in the head of the document.
+// Kept measurements between two points of surfaces, which can be named, moved, listed, exported as CSV, and
+// are saved in the head of the document.
 std::unique_ptr<Feature> ruler_feature(Workspace& workspace);
 
 }  // namespace kerf

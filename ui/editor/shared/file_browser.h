@@ -20,52 +20,52 @@ struct FolderEntry {
   uintmax_t bytes = 0;
 };
 
-// Lists the folders in a folder, then the files whose ending says that they can be opened, both by name;
-// hidden ones are left out. `fault` becomes a sentence where the folder cannot be read, or empty.
+// Lists the subfolders, then the files with an extension that can be opened, both by name and without hidden
+// ones. `fault` becomes an error sentence, or empty.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder, std::string& fault);
 
-// Whether a name contains the filter, ignoring case.
+// Returns true if a name contains the filter, ignoring case.
 bool passes_filter(const std::string& name, const std::string& filter);
 
-// A row with the formats in which meshes are written. Returns the one that was clicked, if any.
+// Draws a row of the writable mesh formats. Returns the one that was clicked, if any.
 std::optional<MeshFormat> draw_mesh_formats(MeshFormat current);
 
-// A line with the names of the files that an export writes, as many as fit.
+// Draws a line with the names of the files that an export writes, as many as fit.
 void draw_file_names(std::span<const std::filesystem::path> files);
 
-// What a file is chosen for.
+// Request for a file to open, save or export.
 struct FileWish {
   const char* title;
   const char* verb;         // on the button
   const char* hint;         // in the field for the name
-  const char* listed = "";  // the ending of the files that are listed; empty: all that can be opened
-  // Endings of a file that is written; one without gets the first. Empty: a file is opened, or `writes` is
-  // set.
+  const char* listed = "";  // extension of the listed files; empty: all that can be opened
+  // Extensions of a file to write; a name without one gets the first. Empty: a file is opened, or `writes`
+  // is set.
   std::vector<std::string> endings = {};
-  // Takes the file that was chosen. Returns why it cannot, and the window stays open, or an empty text.
+  // Takes the selected file. Returns an error, which keeps the window open, or an empty text.
   std::function<std::string(const std::filesystem::path&)> take;
-  // For an export of meshes: the files that one under this name writes.
+  // For an export of meshes: returns the files that are written under this name.
   std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> writes = {};
-  // For a file that is written: the files that must not be replaced.
+  // For a file to write: returns the files that must not be replaced.
   std::function<InputFiles()> inputs = {};
 };
 
-// The window in which a file is chosen: folders, a filter by name, all of it by keyboard too.
+// The file dialog: folders and a filter by name. All of it can be used by keyboard.
 struct FileBrowser {
   using Entry = FolderEntry;
 
   FileWish wish = {};
-  MeshFormat format = MeshFormat::kObj;  // of an export; the one chosen last
+  MeshFormat format = MeshFormat::kObj;  // of an export; the last one selected
   bool open = false;
   std::filesystem::path folder;
-  std::vector<Entry> entries;     // of the folder, folders first, by name
-  std::array<char, 1024> name{};  // a filter or a path to open; the name to write to
-  size_t cursor = 0;              // in what the filter leaves
-  bool is_chosen = false;         // the cursor, by a filter, by keys or by a click: Enter takes the entry
-  std::string fault;              // why the folder cannot be shown, or the file not be written
-  std::filesystem::path replace;  // a file that is there already; choosing it once more replaces it
+  std::vector<Entry> entries;     // of the folder: folders first, by name
+  std::array<char, 1024> name{};  // a filter or path to open; the name to write
+  size_t cursor = 0;              // index into the filtered entries
+  bool is_chosen = false;         // the cursor was set by the filter, a key or a click: Enter takes it
+  std::string fault;              // error of the folder or of writing
+  std::filesystem::path replace;  // an existing file, which is replaced if confirmed again
 
-  // Keys that came since the window was drawn last.
+  // Keys received since the window was last drawn.
   struct Keys {
     int steps = 0;  // of the cursor
     bool first = false, last = false, enter = false, backspace = false, escape = false;
@@ -73,14 +73,14 @@ struct FileBrowser {
   bool take_focus = false, show_cursor = false;
 };
 
-// Opens the window in a folder, or in the current one where that does not exist, with a name to begin with.
-// Keeps `format`.
+// Opens the window in a folder, or in the current one if that does not exist, with an initial name. Keeps
+// `format`.
 void browse(FileBrowser& browser, FileWish wish, std::filesystem::path folder, const std::string& name);
 
 // Processes a key (GLFW_KEY_*) while the browser is open.
 void browser_key(FileBrowser& browser, int key);
 
-// Draws the window where it is open.
+// Draws the window if it is open.
 void draw_file_browser(FileBrowser& browser);
 
 }  // namespace kerf

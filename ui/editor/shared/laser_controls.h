@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// The values of the resolution's sliders.
+// Values of the resolution sliders.
 struct ResolutionControls {
   Scheme scheme = Scheme::kLongestEdge;
   Resolution::Rule rule = Resolution::Rule::kTargetEdge;
@@ -20,34 +20,34 @@ struct ResolutionControls {
   static constexpr double kMinFraction = 1.0 / 32, kMaxFraction = 2;
   static constexpr int kLargestDepth = 10;
 
-  // The resolution for a beam of this radius (m, > 0).
+  // Returns the resolution for a beam of this radius [m, > 0].
   Resolution of(double radius) const;
-  // Shows the resolution of a beam of this radius, as far as the sliders reach.
+  // Sets the sliders to the resolution of a beam of this radius, within their range.
   void show(const Resolution& resolution, double radius);
 };
 
-// So many steps finer: a step halves the fraction of the rule that is chosen, or splits once more.
+// Refines by `steps`: each halves the fraction of the selected rule, or splits once more.
 void make_finer(ResolutionControls& controls, int steps);
 
-// The settings of the laser that its panel shows and a stroke starts with.
+// The settings in the Laser panel, with which a stroke starts.
 struct LaserControls {
   double radius = 0.01;          // m
-  double default_radius = 0.01;  // m, D/400 of what was opened
+  double default_radius = 0.01;  // m, 1/400 of the diagonal of the opened world
   ResolutionControls resolution;
   Pattern pattern = Pattern::kVolume;
   Model model = Model::kGeometric;
   double power = 2000;               // W, of the thermal model
   bool oxygen = false;               // likewise, see Assist
-  std::optional<double> heat_width;  // m, that was chosen (see CutSettings); none: default_heat_width
-  double planned_speed = 0;  // m/s, of the next strokes as far as they are planned; 0: it is not known
+  std::optional<double> heat_width;  // m, set by the user (see CutSettings); nullopt: default_heat_width
+  double planned_speed = 0;          // m/s, of the next strokes if they are planned; 0: unknown
 
   static constexpr double kMinPower = 1, kMaxPower = 20'000;
-  // The radius is set from the default over this to the default times this.
+  // The radius ranges from the default over this to the default times this.
   static constexpr double kRadiusSpan = 20;
 
   double width_of_heat() const { return heat_width.value_or(default_heat_width(radius)); }
 
-  // The beam, with the usual range.
+  // Returns the beam, with the default range.
   Laser beam() const {
     Laser laser;
     laser.radius = radius;
@@ -56,20 +56,20 @@ struct LaserControls {
     laser.assist = oxygen ? Assist::kOxygen : Assist::kNone;
     return laser;
   }
-  // The settings of a cut in a world with this diagonal (m); the range of the beam is ten diagonals.
+  // Returns the settings of a cut in a world with this diagonal [m]; the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;
-  // Shows the radius and the resolution of a stroke, as far as the sliders reach.
+  // Sets the controls to the radius and the resolution of a stroke, within their range.
   void show(const CutSettings& settings);
   void fit(double diagonal) { radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01; }
 };
 
-// The radius of the beam, and the unit that it is shown in.
+// The radius of the beam, and its display unit.
 struct ShownRadius {
   double length;
   FileUnit unit;
 };
 
-// Rows of a panel for a resolution. Returns whether anything changed.
+// Draws the rows of a resolution. Returns true if anything changed.
 bool resolution_rows(ResolutionControls& to, const ShownRadius& radius);
 
 }  // namespace kerf

@@ -11,29 +11,28 @@
 
 namespace kerf {
 
-// The key of an action as it is bound at the moment; empty if it has none.
+// Returns the key bound to an action; empty if it has none.
 std::string shortcut_of(const ViewState& view, const std::string& action);
 
-// A sentence with the key of an action in brackets before its full stop, if it has a key: "Hides it (H)."
+// Returns a sentence with the key of an action, if any, in brackets before its full stop: "Hides it (H)."
 std::string with_shortcut(const ViewState& view, std::string sentence, const std::string& action);
 
-// Draws a switch of the view as a check box, or as radio buttons where it has more than two states, with its
-// key and its tooltip. `label` replaces its own label in a row that has a name already. Returns whether its
-// state was changed.
+// Draws a view switch as a check box, or as radio buttons if it has more than two states, with its key and
+// tooltip. `label` replaces its own label. Returns true if its state changed.
 bool draw_switch(ViewState& view, SwitchId id, const char* label = nullptr);
 
-// A row with a field for a length in the numbers of the file, shown and typed in a unit (see label_unit),
-// with the name of this unit and what follows it: "2.75 mm/s" with "/s". The range is one of `length`.
-// Returns whether a number was entered.
+// Draws a row for a length in file units, shown and typed in a display unit (see label_unit), which is
+// followed by `per`: "2.75 mm/s" with "/s". The range applies to `length`. Returns true if a number was
+// entered.
 bool length_field(NumberFields& fields, const char* name, double& length, const LengthUnit& unit,
                   const char* meaning, const std::string& per = "", const NumberRange& range = kFinite);
 
-// The unit of fields for coordinates in the numbers of the file, which do not show it.
+// The unit of fields for coordinates in file units, which do not show it.
 inline NumberUnit file_unit(FileUnit unit) { return {Quantity::kLength, metres_per_unit(unit)}; }
 
-// A row in which one of several values is chosen, in its open list by a click or by Up, Down and Enter.
-// `names` are those of the values 0, 1, ..., each ended by a zero. `landmark` is its name in tests and
-// `meaning` its tooltip; either may be null. Returns whether a value was chosen.
+// Draws a row that selects one of several values from a list, by a click or by Up, Down and Enter. `names`
+// are those of the values 0, 1, ..., each terminated by a zero. `landmark` is its name in tests and
+// `meaning` its tooltip; either may be null. Returns true if a value was selected.
 bool choice_row(const char* label, const char* id, int& choice, const char* names, const char* landmark,
                 const char* meaning);
 template <typename Choice>
@@ -45,8 +44,8 @@ bool choice_row(const char* label, const char* id, Choice& choice, const char* n
   return chosen;
 }
 
-// A row like choice_row() of names in a list. Each name of the open list has a landmark, too: that of the
-// row, with its number.
+// Like choice_row(), with an array of names. Each name in the open list has a landmark, too: that of the
+// row, with its index.
 bool marked_choice_row(const char* label, const char* id, int& choice, std::span<const char* const> names,
                        const char* landmark, const char* meaning);
 template <typename Choice>
@@ -58,15 +57,14 @@ bool marked_choice_row(const char* label, const char* id, Choice& choice, std::s
   return chosen;
 }
 
-// The menu of the last item at a right click, which sets the value to the standard one. Returns whether it
-// did.
+// Draws the context menu of the last item, which resets the value to its default. Returns true if it did.
 bool reset_item(double& value, double standard);
 
-// A text of less weight, in as many lines as it takes.
+// Draws wrapped text in the secondary colour.
 void secondary_text(const std::string& text);
 
-// Tables that scroll: the height of one in which so many rows are in sight, the drawing of those rows that
-// are in sight by their numbers from 0, and scrolling so that a row is in the middle of that height.
+// Scrolling tables: the height that shows a number of rows, drawing of the visible rows by index, and
+// scrolling that centres a row in that height.
 float height_of_rows(size_t rows);
 void draw_rows_in_sight(size_t rows, const std::function<void(size_t)>& draw);
 void scroll_to_row(size_t row, float height);

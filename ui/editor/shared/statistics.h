@@ -16,15 +16,15 @@
 
 namespace kerf {
 
-// The durations of frames. The last million of them are kept.
+// Durations of frames. The last million are kept.
 class FrameStatistics {
  public:
   void add(double milliseconds);
   size_t frames() const { return frames_; }
-  // The percentile of the durations for a fraction 0 .. 1, by nearest rank; 0 without frames.
+  // Returns a percentile of the durations for a fraction 0 .. 1, by nearest rank; 0 without frames.
   double percentile(double share) const;
   double longest() const { return longest_; }
-  // The durations kept, in their order as long as they are fewer than a million.
+  // The kept durations, in order if they are fewer than a million.
   const std::vector<float>& each() const { return kept_; }
   double last() const { return last_; }
 
@@ -34,16 +34,16 @@ class FrameStatistics {
   double longest_ = 0, last_ = 0;
 };
 
-// The durations and changes of the last steps and the bytes sent for the last pictures, as lines of a chart.
+// Durations and changes of the last steps, and bytes uploaded for the last frames, as lines of a chart.
 class StepChart {
  public:
   enum Line { kFind, kRefine, kRemove, kTree, kSeparate, kBorn, kGone, kSent, kLines };
   static constexpr size_t kKept = 240;
 
   void record_step(const StepResult& step);  // milliseconds and faces
-  void record_sent(size_t bytes);            // of one picture, kilobytes
+  void record_sent(size_t bytes);            // of one frame, kilobytes
 
-  // The values of a line, oldest first.
+  // Values of a line, oldest first.
   std::span<const float> line(Line line) const { return lines_[line]; }
   float last(Line line) const { return lines_[line].empty() ? 0 : lines_[line].back(); }
   float largest(Line line) const;
@@ -53,41 +53,39 @@ class StepChart {
   std::array<std::vector<float>, kLines> lines_;
 };
 
-// The memory used by this process in bytes, or 0 if that is unknown.
+// Returns the memory used by this process [bytes], or 0 if unknown.
 size_t process_bytes();
 
-// The memory usage of the process, in bytes.
+// Memory usage [bytes].
 struct MemoryStatistics {
   size_t process = 0;
-  size_t meshes = 0, trees = 0;  // of all worlds that are held
+  size_t meshes = 0, trees = 0;  // of all worlds
   PictureMemory pictures;
   size_t history = 0;  // before-images
 
-  // The memory of the process minus all of these parts: the program itself, drivers and their buffers. It is
-  // too small by `graphics` if the graphics card has its own memory.
+  // The rest of the process: the program itself, drivers and their buffers. Too small by `graphics` if the
+  // graphics card has its own memory.
   size_t other() const;
 };
 
-// The current statistics, for these worlds (entries may be null) and a history of the given size in bytes.
+// Measures the memory of these worlds (entries may be null) and of a history of this size [bytes].
 // O(bodies).
 MemoryStatistics memory_statistics(std::span<const World* const> worlds, size_t history,
                                    const PictureMemory& pictures);
 
-// The statistics in the panels and the status bar. They are updated four times per second, so that they are
-// legible.
+// The statistics in the panels and the status bar, updated four times per second to be legible.
 struct ShownStatistics {
-  FileUnit unit = FileUnit::kMetre;  // that areas are shown in
+  FileUnit unit = FileUnit::kMetre;  // of areas
   size_t faces = 0;
-  size_t pieces = 0, specks = 0;  // specks are counted apart
-  size_t twin_faces = 0;          // in the right half
+  size_t pieces = 0, specks = 0;  // specks are not among the pieces
+  size_t twin_faces = 0;          // of the right half
   double frame_ms = 0;
-  std::string time;  // how fast it passes; empty: it stands still
-  std::string work;  // what the beam still does after the user has let go; may be empty
+  std::string time;  // speed of time; empty: paused
+  std::string work;  // of the beam after the end of its stroke; may be empty
   size_t tree_nodes = 0;
-  std::optional<int> tree_depth;  // unknown until a panel shows it
+  std::optional<int> tree_depth;  // nullopt until a panel shows it
   MemoryStatistics memory;
-  // The statistics of the last stroke that was not undone, however it came into the world; nothing without
-  // one.
+  // The last stroke that is not undone; nullopt without one.
   struct Stroke {
     StepStatistics statistics;
     double removed_area = 0;  // m^2
@@ -95,22 +93,21 @@ struct ShownStatistics {
   std::optional<Stroke> stroke;
 };
 
-// Everything that the editor counts and measures.
+// All counters and measurements of the editor.
 struct Statistics {
   ShownStatistics shown;
-  bool world_changed = true;  // since `shown` was taken
+  bool world_changed = true;  // since `shown` was updated
   bool depth_wanted = false;  // of the trees
   ShadowStatistics shadows;
   FrameStatistics frames;
-  FrameStatistics between_pictures;  // durations of frames without drawing
-  // Durations, whole and without drawing, of frames in which something was cut.
+  FrameStatistics between_pictures;  // durations without drawing
+  // Frames in which something was cut: whole durations, and without drawing.
   FrameStatistics cutting_frames, between_cutting_pictures;
   StepChart chart;
   size_t recuts = 0;
 };
 
-// Updates the counts of the world of a document for the panels. Depths of trees are computed only if they are
-// shown, because that takes O(n).
+// Updates the counts of a document's world. Depths of trees take O(n) and are computed only if shown.
 void count_world(ShownStatistics& shown, const Document& document, bool depth_shown);
 
 // Updates the statistics of the last stroke.

@@ -14,8 +14,8 @@
 
 namespace kerf {
 
-// Small pictures of files as they looked when they were last open, kept from session to session: one PNG a
-// file, in one folder that holds nothing else.
+// Thumbnails of files as they were last open, kept between sessions: one PNG per file, in a folder of their
+// own.
 class Thumbnails {
  public:
   static constexpr int kWidth = 240, kHeight = 150;  // pixels
@@ -23,14 +23,14 @@ class Thumbnails {
   // The folder need not exist.
   explicit Thumbnails(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // Keeps a picture of a file (an absolute path) in place of an earlier one, cut to the proportions of a
-  // thumbnail. Fails if it cannot be written; the earlier one is kept then.
+  // Stores the thumbnail of a file (an absolute path), cropped to its proportions, in place of an earlier
+  // one, which is kept on failure.
   Status keep(const std::filesystem::path& file, const Pixels& picture);
   // Removes the thumbnails of all other files.
   void keep_only(std::span<const std::filesystem::path> files);
 
-  // The thumbnail of a file; nothing where there is none. Read once. Precondition: an OpenGL context is
-  // current, and outlives this object.
+  // Returns the thumbnail of a file, if any. Each is read once. Precondition: an OpenGL context is current,
+  // and outlives this object.
   std::optional<TipPicture> find(const std::filesystem::path& file);
 
  private:
@@ -40,14 +40,13 @@ class Thumbnails {
   };
 
   std::filesystem::path folder_;
-  std::map<std::filesystem::path, std::optional<Shown>> shown_;  // by the names of the pictures
+  std::map<std::filesystem::path, std::optional<Shown>> shown_;  // by the paths of their images
 };
 
-// The scenes that come with Kerf, in the order of their names, without those of the figures of the paper:
-// they are many, and few of them are good to begin with.
+// Returns the example scenes, ordered by name, without the many scenes of the paper's figures.
 std::vector<std::filesystem::path> example_scenes();
 
-// "thin-plate.json" as "Thin plate".
+// Returns "Thin plate" for "thin-plate.json".
 std::string title_of_scene(const std::filesystem::path& scene);
 
 }  // namespace kerf

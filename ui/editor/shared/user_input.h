@@ -43,8 +43,8 @@ struct UserAction {
   void set_shortcut(const std::string& text);
 };
 
-// An action that sets a value, which must outlive it, and then calls `then`. It is checked while the value is
-// set, and is not in a menu. `menu` may be null.
+// Returns an action that sets a value, which must outlive it, and then calls `then`. It is checked while the
+// value is set, and is in no menu. `menu` may be null.
 template <typename Value>
 UserAction setting_action(
     const char* menu, const char* name, const char* tip, Value& value, Value set,
@@ -57,45 +57,45 @@ UserAction setting_action(
           .in_menu = false};
 }
 
-// What the mouse does in the picture, for the sheet of shortcuts.
+// A mouse gesture in the viewport, for the list of shortcuts.
 struct Gesture {
-  int place;  // in the sheet
+  int place;  // in the list
   const char* gesture;
   const char* meaning;
 };
 
-// Runs the action of a key. One that cannot be done at the moment says why in the status bar. Returns whether
-// the key has an action.
+// Runs the action of a key; a disabled one shows its reason in the status bar. Returns true if the key has
+// an action.
 bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message);
 
-// A press of the left button in the picture, without Alt, which is for looking round.
+// A press of the left button in the viewport, without Alt, which orbits.
 struct Press {
   const InputEvent& event;
   bool shift = false, control = false;
 };
 
-// What the mouse does from the press of a button in the picture until its release. The place of the pointer
-// is Workspace::pointer; events carry their time and the modifier keys.
+// A use of the mouse from the press of a button in the viewport until its release. The pointer is at
+// Workspace::pointer; events carry their time and the modifier keys.
 class Interaction {
  public:
   virtual ~Interaction() = default;
 
   virtual void move(const InputEvent&) {}
   virtual void release(const InputEvent&) {}
-  // Esc. Returns whether the interaction is over by that; otherwise it goes on.
+  // Esc. Returns true if this ends the interaction.
   virtual bool cancel() { return false; }
-  // Whether it is over before the button is released.
+  // Returns true if it ends before the button is released.
   virtual bool over() const { return false; }
 
-  // Whether it draws a stroke, so that handles are not in the way.
+  // Returns true if it draws a stroke, which handles must not obstruct.
   virtual bool cuts() const { return false; }
-  // What it does, for the status bar; null: nothing to tell of.
+  // Text for the status bar; null: none.
   virtual const char* words() const { return nullptr; }
-  // Draws over the picture.
+  // Draws over the viewport.
   virtual void draw(ImDrawList&) const {}
 };
 
-// Does something at the release of the button, wherever the pointer went since the press.
+// Calls a function on release, however far the pointer has moved.
 class ClickOnce : public Interaction {
  public:
   explicit ClickOnce(std::function<void()> click) : click_(std::move(click)) {}
@@ -105,10 +105,9 @@ class ClickOnce : public Interaction {
   std::function<void()> click_;
 };
 
-// Does something at each move of the pointer.
+// Calls a function on each move of the pointer.
 class PlainDrag : public Interaction {
  public:
-  // `words` as Interaction::words() returns them.
   PlainDrag(const char* words, std::function<void(const InputEvent&)> follow)
       : words_(words), follow_(std::move(follow)) {}
   void move(const InputEvent& event) override { follow_(event); }
@@ -119,7 +118,7 @@ class PlainDrag : public Interaction {
   std::function<void(const InputEvent&)> follow_;
 };
 
-// The distance that the pointer may move between the press and the release of a click, in screen coordinates.
+// Maximum distance between the press and the release of a click, screen coordinates.
 inline constexpr double kClickReach = 4;
 
 }  // namespace kerf

@@ -22,8 +22,8 @@
 
 namespace kerf {
 
-// What every feature of the editor works on: the open document and how it is looked at, what the user holds,
-// and where changes are asked for. What only one feature knows is a member of that feature.
+// State shared by all features: the open document and its view, the use of the mouse, and the queue of
+// requested changes. State of a single feature is a member of that feature.
 struct Workspace {
   Workspace();
   Workspace(const Workspace&) = delete;
@@ -39,84 +39,83 @@ struct Workspace {
   Statistics statistics;
   FileBrowser browser;
 
-  LaserControls laser;    // with which the next stroke begins
-  LaserTool beam;         // the stroke that is drawn
+  LaserControls laser;    // settings of the next stroke
+  LaserTool beam;         // the stroke being drawn
   bool cut_once = false;  // hints are no longer needed
   Badges badges;          // of modes, in the viewport
 
-  std::string tool = "Laser";         // what the left button does, by the name of the action that takes it
+  std::string tool = "Laser";         // of the left button, by the name of its action
   Vec2 pointer{0};                    // screen coordinates
-  bool over_picture = false;          // the pointer is, and no panel or menu wants it
-  std::unique_ptr<Interaction> held;  // what the mouse does; null: no button is held
+  bool over_picture = false;          // pointer over the viewport, and no panel or menu uses it
+  std::unique_ptr<Interaction> held;  // the current use of the mouse; null: no button is held
 
   WorldChanges changes{*this};
   LivePicture* picture = nullptr;  // null in tests without a window, as are the next two
   const Window* window = nullptr;
   const WindowClock* clock = nullptr;
   double background_wait = 0;            // s, that a frame waits for work in the background
-  std::optional<World> so_far;           // shown on the empty stage while its file is cut again
-  const World* second = nullptr;         // in the right half of a split picture; null: it is not split
-  double cut_until = 0;                  // s of the clock, until when a frame may cut
-  double cut_seconds = 0;                // that this frame has cut for
-  const Landmarks* landmarks = nullptr;  // the parts of the window that this frame has drawn
-  bool plays = false;                    // time passes for the bodies
-  bool cools = false;                    // something hot cools down as time passes
-  bool cools_unseen = false;             // and what waits in the queue of that changes nothing in the picture
+  std::optional<World> so_far;           // partial replay, shown on the empty stage
+  const World* second = nullptr;         // in the right half of a split view; null: not split
+  double cut_until = 0;                  // s of the clock, end of cutting in this frame
+  double cut_seconds = 0;                // spent cutting in this frame
+  const Landmarks* landmarks = nullptr;  // of the parts of the window drawn in this frame
+  bool plays = false;                    // the simulation is running
+  bool cools = false;                    // hot material cools as time passes
+  bool cools_unseen = false;             // and the queued cooling changes nothing visible
 
-  // What features say about each other's work without knowing each other: why time cannot pass, a sentence
-  // each or null, and whether the next step of the document waits for the user.
+  // Links between independent features: reasons why time cannot pass, a sentence each or null, and whether
+  // the next step of the document waits for the user.
   std::vector<std::function<const char*()>> time_holds;
   std::function<bool()> holds_back = [] { return false; };
 
-  // Features that open files of their own take these from the files that are to be opened.
+  // Features that open files of their own take them out of the files to be opened.
   std::vector<std::function<bool(const std::filesystem::path&)>> file_takers;
-  // Opens files in place of what is open, as bodies of one scene. Set by the feature that opens files.
+  // Opens files in place of the open work, as bodies of one scene. Set by the feature that opens files.
   std::function<void(std::vector<std::filesystem::path>)> open;
-  // The files that no feature takes for its own.
+  // Returns the files that no feature takes.
   std::vector<std::filesystem::path> not_taken(std::vector<std::filesystem::path> files) const;
-  // Called when another document was opened.
+  // Called after another document was opened.
   std::function<void()> replaced = [] {};
-  // Ends the editor, once the user has decided what becomes of unsaved work. Set by the same feature.
+  // Ends the editor, once the user has decided about unsaved work. Set by the same feature.
   std::function<void()> quit;
   enum class Leaves { kNot, kForGood, kForTheGame };
   Leaves leaves = Leaves::kNot;
   std::string title;            // of the window
-  bool messages_shown = false;  // the log of them
+  bool messages_shown = false;  // the message log is open
 
-  static constexpr double kLongestStep = 0.05;  // s, of what moves on the screen, in a frame
+  static constexpr double kLongestStep = 0.05;  // s, maximum time step of animations
 
   const World& world() const { return work.document.world(); }
-  // What the picture shows: the open document, or what is cut again while none is open.
+  // The world in the viewport: the open document, or a partial replay while none is open.
   const World& shown_world() const { return so_far ? *so_far : world(); }
-  // Whether no button is held and the pointer is over the picture.
+  // Returns true if no button is held and the pointer is over the viewport.
   bool points() const { return over_picture && !held; }
-  // The place of the pointer if it is over the picture, else one that no handle is near.
+  // The place of the pointer if it is over the viewport, else one far from all handles.
   Vec2 pointer_over_picture() const { return over_picture ? pointer : Vec2(-1); }
-  // Whether the last stroke waits for the user before its first stage.
+  // Returns true if the last stroke waits for the user before its first stage.
   bool stroke_waits() const {
     return holds_back() && !view.look.stage && work.document.history().last().waiting();
   }
-  // Whether a stroke is drawn by hand, or still being cut.
+  // Returns true if a stroke is drawn by hand, or still being cut.
   bool cutting() const { return (held && held->cuts()) || work.document.execution().beam_waits(); }
-  // The sentence why time cannot pass at the moment, or null.
+  // Returns the reason why time cannot pass, or null.
   const char* why_time_stands_still() const;
 };
 
-// Ends the stroke that is drawn, if one is; what was cut stays cut. Returns whether there was one.
+// Ends the stroke being drawn, if any; its cut stays. Returns true if there was one.
 bool cancel_stroke(Workspace& workspace);
 
-// Draws pieces that are drawn apart where they stand, as they are cut and moved there.
+// Ends the exploded view, because pieces are cut and moved at their true places.
 void stand_together(Workspace& workspace);
 
-// The action that takes a tool, and unfolds its panel where it has one of the same name. A stroke by hand
-// ends.
+// Returns the action that activates a tool, and unfolds the panel of the same name if there is one. Ends a
+// stroke drawn by hand.
 UserAction tool_action(Workspace& workspace, const char* name, const char* shortcut, const char* tip,
                        bool has_panel = false);
 
-// An action that changes what the picture shows, and is not in a menu. Whether it is a switch, and why it is
-// impossible at the moment, can be added.
+// Returns an action that changes the view, in no menu. Its state and disabled reason can be added.
 UserAction picture_action(ViewState& view, const char* name, const char* tip, std::function<void()> change);
-// The action that flips a flag of the picture.
+// Returns the action that flips a flag of the view.
 UserAction flag_action(ViewState& view, const char* name, bool& flag, const char* tip);
 
 }  // namespace kerf

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// What the tour looks at to see whether the user has done what a step asks for.
+// The state from which the tour sees that a step is done.
 struct TourMoment {
   size_t position = 0;  // of the history
   bool cuts = false;    // a stroke is drawn or being cut
@@ -20,28 +20,28 @@ struct TourMoment {
 };
 TourMoment tour_moment(const Workspace& workspace);
 
-// A step of the tour: what it asks for, which part of the window it points at, and when it is done.
+// A step of the tour: its task, the part of the window that it points at, and when it is done.
 struct TourStep {
   std::string title, text;
-  const char* part = "";  // a landmark; empty: the picture
+  const char* part = "";  // a landmark; empty: the viewport
   std::function<bool(const TourMoment& begin, const TourMoment& now)> done;
 };
 
-// The first five minutes with Kerf, step by step: cut, take back, look round, let time pass, refine, look
-// into the tree, save. Keys are named as they are bound.
+// Returns the tour "first five minutes": cut, undo, orbit, let time pass, refine, look into the tree, save.
+// Keys are named as they are bound.
 std::vector<TourStep> first_five_minutes(const ViewState& view);
 
-// Where a user is in a tour.
+// Progress of a user in a tour.
 class Tour {
  public:
-  // Preconditions: there are steps.
+  // Precondition: there are steps.
   void begin(std::vector<TourStep> steps, const TourMoment& now);
   void end() { steps_.clear(); }
   bool is_on() const { return !steps_.empty(); }
 
-  // Goes on when the step is done; to be called once a frame while it is on.
+  // Called once a frame while it is on: continues when the step is done.
   void follow(const TourMoment& now);
-  // Goes on without that, and ends after the last step. Precondition of this and of those below: it is on.
+  // Continues regardless, and ends after the last step. Precondition of this and the following: it is on.
   void skip(const TourMoment& now);
   void go_back(const TourMoment& now);
   const TourStep& step() const;
@@ -53,13 +53,13 @@ class Tour {
 
   std::vector<TourStep> steps_;
   size_t at_ = 0;
-  TourMoment begin_;  // of the step
+  TourMoment begin_;  // at the start of the step
 };
 
 enum class TourMove { kNone, kBack, kOn, kEnd };
 
-// Draws the step of a tour as a card with a frame around what it points at, and returns what the user wants.
-// `part` is where that is; nothing where it is the picture, or is not seen at the moment.
+// Draws the step of a tour as a card with a frame around `part`, and returns the user's request. `part` is
+// nullopt if the step points at the viewport, or the part is not visible.
 TourMove draw_tour_card(const Tour& tour, const Area& picture, const std::optional<Area>& part);
 
 }  // namespace kerf

@@ -12,39 +12,39 @@
 
 namespace kerf {
 
-// What there is to say about one face. Edge i goes from corner i to the next one.
+// Facts about one face. Edge i goes from corner i to the next one.
 struct FaceFacts {
   FaceId face;
-  FaceId loaded;     // the face of the file that it is a part of
-  int halvings = 0;  // how often the area of the loaded face was halved
+  FaceId loaded;     // face of the file that contains it
+  int halvings = 0;  // of the area of the loaded face
   uint32_t piece = 0;
   double area = 0;                                // m^2
   std::array<double, 3> edges{};                  // m
   std::array<double, 3> angles{};                 // degrees, at the corners; 0 where an edge has no length
   TreeSlot slot;                                  // in the tree
-  std::array<std::vector<FaceId>, 3> neighbours;  // the other faces on each edge: none on a border
+  std::array<std::vector<FaceId>, 3> neighbours;  // other faces on each edge: none on a border
   double temperature = kAmbient;                  // K
-  double hottest = kAmbient;                      // K, that it ever was, as far as it was noted
+  double hottest = kAmbient;                      // K, recorded maximum
 };
 
-// Precondition: the face is live. Constant time but for the degrees of the rings around it.
+// Computes the facts. Precondition: the face is live. O(faces on its edges).
 FaceFacts face_facts(const Body& body, FaceId face);
 
-// The facts as lines for people, with lengths in the numbers of the file.
+// Formats the facts as lines, with lengths in file units.
 std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit);
 
-// The temperature of a point over the time of the world: the one that was clicked last with the tool that
-// inspects. The curve goes on while that tool or the temperature view is chosen, and begins anew at another
-// click, or where time went back by undo.
+// The temperature over world time of the point that was last clicked with the inspect tool. The curve
+// continues while that tool or the temperature view is active, and restarts at another click, or when undo
+// moves time back.
 class HeatProbe {
  public:
   struct Sample {
-    double seconds = 0;  // since the world began
+    double seconds = 0;  // of world time
     double temperature = kAmbient;
   };
 
-  // To be called once a frame, at a time at which the world does not change, with the point that was clicked
-  // last. `inspects`: the tool is in hand.
+  // Called once a frame, while the world does not change, with the last clicked point. `inspects`: the
+  // inspect tool is active.
   void follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked, bool inspects);
 
   const std::vector<Sample>& samples() const { return samples_; }
@@ -56,11 +56,11 @@ class HeatProbe {
   void add(const Sample& sample);
 
   std::optional<Vec3> at_;
-  Pose ray_;  // meets the point from in front of it
+  Pose ray_;  // meets the point from its front
   std::vector<Sample> samples_;
 };
 
-// Draws the curve in the lower right corner of the picture, once it has two samples.
+// Draws the curve in the lower right corner of the viewport, once it has two samples.
 void draw_heat_probe(const HeatProbe& probe, const Area& picture);
 
 }  // namespace kerf

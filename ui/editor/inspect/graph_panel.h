@@ -8,14 +8,14 @@
 
 namespace kerf {
 
-// The component graph of the last stroke: nodes and links in a plane, the traversal that tells whether the
-// stroke has separated anything, and as a second view the pieces and what they came off.
+// The panel of the component graph of the last stroke: nodes and links in a plane, the traversal that
+// detects separation, and, as a second view, the tree of pieces.
 class GraphPanel {
  public:
-  // `pointer` is the place of the pointer in the window if it is over the picture of the open document.
-  // A wide panel has the graph beside its rows, a narrow one below them.
+  // `pointer` is the place of the pointer in the window if it is over the viewport of the open document. A
+  // wide panel has the graph next to its rows, a narrow one below them.
   void draw(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
-  // Frames all of the graph; returns false where the pointer is not over it.
+  // Frames the whole graph. Returns false if the pointer is not over it.
   bool fit_under_pointer();
 
  private:
@@ -30,10 +30,10 @@ class GraphPanel {
   void draw_pieces(const Document& document, ViewState& view);
 
   GraphCanvas canvas_;
-  size_t framed_ = 0;  // the number of the graph that the canvas has framed
+  size_t framed_ = 0;  // number() of the graph framed last
   bool pieces_shown_ = false;
   std::vector<PieceTreeRow> rows_;
-  size_t origins_of_ = static_cast<size_t>(-1);  // the commands of the journal for which the rows were found
+  size_t origins_of_ = static_cast<size_t>(-1);  // length of the journal for which the rows were computed
 };
 
 }  // namespace kerf

@@ -11,62 +11,62 @@
 
 namespace kerf {
 
-// What the Graph panel and the overlay in the picture show: the component graph of the last stroke, with a
-// traversal of it that is played.
+// The state of the Graph panel and of its overlay in the viewport: the component graph of the last stroke,
+// with an animated traversal.
 class GraphState {
  public:
-  // What the nodes are taken from: the bodies that the last stroke cut, or one piece.
+  // Source of the nodes: the bodies that the last stroke cut, or one piece.
   enum class Subject { kCut, kPiece };
   enum class Placing { kUnrolled, kPosition, kForce };
 
-  // Follows the document, unless a stroke is being cut: what is shown then is that before the stroke. In
-  // single steps it is followed there, too, if the world has at most kMaxAtStages faces. Returns whether
-  // anything changed. Linear in the faces of the bodies that the last stroke cut if it did.
+  // Updates the graph to the document, except while a stroke is being cut, when the earlier graph stays. In
+  // step mode it is updated then, too, if the world has at most kMaxAtStages faces. Returns true if anything
+  // changed. Linear in the faces of the bodies that the last stroke cut if it did.
   bool follow(const Document& document, bool in_single_steps = false);
-  // Whether the document has changed since follow() took it over.
+  // Returns true if the document has changed since follow().
   bool is_old(const Document& document) const { return !(key_ == key_of(document)); }
 
-  // Shows the graph of one piece from the next follow() on (nothing: of none), or of the cut again.
+  // From the next follow() on, shows the graph of one piece (nullopt: of none), or again that of the cut.
   void show_piece(std::optional<PieceId> piece);
   void show_cut();
   bool shows_piece() const { return subject_ == Subject::kPiece; }
 
-  // Bodies of more faces take too long between two frames: their graph is left out until it is asked for, and
-  // then read beside the frames (see graph_reading).
+  // Larger bodies take too long between two frames: their graph is left out until it is requested, and then
+  // read in the background (see graph_reading).
   static constexpr size_t kMaxAtOnce = 300'000, kMaxAtStages = 20'000;
   bool is_left_out() const { return left_out_ > 0; }
   size_t left_out() const { return left_out_; }  // faces
   void ask_for_it() { asked_ = is_left_out(); }
   bool is_asked_for() const { return asked_; }
   void no_longer_ask() { asked_ = false; }
-  // Reads what was left out of the document that was followed last. Returns false if `progress` stopped it;
-  // then nothing is there still. Precondition: is_left_out().
+  // Reads the left-out graph of the document that was followed last. Returns false if `progress` stopped it,
+  // which leaves the graph empty. Precondition: is_left_out().
   bool read_left_out(const Document& document, const Progress& progress);
 
-  // What is drawn, and where; null and empty if no face is live.
+  // The drawn graph and its layout; null and empty if no face is live.
   const std::shared_ptr<const DrawnGraph>& drawn() const { return drawn_; }
   const GraphLayout& layout() const { return layout_; }
 
-  // Another number for each graph and each way to lay it out: who frames it has to frame it anew.
+  // Changes with each graph and each layout, which then have to be framed again.
   size_t number() const { return number_; }
 
   GraphScope scope() const { return scope_; }
   Placing placing() const { return placing_; }
-  // Whether the layout is by position because the cut does not run around (see lay_out_unrolled).
+  // Returns true if the layout is by position because the cut is not a loop (see lay_out_unrolled).
   bool cannot_unroll() const { return placing_ == Placing::kUnrolled && !unrolled_; }
   void show(GraphScope scope);
   void place(Placing placing);
 
-  // Clusters that are drawn divided.
+  // Clusters that are drawn expanded.
   void open(uint32_t drawn_node);
   void close_all();
   bool any_open() const { return !opened_.empty(); }
 
-  // The face from which the traversal starts. Precondition of start_from: the node is drawn and not removed.
+  // The start of the traversal. Precondition of start_from: the node is drawn and not removed.
   void start_from(uint32_t drawn_node);
   uint32_t start() const { return start_; }
 
-  // How far the traversal has been played, in faces; playing goes on by `seconds`. Returns whether anything
+  // Progress of the animated traversal, in faces; advance() plays it by `seconds`. Returns true if anything
   // changed.
   size_t marked() const { return marked_; }
   void set_marked(size_t faces);
@@ -74,23 +74,23 @@ class GraphState {
   void play(bool on);
   bool advance(double seconds);
 
-  // How many of the removals are drawn as done; the loops that these closed are drawn in the picture.
+  // Number of removals drawn as done; the loops that they closed are drawn in the viewport.
   size_t removals() const { return removals_; }
   void set_removals(size_t faces);
 
-  // Statistics of the traversal, which is over when marked() == reached().
+  // Statistics of the traversal, which is complete when marked() == reached().
   size_t reached() const { return traversal_.reached(); }
   size_t total() const { return traversal_.total; }
   bool separated() const { return traversal_.separated(); }
   size_t sets() const { return traversal_.sets; }
   size_t removed() const { return removed_; }
 
-  // The removals of the stroke that closed a loop of removed faces (see CutLoops), counted from 1, in order;
-  // whether the faces that the stroke removed are all kept.
+  // The removals of the stroke that closed a loop of removed faces (see CutLoops), numbered from 1, in
+  // order; and whether all faces that the stroke removed are kept.
   const std::vector<size_t>& closings() const { return closings_; }
   bool complete() const { return complete_; }
 
-  // The live face of a node, which is drawn, if it is a single one; the drawn node of a face.
+  // The live face of a drawn node, if it is a single one; the drawn node of a face.
   std::optional<FaceOfBody> face_of(uint32_t drawn_node) const;
   std::optional<uint32_t> node_of(const FaceOfBody& face) const;
 

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// A distance that was measured and is kept, between two points of the world (m).
+// A kept measurement between two points of the world [m].
 struct RulerMark {
   std::string name;
   Vec3 from{0}, to{0};
@@ -16,16 +16,15 @@ struct RulerMark {
   friend bool operator==(const RulerMark&, const RulerMark&) = default;
 };
 
-// The marks of a document in the order in which they were made, with an undo of their own.
+// The measurements of a document in order of creation, with an undo of their own.
 class RulerList {
  public:
   const std::vector<RulerMark>& marks() const { return marks_; }
 
-  // Begins a step of the undo: the edits until the next call belong to it.
+  // Begins a step of the undo, for the edits until the next call.
   void begin_edit();
-  // Edits. Precondition of all: begin_edit() was called, and the list has the mark.
-  //
-  // Adds a mark with a name that none has yet: "Distance 1".
+  // Edits. Precondition of all: begin_edit() was called, and the list has the mark. add() gives the mark an
+  // unused name: "Distance 1".
   void add(const Vec3& from, const Vec3& to);
   void move(size_t mark, bool to_end, const Vec3& at);
   void rename(size_t mark, std::string name);
@@ -36,13 +35,13 @@ class RulerList {
   void undo();
   void redo();
 
-  // The entry of the marks in the head of a document, null where there are none, and back: entries that
-  // cannot be read are left out, and nothing can be undone.
+  // Convert the marks to the entry in the head of a document, null without marks, and back: unreadable
+  // entries are left out, and nothing can be undone.
   nlohmann::json to_json() const;
   void read(const nlohmann::json& entry);
 
-  // One line for each mark after a line of titles: name, X, Y and Z of both ends and the length, in the
-  // numbers of the file.
+  // Returns a line of titles and one line for each mark: name, X, Y and Z of both ends and the length, in
+  // file units.
   std::string to_csv() const;
 
  private:

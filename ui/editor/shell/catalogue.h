@@ -12,28 +12,26 @@
 
 namespace kerf {
 
-// The keys that the user has given to actions in place of the usual ones: texts of chords by the names of
-// actions; an empty text takes the key from an action.
+// Keys set by the user: chords by the names of actions; an empty chord removes the default key.
 using Bindings = std::map<std::string, std::string>;
 
-// The action of this name; null if there is none.
+// Returns the action of this name, or null.
 const UserAction* find_action(std::span<const UserAction> actions, const std::string& name);
 
-// The actions with these keys. Bindings of unknown actions and texts that name no key change nothing.
+// Returns the actions with these keys. Unknown actions and invalid chords are ignored.
 std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Bindings& bindings);
 
-// Another action that has the key of `action` at the same time, if it had this chord; null where there is
-// none. An action that has its key only at times (UserAction::has_key_when) and one that has it otherwise do
-// not clash.
+// Returns another action that would have the same key at the same time if `action` had this chord, or null.
+// An action with a conditional key (UserAction::has_key_when) does not clash with one that always has it.
 const UserAction* clash_of(std::span<const UserAction> actions, const UserAction& action,
                            const KeyChord& chord);
 
-// Gives the chord to an action, and takes it from the action that clashes. `usual` are the actions with their
-// usual keys: bindings that are equal to these are dropped. An empty chord takes the key from the action.
+// Gives the chord to an action, and removes it from the action that clashes. `usual` are the actions with
+// their default keys: bindings equal to these are dropped. An empty chord removes the key of the action.
 void rebind(Bindings& bindings, std::span<const UserAction> usual, const std::string& action,
             const KeyChord& chord);
 
-// A set of bindings that people know from elsewhere.
+// A named set of bindings.
 struct BindingPreset {
   const char* name;
   const char* meaning;
@@ -43,16 +41,16 @@ std::span<const BindingPreset> binding_presets();
 
 using Features = std::vector<std::unique_ptr<Feature>>;
 
-// What all features together offer.
+// Panels, actions and gestures of all features.
 struct Catalogue {
   std::vector<Panel> panels;        // from top to bottom
-  std::vector<UserAction> usual;    // with their usual keys, in the order of the menus
-  std::vector<UserAction> actions;  // with those of the settings
+  std::vector<UserAction> usual;    // with their default keys, in the order of the menus
+  std::vector<UserAction> actions;  // with the keys of the settings
   std::vector<Gesture> gestures;
 
-  // Asks the features, which must outlive it, and tells the places of all panels.
+  // Collects them from the features, which must outlive it, and registers the panels in `places`.
   void gather(const Features& features, PanelPlaces& places);
-  // Gives the actions the keys of the settings. `shortcuts` gets the keys by the names of actions.
+  // Gives the actions the keys of the settings. `shortcuts` receives the keys by the names of actions.
   void bind(const Settings& settings, std::map<std::string, std::string>& shortcuts);
 
  private:

@@ -14,35 +14,33 @@
 
 namespace kerf {
 
-// Draws the window that lists what the status bar has said, the latest first, while `shown`; its button
-// closes it.
+// Draws the message log, latest first, while `shown`; its button closes it.
 void draw_message_log(bool& shown, const Message& message);
 
 // Draws the window that lists all gestures and keys while `shown`; its button closes it.
 void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions, std::span<const Gesture> gestures);
 
-// The window in which the speed of the mouse and the keys of actions are set. A key is pressed to bind it;
-// where it belongs to another action already, that one is named, and the key is only taken from it when the
-// user confirms that.
+// The settings window for the speed of the mouse and the keys of actions. The next key pressed is bound; one
+// that belongs to another action is reassigned only if the user confirms.
 struct SettingsPage {
   bool shown = false;
-  std::string waits_for;  // the name of the action that the next key is for; empty: none
-  std::optional<KeyChord> clashes = std::nullopt;  // the key that was pressed, and belongs to another action
-  size_t cursor = 0;                               // in the list of actions
+  std::string waits_for;                           // name of the action that waits for a key; empty: none
+  std::optional<KeyChord> clashes = std::nullopt;  // the pressed key, which belongs to another action
+  size_t cursor = 0;                               // index into the actions
   bool show_cursor = false;
 };
 
-// Takes a key (GLFW_KEY_*, GLFW_MOD_*) while the page is shown. `usual` are the actions with their usual
-// keys. Up and Down choose an action and Enter waits for its key; Del takes the key from it. Esc closes the
-// page, or what it waits for.
+// Processes a key (GLFW_KEY_*, GLFW_MOD_*) while the page is shown. `usual` are the actions with their
+// default keys. Up and Down select an action, Enter waits for its key, Del removes it. Esc cancels the wait,
+// or closes the page.
 void settings_page_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
                        int mods);
 
-// Draws the page where it is shown.
+// Draws the page if it is shown.
 void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual);
 
-// What belongs to all features alike: the command palette, the settings, the sheet of shortcuts, the log of
-// messages, the file browser, and which panels are shown. The catalogue must outlive it.
+// Creates the feature of the shared windows: command palette, settings, list of shortcuts, message log and
+// file browser, and of the visibility of panels. The catalogue must outlive it.
 std::unique_ptr<Feature> dialogs(Workspace& workspace, const Catalogue& catalogue);
 
 }  // namespace kerf

@@ -18,10 +18,10 @@
 
 namespace kerf {
 
-// Keeps the limit of threads that the settings ask for.
+// Applies the thread limit of the settings.
 class ThreadSetting {
  public:
-  // 0 is as many as the machine has. Precondition: threads >= 0.
+  // 0: all threads of the machine. Precondition: threads >= 0.
   void follow(int threads) {
     KERF_ASSERT(threads >= 0);
     if (threads == threads_) return;
@@ -35,20 +35,19 @@ class ThreadSetting {
   std::optional<ThreadLimit> limit_;
 };
 
-// The window while a change is done on a thread of its own and nobody may look at the document: what it
-// showed last, under a bar that says how far the change is.
+// The window while a background change owns the document: its last frame under a progress bar.
 class BusyWindow {
  public:
-  // What was drawn to the window and is not swapped yet is shown from this call on; its size in pixels.
+  // Stores the frame that is drawn but not swapped yet, of this size in pixels, to show it from now on.
   void keep(const Vec2& pixels);
-  // Escape and closing the window stop the change; what else the user does waits. Returns whether the window
+  // Stops the change on Esc and when the window is closed; stores other events. Returns true if the window
   // is to be closed. Precondition of this and of draw(): a change is running.
   bool hear(const Input& input, ChangeThread& change);
-  // Draws a frame over a window of this size; the bar is there when the change lasts, and its button stops
-  // the change.
+  // Draws a frame in a window of this size. The bar appears if the change lasts; its button stops the
+  // change.
   void draw(const Vec2& window, const Area& picture, ChangeThread& change) const;
-  // What the user did meanwhile, once. After more than a second without what was pressed in the picture: it
-  // is another picture by then.
+  // Returns the stored events, once. After more than a second, presses in the viewport are dropped, because
+  // it shows another frame by then.
   std::vector<InputEvent> take_heard();
 
  private:
@@ -59,12 +58,11 @@ class BusyWindow {
   Clock::time_point began_;
 };
 
-// The editor as a screen: the picture of the open world with menus, panels and dialogs, all of which come
-// from its features. While a change runs on a background thread, it shows the last picture with a progress
-// bar.
+// The editor as a screen: the viewport of the open world with the menus, panels and dialogs of its features.
+// During a background change it shows the last frame with a progress bar.
 class EditorScreen : public Screen {
  public:
-  // Makes the features of an editor; the catalogue of all of them is complete later.
+  // Creates the features of an editor; the catalogue is filled later.
   using MakeFeatures = Features (*)(Workspace&, const Catalogue&);
 
   // The window and the options must outlive it. Precondition: an ImGui context is current.
@@ -77,10 +75,10 @@ class EditorScreen : public Screen {
   Status open();
   // Shows an error in the status bar unless a more important one is shown.
   void tell(const std::string& fault);
-  // Ends background work and writes the settings. Unsaved work is kept for the next start unless the user has
-  // closed the editor.
+  // Ends background work and writes the settings. Keeps unsaved work for recovery unless the user closed the
+  // editor.
   void close(bool left_by_user);
-  // A report of the session. Tests of the window read it.
+  // Returns the report of the session, which tests read.
   nlohmann::ordered_json report() const;
 
   KeyboardHold keyboard_hold() const override;
@@ -96,9 +94,9 @@ class EditorScreen : public Screen {
   bool over() const override { return workspace_.leaves == Workspace::Leaves::kForGood || wants_game(); }
   std::optional<std::string> answer(const std::string& what) const override;
 
-  // Whether the screen is over only until the player comes back from the game.
+  // Returns true if the screen ends only until the player returns from the game.
   bool wants_game() const { return workspace_.leaves == Workspace::Leaves::kForTheGame && !thread_.busy(); }
-  // To be called when the game is over, with a scene that is to be opened, or an empty path.
+  // Called after the game, with a scene to open or an empty path.
   void come_back(const GuiLook& look, const std::filesystem::path& scene);
 
  private:
@@ -119,17 +117,17 @@ class EditorScreen : public Screen {
   Workspace workspace_;
   Catalogue catalogue_;
   Features features_;
-  Settings saved_;  // as they are in the file
+  Settings saved_;  // in the file
   ThreadSetting threads_;
   HeldPress held_press_;
-  ChangeThread thread_;  // while it is busy the document is not touched
+  ChangeThread thread_;  // while it is busy the document is not accessed
   BusyWindow busy_;
   std::string title_;           // of the window
-  double statistics_at_ = -1;   // s, when the statistics were brought up to date
-  bool easing_ = false;         // the camera
+  double statistics_at_ = -1;   // s, last update of the statistics
+  bool easing_ = false;         // of the camera
   bool busy_frame_ = false;     // the last frame showed the busy window
-  bool new_picture_ = false;    // the last frame
-  double picture_seconds_ = 0;  // of the last frame
+  bool new_picture_ = false;    // in the last frame
+  double picture_seconds_ = 0;  // likewise
 };
 
 }  // namespace kerf

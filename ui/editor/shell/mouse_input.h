@@ -8,33 +8,34 @@
 
 namespace kerf {
 
-// Whether a menu, the list of a combo or the popup of a right click is open. Modal windows do not count.
-// Precondition: called between the beginning of an ImGui frame and its end, as are the others.
+// Returns true if a menu, the list of a combo or a context menu is open; modal windows do not count.
+// Precondition of this and the next two: called within an ImGui frame.
 bool is_popup_open();
 
-// Closes all of them, submenus included: one that stayed open would open its submenu again under the pointer.
+// Closes all of them, including submenus: an open one would reopen its submenu under the pointer.
 void close_popups();
 
-// Whether the pointer is over a panel, a bar, a menu or a dialog.
+// Returns true if the pointer is over a panel, a bar, a menu or a dialog.
 bool pointer_is_over_panel();
 
-// A press of a mouse button in the picture that closed a popup. If the pointer then moves, it was the
-// beginning of a drag, which must not be lost: a stroke begins where the button was pressed. If the button is
-// released without a move, the click has done all that was wanted of it, and nothing is cut or chosen.
+// A press of a mouse button in the viewport that closed a popup. If the pointer then moves, it was the start
+// of a drag, and a stroke begins where the button was pressed. If the button is released without a move, the
+// click only closed the popup.
 class HeldPress {
  public:
-  // Keeps the press in place of an earlier one.
+  // Stores the press in place of an earlier one.
   void hold(const InputEvent& press) { held_ = press; }
-  // The press whose drag this event begins, once. Any other press and the release of the button drop it.
+  // Returns the press whose drag this event begins, once. Any other press and the release of the button drop
+  // it.
   std::optional<InputEvent> press_of(const InputEvent& event);
 
  private:
   std::optional<InputEvent> held_;
 };
 
-// What the mouse does in the picture: a press of the left button belongs to the first feature that claims it;
+// Handles the mouse in the viewport: a press of the left button belongs to the first feature that claims it;
 // middle or Alt+left drag orbits, Shift+middle or right drag pans, the wheel zooms to the pointer. A drag
-// belongs to where it began and goes on across panels. `free` says that no panel or menu wants the mouse.
+// belongs to the place where it began, and continues across panels. `free`: no panel or menu uses the mouse.
 void hear_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free);
 
 }  // namespace kerf

@@ -13,7 +13,7 @@ SPHERE = os.path.join(ASSETS, "meshes", "sphere.obj")
 ACROSS = {"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]},
                        "keys": [{"t": 0, "origin": [-1.2, 0.01, 3], "direction": [0, 0, -1]},
                                 {"t": 1, "origin": [1.2, 0.02, 3], "direction": [0, 0, -1]}]}]}
-SANITIZED = "KERF_TEST_PATIENCE" in os.environ  # whose shadow memory no limit leaves room for
+SANITIZED = "KERF_TEST_SANITIZED" in os.environ  # whose shadow memory no limit leaves room for
 
 
 class Limits(unittest.TestCase):

@@ -20,7 +20,7 @@ class Bodies(WindowTest):
     def play(self, editor):
         """From here on the editor is never at rest."""
         editor.press("space")
-        editor.wait_for(lambda: "play badge" in editor.landmarks()["parts"], 20, "time does not pass")
+        editor.wait_for(lambda: "play badge" in editor.landmarks()["parts"], "time does not pass")
 
     def stop(self, editor):
         editor.press("space")
@@ -134,12 +134,12 @@ class Bodies(WindowTest):
         def ticks():
             return sum(line.get("ticks", 0) for line in kept())
 
-        editor.wait_for(lambda: ticks() >= 120, 120, "no second of the run is kept")
+        editor.wait_for(lambda: ticks() >= 120, "no second of the run is kept")
         editor.die()
         replay = subprocess.run([KERF, "replay", self.unsaved()[0]], capture_output=True, text=True)
         editor = self.open_again()
         editor.press("Return")
-        editor.wait_for(lambda: "play badge" in editor.landmarks()["parts"], 60, "the work is not recovered")
+        editor.wait_for(lambda: "play badge" in editor.landmarks()["parts"], "the work is not recovered")
         report = editor.quit()
         self.assertEqual(report["time"]["ticks"] % 120, 0)
         self.assertGreater(report["time"]["ticks"], 0)
@@ -155,7 +155,7 @@ class Bodies(WindowTest):
             with open(self.unsaved()[0]) as file:
                 return [line for line in map(json.loads, file) if "bodies" in line and "hash" in line]
 
-        editor.wait_for(marks, 20, "the journal has no mark")
+        editor.wait_for(marks, "the journal has no mark")
         self.assertGreater(marks()[-1]["clock"], 0)
         self.assertEqual(marks()[-1]["hash"], editor.quit()["state_hash"])
 

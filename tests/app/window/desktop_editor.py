@@ -6,7 +6,7 @@ import subprocess
 import sys
 import time
 
-from editor_driver import KERF, PATIENCE, EditorDriver
+from editor_driver import HANG, KERF, EditorDriver
 
 WIDTH, HEIGHT = 1280, 800
 
@@ -39,12 +39,12 @@ class DesktopEditor(EditorDriver):
         return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True)
 
     def pause(self, seconds):
-        time.sleep(PATIENCE * seconds)
+        time.sleep(seconds)
 
     def wait_for_screen(self):
         """A server that has told its number may not answer yet."""
         try:
-            self.wait_for(lambda: self.xdotool("getdisplaygeometry").returncode == 0, 10, "the screen never answered")
+            self.wait_for(lambda: self.xdotool("getdisplaygeometry").returncode == 0, "the screen never answered")
         except AssertionError:
             self.screen.kill()
             self.screen.wait()
@@ -56,7 +56,7 @@ class DesktopEditor(EditorDriver):
         return seen and os.path.exists(self.landmarks_file)
 
     def wait_for_window(self):
-        self.wait_for(self.has_window, 60, "no window came up")
+        self.wait_for(self.has_window, "no window came up")
         self.pause(1.5)
 
     def landmarks(self):
@@ -88,12 +88,12 @@ class DesktopEditor(EditorDriver):
 
     def wait_until_heard(self, of_what):
         """Until a frame has seen the pointer where it was moved last."""
-        self.wait_for(self.has_heard, 60, f"the editor never heard of {of_what}")
+        self.wait_for(self.has_heard, f"the editor never heard of {of_what}")
 
     def settle(self):
         """Waits until the editor has heard of the last move of the pointer and has nothing left to do."""
         self.pause(0.3)
-        self.wait_for(lambda: self.has_heard() and not self.landmarks()["busy"], 240,
+        self.wait_for(lambda: self.has_heard() and not self.landmarks()["busy"],
                       lambda: f"the editor never came to rest: busy {self.landmarks()['busy']}, the pointer is at "
                               f"{self.pointer} and was heard of at {self.landmarks()['pointer']}")
 
@@ -138,7 +138,7 @@ class DesktopEditor(EditorDriver):
 
     def has_ended(self, seconds):
         try:
-            self.kerf.wait(timeout=seconds * PATIENCE)
+            self.kerf.wait(timeout=seconds)
         except subprocess.TimeoutExpired:
             return False
         return True
@@ -148,7 +148,7 @@ class DesktopEditor(EditorDriver):
         self.close()
 
     def report(self, expected=0):
-        status = self.kerf.wait(timeout=30 * PATIENCE)
+        status = self.kerf.wait(timeout=HANG)
         errors = self.kerf.stderr.read()
         if status != expected:
             raise AssertionError(f"the editor ended with {status}: {errors}")

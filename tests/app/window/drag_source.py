@@ -12,7 +12,7 @@ X = ctypes.CDLL("libX11.so.6")
 Window = Atom = Time = ctypes.c_ulong
 CLIENT_MESSAGE, SELECTION_REQUEST, SELECTION_NOTIFY = 33, 30, 31
 PROP_REPLACE = 0
-PATIENCE = 20  # seconds
+HANG = 900  # seconds
 
 
 class ClientMessage(ctypes.Structure):
@@ -80,7 +80,7 @@ class Source:
 
     def hear(self, message):
         """Waits for the target to say so, handing out the files' addresses meanwhile; the message's data."""
-        wanted, until = self.atom(message), time.monotonic() + PATIENCE
+        wanted, until = self.atom(message), time.monotonic() + HANG
         while time.monotonic() < until:
             if not X.XPending(self.display):
                 time.sleep(0.01)

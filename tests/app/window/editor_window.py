@@ -11,7 +11,7 @@ import time
 import unittest
 
 from desktop_editor import DesktopEditor
-from editor_driver import KERF, PATIENCE
+from editor_driver import KERF
 from scripted_editor import UI_SCALE, ScriptedEditor
 
 ASSETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "assets")
@@ -20,10 +20,9 @@ SPHERE = os.path.join(ASSETS, "scenes", "sphere.json")
 
 
 def real_input(test):
-    """Marks a test that wants a window on a screen. With sanitizers, which slow the editor down several times, it is
-    skipped: those tests are about how input arrives, and have their limits in time."""
+    """Marks a test that needs a window on a screen."""
     test.real_input = True
-    return unittest.skipIf(PATIENCE > 1, "the sanitizers are too slow for input in real time")(test)
+    return test
 
 
 class WindowTest(unittest.TestCase):

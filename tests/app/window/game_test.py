@@ -32,15 +32,15 @@ class Game(WindowTest):
     def open_menu(self, editor):
         """The menu is not in the middle before its size is known, a frame later."""
         editor.press("Escape")
-        editor.wait_for(lambda: not self.playing(editor) and "leave" in editor.landmarks()["parts"], 30,
+        editor.wait_for(lambda: not self.playing(editor) and "leave" in editor.landmarks()["parts"],
                         "Esc never paused the match")
         editor.pause(1.5)
 
     def begin_from_editor(self, editor):
         editor.press("F5")
-        editor.wait_for(lambda: "start" in editor.landmarks()["parts"], 60, "the menu before the match never came")
+        editor.wait_for(lambda: "start" in editor.landmarks()["parts"], "the menu before the match never came")
         editor.press("Enter")
-        editor.wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
+        editor.wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"],
                         "the game never began")
 
     @real_input
@@ -48,7 +48,7 @@ class Game(WindowTest):
         rules = self.write_rules()
         record = os.path.join(os.path.dirname(rules), "match.kerf")
         game = self.open("play", rules, "--difficulty", "easy", "--record", record)
-        game.wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.wait_for(lambda: self.playing(game), "the match never began")
         game.hold(1)
         for way in (60, -120, 60) * 3:
             for _ in range(12):
@@ -76,11 +76,11 @@ class Game(WindowTest):
 
     def test_what_the_command_line_chose_is_not_kept_as_a_setting(self):
         game = self.open("play", self.write_rules(), "--difficulty", "hard")
-        game.wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.wait_for(lambda: self.playing(game), "the match never began")
         self.open_menu(game)
         game.click("guide", 0.5, 0.5)
         game.press("Escape")
-        game.wait_for(lambda: self.playing(game), 30, "Esc never resumed the match")
+        game.wait_for(lambda: self.playing(game), "Esc never resumed the match")
         game.pause(1)
         game.die()
         kept = self.kept("game.json")
@@ -92,22 +92,22 @@ class Game(WindowTest):
 
     def test_the_lesson_comes_once_and_can_be_skipped(self):
         game = self.open("play")
-        game.wait_for(lambda: "start" in game.landmarks()["parts"], 60, "the menu before the match never came")
+        game.wait_for(lambda: "start" in game.landmarks()["parts"], "the menu before the match never came")
         game.press("Enter")
-        game.wait_for(lambda: self.playing(game), 60, "the lesson never began")
+        game.wait_for(lambda: self.playing(game), "the lesson never began")
         game.press("Enter")
         game.pause(1)
-        game.wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.wait_for(lambda: self.playing(game), "the match never began")
         self.open_menu(game)
         game.click("title", 0.5, 0.5)
-        game.wait_for(lambda: "start" in game.landmarks()["parts"], 60, "the menu before the match never came back")
+        game.wait_for(lambda: "start" in game.landmarks()["parts"], "the menu before the match never came back")
         game.die()
         self.assertTrue(self.kept("game.json")["taught"])
         self.assertEqual(self.kept("game.json")["vehicle"], "hatchback")
 
     def test_a_match_that_is_over_is_kept_and_one_that_is_killed_leaves_settings_and_scores_whole(self):
         game = self.open("play", self.write_rules(times={"match": 2}), "--difficulty", "hard")
-        game.wait_for(lambda: "replay" in game.landmarks()["parts"], 60, "the match was never over")
+        game.wait_for(lambda: "replay" in game.landmarks()["parts"], "the match was never over")
         game.pause(1.5)
         game.die()
         with open(os.path.join(self.folder, "kerf", "game.json"), "w") as file:
@@ -116,7 +116,7 @@ class Game(WindowTest):
         self.assertEqual([s["difficulty"] for s in kept["scores.json"]["scores"]], ["hard"])
         self.assertEqual([s["rules"] for s in kept["scores.json"]["scores"]], ["duel"])
         game = self.open_again("play", self.write_rules())
-        game.wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.wait_for(lambda: self.playing(game), "the match never began")
         game.hold(1)
         game.pause(1)
         game.die()
@@ -127,14 +127,14 @@ class Game(WindowTest):
         self.begin_from_editor(editor)
         self.open_menu(editor)
         editor.click("leave", 0.5, 0.5)
-        editor.wait_for(lambda: "viewport" in editor.landmarks()["parts"], 60, "the editor never came back")
+        editor.wait_for(lambda: "viewport" in editor.landmarks()["parts"], "the editor never came back")
         editor.wait_for_title("sphere.json - Kerf")
         self.begin_from_editor(editor)
         self.open_menu(editor)
         editor.click("inspect", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")
         editor.press("F5")
-        editor.wait_for(lambda: "resume" in editor.landmarks()["parts"], 60, "the match is not gone on with")
+        editor.wait_for(lambda: "resume" in editor.landmarks()["parts"], "the match is not gone on with")
         editor.pause(1.5)
         editor.click("leave", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")

@@ -15,7 +15,7 @@ class PaletteTest(WindowTest):
         editor.pause(0.5)
 
     def wait_until_closed(self, editor):
-        editor.wait_for(lambda: "palette" not in editor.landmarks()["parts"], 20, "the palette stays open")
+        editor.wait_for(lambda: "palette" not in editor.landmarks()["parts"], "the palette stays open")
 
     def test_it_runs_what_was_typed_and_closes(self):
         editor = self.open(SPHERE)

@@ -118,7 +118,7 @@ class Pieces(WindowTest):
         editor.do("ctrl", "e")
         editor.click("format PLY", 0.3, 0.5)
         editor.press("Return")
-        editor.wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), 20, "no file was written")
+        editor.wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), "no file was written")
         editor.quit()
 
     def comb_without_teeth(self):
@@ -193,7 +193,7 @@ class Pieces(WindowTest):
         teeth = lambda: [name for name in editor.landmarks()["parts"] if name.startswith("piece comb ")]
         self.assertEqual(teeth(), [])
         editor.click("specks", 0.5, 0.5)
-        editor.wait_for(teeth, 20, "no speck is listed")
+        editor.wait_for(teeth, "no speck is listed")
         report = editor.quit()
         self.assertEqual((report["pieces"], report["specks"]), (13, 12))
 

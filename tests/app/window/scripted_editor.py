@@ -4,7 +4,7 @@ import json
 import os
 import subprocess
 
-from editor_driver import KERF, PATIENCE, EditorDriver
+from editor_driver import HANG, KERF, EditorDriver
 from png_pixels import pixels_of
 
 # A small window, in which panels and text are small, too, takes a software renderer half the time.
@@ -35,13 +35,13 @@ class ScriptedEditor(EditorDriver):
         try:
             self.kerf.stdin.write(json.dumps(step) + "\n")
         except BrokenPipeError:
-            self.kerf.wait(timeout=30 * PATIENCE)
+            self.kerf.wait(timeout=HANG)
 
     def ask(self, what):
         self.send({"answer": what})
         line = self.kerf.stdout.readline()
         if not line:
-            self.kerf.wait(timeout=30 * PATIENCE)
+            self.kerf.wait(timeout=HANG)
             self.expect_running()
         return json.loads(line)
 
@@ -142,7 +142,7 @@ class ScriptedEditor(EditorDriver):
         self.send({"answer": "title"})
         if self.kerf.stdout.readline():
             return False
-        self.kerf.wait(timeout=30 * PATIENCE)
+        self.kerf.wait(timeout=HANG)
         return True
 
     def die(self):
@@ -156,7 +156,7 @@ class ScriptedEditor(EditorDriver):
             self.kerf.stdin.close()
         except BrokenPipeError:
             pass
-        status = self.kerf.wait(timeout=120 * PATIENCE)
+        status = self.kerf.wait(timeout=HANG)
         errors = self.kerf.stderr.read()
         if status != 0:
             raise AssertionError(f"the editor ended with {status}: {errors}")

@@ -50,13 +50,13 @@ Features make_features(Workspace& workspace, const Catalogue& catalogue) {
 
 namespace {
 
-// The games of an editor: a match that was left for a look at its world is gone on with.
+// The games of an editor session. A suspended match is resumed.
 class Games {
  public:
   Games(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options, LeftMatch left)
       : window_(window), loop_(loop), screen_(screen), options_(options), left_(std::move(left)) {}
 
-  // Lets the player play, and tells the editor what came of it.
+  // Runs the game and passes its result to the editor.
   void play() {
     if (const Status begun = game_ ? Status(Done{}) : begin(); !begun) {
       screen_.come_back(screen_.look(), {});
@@ -100,7 +100,7 @@ class Games {
   std::optional<WindowedGame> game_;
 };
 
-// Where the player's laser is, or was before it came off.
+// Returns the pose of the player's laser, or of its mount after it came off.
 Pose laser_pose(const Match& match) {
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   if (own.gun.works()) return muzzle_pose(match.world(), own);

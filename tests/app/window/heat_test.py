@@ -49,7 +49,7 @@ class Heat(WindowTest):
         editor.pause(1)
         report = editor.quit()
         self.assertEqual(report["undo_depth"], 1)
-        self.assertTrue(report["messages"][-1].startswith("Undone: Pin"), report["messages"])
+        self.assertTrue(report["messages"][-1].startswith("Undo: Pin"), report["messages"])
 
     def test_escape_ends_a_slow_stroke_where_the_beam_is_and_undo_takes_it_back(self):
         """A stroke of 20 s in one frame, of which some milliseconds are cut before Esc and the keys after it come."""
@@ -68,7 +68,7 @@ class Heat(WindowTest):
         editor.settle()
         report = editor.quit()
         said = [text.split(":")[0] for text in report["messages"][-3:]]
-        self.assertEqual(said, ["Stopped", "Undone", "Done again"])
+        self.assertEqual(said, ["Stopped", "Undo", "Redo"])
         self.assertEqual((report["undo_depth"], report["strokes"]), (1, 1))
         power = 2000  # W, of the laser
         self.assertLess(report["heat"]["emitted"], 0.5 * 20 * power)

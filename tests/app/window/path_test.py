@@ -136,7 +136,7 @@ class Path(WindowTest):
         editor.do("ctrl", "z")
         editor.do("ctrl", "shift", "z")
         report = editor.quit()
-        self.assertEqual(report["messages"][-2:], ["Undone: Run of the path", "Done again: Run of the path"])
+        self.assertEqual(report["messages"][-2:], ["Undo: Run of the path", "Redo: Run of the path"])
         self.assertEqual((report["path"]["strokes"], report["strokes"]), (12, 12))
         self.assertEqual(report["pieces"], 1 + 2 * 12)  # of each hole a disc of the front and one of the back
 

@@ -42,9 +42,9 @@ void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::js
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenCopies(250);
-constexpr int kCopyShare = 8;  // a copy may take one such part of the time
+constexpr int kCopyShare = 8;  // inverse of the maximum share of time for copies
 
-// Nobody stops it, so it does not fail.
+// Is never stopped, so it does not fail.
 CutSoFar copy_of(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
   CutSoFar copy{scene, world, {}};
   for (const BodyId id : world.ids()) copy.prepared.emplace(id, prepare_shading(world.body(id), shadings));
@@ -76,13 +76,13 @@ std::optional<CutSoFar> LoadNews::take() {
 
 namespace {
 
-constexpr size_t kShadowsLater = 200'000;  // faces, above which the first picture has no shadows
+constexpr size_t kShadowsLater = 200'000;  // faces; the first frame of a larger world has no shadows
 
-// The shares of the time that reading, hashes, smooth normals and shadows take, and the share of the whole
-// that strokes and a journal take where there are any.
+// The shares of the time for reading, hashes, smooth normals and shadows, and the share of the whole for
+// strokes and a journal, if any.
 constexpr double kReading = 0.48, kHashing = 0.01, kShading = 0.25, kShadows = 0.26, kCutting = 0.3;
 
-// The longest time without a beam that is passed by moving the bodies, which takes a few seconds.
+// The longest time without a beam that is simulated, which takes a few seconds.
 constexpr Ticks kTicksToSkip = 20 * kTicksPerSecond;
 
 bool is_over(const std::future<Result<LoadedFiles>>& result, double seconds) {
@@ -90,7 +90,7 @@ bool is_over(const std::future<Result<LoadedFiles>>& result, double seconds) {
 }
 
 Result<Scene> read_beside_others(const std::filesystem::path& file, const Progress* progress) {
-  if (is_journal(file)) return bad_input(file.string() + ": a journal is opened alone");
+  if (is_journal(file)) return bad_input(file.string() + ": a journal cannot be opened with other files");
   return read_scene(file, progress);
 }
 
@@ -101,8 +101,8 @@ void put_into(Scene& scene, Scene more) {
   scene.strokes.insert(scene.strokes.end(), more.strokes.begin(), more.strokes.end());
 }
 
-// Reads several files as one scene. One that cannot be read keeps no other out: it is taken out of `files`,
-// and `refused` gets the reason. Fails if none can be read.
+// Reads several files as one scene. Unreadable ones are removed from `files`, with a reason each in
+// `refused`. Fails if none can be read.
 Result<OpenedFile> read_together(std::vector<std::filesystem::path>& files, std::vector<std::string>& refused,
                                  const Progress* progress) {
   bool stopped = false;
@@ -160,7 +160,7 @@ Document document_of(World world, const SceneDescription& scene, size_t history_
 
 using AfterStep = std::function<void()>;
 
-// Shows how far the document is cut again.
+// Publishes the progress of the replay.
 AfterStep shown_by(LoadNews* news, const LoadedFiles& loaded) {
   if (news == nullptr) return [] {};
   LoadedShadings shadings;
@@ -170,7 +170,8 @@ AfterStep shown_by(LoadNews* news, const LoadedFiles& loaded) {
   };
 }
 
-// A step that fails here failed when the journal was made too. Whether it came to its end.
+// Returns true if the replay reached the end. A step that fails here also failed when the journal was
+// recorded.
 bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
                 const AfterStep& after_step) {
   Replay replay(journal, loaded.document, time_skips(journal, kTicksToSkip));
@@ -185,18 +186,18 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
   } else if (replay.difference()) {
     loaded.fault = "The state differs from the one that the journal recorded";
   } else if (!replay.other_machine().empty()) {
-    loaded.fault = replay.cut_otherwise()
-                       ? "Bodies moved on another kind of machine: they were put where they were there, and "
-                         "a stroke that "
-                         "was drawn while they moved has cut otherwise here"
-                       : "Bodies moved on another kind of machine: they were put where they were there";
+    loaded.fault =
+        replay.cut_otherwise()
+            ? "Recorded on another kind of machine: bodies were placed as recorded, but a stroke drawn "
+              "while they moved cut differently here"
+            : "Recorded on another kind of machine: bodies were placed as recorded";
   } else if (replay.skipped() > 0) {
     loaded.skipped = replay.skipped();
   }
   return true;
 }
 
-// What the strokes of the scene and the journal say.
+// Cuts the strokes of the scene and replays the journal.
 Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
                const AfterStep& after_step) {
   bool stopped = false;
@@ -211,7 +212,7 @@ Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& prog
   return Done{};
 }
 
-// A fault is noted; only who stops it makes it fail.
+// Records a fault in `loaded`; fails only if stopped.
 Status hash_all(LoadedFiles& loaded, const Progress& progress) {
   bool stopped = false;
   const Progress watched{[&](double fraction) { return !(stopped = !progress.report(fraction)); }};
@@ -224,7 +225,7 @@ Status hash_all(LoadedFiles& loaded, const Progress& progress) {
 }  // namespace
 
 std::string LoadOrder::name() const {
-  if (left) return "the work that was left";
+  if (left) return "recovered work";
   std::string name = files.front().filename().string();
   if (files.size() > 1) name += " and " + std::to_string(files.size() - 1) + " more";
   return name;
@@ -263,7 +264,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
   loaded.prepared = std::move(*prepared);
   if (scene.world.live_faces() <= Document::kMaxFacesToCopy) loaded.as_loaded = scene.world;
   loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
-  if (!uncut) say("cutting again");
+  if (!uncut) say("recutting");
   const AfterStep after_step = shown_by(uncut ? nullptr : news, loaded);
   after_step();
   const Status cut = cut_all(work->journal, loaded, uncut ? afterwards : deeds, after_step);
@@ -310,9 +311,9 @@ std::optional<Result<LoadedFiles>> FileLoader::take() {
 
 void cancel_opening(Opening& opening, Message& message) {
   KERF_ASSERT(opening.loader.busy());
-  message.say("Opening " + opening.loader.order().name() + " was cancelled: everything is as it was.");
+  message.say("Cancelled opening " + opening.loader.order().name() + ".");
   opening.loader.cancel();
-  opening.left_work.clear();  // is offered at the next start
+  opening.left_work.clear();  // offered at the next start
 }
 
 }  // namespace kerf

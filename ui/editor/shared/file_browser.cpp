@@ -52,7 +52,7 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault)
       entries.push_back({name, false, unknown ? 0 : bytes});
     }
   }
-  if (error) fault = folder.string() + ": this folder cannot be read";
+  if (error) fault = folder.string() + ": cannot read this folder";
   std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     if (a.folder != b.folder) return a.folder;
     const std::string low_a = lower(a.name), low_b = lower(b.name);
@@ -147,7 +147,7 @@ std::vector<size_t> left_by_filter(const FileBrowser& b) {
   return left;
 }
 
-// A path that was typed: absolute, or from the home folder.
+// Returns the path that was typed: absolute, or from the home folder.
 std::optional<fs::path> typed_path(const FileBrowser& b) {
   const std::string text = b.name.data();
   if (text.empty()) return std::nullopt;
@@ -157,7 +157,7 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
   return std::nullopt;
 }
 
-// The files that are there already of those that would be written.
+// Returns those of the files to be written that exist.
 std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file) {
   if (opens(b)) return {};
   std::vector<fs::path> files = exports(b) ? b.wish.writes(file) : std::vector{file};
@@ -178,8 +178,9 @@ void choose_file(FileBrowser& b, const fs::path& file) {
   if (!there.empty() && b.replace != file) {
     b.replace = file;
     b.fault = there.front().filename().string() +
-              (there.size() == 1 ? " is" : " and " + std::to_string(there.size() - 1) + " more are") +
-              " there already: choose Replace, or press Enter again";
+              (there.size() == 1 ? " already exists"
+                                 : " and " + std::to_string(there.size() - 1) + " more already exist") +
+              ": click Replace or press Enter again";
     return;
   }
   b.fault = b.wish.take(file);
@@ -197,7 +198,7 @@ void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
   }
 }
 
-// A name to write to that does not say what to write gets an ending.
+// Adds an ending to a name without one of the possible endings.
 fs::path with_ending(fs::path file, const FileBrowser& b) {
   const std::string ending = file.extension().string();
   const std::vector<std::string>& endings = b.wish.endings;
@@ -225,7 +226,7 @@ void accept(FileBrowser& b) {
 
 void draw_where(FileBrowser& b) {
   if (ImGui::Button("Up")) enter_folder(b, b.folder.parent_path());
-  tooltip("The folder around this one (Backspace)");
+  tooltip("Parent folder (Backspace)");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const float room = ImGui::GetContentRegionAvail().x;
@@ -245,7 +246,7 @@ std::string size_text(uintmax_t bytes) {
   return text.data();
 }
 
-// At the right of its column, so that sizes can be compared.
+// Draws a size right-aligned, so that sizes can be compared.
 void draw_size(uintmax_t bytes) {
   const std::string text = size_text(bytes);
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
@@ -295,12 +296,12 @@ void draw_list(FileBrowser& b) {
   if (left.empty()) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", b.entries.empty() ? "Nothing here that can be opened" : "No name matches");
+    ImGui::TextDisabled("%s", b.entries.empty() ? "No supported files in this folder" : "No matching files");
   }
   ImGui::EndTable();
 }
 
-// The field for the name, and what the keyboard asks for.
+// Draws the field for the name, and processes its keys.
 void draw_name(FileBrowser& b) {
   const bool was_empty = b.name.front() == '\0';
   if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
@@ -318,7 +319,7 @@ void draw_name(FileBrowser& b) {
   if (keys.backspace && was_empty) enter_folder(b, b.folder.parent_path());
   const auto count = static_cast<std::ptrdiff_t>(left_by_filter(b).size());
   std::ptrdiff_t at = static_cast<std::ptrdiff_t>(b.cursor) + keys.steps;
-  if (!b.is_chosen && keys.steps > 0) --at;  // the first step chooses the first
+  if (!b.is_chosen && keys.steps > 0) --at;  // the first step selects the first entry
   if (keys.first) at = 0;
   if (keys.last) at = count;
   b.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(at, 0, std::max<std::ptrdiff_t>(count - 1, 0)));
@@ -329,7 +330,7 @@ void draw_name(FileBrowser& b) {
   }
 }
 
-// The name gets the ending of the format that is chosen, and an ending that is typed chooses its format.
+// The name gets the ending of the selected format; a typed ending selects its format.
 void draw_export(FileBrowser& b) {
   const fs::path name = b.name.data();
   if (const auto typed = mesh_format(name.extension().string())) b.format = *typed;
@@ -348,8 +349,7 @@ void draw_export(FileBrowser& b) {
 void draw_buttons(FileBrowser& b) {
   ImGui::PushTextWrapPos(0);
   if (b.fault.empty()) {
-    ImGui::TextDisabled("%s",
-                        "Up and Down choose, Enter takes, Backspace goes to the folder around, Esc closes");
+    ImGui::TextDisabled("%s", "Up/Down select - Enter confirm - Backspace parent folder - Esc cancel");
   } else {
     ImGui::TextUnformatted(b.fault.c_str());
   }

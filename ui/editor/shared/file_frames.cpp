@@ -81,7 +81,7 @@ namespace {
 
 constexpr size_t kMaxNames = 2;
 
-// What the beam took most from comes first.
+// Returns the names of the cut bodies, by descending removal.
 std::string names_of(const HistoryStep& step) {
   std::vector<std::pair<std::string, size_t>> names(step.cut_names().begin(), step.cut_names().end());
   if (names.empty()) return step.done() ? "nothing, " : "";
@@ -93,7 +93,7 @@ std::string names_of(const HistoryStep& step) {
   return text;
 }
 
-// The number of the stroke among all of the history, from 1.
+// Returns the number of the stroke in the whole history, from 1.
 size_t number_of(const History& history, size_t stroke) {
   size_t number = 0;
   for (size_t i = 0; i <= stroke; ++i) number += history.step(i).kind() == HistoryStep::Kind::kStroke;

@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-// How far along a line the point of it is that is nearest to a ray; see dragged_along().
+// Returns the position along a line of its point nearest to a ray; see dragged_along().
 std::optional<double> along_axis(const Pose& ray, const Vec3& at, const Vec3& axis) {
   KERF_ASSERT(is_unit(axis));
   constexpr double kMinSine2 = 1e-3;  // the square of the sine of the angle between the two
@@ -41,7 +41,7 @@ std::vector<Vec3> gizmo_arrow(const FirstPicture& picture, const Vec3& from, con
   return {from, from + direction * (ems * picture.metres_of_em(from))};
 }
 
-// The half in front is one run of points: it begins where the ring comes before its middle.
+// The front half is one run of points, which begins where the ring is in front of its middle.
 std::vector<Vec3> gizmo_ring(const FirstPicture& picture, const Vec3& middle, const Vec3& u, const Vec3& v,
                              double ems) {
   const double radius = ems * picture.metres_of_em(middle);
@@ -114,8 +114,8 @@ namespace {
 constexpr double kRadius = 2.6;  // from the middle to the end of an axis
 constexpr double kEnd = 0.62;    // of the disc at a positive end
 constexpr double kOppositeEnd = 0.45;
-constexpr double kMargin = 0.9;     // around all that
-constexpr double kMinPicture = 14;  // width and height of a picture that has room for it
+constexpr double kMargin = 0.9;     // around the gizmo
+constexpr double kMinPicture = 14;  // minimum width and height of the viewport
 
 double whole_radius(const ViewState& view) { return (kRadius + kEnd + 0.25) * view.layout.em; }
 

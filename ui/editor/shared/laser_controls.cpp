@@ -74,22 +74,21 @@ namespace {
 bool rule_row(ResolutionControls& to) {
   return choice_row(
       "Split to", "##rule", to.rule, "Edge length\0Tolerance\0Depth\0", nullptr,
-      "What says when faces under the beam are small enough: the length of their edges, how far what is "
-      "removed may overshoot the beam, or how often they were split.");
+      "When faces under the beam are small enough: by edge length, by overshoot of the removed area, or by "
+      "number of splits.");
 }
 
 bool scheme_row(ResolutionControls& to) {
   return choice_row(
       "Scheme", "##scheme", to.scheme, "One to four\0Longest edge\0", nullptr,
-      "How a face is split: in four, as in the paper, or in two at its longest edge, which makes far fewer "
-      "faces of thin ones.");
+      "Split faces in four, as in the paper, or in two at the longest edge: far fewer faces from thin ones.");
 }
 
 bool rim_row(ResolutionControls& to) {
   return choice_row(
       "Rim", "##rim", to.rim, "Faces\0Smooth\0", nullptr,
-      "Faces: all that the beam touches goes, so the rim is a saw. Smooth: when the stroke ends, faces "
-      "across the boundary of the beam are cut along it.");
+      "Faces: removes every face the beam touches; the edge is jagged. Smooth: cuts faces along the beam's "
+      "boundary when the stroke ends.");
 }
 
 // A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
@@ -125,8 +124,7 @@ bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
 bool depth_row(ResolutionControls& to) {
   property("Depth");
   const int before = to.depth;
-  const std::string text =
-      to.depth == 0 ? "faces go whole" : count_text(static_cast<size_t>(to.depth), "split");
+  const std::string text = to.depth == 0 ? "whole faces" : count_text(static_cast<size_t>(to.depth), "split");
   constexpr const char* kMeaning =
       "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "
       "as in the paper's figure 3.";

@@ -12,13 +12,13 @@ namespace kerf {
 
 namespace {
 
-// How far the emitter lies to the right and above the eye, as a share of the focus: enough for the beam to be
-// seen from the side, and so little that it cuts under the pointer at all depths.
+// Offset of the emitter to the right of and above the eye, as a share of the focus: large enough to see the
+// beam from the side, small enough to cut under the pointer at all depths.
 constexpr double kEmitterAside = 0.004;
 constexpr double kMinMove = 0.5;  // pixels
 
-// The depth of the corner of the world's box that is nearest to the eye, or of what is looked at if that is
-// nearer.
+// Returns the depth of the corner of the world's box that is nearest to the eye, or of the camera's pivot if
+// that is nearer.
 double least_depth(const World& world, const CameraView& view) {
   const World::Bounds b = world.bounds();
   double least = view.focus;
@@ -31,8 +31,8 @@ double least_depth(const World& world, const CameraView& view) {
 
 }  // namespace
 
-// How far before what is aimed at the beam is emitted: in an orthographic view from before everything that
-// there is; from the eye otherwise, and where there is nothing.
+// Returns the distance from the target back to the emitter: in an orthographic view from in front of the
+// whole world; from the eye otherwise, and in an empty world.
 double LaserTool::distance_of_emitter(const World& world, const CameraView& view) const {
   const double diagonal = world.bounds().diagonal();
   if (!view.parallel || !(diagonal > 0)) return focus_;
@@ -48,7 +48,7 @@ Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
   return {emitter, glm::normalize(target - emitter)};
 }
 
-// How the beam is drawn.
+// Sets how the beam is drawn.
 void LaserTool::set_up(const CutSettings& settings) {
   radius_ = settings.laser.radius;
   const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
@@ -76,7 +76,7 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   if (hit) begin_held(document);
 }
 
-// A stroke with the settings at pose_.
+// Begins a stroke with the settings at pose_.
 void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
   settings_ = settings;
   set_up(settings);
@@ -108,7 +108,7 @@ void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
   move_to(document, pose, heard);
 }
 
-// The beam is drawn at once where it meets nothing.
+// A beam that meets nothing is drawn at once.
 void LaserTool::move_to(Document& document, const Pose& pose, double heard) {
   const Pose before = std::exchange(pose_, pose);
   told_ = std::max(told_, heard - began_);

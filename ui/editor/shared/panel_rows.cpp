@@ -27,7 +27,7 @@ std::string with_shortcut(const ViewState& view, std::string sentence, const std
 
 namespace {
 
-// One of several states as radio buttons in a row. Returns the state that was clicked, or the present one.
+// Draws the states as radio buttons in a row. Returns the one that was clicked, or the present one.
 size_t choose_state(const ViewSwitch& s, size_t state) {
   for (size_t i = 0; i < s.states.size(); ++i) {
     if (i > 0) ImGui::SameLine();
@@ -40,8 +40,8 @@ size_t choose_state(const ViewSwitch& s, size_t state) {
 
 bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
-// The open list of a row: a click chooses, or Enter what Up and Down have gone to. Returns whether one was
-// chosen.
+// Draws the open list of a row: a click selects, or Enter at the cursor that Up and Down move. Returns true
+// if one was selected.
 bool choose_in_list(std::span<const char* const> names, int& choice, const char* landmark) {
   int& cursor = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("cursor"), choice);
   if (ImGui::IsWindowAppearing()) cursor = choice;

@@ -96,7 +96,8 @@ size_t chosen_pieces(const PieceMap& looks) {
 }
 
 const char* why_none_chosen(const PieceMap& looks) {
-  return chosen_pieces(looks) > 0 ? nullptr : "No piece is chosen: Ctrl+click one, or choose it in the list.";
+  return chosen_pieces(looks) > 0 ? nullptr
+                                  : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
 }
 
 std::optional<PieceId> first_chosen(const PieceMap& looks) {
@@ -124,7 +125,7 @@ std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks) {
 }
 
 PieceId named_after(const Delta& delta, PieceId id) {
-  // One after the other: what was detached may be detached from again.
+  // In order, because a detached piece may be detached from again.
   for (const Detached& d : delta.detached) {
     if (id == PieceId{d.from, d.label}) id.body = d.to;
   }
@@ -152,8 +153,9 @@ void follow_world(const World& world, const Delta& delta, PieceMap& looks) {
 
 namespace {
 
-// How much two pieces differ that may be the same part cut differently: the squared distance of their centres
-// in terms of their area, plus the squared share of area that one has more. From kOther on they are others.
+// The difference of two pieces that may be the same part cut differently: the squared distance of their
+// centres in terms of their area, plus the squared relative excess of area. From kOther on they are
+// different parts.
 constexpr double kOther = 0.25;
 
 bool all_settled(const World& world) {
@@ -205,7 +207,7 @@ void PieceNumbers::follow(const World& world, bool anew, bool may_return, PieceM
   drop_plain(looks);
 }
 
-// The pairs that differ least first.
+// Matches the most similar pairs first.
 void PieceNumbers::match(std::vector<Known>& came) {
   std::vector<std::tuple<double, size_t, size_t>> pairs;
   for (size_t i = 0; i < came.size(); ++i) {
@@ -231,7 +233,7 @@ void PieceNumbers::match(std::vector<Known>& came) {
   }
 }
 
-// Its label unless another piece of the same body has that number.
+// Returns its label, unless another piece of the same body has that number.
 uint32_t PieceNumbers::free_number(const Known& piece) const {
   uint32_t most = 0;
   bool taken = false;

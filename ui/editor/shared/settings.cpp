@@ -22,7 +22,7 @@ constexpr std::array kPalettes{"red-green", "orange-blue"};
 constexpr std::array kTabs{"cut", "look", "move", "heat", "prepare"};
 constexpr std::array kDocks{"column", "second column", "strip", "window"};
 
-// Paths may hold any bytes; JSON holds UTF-8 only. One that is not is left out.
+// Paths may hold any bytes, but JSON only UTF-8; other paths are left out.
 bool is_utf8(const std::string& text) {
   try {
     return !Json(text).dump().empty();
@@ -42,7 +42,7 @@ KeptFields& entries(KeptFields& f, const char* key, std::map<std::string, T>& of
   });
 }
 
-// The value whose number in `names` is that of its name in the file.
+// Returns the value whose index in `names` is that of its name in the file.
 template <typename Enum>
 std::optional<Enum> named(std::span<const char* const> names, const Json& value) {
   const auto at = std::find(names.begin(), names.end(), value);

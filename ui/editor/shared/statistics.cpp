@@ -77,7 +77,7 @@ size_t process_bytes() {
 
 namespace {
 
-// Without parts that no cut separated, which joints hold or held.
+// Leaves out parts that no cut separated, which joints hold or held.
 void count_pieces(ShownStatistics& shown, const World& world, const std::set<PieceId>& specks) {
   shown.pieces = shown.specks = 0;
   for (const BodyId id : world.ids()) {

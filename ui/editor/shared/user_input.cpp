@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-// Where several actions have a key, those that have it only at the moment come first.
+// If several actions have a key, those with a condition that holds take precedence.
 const UserAction* action_of(std::span<const UserAction> actions, int key, int mods) {
   const UserAction* found = nullptr;
   for (const UserAction& action : actions) {

@@ -12,10 +12,10 @@ namespace kerf {
 
 namespace {
 
-constexpr double kOrbitPerHeight = 3.6;  // radians for a drag over the height of the picture
+constexpr double kOrbitPerHeight = 3.6;  // radians for a drag over the height of the viewport
 constexpr double kZoomPerNotch = 0.88;
 
-// How far the pointer has moved since the last call, in heights of the picture.
+// Returns the motion of the pointer since the last call, in heights of the viewport.
 Vec2 way_of(const Workspace& workspace, Vec2& last) {
   return (workspace.pointer - std::exchange(last, workspace.pointer)) / workspace.view.pane().size.y;
 }
@@ -60,13 +60,13 @@ std::optional<Vec3> point_under_pointer(const Workspace& workspace) {
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
   KERF_ASSERT(is_unit(from) && is_unit(to));
   const double w = 1 + glm::dot(from, to);
-  if (w < 1e-6) return -to;  // no rotation is the shortest
+  if (w < 1e-6) return -to;  // the shortest rotation is not unique
   const glm::dquat turn = glm::normalize(glm::dquat(w, glm::cross(from, to)));
   return turn * direction;
 }
 
 void choose_under_pointer(Workspace& workspace, bool add) {
-  if (workspace.view.in_second) return workspace.message.say("Pieces are chosen in the left half.", true);
+  if (workspace.view.in_second) return workspace.message.say("Select pieces in the left half.", true);
   const Vec2 p = workspace.view.in_picture(workspace.pointer);
   const std::optional<Pick> seen =
       pick(workspace.world(), workspace.view.look, workspace.view.seen().ray(p.x, p.y));

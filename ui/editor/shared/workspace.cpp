@@ -13,7 +13,7 @@ const char* Workspace::why_time_stands_still() const {
   for (const auto& disabled_reason : time_holds) {
     if (const char* why = disabled_reason()) return why;
   }
-  return world().live_faces() == 0 ? "There is nothing that could move." : nullptr;
+  return world().live_faces() == 0 ? "The scene is empty: nothing can move." : nullptr;
 }
 
 std::vector<std::filesystem::path> Workspace::not_taken(std::vector<std::filesystem::path> files) const {

@@ -17,8 +17,8 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kManyFaces = 40'000;  // from here on changes of bodies take longer than a part of a frame
-constexpr size_t kManyMoves = 20;      // of the queue, that take longer than a part of a frame
+constexpr size_t kManyFaces = 40'000;  // changes of bodies with more faces take longer than a part of a frame
+constexpr size_t kManyMoves = 20;      // of the queue, which take longer than a part of a frame
 
 }  // namespace
 
@@ -75,11 +75,11 @@ bool is_quick(const Document& document, const Command& command) {
 }
 
 const char* why_beside(const Document& document) {
-  return document.execution().next_makes_ready() > kManyFaces ? "Making bodies of the pieces" : nullptr;
+  return document.execution().next_makes_ready() > kManyFaces ? "Creating bodies of the pieces" : nullptr;
 }
 
-// Any command other than Undo and Redo may replace the steps that were undone when it was applied. After one,
-// `position` is the least that the position of the history can be.
+// Any command other than Undo and Redo may replace the steps that are undone at that time; `position` is
+// then the minimum position of the history.
 void StepGroups::follow(const Document& document) {
   const std::vector<Command>& journal = document.journal();
   size_t position = position_, kept = document.history().size();
@@ -120,16 +120,16 @@ namespace {
 
 constexpr size_t kMovesOfStep = 16;
 
-// What pictures need of the bodies that came or, where the world was replaced, of all of them.
+// Prepares render data of the new bodies or, if the world was replaced, of all bodies.
 PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
   PreparedBodies prepared;
   for (const BodyId id : delta.anew ? world.ids() : delta.came)
     prepared.emplace(id, prepare_shading(world.body(id), loaded));
-  (void)prepare_shadows(world, prepared, nullptr);  // nobody stops it
+  (void)prepare_shadows(world, prepared, nullptr);  // is never stopped
   return prepared;
 }
 
-// Whether redo, or a recut that is being walked, may bring back pieces that are not there.
+// Returns true if redo, or a recut in progress, may bring back missing pieces.
 bool pieces_may_return(const History& history) {
   if (history.size() > history.position()) return true;
   return history.position() > 0 && history.last().kind() == HistoryStep::Kind::kRecut;
@@ -190,7 +190,7 @@ void WorldChanges::process_requests() {
   for (size_t left = asked_.size(); left > 0 && !asked_.empty() && !pending_; --left) {
     Asked next = std::move(asked_.front());
     asked_.pop_front();
-    if (!next.always && workspace_.opening.loader.busy()) continue;  // what is open is about to go
+    if (!next.always && workspace_.opening.loader.busy()) continue;  // the open work is about to be replaced
     if (next.is_one && !group_) group_ = {workspace_.work.document.history().position(), next.name};
     if (!next.run()) {
       asked_.push_front(std::move(next));
@@ -200,7 +200,7 @@ void WorldChanges::process_requests() {
   }
 }
 
-// Nothing is left of the change that opened the group.
+// Ends the group when its change is complete.
 void WorldChanges::end_group() {
   if (!group_ || pending_) return;
   groups_.add(group_->from, workspace_.work.document, group_->name);
@@ -236,13 +236,13 @@ void WorldChanges::apply(const Command& command) {
 void WorldChanges::travel_to(size_t position, const std::string& said) {
   const Document& document = workspace_.work.document;
   change(
-      "Through the history", is_small(document) && document.remembers_way_to(position),
+      "Jumping to a history step", is_small(document) && document.remembers_way_to(position),
       [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, said);
 }
 
 void WorldChanges::step_through_history(bool back) {
   const Document& document = workspace_.work.document;
-  const std::string did = back ? "Undone: " : "Done again: ";
+  const std::string did = back ? "Undo: " : "Redo: ";
   groups_.follow(document);
   const StepGroups::Group* group = groups_.at(document, back);
   cancel_stroke(workspace_);
@@ -260,7 +260,7 @@ void WorldChanges::step_through_history(bool back) {
       [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, said);
 }
 
-// A quick change is done at once, another beside the frames.
+// Makes a quick change at once, any other in the background.
 void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
   KERF_ASSERT(!pending_);
   workspace_.message.say("");
@@ -361,7 +361,7 @@ void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) 
   tell_left_open(step.delta);
 }
 
-// Solid bodies that a stroke left open: the first is shown, and all are in the log.
+// Reports solid bodies that a stroke left open: shows the first, and logs all.
 void WorldChanges::tell_left_open(const Delta& delta) {
   for (size_t i = delta.left_open.size(); i-- > 1;)
     workspace_.message.note(left_open_text(delta.left_open[i], workspace_.work.document.world()), true);
@@ -386,7 +386,7 @@ void WorldChanges::show_failed_step(const Error& error) {
   workspace_.message.say(error.message, true);
 }
 
-// The picture
+// Viewport
 // --------------------------------------------------------------------------------------------------------
 
 void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared, const std::string& said) {

@@ -30,7 +30,7 @@ class Limits(WindowTest):
         editor.drag(ACROSS)
         report = editor.quit()
         self.assertEqual(report["strokes"], 1)
-        self.assertIn("What is not saved cannot be kept", report["message"])
+        self.assertIn("Autosave failed", report["message"])
 
 
 if __name__ == "__main__":

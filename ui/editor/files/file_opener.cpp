@@ -39,21 +39,21 @@ void say_what_was_refused(Message& message, const LoadedFiles& loaded) {
 }
 
 std::string words_on_skip(Ticks skipped) {
-  return "Bodies stand where " + grouped(skipped / kTicksPerSecond) +
-         " s had brought them when it was saved; that time was not played again.";
+  return "Skipped " + grouped(skipped / kTicksPerSecond) +
+         " s of simulation: bodies are at their saved positions.";
 }
 
 void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
-  message.say(loaded.order.left ? "Here is the work that was left"
+  message.say(loaded.order.left ? "Recovered unsaved work"
                                 : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
-  // Without hashes the work can be cut but not kept, which is said when it comes to that.
+  // Without hashes the work can be cut but not saved.
   if (loaded.cannot_be_kept) message.say(loaded.cannot_be_kept->message, true);
   if (loaded.skipped > 0) message.say(words_on_skip(loaded.skipped));
   if (!loaded.fault.empty()) message.say(loaded.fault, true);
   if (!loaded.refused.empty()) say_what_was_refused(message, loaded);
 }
 
-// How much of the open work is saved, and where.
+// Records how much of the open work is saved, and where.
 void record_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::vector<Light>& lights) {
   const LoadOrder& order = loaded.order;
   KERF_ASSERT(order.left || !order.files.empty());
@@ -112,7 +112,7 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
   const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, workspace.settings);
   workspace.view.frame_asked_for = choice.ask ? mesh_kind(loaded.scene) : "";
   dress_as(workspace.view, loaded.scene, choice.frame);
-  if (!was_shown) {  // otherwise the user may have looked round
+  if (!was_shown) {  // otherwise the user may have moved the camera
     go_home(workspace.view, bounds);
     workspace.view.camera.finish();
   }
@@ -123,10 +123,10 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
 }
 
 namespace {
-constexpr double kShowWindowAfter = 0.2;  // s, at the start, until the window shows something
+constexpr double kShowWindowAfter = 0.2;  // s, after the start, until the window shows something
 }  // namespace
 
-// What is read in a moment is there at once.
+// Files that are read quickly are shown at once.
 Status FileOpener::open_first(std::filesystem::path default_scene,
                               const std::vector<std::filesystem::path>& files) {
   default_scene_ = std::move(default_scene);
@@ -137,7 +137,7 @@ Status FileOpener::open_first(std::filesystem::path default_scene,
   return Done{};
 }
 
-// Nothing but the ground, seen from three-quarter in front.
+// Shows the ground alone, from three-quarter in front.
 void FileOpener::show_empty_stage() {
   stage_is_empty_ = true;
   workspace_.picture->first().show(workspace_.work.document.world(), {}, {});
@@ -157,7 +157,7 @@ Status FileOpener::open_default_scene() {
   return Done{};
 }
 
-// What was open until then is kept no longer.
+// Drops the recovery data of the previous work.
 void FileOpener::show(LoadedFiles loaded) {
   stage_is_empty_ = false;
   shadows_due_ = loaded.shadows_later;
@@ -225,7 +225,7 @@ void FileOpener::take_loaded() {
   if (!stage_is_empty_ || loader.busy()) return;
   stage_is_empty_ = false;
   workspace_.so_far.reset();
-  const std::string fault = workspace_.message.text;  // why there is nothing else
+  const std::string fault = workspace_.message.text;  // why the file could not be opened
   open_fresh();
   if (!fault.empty()) workspace_.message.say(fault, true);
 }
@@ -236,12 +236,13 @@ void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
     cancel_stroke(workspace_);
     show(std::move(*loaded));
   } else {
-    workspace_.message.say((left ? "It stays where it is: " : "") + loaded.error().message, true);
+    workspace_.message.say((left ? "Recovery failed, its file is kept: " : "") + loaded.error().message,
+                           true);
   }
   if (left) {
     if (opened && recovery_.follow(workspace_.work, workspace_.view, false, workspace_.message))
       workspace_.opening.left_work.front().file.remove();
-    workspace_.opening.left_work.clear();  // what else was left is offered the next time
+    workspace_.opening.left_work.clear();  // the rest is offered at the next start
   } else if (opened) {
     for (const std::filesystem::path& file : workspace_.work.files)
       remember_recent(workspace_.settings, file);
@@ -255,7 +256,7 @@ constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFla
                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
-// The unit for which a unit is mistaken most often.
+// Returns the unit most often confused with a unit.
 FileUnit other_unit(FileUnit unit) {
   switch (unit) {
     case FileUnit::kMillimetre:
@@ -287,7 +288,7 @@ void draw_sizes(const Vec3& size, FileUnit unit) {
   ImGui::TextUnformatted(extents_label(size, unit).c_str());
   mark_last_item("frame size");
   const FileUnit other = other_unit(unit);
-  ImGui::TextDisabled("or, in %s, %s", plural(other), extents_label(size, other).c_str());
+  ImGui::TextDisabled("In %s it would be %s", plural(other), extents_label(size, other).c_str());
 }
 
 void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
@@ -295,7 +296,7 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
   const float em = ImGui::GetFontSize();
   FileFrame frame = view.frame;
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  ImGui::TextUnformatted("Guessed from the kind and the size of the file:");
+  ImGui::TextUnformatted("Units and up axis (detected from the file)");
   ImGui::PopStyleColor();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Up");
@@ -309,19 +310,19 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
   changed = unit_combo(frame.unit) || changed;
   if (changed) show_in_frame(view, frame);
   draw_sizes(size, view.frame.unit);
-  if (ImGui::Button(("For all ." + kind + " files").c_str())) {
+  if (ImGui::Button(("Use for all ." + kind + " files").c_str())) {
     settings.frames[kind] = view.frame;
     view.frame_asked_for.clear();
   }
   mark_last_item("frame for all");
-  tooltip("Files of this kind are shown so from now on. The File panel changes it.");
+  tooltip("Remember for these files. Change it later in the File panel.");
   ImGui::SameLine();
-  if (ImGui::Button("For this file")) {
+  if (ImGui::Button("Use for this file only")) {
     settings.frames[kind].reset();
     view.frame_asked_for.clear();
   }
   mark_last_item("frame for this");
-  tooltip("Other files of this kind are shown as their size suggests. The File panel changes it.");
+  tooltip("Detect other files by their size. Change it later in the File panel.");
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ class FileOpener {
   // Both must outlive it.
   FileOpener(Workspace& workspace, Recovery& recovery) : workspace_(workspace), recovery_(recovery) {}
 
-  // Opens scenes and meshes, or none, at startup. Meanwhile an empty stage is shown, and on it the partial
-  // replay; the default scene if they cannot be read. Fails if there are none and the default scene cannot
-  // be read.
+  // Opens scenes and meshes, or none, at startup. While they are read, an empty stage is shown, and on it the
+  // partial replay; the default scene if they cannot be read. Fails if there are none and the default scene
+  // cannot be read.
   Status open_first(std::filesystem::path default_scene, const std::vector<std::filesystem::path>& files);
   // Opens files, or the default scene. Precondition: the open work is saved or may be discarded.
   void open(std::vector<std::filesystem::path> files);

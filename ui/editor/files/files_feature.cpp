@@ -32,17 +32,17 @@ std::string counted(size_t count, const char* what) { return grouped(count) + " 
 
 void draw_body(const Body& body, FileUnit unit) {
   const MeshReport& r = body.loaded;
-  row("Format", r.format, "What the content of the file is.");
+  row("Format", r.format, "Format of the content of the file.");
   row("Faces",
       counted(r.faces, "triangles") + (r.components > 1 ? " in " + counted(r.components, "parts") : ""),
-      "Triangles that were loaded, and how many sets of them hang together over edges.");
-  row("Vertices", grouped(r.vertices), "Different positions.");
+      "Loaded triangles, and the parts that they form by shared edges.");
+  row("Vertices", grouped(r.vertices), "Distinct positions.");
   row("Border", counted(r.boundary_edges, r.boundary_edges == 1 ? "edge" : "edges"),
       "Edges with one face: none where the surface is closed.");
   row("Area", area_label(r.area, unit), "Of all faces, on one side.");
   const std::vector<std::string> notes = load_notes(r);
   for (size_t i = 0; i < notes.size(); ++i) {
-    row(i == 0 ? "Notes" : "", notes[i], "What was found in the file and put right when it was loaded.");
+    row(i == 0 ? "Notes" : "", notes[i], "Problems found and repaired on import.");
   }
 }
 
@@ -55,8 +55,8 @@ void draw_frame(const SceneDescription& scene, ViewState& view, Settings& settin
   if (changed) set_frame(frame, scene, view, settings);
 }
 
-// The unit and the upward axis in which the world is shown, which are remembered for mesh files of this kind;
-// what is in the files of the bodies, and what was put right when they were read.
+// Draws the unit and the up axis in which the world is shown, which are remembered for mesh files of this
+// format, the contents of the files of the bodies, and the repairs on import.
 void draw_file_panel(const World& world, const SceneDescription& scene, ViewState& view, Settings& settings) {
   if (begin_properties("frame")) {
     draw_frame(scene, view, settings);
@@ -161,7 +161,7 @@ class FilesFeature : public Feature {
   Decisions decisions_;
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
-  std::optional<Captured> screenshot_;  // that waits until this is drawn
+  std::optional<Captured> screenshot_;  // waits until this is drawn
 };
 
 // Actions
@@ -198,11 +198,11 @@ std::vector<UserAction> FilesFeature::save_actions() {
       UserAction{
           .name = "Save",
           .shortcut = "Ctrl+S",
-          .tip = "Everything that was done, as a journal (.kerf). The version before is kept as .kerf~.",
+          .tip = "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
           .run = [this] { save(); }},
       UserAction{.name = "Save as...",
                  .shortcut = "Ctrl+Shift+S",
-                 .tip = "To another journal (.kerf), or as a scene (.json) without what was cut.",
+                 .tip = "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
                  .run = [this] { choose_file_to_save(); },
                  .ends_group = true},
   };
@@ -212,7 +212,7 @@ std::vector<UserAction> FilesFeature::picture_actions() {
   return {
       UserAction{.name = "Save the picture",
                  .shortcut = "F12",
-                 .tip = "A PNG of the picture without panels, named by date, in the current folder.",
+                 .tip = "A PNG of the viewport without panels, named by date, in the current folder.",
                  .run = [this] { screenshot_ = Captured::kPicture; }},
       UserAction{.name = "Save the window",
                  .shortcut = "Shift+F12",
@@ -226,7 +226,7 @@ std::vector<UserAction> FilesFeature::leave_actions() {
   return {
       UserAction{.name = "Play the game",
                  .shortcut = "F5",
-                 .tip = "A car with a laser on its roof against others. What is open here stays as it is.",
+                 .tip = "Car combat with roof-mounted lasers. The open work stays unchanged.",
                  .run = [this] { workspace_.leaves = Workspace::Leaves::kForTheGame; },
                  .ends_group = true},
       UserAction{.name = "Quit",
@@ -244,18 +244,18 @@ UserAction FilesFeature::frame_action(const std::string& name, const FileFrame& 
       .in_menu = false};
 }
 
-// The frame is that of the moment at which they are listed.
+// The actions use the frame at the time of listing.
 std::vector<UserAction> FilesFeature::frame_actions() {
   std::vector<UserAction> actions;
   const FileFrame& frame = workspace_.view.frame;
   for (const FileUnit unit :
        {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
-    actions.push_back(frame_action("unit " + std::string(unit_symbol(unit)), {unit, frame.up},
-                                   "What one unit of the file is."));
+    actions.push_back(
+        frame_action("unit " + std::string(unit_symbol(unit)), {unit, frame.up}, "Length of one file unit."));
   }
   for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
     actions.push_back(frame_action(up == UpAxis::kY ? "+Y upwards" : "+Z upwards", {frame.unit, up},
-                                   "Which axis of the file points upwards."));
+                                   "Axis of the file that points up."));
   }
   return actions;
 }
@@ -269,7 +269,7 @@ Status FilesFeature::on_start(const EditorOptions& options) {
   ask_about_left_work(decisions_, workspace_.opening.left_work);
   const Status opened = opener_.open_first(options.default_scene, workspace_.not_taken(options.files));
   if (opened && !faults.empty() && !workspace_.message.is_error)
-    workspace_.message.say("Work was left that cannot be read: " + faults.front(), true);
+    workspace_.message.say("Recovery file is damaged: " + faults.front(), true);
   return opened;
 }
 
@@ -280,9 +280,9 @@ void FilesFeature::open(std::vector<fs::path> files) {
 
 void FilesFeature::choose_file_to_open() {
   browse(workspace_.browser,
-         {.title = "Open a scene, a journal or a mesh",
+         {.title = "Open",
           .verb = "Open",
-          .hint = "Type a part of a name, or a whole path",
+          .hint = "Filter, or paste a full path",
           .take =
               [this](const fs::path& file) {
                 workspace_.open({file});
@@ -291,7 +291,7 @@ void FilesFeature::choose_file_to_open() {
          workspace_.settings.folder, "");
 }
 
-// Leaving
+// Closing
 // --------------------------------------------------------------------------------------------------------
 
 void FilesFeature::quit() {
@@ -303,7 +303,7 @@ void FilesFeature::quit() {
   });
 }
 
-// Does what closes the open work once it is saved or may be discarded.
+// Calls `then`, which closes the open work, once that is saved or may be discarded.
 void FilesFeature::leave_for(std::function<void()> then) {
   workspace_.changes.ask({.name = "Leave",
                           .run =
@@ -347,7 +347,7 @@ void FilesFeature::decide() {
 void FilesFeature::update(double) {
   decide();
   const bool asks = decisions_.question.open() || workspace_.browser.open || workspace_.changes.is_asked();
-  if (!asks) decisions_.leaving = nullptr;  // the user did not choose where to save
+  if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
   opener_.take_loaded();
   opener_.make_shadows();
   recovery_.follow(workspace_.work, workspace_.view, workspace_.held != nullptr, workspace_.message);
@@ -365,9 +365,9 @@ void FilesFeature::save() {
 
 void FilesFeature::choose_file_to_save() {
   browse(workspace_.browser,
-         {.title = "Save the work",
+         {.title = "Save",
           .verb = "Save",
-          .hint = "Name; .kerf keeps everything, .json the scene without what was cut",
+          .hint = "File name: .kerf keeps everything, .json the scene without the cuts",
           .endings = {".kerf", ".json"},
           .take =
               [this](const fs::path& file) {

@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-// The steps of the history, to be travelled by a click, and the memory that they may take.
+// The steps of the history, to jump to by a click, and their memory limit.
 class HistoryPanel {
  public:
   void draw(Workspace& workspace);
@@ -30,9 +30,9 @@ class HistoryPanel {
 
 constexpr size_t kMaxRows = 10;
 
-// The memory of the before-images, by which a step is undone at once.
+// Formats the memory of the before-images, by which a step is undone at once.
 std::string weight_text(const HistoryStep& step) {
-  if (step.images() == HistoryStep::Images::kNone) return "waits";
+  if (step.images() == HistoryStep::Images::kNone) return "pending";
   if (step.images() == HistoryStep::Images::kLetGo) return "by replay";
   const double kilobytes = static_cast<double>(step.bytes()) / 1024;
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
@@ -42,7 +42,7 @@ std::string removed_text(const HistoryStep& step, FileUnit unit) {
   return step.removed_area() > 0 ? area_label(step.removed_area(), unit) : "";
 }
 
-// The width that a column of such texts needs.
+// Returns the width that a column of such texts needs.
 template <typename Text>
 float widest(const History& history, const Text& text) {
   float width = 1;
@@ -51,14 +51,14 @@ float widest(const History& history, const Text& text) {
   return width;
 }
 
-// What a row of the list says.
+// The texts of a row of the list.
 struct Row {
   std::string name;
-  std::string removed = {};  // the area that the step has taken away
+  std::string removed = {};  // the area that the step removed
   std::string weight = {};
 };
 
-// Returns whether the row was clicked.
+// Returns true if the row was clicked.
 bool draw_row(size_t now, size_t position, const Row& row) {
   ImGui::PushID(static_cast<int>(position));
   ImGui::TableNextRow();
@@ -69,16 +69,16 @@ bool draw_row(size_t now, size_t position, const Row& row) {
   const std::string label = fitted_label(row.name, ImGui::GetContentRegionAvail().x);
   const bool clicked = ImGui::Selectable(label.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
   mark_last_item("history row", static_cast<int>(position));
-  const char* meaning = position == now ? "This is where the work is now."
-                        : undone        ? "Was taken back. A click does it again, with all before it."
-                                        : "A click goes back to here; what came after can be done again.";
+  const char* meaning = position == now ? "Current state."
+                        : undone        ? "Undone. Click to redo up to this step."
+                                        : "Click to undo back to this step; later steps can be redone.";
   tooltip((row.name + ". " + meaning).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.removed.c_str());
-  tooltip("The area that this step has taken away.");
+  tooltip("Area removed by this step.");
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.weight.c_str());
-  tooltip("The memory that it takes to undo this step at once.");
+  tooltip("Memory for undoing this step at once.");
   if (undone) ImGui::PopStyleColor();
   if (position == now) {
     ImGui::PopStyleColor();
@@ -88,9 +88,9 @@ bool draw_row(size_t now, size_t position, const Row& row) {
   return clicked && position != now;
 }
 
-// The row of a position of the history; returns whether it was clicked.
+// Draws the row of a position of the history. Returns true if it was clicked.
 bool draw_step(const History& history, size_t position, FileUnit unit) {
-  if (position == 0) return draw_row(history.position(), 0, {"As it was opened"});
+  if (position == 0) return draw_row(history.position(), 0, {"Original file"});
   const HistoryStep& step = history.step(position - 1);
   return draw_row(history.position(), position,
                   {step_words(history, position - 1, unit), removed_text(step, unit), weight_text(step)});
@@ -101,7 +101,7 @@ void draw_window(Document& document, Settings& settings) {
   property("Memory");
   int megabytes = settings.history_megabytes;
   constexpr const char* kMeaning =
-      "How much memory going back at once may take. Older steps come back by replay, which takes longer.";
+      "Memory limit for undoing at once. Older steps are restored by replay, which takes longer.";
   if (whole_slider({"Memory", "##window", kMeaning, true}, megabytes, Settings::kMinHistory,
                    Settings::kMaxHistory, grouped(static_cast<size_t>(megabytes)) + " MB",
                    {Quantity::kPlain, 1, " MB"})) {
@@ -111,11 +111,11 @@ void draw_window(Document& document, Settings& settings) {
   property("Held");
   ImGui::TextUnformatted(
       text_of("%.1f MB", static_cast<double>(document.history().bytes()) / (1 << 20)).c_str());
-  tooltip("What the steps above hold now.");
+  tooltip("Memory used by the steps above.");
   end_properties();
 }
 
-// The steps of some groups share a row, unless the work stands between them.
+// Steps of some groups share a row, unless the current position is between them.
 void HistoryPanel::list_rows(const StepGroups& groups, const History& history) {
   rows_.clear();
   for (size_t position = 0; position <= history.size(); ++position) {
@@ -164,13 +164,13 @@ class HistoryFeature : public Feature {
              "Edit",
              {UserAction{.name = "Undo",
                          .shortcut = "Ctrl+Z",
-                         .tip = "Takes the last stroke or command back.",
+                         .tip = "Reverts the last stroke or command.",
                          .run = [this] { ask_to_step(true); },
                          .disabled_reason =
                              [this] { return history().position() > 0 ? nullptr : "Nothing was done yet."; }},
               UserAction{.name = "Redo",
                          .shortcut = "Ctrl+Shift+Z",
-                         .tip = "Does again what was taken back.",
+                         .tip = "Repeats the last undone step.",
                          .run = [this] { ask_to_step(false); },
                          .disabled_reason =
                              [this] {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Ticks kSeenFalling = kTicksPerSecond;
 
-// "Ctrl+Z takes the stroke back."; the name of the action where no key is bound to it.
+// Returns "Ctrl+Z undoes the stroke."; the name of the action if no key is bound to it.
 std::string by_key(const ViewState& view, const std::string& action, const std::string& rest) {
   const std::string key = shortcut_of(view, action);
   return (key.empty() ? "\"" + action + "\"" : key) + rest;
@@ -46,13 +46,12 @@ std::vector<TourStep> first_five_minutes(const ViewState& view) {
        "car, "
        "and release.",
        "", [](const M& begin, const M& now) { return now.position > begin.position && !now.cuts; }},
-      {"Take it back", by_key(view, "Undo", " takes the stroke back: all is whole again."), "History",
+      {"Undo", by_key(view, "Undo", " undoes the stroke: the car is whole again."), "History",
        [](const M& begin, const M& now) { return now.position < begin.position; }},
       {"Do it again", by_key(view, "Redo", " cuts it again. The History panel goes to any step."), "History",
        [](const M& begin, const M& now) { return now.position > begin.position; }},
-      {"Look round",
-       "Drag with the middle button, or with Alt and the left one, to look round; the wheel comes closer.",
-       "", [](const M& begin, const M& now) { return now.eye != begin.eye; }},
+      {"Orbit", "Drag with the middle button, or with Alt and the left one, to orbit; scroll to zoom.", "",
+       [](const M& begin, const M& now) { return now.eye != begin.eye; }},
       {"Let it fall",
        by_key(view, "Play", " lets time pass: what is cut off falls. The Move tab sets how fast."),
        "tab Move",
@@ -114,7 +113,7 @@ constexpr ImGuiWindowFlags kCard = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
-// A frame around the part, and a line from there to the card.
+// Draws a frame around the part, and a line from there to the card.
 void point_at(const Area& part, ImVec2 card_corner) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const float gap = 0.2f * ImGui::GetFontSize();
@@ -144,8 +143,8 @@ TourMove draw_buttons(const Tour& tour) {
 
 TourMove draw_tour_card(const Tour& tour, const Area& picture, const std::optional<Area>& part) {
   const float em = ImGui::GetFontSize(), margin = kMargin * em;
-  // Beside what it points at, which lies right of the picture, else in the upper left corner of the picture,
-  // where it hides neither the car nor the hints.
+  // Next to what it points at, which is right of the viewport, else in the upper left corner of the
+  // viewport, where it hides neither the car nor the hints.
   const auto left = static_cast<float>(picture.at.x) + margin;
   const auto right = static_cast<float>(picture.at.x + picture.size.x) - margin;
   const float top =

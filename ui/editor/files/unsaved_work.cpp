@@ -24,15 +24,15 @@ Status write_all(OpenWork& work, const ViewState& view, const fs::path& file) {
   return save_journal(file, scene_now(work, view), work.document.journal(), work.marks);
 }
 
-// Whether nobody misses it: what is hot has cooled down.
+// Returns true if a command only lets hot material cool, which need not be recovered.
 bool only_cools(const Command& command) {
   const AdvanceTime* time = std::get_if<AdvanceTime>(&command);
   return time != nullptr && !time->bodies;
 }
 
-// Whether the commands that last are those that were saved, besides what only cools: nothing came since, or
-// all of it was taken back. What came last was not taken back unless it is undo or redo, which alone makes
-// the time linear in the journal.
+// Returns true if the commands in effect are the saved ones, apart from mere cooling: no others followed, or
+// all of them were undone. Takes linear time in the journal only if the last command is undo or redo; any
+// other last command is in effect.
 bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
   size_t end = journal.size();
   while (end > saved && only_cools(journal[end - 1])) --end;
@@ -107,8 +107,7 @@ bool save_work(OpenWork& work, const ViewState& view, fs::path file, Settings& s
   work.saved_head = work.scene.others;
   remember_recent(settings, file);
   const bool cut = is_unsaved(work, view.look.lights);
-  message.say("Saved: " + file.string() +
-              (cut ? ", without what was cut: save as .kerf to keep that too" : ""));
+  message.say("Saved: " + file.string() + (cut ? ", without the cuts: save as .kerf to keep them" : ""));
   return !cut;
 }
 
@@ -132,7 +131,7 @@ bool Recovery::follow(OpenWork& work, const ViewState& view, bool mouse_moves, M
   const bool changed = view.look.lights != lights_ || work.scene.others != head_;
   if (!mouse_moves && changed) begin(work, view);
   const Status kept = autosave_.follow(work.document, work.marks);
-  if (!kept && well_) message.say("What is not saved cannot be kept: " + kept.error().message, true);
+  if (!kept && well_) message.say("Autosave failed: " + kept.error().message, true);
   if (!kept) failed_at_ = Clock::now();
   well_ = kept.ok();
   return well_;
@@ -161,11 +160,11 @@ std::string name_of(const LeftWork& left) {
 void ask_what_becomes(Decisions& decisions, const OpenWork& work) {
   decisions.about = Decisions::About::kUnsaved;
   Question& q = decisions.question = Question();
-  q.title = "Not saved";
-  q.text = name_of_work(work) + " has changes that are not saved.";
-  q.choices = {{"Save", "Saves them first (Enter, S).", 'S'},
-               {"Discard", "They are gone then (D).", 'D'},
-               {"Cancel", "Goes back to the work (Esc, C).", 'C'}};
+  q.title = "Save changes?";
+  q.text = name_of_work(work) + " has unsaved changes.";
+  q.choices = {{"Save", "Save first (Enter, S).", 'S'},
+               {"Discard", "Close without saving (D).", 'D'},
+               {"Cancel", "Keep editing (Esc, C).", 'C'}};
 }
 
 Decision decide_on_unsaved(Decisions& decisions, size_t answer) {
@@ -204,14 +203,14 @@ void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left
   const LeftWork& left = left_work.front();
   decisions.about = Decisions::About::kLeftWork;
   Question& q = decisions.question = Question();
-  q.title = "Unsaved work was left";
-  q.text = "The editor ended without saving " + name_of(left) + ", with " +
+  q.title = "Recover unsaved work?";
+  q.text = "Kerf quit unexpectedly without saving " + name_of(left) + ", with " +
            count_text(left.strokes, "stroke") + ", last changed on " + time_text(left.last_change) + ".";
   if (left_work.size() > 1)
-    q.text += " " + count_text(left_work.size() - 1, "more piece") + " of work was left besides.";
-  q.choices = {{"Recover", "Opens it as it was left (Enter, R).", 'R'},
-               {"Discard", "It is gone then."},
-               {"Later", "Asks again at the next start (Esc, L).", 'L'}};
+    q.text += " " + count_text(left_work.size() - 1, "more document") + " can be recovered.";
+  q.choices = {{"Recover", "Open it in its last state (Enter, R).", 'R'},
+               {"Discard", "Delete it permanently."},
+               {"Later", "Ask again at the next start (Esc, L).", 'L'}};
 }
 
 Decision take_decision(Decisions& decisions, std::vector<LeftWork>& left_work) {

@@ -19,15 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongestWait = 2;  // s, that a thumbnail waits for a picture that goes on changing
+constexpr double kLongestWait = 2;  // s, maximum wait of a thumbnail for a frame that keeps changing
 
-// The file that the picture shows, as it was opened; empty where it shows none, or several.
+// Returns the file that the viewport shows, as it was opened; empty if it shows none, or several.
 fs::path file_shown(const OpenWork& work) {
   if (!work.file.empty()) return work.file;
   return work.files.size() == 1 ? work.files.front() : fs::path();
 }
 
-// What a thumbnail is taken of: a file as it was opened or saved.
+// The state of a thumbnail: a file as it was opened or saved.
 struct KeptState {
   fs::path file;
   size_t commands = 0;
@@ -70,7 +70,7 @@ std::vector<UserAction> RecentFeature::files() {
     actions.back().run = [this, file] { workspace_.open({file}); };
     actions.back().disabled_reason = [file]() -> const char* {
       std::error_code error;
-      return fs::exists(file, error) ? nullptr : "This file is not there any more.";
+      return fs::exists(file, error) ? nullptr : "This file no longer exists.";
     };
     actions.back().tip_picture = [this, file] { return workspace_.thumbnails.find(file); };
   }
@@ -83,7 +83,7 @@ std::vector<UserAction> RecentFeature::files() {
   return actions;
 }
 
-// Whether the picture shows a file as it was opened or saved, and is complete.
+// Returns true if the viewport shows a file as it was opened or saved, and is complete.
 bool RecentFeature::is_due() {
   const KeptState now{file_shown(workspace_.work), workspace_.work.saved_commands};
   if (now == taken_ || now.file.empty()) return false;
@@ -97,8 +97,8 @@ bool RecentFeature::is_due() {
   return !workspace_.picture->busy() || workspace_.clock->seconds() - wanted_at_ > kLongestWait;
 }
 
-// A file that is not among the recent ones, as the default scene, has none. One that cannot be written is not
-// missed enough to be told of.
+// A file that is not recent, such as the default scene, has no thumbnail. Failures of writing are not
+// reported.
 void RecentFeature::take() {
   taken_ = wanted_;
   const fs::path file = whole_path(taken_.file);
@@ -117,8 +117,8 @@ namespace {
 
 constexpr size_t kMaxRecent = 4;
 
-// Draws over the last item, the row of a file in a list: its thumbnail, or an empty frame of that size, its
-// name and its folder.
+// Draws the row of a file over the last item: its thumbnail, or an empty frame of that size, its name and
+// its folder.
 void draw_file_row(const std::filesystem::path& file, const std::optional<TipPicture>& thumbnail, Vec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize();
@@ -157,7 +157,7 @@ class WelcomeFeature : public Feature {
     return Done{};
   }
 
-  // What closes the welcome is heard by the rest of the editor as well.
+  // Events that close the welcome reach the rest of the editor as well.
   bool handle_event(const InputEvent& event, bool in_picture) override {
     const bool pressed = event.kind == InputEvent::Kind::kPress && in_picture;
     if (pressed || event.kind == InputEvent::Kind::kKey) shown_ = false;
@@ -198,7 +198,7 @@ void WelcomeFeature::draw_windows() {
   if (tour_.is_on()) draw_tour();
 }
 
-// A row that opens a file.
+// Draws a row that opens a file.
 void WelcomeFeature::open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
   if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
     shown_ = false;
@@ -233,7 +233,7 @@ void WelcomeFeature::draw_scenes() {
   }
 }
 
-// At the left, where it hides least of what stands in the middle.
+// At the left, where it hides least of the scene in the middle.
 void WelcomeFeature::draw_welcome() {
   const float em = ImGui::GetFontSize();
   const Area& picture = workspace_.view.layout.viewport;
@@ -246,7 +246,7 @@ void WelcomeFeature::draw_welcome() {
   if (ImGui::Begin("##welcome", nullptr, kFlags)) {
     mark_window("welcome");
     ImGui::TextUnformatted("Kerf");
-    ImGui::TextDisabled("A laser for any triangle mesh");
+    ImGui::TextDisabled("Laser-cut any triangle mesh");
     ImGui::Spacing();
     if (ImGui::Button("The first five minutes", {-1, 0})) begin_tour();
     mark_last_item("welcome tour");
@@ -255,7 +255,7 @@ void WelcomeFeature::draw_welcome() {
     draw_recent();
     draw_scenes();
     ImGui::Spacing();
-    ImGui::TextDisabled("Any key closes this; Help has it.");
+    ImGui::TextDisabled("Press any key to close. Reopen from Help > Welcome.");
   }
   ImGui::End();
   ImGui::PopStyleVar();

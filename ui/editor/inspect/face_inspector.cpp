@@ -45,7 +45,7 @@ std::string across(const std::vector<FaceId>& faces) {
 
 std::string temperature_text(const FaceFacts& facts) {
   const std::string now = text_of("Temperature   %.0f K", facts.temperature);
-  return facts.hottest > facts.temperature + 1 ? now + text_of(", once %.0f K", facts.hottest) : now;
+  return facts.hottest > facts.temperature + 1 ? now + text_of(", maximum %.0f K", facts.hottest) : now;
 }
 
 }  // namespace
@@ -90,12 +90,12 @@ std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, File
           "Area   " + area_label(facts.area, unit),
           "Edges   " + joined(facts.edges, ", ", length),
           "Angles   " + joined(facts.angles, ", ", angle) + " degrees",
-          "Across   " + across(facts.neighbours[0]) + ", " + across(facts.neighbours[1]) + ", " +
+          "Neighbours   " + across(facts.neighbours[0]) + ", " + across(facts.neighbours[1]) + ", " +
               across(facts.neighbours[2]),
           temperature_text(facts),
           "Tree   block " + std::to_string(facts.slot.block) + ", place " +
               std::to_string(facts.slot.place + 1) + " of up to 4" +
-              (facts.slot.hit ? "; the beam was in its box" : "")};
+              (facts.slot.hit ? "; visited by the beam" : "")};
 }
 
 namespace {
@@ -111,7 +111,7 @@ std::optional<double> temperature_at(const World& world, const ViewState& view, 
   return body.heat.temperature(body.mesh, seen->face, body.sheet.substance, body.sheet.thickness);
 }
 
-// The part of the box in which the curve lies.
+// The part of the box that contains the curve.
 struct Plot {
   ImVec2 at, size;
   double from = 0, to = 1, least = kAmbient, most = kAmbient;
@@ -148,7 +148,7 @@ void HeatProbe::follow(const World& world, const ViewState& view, const std::opt
   if (const auto now = temperature_at(world, view, ray_)) add({seconds, *now});
 }
 
-// Where there are too many, every second one goes.
+// If there are too many, every second one is dropped.
 void HeatProbe::add(const Sample& sample) {
   if (samples_.size() >= kMaxSamples) {
     size_t kept = 0;
@@ -200,7 +200,7 @@ void draw_edges(const ViewState& view, const Body& body, const Pick& pick, ImDra
   list.AddPolyline(corners.data(), 3, colours::kPictureText, ImDrawFlags_Closed, 1.5f);
 }
 
-// Beside the pointer, on the side where there is room.
+// Draws the box next to the pointer, on the side where there is room.
 void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string>& lines, ImDrawList& list) {
   const float em = ImGui::GetFontSize(), line = 1.25f * ImGui::GetTextLineHeight();
   Vec2 size(0, 1.2 * em + line * static_cast<float>(lines.size()));
@@ -220,8 +220,8 @@ void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string
   mark_area("face readout", {at, size});
 }
 
-// Draws over the picture what there is to know about the face under the pointer, in a box beside it, and the
-// face's edges.
+// Draws over the viewport the facts about the face under the pointer, in a box next to it, and the edges of
+// the face.
 void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
   const ViewState& view = workspace.view;
   if (!workspace.points() || view.in_second) return;
@@ -241,9 +241,8 @@ class InspectFeature : public Feature {
 
   std::vector<ActionGroup> actions() override {
     UserAction action = tool_action(workspace_, kInspectTool, "M",
-                                    "Tells what there is to know about the face under the pointer; two "
-                                    "clicks measure the distance between two "
-                                    "points.");
+                                    "Shows facts about the face under the pointer; two clicks measure a "
+                                    "distance.");
     action.run = [this, take = action.run] {
       take();
       measured_.clear();
@@ -260,9 +259,7 @@ class InspectFeature : public Feature {
     measured_.clear();
     return true;
   }
-  const char* status_hint() const override {
-    return inspects() ? "Inspect: click two points to measure their distance" : nullptr;
-  }
+  const char* status_hint() const override { return inspects() ? "Measure: click two points" : nullptr; }
 
   void update(double) override {
     if (!inspects()) measured_.clear();
@@ -296,14 +293,12 @@ class InspectFeature : public Feature {
 
 // The third click begins another distance.
 void InspectFeature::measure() {
-  if (workspace_.view.in_second)
-    return workspace_.message.say("Distances are measured in the left half.", true);
+  if (workspace_.view.in_second) return workspace_.message.say("Measure distances in the left half.", true);
   const auto point = point_under_pointer(workspace_);
-  if (!point) return workspace_.message.say("There is no surface under the pointer.", true);
+  if (!point) return workspace_.message.say("No surface under the pointer.", true);
   if (measured_.size() == 2) measured_.clear();
   measured_.push_back(*point);
-  if (measured_.size() < 2)
-    return workspace_.message.say("Click a second point to measure its distance from this one.");
+  if (measured_.size() < 2) return workspace_.message.say("Click a second point to measure the distance.");
   const Vec3 way = measured_[1] - measured_[0];
   const auto text = [&](double length) { return length_label(length, workspace_.view.frame.unit); };
   workspace_.message.say("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +

@@ -24,19 +24,19 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the chosen piece",
+constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the selected piece",
                             "Pieces"};
 constexpr std::array kPlacings{"Unrolled along the cut", "By position", "By force"};
 constexpr float kMinGap = 3;            // pixels, between two marks of loops
 constexpr float kHeightOfWidth = 0.8f;  // of the canvas below the rows
-// Sizes of the text: the width of a panel from which on its rows are beside the canvas, and their width.
+// Sizes of the text: the width of a panel from which on its rows are next to the canvas, and their width.
 constexpr float kWide = 44, kRows = 24;
 
 void placing_row(GraphState& graph) {
   property("Laid out");
   const bool positioned = graph.cannot_unroll() && graph.removed() > 0;
   const char* shown =
-      positioned ? "By position: it does not run around" : kPlacings.at(static_cast<size_t>(graph.placing()));
+      positioned ? "By position (cut is not a loop)" : kPlacings.at(static_cast<size_t>(graph.placing()));
   if (begin_fitted_combo("##placing", shown)) {
     for (size_t i = 0; i < kPlacings.size(); ++i) {
       const auto placing = static_cast<GraphState::Placing>(i);
@@ -47,31 +47,29 @@ void placing_row(GraphState& graph) {
   }
   mark_last_item("graph placing");
   tooltip(
-      "Unrolled: the way around the cut from left to right, and its two sides above and below; by position "
-      "where the cut does not run around. By position: where the faces are, seen along the direction in "
-      "which they "
-      "extend least. By force: linked nodes pull each other, near ones push each other away.");
+      "Unrolled: along the cut from left to right, its sides above and below. By position: seen along the "
+      "thinnest direction. By force: linked nodes attract, near ones repel.");
 }
 
-// Played by the button or drawn by hand.
+// Draws the slider of the traversal, which the button plays.
 void traversal_row(GraphState& graph) {
   property("Traversal");
   if (ImGui::Button(graph.playing() ? "Stop" : "Play")) graph.play(!graph.playing());
   mark_last_item("graph play");
-  tooltip("Plays the breadth-first search from the ringed node: what it has come to is blue.");
+  tooltip("Plays the breadth-first search from the ringed node; reached faces are blue.");
   ImGui::SameLine();
   int marked = static_cast<int>(graph.marked());
   ImGui::SetNextItemWidth(-1);
-  if (whole_slider({"Traversal", "##marked",
-                    "How many faces the search has marked. A click on a single face starts it from there."},
-                   marked, 0, static_cast<int>(graph.reached()), count_text(graph.marked(), "face"))) {
+  if (whole_slider(
+          {"Traversal", "##marked", "Faces marked by the search. Click a single face to start from it."},
+          marked, 0, static_cast<int>(graph.reached()), count_text(graph.marked(), "face"))) {
     graph.play(false);
     graph.set_marked(static_cast<size_t>(marked));
   }
   mark_last_item("graph slider");
 }
 
-// A line below the last slider for each removal that closed a loop.
+// Draws a line below the last slider for each removal that closed a loop.
 void mark_closings(const GraphState& graph) {
   const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
   const float em = ImGui::GetFontSize(), grab = ImGui::GetStyle().GrabMinSize;
@@ -87,7 +85,7 @@ void mark_closings(const GraphState& graph) {
   ImGui::Dummy({0, 0.1f * em});
 }
 
-// The removals in their order, with the moments at which one closed a loop.
+// Draws the removals in their order, and marks those that closed a loop.
 void removals_row(GraphState& graph, const ViewState& view) {
   property("Removals");
   int removals = static_cast<int>(graph.removals());
@@ -98,9 +96,8 @@ void removals_row(GraphState& graph, const ViewState& view) {
       grouped(graph.removals()) + ", " + count_text(static_cast<size_t>(closed), "loop");
   const std::string meaning = with_shortcut(
       view,
-      "How many faces the stroke had removed. A tick is the moment at which a removal closed a loop of "
-      "removed "
-      "faces, which is when Kerf searches. The picture shows the loops while it shows the component graph.",
+      "Removed faces. A tick marks a removal that closed a loop of removed faces, when Kerf searches. The "
+      "viewport shows the loops with the component graph.",
       action_name(view_switch(SwitchId::kGraph)));
   if (whole_slider({"Removals", "##removals", meaning.c_str()}, removals, 0,
                    static_cast<int>(graph.removed()), shown))
@@ -110,22 +107,22 @@ void removals_row(GraphState& graph, const ViewState& view) {
 }
 
 std::string verdict(const GraphState& graph) {
-  if (graph.marked() < graph.reached()) return "The search goes on.";
-  if (graph.shows_piece()) return "The search reached every face that hangs together with the first.";
+  if (graph.marked() < graph.reached()) return "Searching...";
+  if (graph.shows_piece()) return "The search reached every face connected to the first.";
   if (graph.removed() == 0) return "Nothing is cut yet.";
   const size_t rest = graph.total() - graph.reached();
-  if (!graph.separated()) return "Not separated: the search reached every face that hung together before.";
+  if (!graph.separated()) return "Not separated: the search reached every face that was connected before.";
   const size_t others = graph.sets() - 1;
   return "Separated: the search did not reach " + count_text(rest, "face") + " in " +
          count_text(others, "other part") + ".";
 }
 
-// What Kerf does in place of the search.
+// Describes the search by Kerf, which differs from this one.
 std::string loops_text(const GraphState& graph) {
   const std::vector<size_t>& closings = graph.closings();
   const std::string of = " of " + grouped(graph.removed()) + " removals";
   if (closings.empty()) return "Kerf itself did not search: none" + of + " closed a loop.";
-  return "Kerf itself searches where the removed faces close a loop: " + grouped(closings.size()) + of +
+  return "Kerf only searches when removed faces close a loop: " + grouped(closings.size()) + of +
          " closed one, the first with removal " + grouped(closings.front()) + ".";
 }
 
@@ -134,17 +131,17 @@ void draw_verdict(const GraphState& graph) {
   ImGui::TextWrapped("%s", verdict(graph).c_str());
   mark_last_item("graph verdict");
   if (graph.removed() > 0) secondary_text(loops_text(graph));
-  if (!graph.complete()) secondary_text("Some faces that the stroke removed are not kept any more.");
+  if (!graph.complete()) secondary_text("Some faces that the stroke removed are no longer stored.");
 }
 
-// What a node is, for the pointer that rests on it.
+// Describes the node under the pointer.
 void explain(const GraphState& graph, const Document& document, uint32_t node) {
   const DrawnGraph::Node& n = graph.drawn()->nodes[node];
   if (!document.world().contains(n.face.body)) return;
   const std::string piece = document.world().body(n.face.body).name_of(n.face.piece);
   std::string text = n.faces == 1 ? "Face " + std::to_string(n.face.face.index) : grouped(n.faces) + " faces";
   text += (n.removed ? ", removed from " : " of ") + piece;
-  if (n.faces > 1) text += ". A click divides the cluster.";
+  if (n.faces > 1) text += " - click to expand";
   ImGui::SetTooltip("%s", text.c_str());
 }
 
@@ -162,8 +159,8 @@ void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> chosen)
   int view = pieces_shown_ ? 3 : graph.shows_piece() ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
   if (marked_choice_row(
           "Nodes", "##nodes", view, kNodes, "graph nodes",
-          "The faces around the last stroke, all faces of the bodies that it cut, those of one piece, or the "
-          "pieces and what they came off. More than 2,000 faces are drawn as clusters."))
+          "Faces around the last stroke, of the cut bodies or of one piece, or the tree of pieces. More than "
+          "2,000 faces are drawn as clusters."))
     show_nodes(graph, view, chosen);
   if (graph.shows_piece()) graph.show_piece(chosen);
 }
@@ -220,10 +217,10 @@ bool GraphPanel::fit_under_pointer() {
   return true;
 }
 
-// What stands where the graph would.
+// Draws the reason for the missing graph.
 static void draw_absence(GraphState& graph) {
   if (!graph.is_left_out())
-    return secondary_text(graph.shows_piece() ? "Choose a piece: its graph is drawn here."
+    return secondary_text(graph.shows_piece() ? "Select a piece to draw its graph here."
                                               : "There are no faces.");
   secondary_text("The graph of " + grouped(graph.left_out()) + " faces takes a moment after each stroke.");
   if (ImGui::Button("Draw it")) graph.ask_for_it();
@@ -233,12 +230,11 @@ static void draw_absence(GraphState& graph) {
 void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
   if (ImGui::Button("Fit")) canvas_.fit();
   mark_last_item("graph fit");
-  tooltip(
-      "Shows all of the graph (F while the pointer is over it). The wheel zooms, a drag moves the graph.");
+  tooltip("Shows the whole graph (F while the pointer is over it). Scroll to zoom, drag to pan.");
   ImGui::SameLine();
   if (ImGui::Button("Near the cut")) canvas_.come_near();
   mark_last_item("graph near");
-  tooltip("Shows the faces around the ringed one, beside the cut, so large that they can be told apart.");
+  tooltip("Shows the faces around the ringed one, next to the cut, large enough to tell them apart.");
   if (graph.any_open()) {
     ImGui::SameLine();
     if (ImGui::Button("Close clusters")) graph.close_all();
@@ -288,8 +284,8 @@ void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& vi
 
 namespace {
 
-// Reads the graph that was asked for, beside the frames, and hands it to `graph`, which must outlive it; if
-// it is stopped, the graph stays left out. The document is not changed. Precondition: graph.is_asked_for().
+// Reads the requested graph in the background and passes it to `graph`, which must outlive it; if stopped,
+// the graph stays left out. Does not change the document. Precondition: graph.is_asked_for().
 LongChange graph_reading(GraphState& graph) {
   KERF_ASSERT(graph.is_asked_for());
   graph.no_longer_ask();

@@ -35,7 +35,7 @@ GraphState::Key GraphState::key_of(const Document& document) const {
           true};
 }
 
-// Those of the piece, of the bodies that the last stroke cut, or of all if none is.
+// Counts the faces of the piece, of the bodies that the last stroke cut, or of all bodies if there is none.
 size_t GraphState::faces_to_read(const Document& document) const {
   const World& world = document.world();
   if (shows_piece())
@@ -60,7 +60,7 @@ void GraphState::show_cut() {
   piece_.reset();
 }
 
-// Commands that only let time pass leave the graph as it is.
+// Skips commands that only let time pass, which leave the graph unchanged.
 void GraphState::pass_over_time(const Document& document) {
   const std::vector<Command>& journal = document.journal();
   if (key_.commands >= journal.size()) return;

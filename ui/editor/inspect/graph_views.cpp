@@ -41,8 +41,8 @@ ImU32 opaque(uint32_t hex, int opacity = 255) {
   return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, opacity);
 }
 
-// The length in a layout that a quarter of the links do not exceed; 0 without links. Those of a large cluster
-// are many and long.
+// Returns the length in a layout that a quarter of the links do not exceed; 0 without links. The links of a
+// large cluster are many and long.
 double usual_link(const DrawnGraph& graph, const GraphLayout& places) {
   std::vector<double> lengths;
   lengths.reserve(graph.edges.size());
@@ -53,7 +53,7 @@ double usual_link(const DrawnGraph& graph, const GraphLayout& places) {
   return *quarter;
 }
 
-// How many metres the unit of a layout stands for on average along the links; 0 where that cannot be told.
+// Returns the average length [m] of the unit of a layout along the links; 0 if unknown.
 double metres_per_unit_of(const DrawnGraph& graph, const GraphLayout& places) {
   double in_space = 0, in_plane = 0;
   for (const auto& [a, b] : graph.edges) {
@@ -65,7 +65,7 @@ double metres_per_unit_of(const DrawnGraph& graph, const GraphLayout& places) {
   return in_plane > 0 ? in_space / in_plane : 0;
 }
 
-// The largest of 1, 2 and 5 times a power of ten that does not exceed a length. Precondition: it is positive.
+// Returns the largest of 1, 2 and 5 times a power of ten that does not exceed a length > 0.
 double round_length(double most) {
   const double power = std::pow(10, std::floor(std::log10(most)));
   for (const double times : {5.0, 2.0}) {
@@ -79,12 +79,12 @@ Vec2 vec(const ImVec2& p) { return {p.x, p.y}; }
 
 }  // namespace
 
-// That of a cluster grows slowly with its faces.
+// The radius of a cluster grows slowly with its faces.
 double GraphCanvas::radius_of(const DrawnGraph::Node& node) const {
   return node.faces == 1 ? radius_ : radius_ * std::min(2.2, 1.2 + 0.1 * std::sqrt(node.faces));
 }
 
-// Frames what is wished for.
+// Frames the requested part.
 void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
   if (wish_ == Wish::kNone || drawn.places.empty()) return;
   Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
@@ -106,8 +106,8 @@ void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
   wish_ = Wish::kNone;
 }
 
-// The child window of the canvas scrolls by a pixel that nobody sees, so that the wheel does not scroll the
-// column of panels.
+// The child window of the canvas scrolls by an invisible pixel, so that the wheel does not scroll the
+// sidebar.
 void GraphCanvas::listen() {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
@@ -123,7 +123,7 @@ void GraphCanvas::listen() {
   }
 }
 
-// Links that are longer than usual are fainter, so that those of a large cluster leave the others to be seen.
+// Links longer than usual are fainter, so that those of a large cluster do not cover the others.
 void GraphCanvas::draw_links(const DrawnGraph& graph, const GraphLayout& places, double link) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const auto& edge : graph.edges) {
@@ -142,7 +142,7 @@ std::optional<uint32_t> GraphCanvas::draw_nodes(const DrawnGraph& graph, const G
   const Vec2 pointer = vec(ImGui::GetIO().MousePos);
   std::optional<uint32_t> over;
   double nearest = std::numeric_limits<double>::infinity();
-  // What stays lies over what was removed.
+  // Remaining nodes are drawn over removed ones.
   std::vector<uint32_t> order(graph.nodes.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_partition(order.begin(), order.end(), [&](uint32_t i) { return graph.nodes[i].removed; });
@@ -170,7 +170,7 @@ void GraphCanvas::draw_ring(const DrawnGraph& graph, const GraphLayout& places, 
                                         2);
 }
 
-// At the lower left.
+// Draws the bar at the lower left.
 void GraphCanvas::draw_scale(const DrawnGraph& graph, const GraphLayout& places, FileUnit unit) const {
   const double metres = metres_per_unit_of(graph, places);
   if (!(metres > 0)) return;
@@ -235,7 +235,7 @@ namespace {
 
 constexpr size_t kMaxRows = 500, kRowsInSight = 14;
 
-// Depth-first, and the pieces of one parent by step.
+// Sorts depth-first, and the pieces of one parent by step.
 class TreeOrder {
  public:
   explicit TreeOrder(const std::vector<PieceNode>& origins) {
@@ -253,7 +253,7 @@ class TreeOrder {
   std::vector<PieceTreeRow> take() { return std::move(rows_); }
 
  private:
-  // A piece of which nothing is left has no row.
+  // A piece without faces has no row.
   bool has_parent(const PieceNode& o) const { return o.came_off && known_.contains(*o.came_off); }
   void add(const PieceNode& origin, int depth) {
     rows_.push_back({origin, depth});
@@ -281,11 +281,11 @@ std::string origin_words(const PieceNode& node, const Document& document, FileUn
   const Body& body = document.world().body(node.piece.body);
   if (is_loaded_part(body, node.piece.label)) return "is a part that no cut separated";
   if (!node.came_off)
-    return node.piece.label == 0 ? "is what is left of its body" : "came off in a step that is not known";
+    return node.piece.label == 0 ? "is the rest of its body" : "came off in an unknown step";
   const PieceId from = *node.came_off;
   const std::string name = document.world().contains(from.body)
                                ? document.world().body(from.body).name_of(from.label)
-                               : "a piece that is deleted";
+                               : "a deleted piece";
   const std::string did = step_words(document.history(), node.step, unit);
   return "came off " + name + " in step " + std::to_string(node.step + 1) + " (" + did + ")";
 }
@@ -297,12 +297,12 @@ std::string holder_words(const PieceNode& node) {
       return node.beside > 0 ? "Nothing holds it: it stays until it is moved or time passes."
                              : "Nothing holds it: it is a body of its own.";
     case Holder::kItself:
-      return "It hangs together as one part.";
+      return "The mesh is connected.";
     case Holder::kBody:
-      return "Its " + parts + " never hung together; they move as one because they are one body.";
+      return "Its " + parts + " were never connected; they move together because they are one body.";
     case Holder::kPin:
       return node.parts > 1 ? "Its " + parts + " are one body, which is pinned."
-                            : "Its body is pinned: it stays whatever acts on it.";
+                            : "Its body is pinned: it does not move.";
   }
   return "";
 }
@@ -339,7 +339,7 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   ImGui::TextUnformatted(grouped(body.pieces[id.label].faces).c_str());
 }
 
-// What is to be known of the chosen piece.
+// Describes the selected piece.
 void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document, const ViewState& view) {
   const std::optional<PieceId> chosen = first_chosen(view.look.pieces);
   const auto row =

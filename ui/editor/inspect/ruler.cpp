@@ -50,7 +50,7 @@ std::optional<RulerMark> mark_of(const nlohmann::json& json) {
   return RulerMark{name.get<std::string>(), *from, *to};
 }
 
-// In quotes, in which a quote is written twice.
+// Returns the text in quotes, with inner quotes doubled.
 std::string quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -158,7 +158,7 @@ class RulerFeature : public Feature {
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   bool clear_selection() override { return std::exchange(first_, std::nullopt).has_value(); }
   const char* status_hint() const override {
-    return in_hand() ? "Ruler: two clicks keep a distance; its ends are dragged" : nullptr;
+    return in_hand() ? "Ruler: click two points to add a measurement; drag its ends" : nullptr;
   }
 
   void on_document_opened() override {
@@ -189,7 +189,7 @@ class RulerFeature : public Feature {
       feature_.list_.move(end_.mark, end_.to, *surface);
       feature_.keep();
     }
-    const char* words() const override { return "Ruler: the end follows the pointer over the surface"; }
+    const char* words() const override { return "Ruler: drag the end over the surface"; }
 
    private:
     RulerFeature& feature_;
@@ -212,7 +212,7 @@ class RulerFeature : public Feature {
 
   Workspace& workspace_;
   RulerList list_;
-  std::optional<Vec3> first_;      // m, the end that was clicked, of a distance that waits for the other
+  std::optional<Vec3> first_;      // m, the clicked end of a distance that lacks the other
   std::optional<size_t> renamed_;  // the mark whose name is being edited
   bool take_focus_ = false;        // the field of the name is new
   bool field_drawn_ = false;       // in this frame
@@ -223,11 +223,10 @@ class RulerFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 std::vector<ActionGroup> RulerFeature::actions() {
-  const UserAction take =
-      tool_action(workspace_, kRuler, "",
-                  "Two clicks on surfaces keep the distance between them, which is named, moved, "
-                  "saved and exported.",
-                  true);
+  const UserAction take = tool_action(workspace_, kRuler, "",
+                                      "Click two points to add a measurement, which can be named, moved, "
+                                      "saved and exported.",
+                                      true);
   const auto action = [](const char* name, const char* tip, std::function<void()> run,
                          std::function<const char*()> disabled_reason) {
     return UserAction{.name = name,
@@ -269,13 +268,13 @@ std::unique_ptr<Interaction> RulerFeature::begin_interaction(const Press& press)
   return std::make_unique<ClickOnce>([this] { measure(); });
 }
 
-// Measures from the last click or to the next one.
+// Measures from the last click, or begins a distance.
 void RulerFeature::measure() {
   const auto surface = point_under_pointer(workspace_);
-  if (!surface) return workspace_.message.say("There is no surface under the pointer.", true);
+  if (!surface) return workspace_.message.say("No surface under the pointer.", true);
   if (!first_) {
     first_ = *surface;
-    return workspace_.message.say("Click a second point to keep its distance from this one.");
+    return workspace_.message.say("Click a second point to add the measurement.");
   }
   list_.begin_edit();
   list_.add(*std::exchange(first_, std::nullopt), *surface);
@@ -294,11 +293,11 @@ void RulerFeature::step(bool back) {
   keep();
 }
 
-// The panel
+// Panel
 // --------------------------------------------------------------------------------------------------------
 
 void RulerFeature::draw_panel() {
-  if (list_.marks().empty()) ImGui::TextWrapped("Take the tool Ruler and click two points on surfaces.");
+  if (list_.marks().empty()) ImGui::TextWrapped("Select the tool Ruler and click two points on surfaces.");
   if (!list_.marks().empty() && ImGui::BeginTable("distances", 3, ImGuiTableFlags_RowBg)) {
     const float em = ImGui::GetFontSize();
     ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
@@ -308,10 +307,10 @@ void RulerFeature::draw_panel() {
     ImGui::EndTable();
   }
   if (row_button("Undo", 3, list_.can_undo() ? nullptr : "No distance was edited yet.",
-                 "Takes the last edit of a distance back."))
+                 "Reverts the last edit of a distance."))
     step(true);
   ImGui::SameLine();
-  if (row_button("Redo", 3, list_.can_redo() ? nullptr : "No edit was undone.", "Edits it again."))
+  if (row_button("Redo", 3, list_.can_redo() ? nullptr : "No edit was undone.", "Repeats the undone edit."))
     step(false);
   ImGui::SameLine();
   if (row_button("Export", 3, list_.marks().empty() ? "No distance is kept." : nullptr,
@@ -346,7 +345,7 @@ void RulerFeature::draw_row(size_t mark) {
   keep();
 }
 
-// Enter takes the name; whatever else ends the edit leaves it as it was.
+// Enter applies the name; any other end of the edit discards it.
 void RulerFeature::edit_name(size_t mark) {
   field_drawn_ = true;
   if (take_focus_) ImGui::SetKeyboardFocusHere();
@@ -371,7 +370,7 @@ void RulerFeature::choose_file_to_export() {
   browse(workspace_.browser,
          {.title = "Export the distances",
           .verb = "Export",
-          .hint = "Name; the ending is .csv",
+          .hint = "File name (.csv)",
           .endings = {".csv"},
           .take = [this](const std::filesystem::path& file) { return export_to(file); },
           .inputs = [this] { return inputs_of(workspace_.work); }},
@@ -385,7 +384,7 @@ std::string RulerFeature::export_to(const std::filesystem::path& file) {
   return "";
 }
 
-// The picture
+// Viewport
 // --------------------------------------------------------------------------------------------------------
 
 void RulerFeature::draw_overlay(ImDrawList& list) {

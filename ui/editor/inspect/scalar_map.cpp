@@ -49,7 +49,7 @@ void fill(FaceScalars& values, const Mesh& mesh, const Value& value) {
   });
 }
 
-// The bases of a body that was copied out of the loaded one; without a loaded one none, so that no side was
+// Returns the bases of a body copied from the loaded one; without a loaded one none, so that no side was
 // open.
 BaseFaces bases_of(const Body& body, const LoadedShading* loaded) {
   if (loaded == nullptr) return {};
@@ -231,7 +231,7 @@ void ScalarMap::update(const World& world, const LoadedShadings& loaded) {
   take_histogram();
 }
 
-// Equal values stay the same list, so that they are not sent again.
+// Equal values keep the same list, so that they are not sent again.
 void ScalarMap::renew(BodyId id, const Body& body, const LoadedShadings& loaded) {
   if (body.hidden) {
     values_.erase(id);

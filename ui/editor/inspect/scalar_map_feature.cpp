@@ -55,7 +55,7 @@ void draw_columns(const Frame& frame, const ScalarRange& range, float height, Im
   }
 }
 
-// The colours along the axis, from the first to the last between the handles.
+// Draws the colours along the axis, from the first to the last between the handles.
 void draw_strip(const Frame& frame, const ScalarRange& range, float top, ImDrawList& list) {
   const float bottom = frame.at.y + frame.size.y;
   for (float x = frame.at.x; x < frame.at.x + frame.size.x; x += 2) {
@@ -73,7 +73,7 @@ void draw_handle(float x, const Frame& frame, bool held, ImDrawList& list) {
                          colour);
 }
 
-// Takes the handle that is nearer to the press, and keeps to it as long as the button is held.
+// Drags the handle nearer to the press, as long as the button is held.
 bool drag(const Frame& frame, ScalarRange& range) {
   if (!ImGui::IsItemActive()) return false;
   ImGuiStorage& storage = *ImGui::GetStateStorage();
@@ -116,8 +116,7 @@ bool draw_histogram(const Histogram& histogram, ScalarRange& range) {
     mark_area(name, {{x - grip, corner.y}, {2 * grip, whole.y}});
   }
   tooltip(
-      "How many faces have which value (columns by the square root of their number). Drag a handle to where "
-      "the colours are to begin or to end.");
+      "Number of faces by value (square-root columns). Drag a handle to set where the colours begin or end.");
   return changed;
 }
 
@@ -125,8 +124,8 @@ namespace {
 
 constexpr const char* kScalarPanel = "Scalar map";
 constexpr double kRestShare = 10;    // computing takes a tenth of the time at most
-constexpr double kOutermost = 0.01;  // of the faces at each end, which "Fit most" leaves out
-constexpr const char* kTip = "Colours every face by a quantity, with a legend in the picture.";
+constexpr double kOutermost = 0.01;  // of the faces at each end, which the narrower fit leaves out
+constexpr const char* kTip = "Colours every face by a quantity, with a legend in the viewport.";
 
 class ScalarMapFeature : public Feature {
  public:
@@ -158,7 +157,7 @@ class ScalarMapFeature : public Feature {
   Workspace& workspace_;
   ScalarMap map_;
   NumberFields fields_;
-  FileUnit unit_ = FileUnit::kMetre;  // of the labels that the picture has
+  FileUnit unit_ = FileUnit::kMetre;  // of the labels in the viewport
   double next_ = 0;                   // s of the clock, before which no values are computed
 };
 
@@ -178,7 +177,7 @@ std::vector<ActionGroup> ScalarMapFeature::actions() {
   return {{1403, "View", std::move(actions)}};
 }
 
-// The other ways to colour faces end.
+// Switches off the other colourings of faces.
 void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
   ShowOptions& others = workspace_.view.look.show;
   if (quantity) others.pieces = others.sizes = others.heat = false;
@@ -187,7 +186,7 @@ void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
   if (!quantity) hand_over();
 }
 
-// Ends where another way to colour faces is switched on.
+// Ends when another colouring of faces is switched on.
 void ScalarMapFeature::after_queue(double) {
   if (!map_.shown()) return;
   const ShowOptions& others = workspace_.view.look.show;
@@ -250,15 +249,14 @@ void ScalarMapFeature::draw_range() {
   ScalarRange range = map_.range();
   bool changed = draw_histogram(map_.histogram(), range);
   if (begin_properties("range")) {
-    changed = draw_end("From", range.low, "What has the first colour, and all below it.") || changed;
-    changed = draw_end("To", range.high, "What has the last colour, and all above it.") || changed;
-    figure_row("Faces", grouped(map_.histogram().faces), "Those that have a value.");
+    changed = draw_end("From", range.low, "Value of the first colour; lower values share it.") || changed;
+    changed = draw_end("To", range.high, "Value of the last colour; higher values share it.") || changed;
+    figure_row("Faces", grouped(map_.histogram().faces), "Faces with a value.");
     end_properties();
   }
   if (changed && range.low < range.high) map_.set_range(range), hand_over();
   for (const auto& [name, share, tip] :
-       {std::tuple("Fit", 0.0,
-                   "Lets the colours reach from the least value to the largest, also after cuts."),
+       {std::tuple("Fit", 0.0, "Fits the colours to the minimum and maximum, also after cuts."),
         std::tuple("Fit most", kOutermost, "The same without the hundredth of the faces at either end.")}) {
     if (share > 0) ImGui::SameLine();
     if (ImGui::Button(name)) map_.fit(share), hand_over();

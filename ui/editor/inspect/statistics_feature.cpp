@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kManyFaces = 100'000;  // among which what the program itself takes is no matter
+constexpr size_t kManyFaces = 100'000;  // from which on the memory of the program itself is negligible
 constexpr float kPlotHeight = 1.7f, kNumberWidth = 5.2f;  // sizes of the text
 
 struct ChartRow {
@@ -23,13 +23,13 @@ struct ChartRow {
 };
 
 constexpr std::array kStages{
-    ChartRow{StepChart::kFind, "Find", "Asking the tree for the faces under the beam."},
+    ChartRow{StepChart::kFind, "Find", "Querying the tree for the faces under the beam."},
     ChartRow{StepChart::kRefine, "Refine", "Splitting them until they are fine enough."},
-    ChartRow{StepChart::kRemove, "Remove", "Taking them out of the mesh."},
-    ChartRow{StepChart::kTree, "Tree", "Following with the tree."},
-    ChartRow{StepChart::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
+    ChartRow{StepChart::kRemove, "Remove", "Removing them from the mesh."},
+    ChartRow{StepChart::kTree, "Tree", "Updating the tree."},
+    ChartRow{StepChart::kSeparate, "Separate", "Finding separated parts, and reporting changes."}};
 
-// The line of a row up to `top`, and its last number beside it.
+// Draws the line of a row up to `top`, with its last number next to it.
 void plot_row(const StepChart& chart, const ChartRow& row, float top, const std::string& last) {
   property(row.name);
   const float em = ImGui::GetFontSize();
@@ -76,27 +76,25 @@ void memory_row(const char* name, size_t bytes, size_t faces, const char* meanin
 
 void memory_rows(const MemoryStatistics& memory, size_t faces) {
   memory_row("Process", memory.process, faces, "All that the program holds, drivers included.");
-  memory_row(
-      "Meshes", memory.meshes, faces,
-      "Faces, edges and corners of all bodies, of the right half, and of the scene as it was loaded where "
-      "that is kept for a recut.");
+  memory_row("Meshes", memory.meshes, faces,
+             "Faces, edges and corners of all bodies, of the right half, and of the loaded scene if kept for "
+             "a recut.");
   memory_row("Trees", memory.trees, faces, "The trees of these.");
   memory_row("Shading", memory.pictures.shading, faces,
              "Smooth normals of the faces as they were loaded, from which parts of them are shaded.");
   memory_row("Shadows", memory.pictures.shadows, faces,
-             "What casts shadows, and the volumes that it keeps from each light.");
+             "Shadow casters, and their shadow volumes for each light.");
   memory_row(
       "Graphics", memory.pictures.graphics, faces,
-      "Buffers of faces and volumes for the graphics card, and the lists of what is in them. A card with "
-      "memory of its own holds the buffers there, beside the process.");
-  memory_row("History", memory.history, faces, "What steps changed, so that they can be taken back.");
-  memory_row(
-      "Other", memory.other(), faces,
-      "What is left of the process: the program itself, drivers and pictures. A software renderer keeps a "
-      "copy of all that it draws here.");
+      "Buffers and lists of faces and volumes for the graphics card. One with its own memory holds the "
+      "buffers there, outside the process.");
+  memory_row("History", memory.history, faces, "Changes made by steps, for undo.");
+  memory_row("Other", memory.other(), faces,
+             "The rest of the process: the program, drivers and images. A software renderer keeps a copy of "
+             "everything drawn here.");
 }
 
-// What the last steps took and changed, and where memory goes.
+// Draws times and changes of the last steps, and memory usage.
 void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown) {
   if (!begin_properties("##statistics")) return;
   stage_rows(chart);

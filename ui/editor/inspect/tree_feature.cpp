@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kAllLevels = 64;
 
-// What a row says: what it means, or why it can do nothing.
+// Returns the tooltip of a row, or the reason why it has no effect.
 std::string explanation(const ViewState& view, const char* meaning) {
   if (view.look.show.aabb) return meaning;
   return with_shortcut(view, "The boxes are not shown: switch them on above.",
@@ -71,21 +71,19 @@ void palette_row(ViewState& view, Settings& settings) {
     view.picture_old = true;
 }
 
-// A stroke asks the tree once or a few times for each move of the beam.
+// A stroke queries the tree once or a few times for each move of the beam.
 void query_rows(const ShownStatistics& shown) {
-  std::string per_query = "nothing is cut", per_stroke = per_query;
+  std::string per_query = "-", per_stroke = per_query;
   if (shown.stroke) {
     const size_t queries = shown.stroke->statistics.queries, tested = shown.stroke->statistics.tested.faces;
     per_query = grouped(tested / std::max<size_t>(1, queries)) + " of " + count_text(shown.faces, "face");
     per_stroke = grouped(tested) + " in " + grouped(queries) + (queries == 1 ? " query" : " queries");
   }
-  figure_row(
-      "Per query", per_query,
-      "Faces that a query of the last stroke tested one by one, on average, and all that there are: the "
-      "tree spares the rest.");
-  figure_row(
-      "Per stroke", per_stroke,
-      "Faces that all queries of the last stroke tested. A face near the beam is tested by many of them.");
+  figure_row("Per query", per_query,
+             "Average faces tested one by one by a query of the last stroke, of all faces; the tree skips "
+             "the rest.");
+  figure_row("Per stroke", per_stroke,
+             "Faces tested by all queries of the last stroke. Faces near the beam are tested repeatedly.");
 }
 
 void figure_rows(const ShownStatistics& shown) {
@@ -95,7 +93,7 @@ void figure_rows(const ShownStatistics& shown) {
   query_rows(shown);
 }
 
-// Which boxes of the trees are drawn, and how large the trees are.
+// Draws the settings of the displayed boxes, and the sizes of the trees.
 void draw_tree_panel(ViewState& view, const World& world, Settings& settings, const ShownStatistics& shown) {
   if (!begin_properties("tree")) return;
   property("Boxes");

@@ -95,7 +95,7 @@ std::optional<int> score_of_word(std::string_view word, std::string_view text) {
   std::vector<int> ends(text.size(), kNone);
   for (size_t letter = 0; letter < word.size(); ++letter) {
     std::vector<int> next(text.size(), kNone);
-    int best_before = letter == 0 ? 0 : kNone;  // of the letters before, anywhere left of i
+    int best_before = letter == 0 ? 0 : kNone;  // best score of the previous letters, anywhere left of i
     for (size_t i = 0; i < text.size(); ++i) {
       if (lower(text[i]) == lower(word[letter])) {
         const int row = letter > 0 && i > 0 ? ends[i - 1] + kInARow : kNone;
@@ -130,13 +130,13 @@ namespace {
 constexpr const char* kTitle = "##palette";
 constexpr float kWidthEms = 42, kMaxRowsShown = 12;
 constexpr int kPage = 10;
-constexpr int kOfName = 4;  // times as much as a match that needs the name of the menu
+constexpr int kOfName = 4;  // weight of the name relative to a match that needs the menu
 
 void draw_text_at(ImVec2 at, ImU32 colour, const std::string& text) {
   ImGui::GetWindowDrawList()->AddText(at, colour, text.c_str());
 }
 
-// The text or as much of it as fits in a width.
+// Returns the text, or as much of it as fits in a width.
 std::string fitting(std::string text, float width) {
   if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
   while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > width) {
@@ -146,7 +146,7 @@ std::string fitting(std::string text, float width) {
   return text + "...";
 }
 
-// Its key at the right, and left of it that a switch is on. Returns the width that they take.
+// Draws the key at the right, and left of it the check mark of a switch. Returns the width that they take.
 float draw_key_and_state(const UserAction& action, ImVec2 right) {
   const float em = ImGui::GetFontSize();
   float width = 0;
@@ -161,7 +161,7 @@ float draw_key_and_state(const UserAction& action, ImVec2 right) {
   return width;
 }
 
-// Name, menu or the reason why it cannot be done, state and key. Returns whether it was clicked.
+// Draws name, menu or disabled reason, state and key. Returns true if it was clicked.
 bool draw_row(const UserAction& action, size_t place, bool at_cursor) {
   const char* disabled_reason = action.objection();
   const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
@@ -181,7 +181,7 @@ bool draw_row(const UserAction& action, size_t place, bool at_cursor) {
   return clicked;
 }
 
-// A field that gets the focus selects its text, and the next letter would replace it.
+// Deselects the text, which a field selects when it gets the focus: the next letter would replace it.
 int select_nothing(ImGuiInputTextCallbackData* data) {
   if (static_cast<const CommandPalette*>(data->UserData)->begins)
     data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
@@ -191,9 +191,9 @@ int select_nothing(ImGuiInputTextCallbackData* data) {
 void draw_field(CommandPalette& palette) {
   if (palette.begins || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##typed", "What do you want to do? Type parts of its name",
-                               palette.typed.data(), palette.typed.size(), ImGuiInputTextFlags_CallbackAlways,
-                               select_nothing, &palette)) {
+  if (ImGui::InputTextWithHint("##typed", "Search actions by parts of their names", palette.typed.data(),
+                               palette.typed.size(), ImGuiInputTextFlags_CallbackAlways, select_nothing,
+                               &palette)) {
     palette.cursor = 0;
     palette.is_chosen = palette.typed.front() != '\0';
     palette.show_cursor = true;
@@ -208,14 +208,14 @@ void move_cursor(CommandPalette& palette, int steps, size_t count) {
   if (steps != 0) palette.show_cursor = palette.is_chosen = true;
 }
 
-// The list of matches. Returns the place of the row that was clicked.
+// Draws the list of matches. Returns the place of the row that was clicked.
 std::optional<size_t> draw_matches(CommandPalette& palette, std::span<const UserAction> actions,
                                    const std::vector<size_t>& found) {
   std::optional<size_t> clicked;
   const float row = ImGui::GetTextLineHeightWithSpacing();
   const float rows = std::clamp(static_cast<float>(found.size()), 1.0f, kMaxRowsShown);
   if (ImGui::BeginChild("matches", {0, rows * row})) {
-    if (found.empty()) ImGui::TextDisabled("No action has such a name");
+    if (found.empty()) ImGui::TextDisabled("No matching actions");
     for (size_t place = 0; place < found.size(); ++place) {
       const bool at_cursor = palette.is_chosen && place == palette.cursor;
       if (draw_row(actions[found[place]], place, at_cursor)) clicked = place;
@@ -238,7 +238,7 @@ void draw_explanation(std::span<const UserAction> actions, const std::vector<siz
     ImGui::TextDisabled("%s", disabled_reason != nullptr ? disabled_reason : action.tip.c_str());
   }
   ImGui::PopTextWrapPos();
-  // The window keeps its height from one explanation to the next.
+  // Keeps the height of the window independent of the explanation.
   ImGui::SetCursorPos({at.x, at.y + 2 * ImGui::GetTextLineHeightWithSpacing()});
 }
 
@@ -247,7 +247,7 @@ void close(CommandPalette& palette) {
   ImGui::CloseCurrentPopup();
 }
 
-// The action to run, once the palette is closed: what it does may open another window.
+// Returns the action to run after the palette is closed, because it may open another window.
 const UserAction* draw_window(CommandPalette& palette, std::span<const UserAction> actions) {
   draw_field(palette);
   const std::vector<size_t> found = find_actions(actions, palette.typed.data());
@@ -260,13 +260,13 @@ const UserAction* draw_window(CommandPalette& palette, std::span<const UserActio
     return nullptr;
   }
   if (keys.enter && palette.is_chosen) chosen = palette.cursor;
-  if (keys.enter && !palette.is_chosen) palette.begins = true;  // the field has lost the focus
+  if (keys.enter && !palette.is_chosen) palette.begins = true;  // the field lost the focus
   if (!chosen || *chosen >= found.size()) return nullptr;
   palette.cursor = *chosen;
   palette.is_chosen = true;
   const UserAction& action = actions[found[*chosen]];
   if (action.objection() != nullptr) {
-    palette.begins = true;  // Enter has ended the typing
+    palette.begins = true;  // Enter ended the typing
     return nullptr;
   }
   close(palette);
@@ -348,7 +348,7 @@ void draw_palette(CommandPalette& palette, std::span<const UserAction> actions, 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6f * em, 0.6f * em});
   const bool drawn = ImGui::BeginPopup(kTitle, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleVar();
-  palette.open = drawn;  // a click beside it closes it
+  palette.open = drawn;  // a click outside closes it
   if (!drawn) return;
   mark_window("palette");
   const std::vector<UserAction> nameable = nameable_actions(actions);

@@ -8,9 +8,9 @@ namespace kerf {
 namespace {
 
 const std::array<BindingPreset, 2> kPresets{{
-    {"Kerf", "The usual keys.", {}},
+    {"Kerf", "Default keys.", {}},
     {"Like Blender",
-     "Keys that Blender users know, where Kerf has the same action: Home frames all, A chooses all, X "
+     "Keys that Blender users know, where Kerf has the same action: Home frames all, A selects all, X "
      "deletes, "
      "Alt+H shows, N hides the panels, F3 finds actions, Shift+Z shows edges.",
      {{"Frame all", "Home"},

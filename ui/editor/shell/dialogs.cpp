@@ -50,9 +50,9 @@ void draw_said(const Message::Said& said) {
 }
 
 void draw_log(const std::deque<Message::Said>& log) {
-  if (log.empty()) return ImGui::TextDisabled("Nothing was said yet.");
+  if (log.empty()) return ImGui::TextDisabled("No messages");
   if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(as_text(log).c_str());
-  tooltip("Copies these sentences as text, the oldest first.");
+  tooltip("Copies the messages as text, oldest first.");
   if (!ImGui::BeginTable("log", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthFixed, kTimeEms * ImGui::GetFontSize());
   ImGui::TableSetupColumn("sentence", ImGuiTableColumnFlags_WidthStretch);
@@ -98,7 +98,7 @@ void put_row(const Row& row) {
   ImGui::TextWrapped("%s", row.meaning);
 }
 
-// The rows in so many columns, one below the other in each.
+// Draws the rows in columns, from top to bottom in each.
 void draw_rows(const std::vector<Row>& rows, size_t columns) {
   if (!ImGui::BeginTable("shortcuts", static_cast<int>(2 * columns))) return;
   for (size_t c = 0; c < columns; ++c) {
@@ -137,7 +137,7 @@ namespace {
 
 constexpr float kPageWidthEms = 40, kPageHeightEms = 36, kKeyEms = 9;
 
-// The actions that can have a key, with those that they have.
+// Returns the actions that can have a key, with their current keys.
 std::vector<UserAction> bindable(std::span<const UserAction> usual, const Bindings& bindings) {
   std::vector<UserAction> actions = bind_keys({usual.begin(), usual.end()}, bindings);
   std::erase_if(actions, [](const UserAction& action) { return action.items != nullptr; });
@@ -155,7 +155,7 @@ void take_clashing_key(SettingsPage& page, Settings& settings, std::span<const U
   stop_waiting(page);
 }
 
-// The key is for the action that the page waits for.
+// Binds the key to the action that the page waits for.
 void bind_pressed(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
                   int mods) {
   constexpr int kCounted = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT;
@@ -180,8 +180,8 @@ void speed_row(const char* name, double& speed, const char* meaning) {
 
 void draw_mouse(Settings& settings) {
   if (!begin_properties("mouse")) return;
-  speed_row("Orbit", settings.drag_speed, "How far the view turns for a drag of the mouse.");
-  speed_row("Zoom", settings.wheel_speed, "How far a notch of the wheel comes closer.");
+  speed_row("Orbit", settings.drag_speed, "Rotation of the view per drag of the mouse.");
+  speed_row("Zoom", settings.wheel_speed, "Zoom per notch of the wheel.");
   property("Keys");
   for (const BindingPreset& preset : binding_presets()) {
     if (&preset != binding_presets().data()) ImGui::SameLine();
@@ -199,31 +199,30 @@ void draw_machine(Settings& settings) {
   const int most =
       std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMaxThreads);
   whole_slider(
-      {"Threads", "##Threads",
-       "How many threads load, measure and save at the same time at most. Cutting always takes one."},
+      {"Threads", "##Threads", "Maximum threads for loading, measuring and saving. Cutting always uses one."},
       settings.threads, 0, most, settings.threads == 0 ? "all" : std::to_string(settings.threads));
   mark_last_item("Threads");
   end_properties();
 }
 
-// What the page waits for, or the clash that it asks about.
+// Draws the prompt for a key, or the clash to confirm.
 void draw_prompt(SettingsPage& page, Settings& settings, std::span<const UserAction> usual,
                  std::span<const UserAction> actions) {
   const UserAction* action = find_action(actions, page.waits_for);
   if (action == nullptr)
-    return ImGui::TextDisabled("Up and Down choose, Enter or a click rebinds, Del takes the key away.");
+    return ImGui::TextDisabled("Up/Down select - Enter or click rebinds - Del clears the shortcut");
   if (!page.clashes)
     return ImGui::TextUnformatted(
-        ("Press the key for \"" + action->name + "\"; Esc leaves it as it is.").c_str());
+        ("Press a new shortcut for \"" + action->name + "\"; Esc to cancel.").c_str());
   const UserAction* other = clash_of(actions, *action, *page.clashes);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(
-      (chord_text(*page.clashes) + " is the key of \"" + (other ? other->name : "") + "\".").c_str());
+      (chord_text(*page.clashes) + " is assigned to \"" + (other ? other->name : "") + "\".").c_str());
   ImGui::SameLine();
-  if (ImGui::Button("Take it (Enter)")) return take_clashing_key(page, settings, usual);
+  if (ImGui::Button("Reassign (Enter)")) return take_clashing_key(page, settings, usual);
   mark_last_item("take the key");
   ImGui::SameLine();
-  if (ImGui::Button("Leave it (Esc)")) stop_waiting(page);
+  if (ImGui::Button("Cancel (Esc)")) stop_waiting(page);
 }
 
 void draw_row(SettingsPage& page, const UserAction& action, size_t place) {
@@ -336,7 +335,7 @@ std::vector<UserAction> Dialogs::column_actions() {
       {.name = "Panels", .items = [this] { return panel_actions(catalogue_.panels, workspace_.panels); }});
   actions.push_back({.name = "Column of panels",
                      .shortcut = "F4",
-                     .tip = "Hides the column, so that the picture fills the window.",
+                     .tip = "Hides the sidebar, so that the viewport fills the window.",
                      .run = [&shown] { shown = !shown; },
                      .checked = [&shown] { return shown; }});
   return actions;

@@ -19,7 +19,7 @@ namespace kerf {
 
 namespace {
 constexpr std::chrono::seconds kSoon{1};
-constexpr std::chrono::milliseconds kUnseen{300};  // a bar that comes and goes only disturbs
+constexpr std::chrono::milliseconds kUnseen{300};  // a bar that appears only briefly is a distraction
 }  // namespace
 
 void BusyWindow::keep(const Vec2& pixels) {
@@ -66,14 +66,14 @@ std::vector<InputEvent> BusyWindow::take_heard() {
 
 namespace {
 
-constexpr uint32_t kFacesSent = 50'000;   // of a scene that is shown anew, at a time
-constexpr double kSendingSeconds = 0.06;  // of a frame, in which such faces are sent
-constexpr double kMissable = 0.05;        // s; for so long nobody misses a frame
-constexpr double kLongest = 1e6;          // s; a script waits for what works in the background
-constexpr double kCutSeconds = 0.020;  // of cutting in one frame, or as long as drawing takes if that is more
+constexpr uint32_t kFacesSent = 50'000;   // of a new scene, sent at a time
+constexpr double kSendingSeconds = 0.06;  // of a frame, for sending them
+constexpr double kMissable = 0.05;        // s; a missed frame this long is not noticed
+constexpr double kLongest = 1e6;          // s; a script waits for background work
+constexpr double kCutSeconds = 0.020;     // s of cutting per frame, or the time of drawing if that is more
 constexpr double kFigureSeconds = 0.25;
 
-// How the right half is looked at. What was chosen or hidden are pieces of the open document, not of its
+// Returns the look of the right half. Selected and hidden pieces are those of the open document, not of its
 // twin.
 ViewOptions look_of_second(const ViewOptions& first, double spread, const World& second) {
   ViewOptions look = first;
@@ -86,8 +86,8 @@ ViewOptions look_of_second(const ViewOptions& first, double spread, const World&
   return look;
 }
 
-// To the graphics card: what changed, or as much of a scene that is shown anew as there is time for. Where a
-// script leaves frames undrawn, changes are sent with the next one that is drawn.
+// Uploads the changes, or as much of a new scene as there is time for. If a script leaves frames undrawn,
+// changes are sent with the next drawn one.
 void send(Workspace& workspace) {
   if (!workspace.view.picture_old && !workspace.view.heat_old) return;
   Renderer& renderer = workspace.picture->first();
@@ -189,7 +189,7 @@ double EditorScreen::least_frame() const {
   return still && workspace_.opening.loader.busy() ? kProgress : 0;
 }
 
-// Hearing
+// Input
 // --------------------------------------------------------------------------------------------------------
 
 KeyboardHold EditorScreen::keyboard_hold() const {
@@ -213,7 +213,7 @@ void EditorScreen::hear(const Input& input) {
   if (input.close) workspace_.quit();
 }
 
-// Releases of keys and characters are the business of ImGui alone.
+// Releases of keys, and characters, are handled by ImGui alone.
 void EditorScreen::hear_event(const InputEvent& event) {
   switch (event.kind) {
     case InputEvent::Kind::kMove:
@@ -261,7 +261,7 @@ void EditorScreen::escape() {
   }
 }
 
-// Going on
+// Update
 // --------------------------------------------------------------------------------------------------------
 
 void EditorScreen::advance() {
@@ -303,7 +303,7 @@ void EditorScreen::lay_out_window() {
 void EditorScreen::save_settings() {
   Settings& now = workspace_.settings;
   now.antialias = workspace_.view.look.antialias;
-  if (options_.width == 0) {  // a size that was asked for this session alone is not kept
+  if (options_.width == 0) {  // a size set for this session alone is not kept
     now.width = static_cast<int>(window_.size().x);
     now.height = static_cast<int>(window_.size().y);
   }
@@ -313,7 +313,7 @@ void EditorScreen::save_settings() {
     workspace_.message.say(written.error().message, true);
 }
 
-// Drawing
+// Draw
 // --------------------------------------------------------------------------------------------------------
 
 void EditorScreen::draw() {
@@ -351,8 +351,7 @@ void EditorScreen::draw_panels() {
   if (draw_status_bar(layout.status, hint, workspace_.message, workspace_.statistics.shown))
     workspace_.messages_shown = true;
   if (picture_.first().is_sending() && !workspace_.opening.loader.busy())
-    draw_progress(layout.viewport, "Sending faces to the graphics card", picture_.first().sent_share(),
-                  false);
+    draw_progress(layout.viewport, "Uploading to GPU", picture_.first().sent_share(), false);
   for (const auto& feature : features_) feature->draw_windows();
 }
 
@@ -361,7 +360,7 @@ void EditorScreen::draw_picture() {
   const Layout& layout = view.layout;
   view.look.tree.palette = workspace_.settings.palette;
   view.look.by_day = workspace_.settings.theme == Theme::kLight;
-  std::optional<BeamPicture> beam;  // its glare would hide what a stage did
+  std::optional<BeamPicture> beam;  // its glare would hide the effect of a stage
   if (!view.look.stage && !workspace_.stroke_waits())
     beam = workspace_.beam.picture(workspace_.work.document);
   const Shot first{workspace_.shown_world(), view.seen_first(), view.look, beam, layout.first};
@@ -381,7 +380,7 @@ void EditorScreen::draw_picture() {
   view.heat_old = false;
 }
 
-// The last of a frame, for what the window shows is seen until the pending change is done.
+// Comes last in a frame, because the window keeps showing it until the pending change is done.
 void EditorScreen::drawn() {
   if (busy_frame_) return;
   for (const auto& feature : features_) feature->on_captured(Feature::Captured::kWindow);
@@ -392,7 +391,7 @@ void EditorScreen::drawn() {
   if (thread_.is_over(window_.script() != nullptr ? kLongest : kMissable)) finish_change();
 }
 
-// Landmarks are told of after the frame, when it is known whether another one follows without input.
+// Landmarks are written after the frame, when it is known whether another one follows without input.
 void EditorScreen::took(const FrameTime& time) {
   Statistics& statistics = workspace_.statistics;
   const double beside = busy_frame_ ? time.whole : time.before - picture_seconds_;
@@ -413,7 +412,7 @@ void EditorScreen::took(const FrameTime& time) {
     workspace_.message.say(written.error().message, true);
 }
 
-// Telling
+// Report
 // --------------------------------------------------------------------------------------------------------
 
 std::optional<std::string> EditorScreen::answer(const std::string& what) const {

@@ -24,7 +24,7 @@ constexpr std::array kPlaces{
     Place{Dock::kColumn, "In its tab"}, Place{Dock::kSecondColumn, "In a second column"},
     Place{Dock::kStrip, "Below the picture"}, Place{Dock::kWindow, "In a window of its own"}};
 
-// A window of which one edge is filled: the one where the panel is.
+// Draws a window of which the edge with the panel is filled.
 void draw_icon(ImVec2 at, float size, Dock dock, ImU32 colour) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 to(at.x + size, at.y + 0.8f * size);
@@ -48,7 +48,7 @@ void draw_dock_button(const char* title, float right, PanelPlaces& places) {
   if (ImGui::InvisibleButton("##dock", {line, line})) ImGui::OpenPopup("dock");
   mark_last_item((std::string("dock ") + title).c_str());
   const bool over = ImGui::IsItemHovered();
-  tooltip("Where this panel is shown: in its tab, in a second column, below the picture or in a window.");
+  tooltip("Place of this panel: its tab, a second column, below the viewport, or a window.");
   const float size = 0.75f * em;
   draw_icon({at.x + 0.5f * (line - size), at.y + 0.5f * (line - 0.8f * size)}, size, places.dock_of(title),
             over ? colours::text() : colours::secondary());
@@ -101,7 +101,7 @@ void draw_thermometer(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
     list.AddLine({m.x + 0.5f * r, m.y + y * r}, {m.x + 0.85f * r, m.y + y * r}, colour, 1);
 }
 
-// A triangle and the smaller ones into which it is divided.
+// A triangle, divided into smaller ones.
 void draw_mesh(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
   const ImVec2 a(m.x - r, m.y + 0.8f * r), b(m.x + r, m.y + 0.8f * r), c(m.x, m.y - 0.9f * r);
   const auto middle = [](ImVec2 p, ImVec2 q) { return ImVec2(0.5f * (p.x + q.x), 0.5f * (p.y + q.y)); };
@@ -176,7 +176,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 constexpr float kMinStripPanel = 22;  // width in sizes of the text; more panels scroll
 
-// The panels that have the title of the first one.
+// Returns the panels that have the title of the first one.
 std::span<const Panel> with_one_title(std::span<const Panel> panels) {
   size_t count = 1;
   while (count < panels.size() && std::string_view(panels[count].title) == panels.front().title) ++count;
@@ -199,18 +199,18 @@ void draw_parts(std::span<const Panel> parts) {
   ImGui::Spacing();
 }
 
-// Whether the header was drawn folded in the last frame.
+// Returns true if the header was drawn folded in the last frame.
 bool was_folded(const char* title) { return ImGui::GetStateStorage()->GetInt(ImGui::GetID(title), 1) == 0; }
 
-// What was drawn below `top` (screen coordinates), unless all of it is in sight.
+// Scrolls to the contents below `top` (screen coordinates), unless all of them are visible.
 void bring_into_view(float top) {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   if (top < at.y || ImGui::GetCursorScreenPos().y > at.y + size.y) ImGui::SetScrollFromPosY(top - at.y, 0);
 }
 
-// The header of a panel, and the panel where it is unfolded here. A header in the column of a panel that is
-// drawn elsewhere shows and folds it there. A panel that is unfolded by something else than its header
-// scrolls into view.
+// Draws the header of a panel, and the panel if it is unfolded here. The header in the sidebar of a panel
+// docked elsewhere shows and folds it there. A panel unfolded by other means than its header scrolls into
+// view.
 void draw_foldable(std::span<const Panel> parts, PanelPlaces& places, Dock here) {
   const char* title = parts.front().title;
   const bool is_here = places.dock_of(title) == here, was = places.is_unfolded(title);
@@ -239,7 +239,7 @@ bool begin_area(const char* name, const Area& area, ImGuiWindowFlags flags = 0) 
   return ImGui::Begin(name, nullptr, kFixed | flags);
 }
 
-// An area that is filled by what it holds.
+// An area filled by its contents.
 constexpr ImGuiWindowFlags kFilled = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 
 void draw_column(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
@@ -272,7 +272,7 @@ void draw_second_column(const Area& area, std::span<const Panel> panels, PanelPl
   ImGui::End();
 }
 
-// Beside each other.
+// Draws the panels side by side.
 void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
   if (area.size.y <= 0) return;
   std::vector<std::span<const Panel>> shown;
@@ -294,7 +294,8 @@ void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& pl
   ImGui::End();
 }
 
-// In the middle of the picture at first, and where it was left afterwards; always within the window.
+// Returns the area of a floating panel: at first the middle of the viewport, then its last one; always
+// within the window.
 Area window_area(const std::string& title, const Layout& layout, const Settings& settings) {
   const Area& picture = layout.viewport;
   const auto kept = settings.windows.find(title);
@@ -370,28 +371,25 @@ PanelSizes panel_sizes(const PanelPlaces& places, const Settings& settings) {
 void draw_splitters(const Layout& l, Settings& settings) {
   if (l.side.size.x > 0) {
     const auto to = splitter("##sides", l.side.at, l.side.size.y,
-                             "Drag to make the panels wider or narrower, double click for their first width; "
-                             "F4 hides them.");
+                             "Drag to resize the panels; double-click to reset their width; F4 hides them.");
     drag_edge(to, &Settings::side_ems, l.status.size.x - to.dragged.value_or(0), Settings::kMinSide,
               Settings::kMaxSide, settings);
   }
   if (l.second_side.size.x > 0) {
-    const auto to =
-        splitter("##second edge", l.viewport.at, l.second_side.size.y,
-                 "Drag to make the panels wider or narrower, double click for their first width.");
+    const auto to = splitter("##second edge", l.viewport.at, l.second_side.size.y,
+                             "Drag to resize the panels; double-click to reset their width.");
     drag_edge(to, &Settings::second_ems, to.dragged.value_or(0), Settings::kMinSide, Settings::kMaxSide,
               settings);
   }
   if (l.strip.size.y > 0) {
-    const auto to =
-        splitter_across("##strip edge", l.strip.at, l.strip.size.x,
-                        "Drag to make the panels higher or lower, double click for their first height.");
+    const auto to = splitter_across("##strip edge", l.strip.at, l.strip.size.x,
+                                    "Drag to resize the panels; double-click to reset their height.");
     drag_edge(to, &Settings::strip_ems, l.status.at.y - to.dragged.value_or(0), Settings::kMinStrip,
               Settings::kMaxStrip, settings);
   }
   if (!l.split()) return;
   const auto to = splitter("##halves", l.second.at, l.second.size.y,
-                           "Drag to make a half wider or narrower, double click for equal halves.");
+                           "Drag to resize the halves; double-click for equal halves.");
   if (to.reset) settings.split_share = Settings().split_share;
   if (to.dragged)
     settings.split_share = std::clamp((*to.dragged - l.viewport.at.x) / l.viewport.size.x, 0.0, 1.0);

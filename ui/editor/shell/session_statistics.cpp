@@ -41,7 +41,7 @@ nlohmann::ordered_json layout_of(const Layout& l) {
           {"status", area(l.status)}};
 }
 
-// Not those of which all faces were cut away.
+// Returns the bodies that still have faces.
 std::vector<BodyId> bodies_with_faces(const World& world) {
   std::vector<BodyId> ids = world.ids();
   std::erase_if(ids, [&](BodyId id) { return world.body(id).mesh.live_faces() == 0; });
@@ -79,7 +79,7 @@ nlohmann::ordered_json texts_of(const std::deque<Message::Said>& log) {
   return texts;
 }
 
-// Null where nothing is cut.
+// Returns null if nothing is cut.
 nlohmann::ordered_json last_stroke_of(const Document& document) {
   const auto last = document.history().last_cut();
   if (!last) return nullptr;
@@ -138,7 +138,7 @@ namespace {
 
 struct Count {
   std::string text;
-  float least_width;  // in sizes of the text, so that what is beside it stays where it is
+  float least_width;  // sizes of the text; keeps its neighbours in place
   ImU32 colour;
   float width() const {
     return std::max(ImGui::CalcTextSize(text.c_str()).x, least_width * ImGui::GetFontSize()) +
@@ -157,7 +157,7 @@ std::string removed_text(const ShownStatistics& shown) {
   return area > 0 ? area_label(area, shown.unit) : "nothing";
 }
 
-// From the right; what comes first stays longest where there is no room for all.
+// Listed from the right; the first ones stay longest if there is not enough room.
 std::vector<Count> statistics_of(const ShownStatistics& shown) {
   std::array<char, 32> frame{};
   if (shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", shown.frame_ms);
@@ -166,11 +166,11 @@ std::vector<Count> statistics_of(const ShownStatistics& shown) {
                                 {frame.data(), 3.6f, colours::secondary()}};
   if (!shown.time.empty()) statistics.push_back({shown.time, 6.0f, colours::text()});
   if (shown.stroke)
-    statistics.push_back({"last stroke removed " + removed_text(shown), 12.4f, colours::secondary()});
+    statistics.push_back({"last cut removed " + removed_text(shown), 12.4f, colours::secondary()});
   return statistics;
 }
 
-// Where the statistics begin.
+// Draws them, and returns where they begin.
 float draw_statistics(const ShownStatistics& shown, float from, float to) {
   std::vector<Count> statistics = statistics_of(shown);
   float width = 0;
@@ -192,7 +192,7 @@ float draw_statistics(const ShownStatistics& shown, float from, float to) {
   return begin;
 }
 
-// The whole sentence, wrapped: it may be longer than the window is wide.
+// Draws the whole message, wrapped: it may be longer than the window is wide.
 void draw_whole(const std::string& text) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(std::min(36 * ImGui::GetFontSize(), 0.9f * ImGui::GetIO().DisplaySize.x));
@@ -203,7 +203,7 @@ void draw_whole(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-// Returns whether it was clicked.
+// Returns true if it was clicked.
 bool draw_message(const Message& message, float from, float to) {
   ImGui::SameLine(from);
   ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? colours::text() : colours::secondary());
@@ -216,7 +216,7 @@ bool draw_message(const Message& message, float from, float to) {
 }
 
 bool draw_contents(const char* button, const Message& message, const ShownStatistics& shown) {
-  // What went wrong comes before what the button does, where there is no room for both.
+  // An error takes precedence over the action of the button if there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
   const float end = ImGui::GetWindowWidth() - left;
   const float hint = ImGui::CalcTextSize(button).x + 1.6f * em;

@@ -98,7 +98,7 @@ TEST_F(SaveWork, a_scene_holds_all_but_the_cuts_and_says_so) {
   cut();
   EXPECT_FALSE(save(folder_ / "mine.json"));
   EXPECT_TRUE(unsaved());
-  EXPECT_NE(message_.text.find("without what was cut"), std::string::npos);
+  EXPECT_NE(message_.text.find("without the cuts"), std::string::npos);
   EXPECT_TRUE(open_file(folder_ / "mine.json").ok());
 }
 

@@ -215,9 +215,9 @@ TEST(PieceTree, says_what_each_piece_came_off_and_what_holds_it) {
   run_queue(document);
   const std::vector<PieceNode> nodes = piece_origins(document);
   ASSERT_EQ(nodes.size(), 2u);
-  EXPECT_EQ(words_on(nodes[0], document, FileUnit::kMetre),
-            "sheet is what is left of its body. It hangs together as one part. One piece that came off still "
-            "stands with it.");
+  EXPECT_EQ(
+      words_on(nodes[0], document, FileUnit::kMetre),
+      "sheet is the rest of its body. The mesh is connected. One piece that came off still stands with it.");
   EXPECT_EQ(
       words_on(nodes[1], document, FileUnit::kMetre),
       "sheet 1 came off sheet in step 1 (Cut 1: sheet, radius 30 mm). Nothing holds it: it stays until it is "
@@ -227,11 +227,11 @@ TEST(PieceTree, says_what_each_piece_came_off_and_what_holds_it) {
   other.beside = 0;
   other.held_by = Holder::kBody;
   EXPECT_EQ(words_on(other, document, FileUnit::kMetre),
-            "sheet is what is left of its body. Its 5 parts never hung together; they move as one because "
+            "sheet is the rest of its body. Its 5 parts were never connected; they move together because "
             "they are one body.");
   other.held_by = Holder::kPin;
   EXPECT_EQ(words_on(other, document, FileUnit::kMetre),
-            "sheet is what is left of its body. Its 5 parts are one body, which is pinned.");
+            "sheet is the rest of its body. Its 5 parts are one body, which is pinned.");
 }
 
 }  // namespace

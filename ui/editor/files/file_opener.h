@@ -31,8 +31,7 @@ class FileOpener {
   // Called between two frames: shows files that were read. The default scene replaces an empty stage when no
   // file is being read for it.
   void take_loaded();
-  // Called after take_loaded(): prepares the shadow casters of a large scene in the background, after its
-  // first frame.
+  // Called after take_loaded(): prepares shadow casters of a large scene in the background, after a frame.
   void make_shadows();
   // Returns true if the next frame is needed without input, because shadows are missing.
   bool moving() const { return shadows_due_ && workspace_.window->draws(); }
@@ -54,8 +53,7 @@ class FileOpener {
 // Asks at the right border of the viewport, under the axes gizmo, for the unit and the up axis of an opened
 // mesh file, with the guess preselected, and shows how large the world (of this `size`, in file units) is in
 // that unit and in the one most often confused with it. Not modal: the question disappears when a stroke
-// begins (`cut_once`), and once answered is not asked again for this kind of file. No-op if there is nothing
-// to ask.
+// begins (`cut_once`), and once answered is not asked again for this kind of file.
 void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, bool cut_once);
 
 }  // namespace kerf

@@ -42,7 +42,6 @@ std::string removed_text(const HistoryStep& step, FileUnit unit) {
   return step.removed_area() > 0 ? area_label(step.removed_area(), unit) : "";
 }
 
-// Returns the width that a column of such texts needs.
 template <typename Text>
 float widest(const History& history, const Text& text) {
   float width = 1;
@@ -51,14 +50,12 @@ float widest(const History& history, const Text& text) {
   return width;
 }
 
-// The texts of a row of the list.
 struct Row {
   std::string name;
   std::string removed = {};  // the area that the step removed
   std::string weight = {};
 };
 
-// Returns true if the row was clicked.
 bool draw_row(size_t now, size_t position, const Row& row) {
   ImGui::PushID(static_cast<int>(position));
   ImGui::TableNextRow();

@@ -31,7 +31,6 @@ struct TourStep {
 // Keys are named as they are bound.
 std::vector<TourStep> first_five_minutes(const ViewState& view);
 
-// Progress of a user in a tour.
 class Tour {
  public:
   // Precondition: there are steps.

@@ -16,8 +16,7 @@
 
 namespace kerf {
 
-// Returns true if the file of the open work lacks commands, these lights, or entries of features in its
-// head.
+// Returns true if the file of the open work lacks commands, these lights, or feature entries in its head.
 bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights);
 // Returns true if anything but cooling happened since the last save: undone changes are not unsaved, but can
 // be redone after a crash.
@@ -47,8 +46,7 @@ class Recovery {
  public:
   Recovery() : autosave_(state_folder()) {}
 
-  // Called when the open work is another one, or has another file: starts again once there is something to
-  // keep.
+  // Starts again for another open work, or another file of it, once there is something to keep.
   void begin(const OpenWork& work, const ViewState& view);
   // Called once a frame: passes unsaved changes on to the disk, and discards saved ones. Changes by a drag
   // of the mouse are kept when it ends. Reports a failure in the status bar, once, and retries every second.
@@ -56,7 +54,6 @@ class Recovery {
   bool follow(OpenWork& work, const ViewState& view, bool mouse_moves, Message& message);
   // Finishes writing to the disk; called while the editor waits.
   void flush() { autosave_.flush(); }
-  // Discards what is kept.
   void drop() { autosave_.drop(); }
 
  private:
@@ -69,8 +66,7 @@ class Recovery {
   Clock::time_point failed_at_;
 };
 
-// Decisions about unsaved work before it is closed, and about work left by crashed editors. The frame loop
-// carries them out.
+// Decisions about unsaved work before closing, and about work left by crashed editors.
 
 struct Decisions {
   Question question;
@@ -87,7 +83,6 @@ bool may_leave(Decisions& decisions, const OpenWork& work, const std::vector<Lig
 // Asks about the first of the recoverable work, if there is any.
 void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left_work);
 
-// Consequence of an answer.
 enum class Decision {
   kNone,
   kLeave,      // run `leaving`

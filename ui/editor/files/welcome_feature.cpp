@@ -97,8 +97,7 @@ bool RecentFeature::is_due() {
   return !workspace_.picture->busy() || workspace_.clock->seconds() - wanted_at_ > kLongestWait;
 }
 
-// A file that is not recent, such as the default scene, has no thumbnail. Failures of writing are not
-// reported.
+// A file that is not recent, such as the default scene, has no thumbnail. Write failures are ignored.
 void RecentFeature::take() {
   taken_ = wanted_;
   const fs::path file = whole_path(taken_.file);
@@ -117,8 +116,7 @@ namespace {
 
 constexpr size_t kMaxRecent = 4;
 
-// Draws the row of a file over the last item: its thumbnail, or an empty frame of that size, its name and
-// its folder.
+// Draws a file over the last item: its thumbnail, or an empty frame of that size, its name and folder.
 void draw_file_row(const std::filesystem::path& file, const std::optional<TipPicture>& thumbnail, Vec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize();
@@ -198,7 +196,6 @@ void WelcomeFeature::draw_windows() {
   if (tour_.is_on()) draw_tour();
 }
 
-// Draws a row that opens a file.
 void WelcomeFeature::open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
   if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
     shown_ = false;

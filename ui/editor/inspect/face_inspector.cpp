@@ -111,7 +111,6 @@ std::optional<double> temperature_at(const World& world, const ViewState& view, 
   return body.heat.temperature(body.mesh, seen->face, body.sheet.substance, body.sheet.thickness);
 }
 
-// The part of the box that contains the curve.
 struct Plot {
   ImVec2 at, size;
   double from = 0, to = 1, least = kAmbient, most = kAmbient;
@@ -220,8 +219,7 @@ void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string
   mark_area("face readout", {at, size});
 }
 
-// Draws over the viewport the facts about the face under the pointer, in a box next to it, and the edges of
-// the face.
+// Draws the edges of the face under the pointer, and its facts in a box next to the pointer.
 void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
   const ViewState& view = workspace.view;
   if (!workspace.points() || view.in_second) return;

@@ -34,8 +34,7 @@ FaceFacts face_facts(const Body& body, FaceId face);
 std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit);
 
 // The temperature over world time of the point that was last clicked with the inspect tool. The curve
-// continues while that tool or the temperature view is active, and restarts at another click, or when undo
-// moves time back.
+// continues while that tool or the temperature view is active; another click or an undo of time restarts it.
 class HeatProbe {
  public:
   struct Sample {

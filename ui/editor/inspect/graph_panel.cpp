@@ -134,7 +134,6 @@ void draw_verdict(const GraphState& graph) {
   if (!graph.complete()) secondary_text("Some faces that the stroke removed are no longer stored.");
 }
 
-// Describes the node under the pointer.
 void explain(const GraphState& graph, const Document& document, uint32_t node) {
   const DrawnGraph::Node& n = graph.drawn()->nodes[node];
   if (!document.world().contains(n.face.body)) return;

@@ -66,8 +66,7 @@ class GraphState {
   void start_from(uint32_t drawn_node);
   uint32_t start() const { return start_; }
 
-  // Progress of the animated traversal, in faces; advance() plays it by `seconds`. Returns true if anything
-  // changed.
+  // Progress of the animated traversal, in faces; advance() returns true if anything changed.
   size_t marked() const { return marked_; }
   void set_marked(size_t faces);
   bool playing() const { return playing_; }

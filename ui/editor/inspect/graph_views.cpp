@@ -84,7 +84,6 @@ double GraphCanvas::radius_of(const DrawnGraph::Node& node) const {
   return node.faces == 1 ? radius_ : radius_ * std::min(2.2, 1.2 + 0.1 * std::sqrt(node.faces));
 }
 
-// Frames the requested part.
 void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
   if (wish_ == Wish::kNone || drawn.places.empty()) return;
   Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
@@ -106,8 +105,7 @@ void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
   wish_ = Wish::kNone;
 }
 
-// The child window of the canvas scrolls by an invisible pixel, so that the wheel does not scroll the
-// sidebar.
+// The child window of the canvas scrolls by an invisible pixel, to keep the wheel from the sidebar.
 void GraphCanvas::listen() {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
@@ -170,7 +168,6 @@ void GraphCanvas::draw_ring(const DrawnGraph& graph, const GraphLayout& places, 
                                         2);
 }
 
-// Draws the bar at the lower left.
 void GraphCanvas::draw_scale(const DrawnGraph& graph, const GraphLayout& places, FileUnit unit) const {
   const double metres = metres_per_unit_of(graph, places);
   if (!(metres > 0)) return;
@@ -339,7 +336,6 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   ImGui::TextUnformatted(grouped(body.pieces[id.label].faces).c_str());
 }
 
-// Describes the selected piece.
 void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document, const ViewState& view) {
   const std::optional<PieceId> chosen = first_chosen(view.look.pieces);
   const auto row =

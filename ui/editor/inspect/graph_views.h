@@ -57,7 +57,6 @@ class GraphCanvas {
   Wish wish_ = Wish::kStart;
 };
 
-// A row of the tree of pieces.
 struct PieceTreeRow {
   PieceNode origin;
   int depth = 0;  // 0 for the remainder of a body
@@ -66,8 +65,7 @@ struct PieceTreeRow {
 // Builds the tree of pieces: under each piece those that came off it, in the order of their steps.
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins);
 
-// Describes the origin and the holder of a piece, and what still stands with it. Precondition: its body
-// exists.
+// Describes the origin, holder and remaining company of a piece. Precondition: its body exists.
 std::string words_on(const PieceNode& node, const Document& document, FileUnit unit);
 
 // Draws the tree: origin, history step, holder and remaining faces of each piece. A click selects a piece

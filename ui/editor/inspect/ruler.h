@@ -40,8 +40,7 @@ class RulerList {
   nlohmann::json to_json() const;
   void read(const nlohmann::json& entry);
 
-  // Returns a line of titles and one line for each mark: name, X, Y and Z of both ends and the length, in
-  // file units.
+  // Returns a header and a line per mark: name, X, Y and Z of both ends and the length, in file units.
   std::string to_csv() const;
 
  private:

@@ -49,8 +49,7 @@ void fill(FaceScalars& values, const Mesh& mesh, const Value& value) {
   });
 }
 
-// Returns the bases of a body copied from the loaded one; without a loaded one none, so that no side was
-// open.
+// Returns the bases of a body copied from the loaded one; none, with no open sides, without a loaded one.
 BaseFaces bases_of(const Body& body, const LoadedShading* loaded) {
   if (loaded == nullptr) return {};
   return body.loaded_faces.empty() ? *loaded->bases : loaded->bases->pick(body.loaded_faces);

@@ -45,8 +45,7 @@ struct Histogram {
   size_t faces = 0;            // with a value
 
   double width() const { return (to - from) / static_cast<double>(bins.size()); }
-  // Returns the value below which a share of the faces lies, 0 .. 1, to the width of a bin and within the
-  // values.
+  // Returns the value below which a share (0 .. 1) of the faces lies, to a bin's width, within the values.
   double quantile(double share) const;
 };
 

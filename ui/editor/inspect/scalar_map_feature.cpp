@@ -55,7 +55,6 @@ void draw_columns(const Frame& frame, const ScalarRange& range, float height, Im
   }
 }
 
-// Draws the colours along the axis, from the first to the last between the handles.
 void draw_strip(const Frame& frame, const ScalarRange& range, float top, ImDrawList& list) {
   const float bottom = frame.at.y + frame.size.y;
   for (float x = frame.at.x; x < frame.at.x + frame.size.x; x += 2) {

@@ -94,7 +94,6 @@ void memory_rows(const MemoryStatistics& memory, size_t faces) {
              "everything drawn here.");
 }
 
-// Draws times and changes of the last steps, and memory usage.
 void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown) {
   if (!begin_properties("##statistics")) return;
   stage_rows(chart);

@@ -93,7 +93,6 @@ void figure_rows(const ShownStatistics& shown) {
   query_rows(shown);
 }
 
-// Draws the settings of the displayed boxes, and the sizes of the trees.
 void draw_tree_panel(ViewState& view, const World& world, Settings& settings, const ShownStatistics& shown) {
   if (!begin_properties("tree")) return;
   property("Boxes");

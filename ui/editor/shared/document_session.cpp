@@ -170,8 +170,7 @@ AfterStep shown_by(LoadNews* news, const LoadedFiles& loaded) {
   };
 }
 
-// Returns true if the replay reached the end. A step that fails here also failed when the journal was
-// recorded.
+// Returns true at the end of the journal. A step that fails here also failed in the recording.
 bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
                 const AfterStep& after_step) {
   Replay replay(journal, loaded.document, time_skips(journal, kTicksToSkip));
@@ -197,7 +196,6 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
   return true;
 }
 
-// Cuts the strokes of the scene and replays the journal.
 Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
                const AfterStep& after_step) {
   bool stopped = false;

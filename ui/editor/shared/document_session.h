@@ -67,7 +67,6 @@ class LoadNews {
   std::optional<CutSoFar> so_far_;  // guarded by mutex_
 };
 
-// Request to open something in place of the open work.
 struct LoadOrder {
   // Scenes and meshes that form one scene, or a single journal. Unreadable ones of several are left out.
   std::vector<std::filesystem::path> files;
@@ -164,7 +163,6 @@ inline InputFiles inputs_of(const OpenWork& work) {
   return inputs;
 }
 
-// Files being read, and recoverable work.
 struct Opening {
   FileLoader loader;
   std::vector<LeftWork> left_work;  // of crashed editors, not offered yet

@@ -56,8 +56,7 @@ class Feature {
   // Esc. All features cancel work in progress; if none did, the first that clears a selection returns true.
   virtual bool cancel() { return false; }
   virtual bool clear_selection() { return false; }
-  // Returns true while a new text field waits for the keyboard focus. Typed keys are held back until it has
-  // it.
+  // Returns true while a new text field waits for the keyboard focus, which holds back typed keys.
   virtual bool awaits_focus() const { return false; }
   // Action of the left button, for the status bar; null: none.
   virtual const char* status_hint() const { return nullptr; }
@@ -74,21 +73,17 @@ class Feature {
   // Returns true if the next frame is needed without input.
   virtual bool needs_redraw() const { return false; }
 
-  // Called after a change of the open world.
   virtual void on_world_changed(const Delta&) {}
   // Called after another document was opened; resets state of the last one.
   virtual void on_document_opened() {}
 
-  // Draws over the viewport.
   virtual void draw_overlay(ImDrawList&) {}
   // Draws windows, and everything above the panels.
   virtual void draw_windows() {}
   // Called when the viewport without panels, or the whole window, is drawn but not displayed yet.
   enum class Captured { kPicture, kWindow };
   virtual void on_captured(Captured) {}
-  // Adds the landmarks of handles, for tests.
   virtual void add_landmarks(Landmarks&) const {}
-  // Adds entries to the report of the session.
   virtual void write_session_log(nlohmann::ordered_json&) const {}
 };
 

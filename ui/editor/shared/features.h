@@ -18,8 +18,7 @@ std::unique_ptr<Feature> welcome_feature(Workspace& workspace);
 // The steps of the history: undo, redo, and jumps to any step.
 std::unique_ptr<Feature> history_feature(Workspace& workspace);
 
-// The laser at the pointer: its beam and resolution, the stroke being drawn, and the recut of the last
-// stroke.
+// The laser at the pointer: its beam and resolution, the stroke being drawn, and the last one's recut.
 std::unique_ptr<Feature> laser_feature(Workspace& workspace);
 
 // The sheet of the pieces, and how the beam heats it.

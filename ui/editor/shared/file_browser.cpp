@@ -198,7 +198,6 @@ void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
   }
 }
 
-// Adds an ending to a name without one of the possible endings.
 fs::path with_ending(fs::path file, const FileBrowser& b) {
   const std::string ending = file.extension().string();
   const std::vector<std::string>& endings = b.wish.endings;
@@ -301,7 +300,6 @@ void draw_list(FileBrowser& b) {
   ImGui::EndTable();
 }
 
-// Draws the field for the name, and processes its keys.
 void draw_name(FileBrowser& b) {
   const bool was_empty = b.name.front() == '\0';
   if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();

@@ -39,8 +39,7 @@ struct FileWish {
   const char* verb;         // on the button
   const char* hint;         // in the field for the name
   const char* listed = "";  // extension of the listed files; empty: all that can be opened
-  // Extensions of a file to write; a name without one gets the first. Empty: a file is opened, or `writes`
-  // is set.
+  // Extensions to write; a name without one gets the first. Empty: a file is opened, or `writes` is set.
   std::vector<std::string> endings = {};
   // Takes the selected file. Returns an error, which keeps the window open, or an empty text.
   std::function<std::string(const std::filesystem::path&)> take;
@@ -73,14 +72,12 @@ struct FileBrowser {
   bool take_focus = false, show_cursor = false;
 };
 
-// Opens the window in a folder, or in the current one if that does not exist, with an initial name. Keeps
-// `format`.
+// Opens the window in a folder (the current one if it does not exist) with a name. Keeps `format`.
 void browse(FileBrowser& browser, FileWish wish, std::filesystem::path folder, const std::string& name);
 
 // Processes a key (GLFW_KEY_*) while the browser is open.
 void browser_key(FileBrowser& browser, int key);
 
-// Draws the window if it is open.
 void draw_file_browser(FileBrowser& browser);
 
 }  // namespace kerf

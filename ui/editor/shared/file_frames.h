@@ -12,8 +12,7 @@
 
 namespace kerf {
 
-// A frame is the unit and the up axis in which the open work is shown. Positions keep the values of the
-// file.
+// A frame is the displayed unit and up axis of the open work. Positions keep the values of the file.
 
 // Returns the format under which frames are remembered, such as "stl", of the mesh file that a scene
 // consists of; empty for a scene of several bodies or of an unknown format.
@@ -36,8 +35,7 @@ void record_frame(SceneDescription& scene, const FileFrame& frame);
 // Shows the world in this frame. The lights turn with the ground, and the camera keeps its direction to it.
 void show_in_frame(ViewState& view, const FileFrame& frame);
 
-// Shows the world in the user's frame, remembers it for mesh files of this format, and closes the question
-// about them.
+// Shows the world in the user's frame, remembers it for mesh files of this format, and ends the question.
 void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings);
 
 // Formats an area in file units, like length_label: "2.75 cm^2".

@@ -18,8 +18,7 @@ namespace kerf {
 // A handle in the first half of the viewport that moves or rotates something: an arrow, the front half of a
 // ring, or a point. Places are in the window, screen coordinates.
 struct GizmoHandle {
-  // `points` are in world space [m]. A handle with a point behind the eye has no places and is neither drawn
-  // nor found.
+  // `points` are in world space [m]. With one behind the eye, a handle has no places: it is inactive.
   GizmoHandle(const FirstPicture& picture, std::string its_name, std::vector<Vec3> its_points,
               size_t its_grip = 0);
 
@@ -27,8 +26,7 @@ struct GizmoHandle {
   std::vector<Vec3> points;
   std::vector<Vec2> places;  // of the points
   size_t grip = 0;           // index of the point that the landmark names
-  // Share of an arrow's length next to its first point that does not react, because the moved object lies
-  // there.
+  // Inactive share of an arrow's length at its first point, where the moved object lies.
   double free_share = 0;
 };
 
@@ -49,8 +47,7 @@ struct GizmoPoint {
 };
 GizmoPoint nearest_point(const GizmoHandle& handle, Vec2 at);
 
-// Returns the handle at a place of the window, if any: the last one of the nearest. `Handle` is a
-// GizmoHandle.
+// Returns the handle at a place of the window, if any: the last of the nearest. `Handle`: a GizmoHandle.
 template <typename Handle>
 std::optional<Handle> handle_under(const std::vector<Handle>& handles, Vec2 at) {
   constexpr double kHandleReach = 8;  // screen coordinates
@@ -121,7 +118,6 @@ struct AxisEnd {
 // Returns the six ends, farthest first; none if the viewport is too small.
 std::vector<AxisEnd> axis_ends(const ViewState& view);
 
-// Returns true if a place belongs to the gizmo.
 bool is_on_axes(const ViewState& view, Vec2 at);
 // Returns the nearest end of an axis at a place, if any.
 std::optional<AxisEnd> axis_end_under(const ViewState& view, Vec2 at);

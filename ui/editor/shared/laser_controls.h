@@ -8,7 +8,6 @@
 
 namespace kerf {
 
-// Values of the resolution sliders.
 struct ResolutionControls {
   Scheme scheme = Scheme::kLongestEdge;
   Resolution::Rule rule = Resolution::Rule::kTargetEdge;

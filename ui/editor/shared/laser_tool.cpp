@@ -17,8 +17,7 @@ namespace {
 constexpr double kEmitterAside = 0.004;
 constexpr double kMinMove = 0.5;  // pixels
 
-// Returns the depth of the corner of the world's box that is nearest to the eye, or of the camera's pivot if
-// that is nearer.
+// Returns the depth of the nearest corner of the world's box, or of the camera's pivot if that is nearer.
 double least_depth(const World& world, const CameraView& view) {
   const World::Bounds b = world.bounds();
   double least = view.focus;
@@ -48,7 +47,6 @@ Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
   return {emitter, glm::normalize(target - emitter)};
 }
 
-// Sets how the beam is drawn.
 void LaserTool::set_up(const CutSettings& settings) {
   radius_ = settings.laser.radius;
   const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
@@ -76,7 +74,6 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   if (hit) begin_held(document);
 }
 
-// Begins a stroke with the settings at pose_.
 void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
   settings_ = settings;
   set_up(settings);

@@ -60,7 +60,6 @@ bool marked_choice_row(const char* label, const char* id, Choice& choice, std::s
 // Draws the context menu of the last item, which resets the value to its default. Returns true if it did.
 bool reset_item(double& value, double standard);
 
-// Draws wrapped text in the secondary colour.
 void secondary_text(const std::string& text);
 
 // Scrolling tables: the height that shows a number of rows, drawing of the visible rows by index, and

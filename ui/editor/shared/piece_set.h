@@ -14,7 +14,6 @@ namespace kerf {
 
 using PieceMap = std::map<PieceId, PieceLook>;
 
-// A piece in the list of pieces.
 struct PieceRow {
   PieceId id;
   uint32_t number = 0;  // see PieceLook::number; 0 for a body and for a part
@@ -36,8 +35,8 @@ struct SortedPieces {
 };
 SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId>& specks);
 
-// Returns the colour of a separated piece of this number under ShowOptions::pieces (sRGB, 0 .. 1); grey for
-// a body (0).
+// Returns the colour of a piece of this number under ShowOptions::pieces (sRGB, 0 .. 1); grey for a body
+// (0).
 Vec3 strong_piece_colour(uint32_t number);
 
 // Removes looks in which nothing is set.
@@ -50,7 +49,6 @@ void choose_none(PieceMap& looks);
 size_t chosen_pieces(const PieceMap& looks);
 // Returns an error sentence if no piece is selected, otherwise null.
 const char* why_none_chosen(const PieceMap& looks);
-// Returns the first selected piece, if any.
 std::optional<PieceId> first_chosen(const PieceMap& looks);
 std::vector<PieceId> hidden_pieces(const PieceMap& looks);
 // Returns the pieces that are neither hidden nor selected.

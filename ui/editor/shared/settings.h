@@ -21,7 +21,6 @@ enum class Tab { kCut, kLook, kMove, kHeat, kPrepare };
 // the viewport, or in a floating window.
 enum class Dock { kColumn, kSecondColumn, kStrip, kWindow };
 
-// Settings that are kept between sessions.
 struct Settings {
   Theme theme = Theme::kDark;
   double ui_scale = 1;  // relative to the scale of the display
@@ -97,8 +96,7 @@ class PanelPlaces {
 
   // Registers a panel. `dock` and `unfolded` apply if the settings have no state for it.
   void add(const std::string& title, Tab tab, Dock dock, bool unfolded);
-  // Called after all panels are registered: selects the tab of the first unfolded panel if the settings name
-  // no tab.
+  // Called after all add(): selects the tab of the first unfolded panel if the settings name none.
   void choose_tab();
 
   Tab tab() const { return settings_.tab.value_or(Tab::kCut); }
@@ -117,9 +115,7 @@ class PanelPlaces {
   // Returns true, once, if reveal() was called with it and the panel is not in view yet.
   bool take_revealed(const std::string& title);
   void fold(const std::string& title);
-  // Moves it to another place.
   void dock(const std::string& title, Dock dock);
-  // Returns true if any panel is unfolded there.
   bool has_any(Dock dock) const;
 
  private:

@@ -68,8 +68,7 @@ struct MemoryStatistics {
   size_t other() const;
 };
 
-// Measures the memory of these worlds (entries may be null) and of a history of this size [bytes].
-// O(bodies).
+// Measures the memory with these worlds (entries may be null) and history [bytes]. O(bodies).
 MemoryStatistics memory_statistics(std::span<const World* const> worlds, size_t history,
                                    const PictureMemory& pictures);
 
@@ -93,7 +92,6 @@ struct ShownStatistics {
   std::optional<Stroke> stroke;
 };
 
-// All counters and measurements of the editor.
 struct Statistics {
   ShownStatistics shown;
   bool world_changed = true;  // since `shown` was updated
@@ -110,7 +108,6 @@ struct Statistics {
 // Updates the counts of a document's world. Depths of trees take O(n) and are computed only if shown.
 void count_world(ShownStatistics& shown, const Document& document, bool depth_shown);
 
-// Updates the statistics of the last stroke.
 void record_stroke(ShownStatistics& shown, const Document& document);
 
 }  // namespace kerf

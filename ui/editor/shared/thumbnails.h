@@ -14,8 +14,7 @@
 
 namespace kerf {
 
-// Thumbnails of files as they were last open, kept between sessions: one PNG per file, in a folder of their
-// own.
+// Thumbnails of files as last open, kept between sessions: a PNG per file, in a folder of their own.
 class Thumbnails {
  public:
   static constexpr int kWidth = 240, kHeight = 150;  // pixels

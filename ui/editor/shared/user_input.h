@@ -64,8 +64,7 @@ struct Gesture {
   const char* meaning;
 };
 
-// Runs the action of a key; a disabled one shows its reason in the status bar. Returns true if the key has
-// an action.
+// Runs the action of a key, or shows why it is disabled. Returns true if the key has an action.
 bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message);
 
 // A press of the left button in the viewport, without Alt, which orbits.
@@ -91,7 +90,6 @@ class Interaction {
   virtual bool cuts() const { return false; }
   // Text for the status bar; null: none.
   virtual const char* words() const { return nullptr; }
-  // Draws over the viewport.
   virtual void draw(ImDrawList&) const {}
 };
 
@@ -105,7 +103,6 @@ class ClickOnce : public Interaction {
   std::function<void()> click_;
 };
 
-// Calls a function on each move of the pointer.
 class PlainDrag : public Interaction {
  public:
   PlainDrag(const char* words, std::function<void(const InputEvent&)> follow)

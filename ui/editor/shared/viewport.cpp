@@ -71,8 +71,7 @@ namespace {
 
 constexpr float kBadgeHeight = 1.8f, kBadgesApart = 0.4f, kBadgeMargin = 0.7f;  // sizes of the text
 
-// Draws a triangle while time passes, two bars while it is paused, a disc for a mode, in a square of this
-// side.
+// Draws a triangle (running), two bars (paused) or a disc (mode) in a square of this side.
 void draw_badge_sign(Badges::Sign sign, ImVec2 at, float side, ImDrawList& list) {
   if (sign == Badges::Sign::kPlaying)
     return list.AddTriangleFilled(at, {at.x, at.y + side}, {at.x + 0.9f * side, at.y + 0.5f * side},

@@ -36,8 +36,7 @@ struct ViewState {
   CameraView seen() const { return camera.view(aspect()); }
   // The camera with that of the first half, which alone shows the open document.
   CameraView seen_first() const { return camera.view(layout.first.size.x / layout.first.size.y); }
-  // Convert a place of the window (screen coordinates) to that of CameraView::ray, in the pointer's half or
-  // in the first.
+  // Convert screen coordinates to those of CameraView::ray, in the pointer's half or in the first.
   Vec2 in_picture(Vec2 at) const;
   Vec2 in_first(Vec2 at) const;
 };
@@ -63,8 +62,7 @@ class FirstPicture {
 
   // Projects a point of the world; nullopt behind the eye.
   std::optional<Vec2> place_of(const Vec3& p) const;
-  // Returns the length [m] that appears as long as the size of the text at the depth of a point in front of
-  // the eye.
+  // Returns the length [m] of a text size (em) at the depth of a point in front of the eye.
   double metres_of_em(const Vec3& p) const;
   // Returns the ray through a place, with a unit direction.
   Pose ray(Vec2 place) const;

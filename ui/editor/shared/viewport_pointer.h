@@ -29,7 +29,6 @@ class Pan : public Interaction {
   Vec2 last_;
 };
 
-// Zooms to the pointer by notches of the wheel.
 void zoom(Workspace& workspace, double notches);
 
 // A point of a visible surface, with the unit normal of its face on the visible side.

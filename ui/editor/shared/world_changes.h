@@ -144,12 +144,11 @@ class WorldChanges {
   // Goes to a position of the history, then shows the message `said`. Strokes that have to be cut again are
   // cut during the next frames.
   void travel_to(size_t position, const std::string& said = "");
-  // Undoes or redoes one step of the history, or a group of steps, and reports it. Ends a stroke in
-  // progress.
+  // Undoes or redoes a step or a group of steps, and reports it. Ends a stroke in progress.
   void step_through_history(bool back);
   // Changes the document by `what`, which must accept a null progress. A change that is not `quick` becomes
-  // pending under the title. Shows the message `said` once it is done and all strokes that it queued are cut
-  // (see tell_done).
+  // pending under the title. Shows `said` once it is done and the strokes that it queued are cut (see
+  // tell_done).
   using Change = std::function<Outcome(Document&, const Progress*)>;
   void change(const std::string& title, bool quick, const Change& what, const std::string& said = "");
 
@@ -165,8 +164,7 @@ class WorldChanges {
   // Called once a frame: shows the message of a completed change.
   void tell_done();
 
-  // Makes a renderer show a world derived from the open document, with the smooth normals of the faces as
-  // loaded.
+  // Makes a renderer show a world derived from the open document, with the smooth normals as loaded.
   void show_world(const World& world, Renderer& renderer) const;
 
   // Called after every change of the world.
@@ -200,8 +198,7 @@ class WorldChanges {
 // Returns a change that applies commands one after the other, for WorldChanges::change.
 WorldChanges::Change apply_all(std::vector<Command> commands);
 
-// Returns a change that applies a command to pieces one after the other, because each may move pieces to
-// other bodies.
+// Returns a change that applies a command to pieces in order, as each may move pieces to other bodies.
 WorldChanges::Change edit_all(std::vector<PieceId> pieces,
                               std::function<Command(const PieceId&)> command_for);
 

@@ -34,10 +34,8 @@ struct CommandPalette {
   bool show_cursor = false;  // the list scrolls to the cursor
 };
 
-// Opens the palette with an empty query.
 void open_palette(CommandPalette& palette);
 
-// Processes a key (GLFW_KEY_*) while the palette is open.
 void palette_key(CommandPalette& palette, int key);
 
 // Returns all actions by name: those with submenus are replaced by their items, as "Examples: Car".

@@ -31,7 +31,6 @@ const UserAction* clash_of(std::span<const UserAction> actions, const UserAction
 void rebind(Bindings& bindings, std::span<const UserAction> usual, const std::string& action,
             const KeyChord& chord);
 
-// A named set of bindings.
 struct BindingPreset {
   const char* name;
   const char* meaning;

@@ -98,7 +98,6 @@ void put_row(const Row& row) {
   ImGui::TextWrapped("%s", row.meaning);
 }
 
-// Draws the rows in columns, from top to bottom in each.
 void draw_rows(const std::vector<Row>& rows, size_t columns) {
   if (!ImGui::BeginTable("shortcuts", static_cast<int>(2 * columns))) return;
   for (size_t c = 0; c < columns; ++c) {
@@ -358,7 +357,7 @@ std::vector<UserAction> Dialogs::help_actions() {
                  .run = [this] { shortcuts_shown_ = !shortcuts_shown_; },
                  .checked = [this] { return shortcuts_shown_; }},
       UserAction{.name = "Messages",
-                 .tip = "What the status bar has said, in full. A click on its message shows them too.",
+                 .tip = "All messages of the status bar, in full. A click on its message shows them too.",
                  .run = [this] { workspace_.messages_shown = !workspace_.messages_shown; },
                  .checked = [this] { return workspace_.messages_shown; }},
   };

@@ -36,7 +36,6 @@ struct SettingsPage {
 void settings_page_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
                        int mods);
 
-// Draws the page if it is shown.
 void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual);
 
 // Creates the feature of the shared windows: command palette, settings, list of shortcuts, message log and

@@ -73,8 +73,7 @@ constexpr double kLongest = 1e6;          // s; a script waits for background wo
 constexpr double kCutSeconds = 0.020;     // s of cutting per frame, or the time of drawing if that is more
 constexpr double kFigureSeconds = 0.25;
 
-// Returns the look of the right half. Selected and hidden pieces are those of the open document, not of its
-// twin.
+// Returns the look of the right half, without the selected and hidden pieces of the open document.
 ViewOptions look_of_second(const ViewOptions& first, double spread, const World& second) {
   ViewOptions look = first;
   look.pieces.clear();

@@ -43,8 +43,7 @@ class BusyWindow {
   // Stops the change on Esc and when the window is closed; stores other events. Returns true if the window
   // is to be closed. Precondition of this and of draw(): a change is running.
   bool hear(const Input& input, ChangeThread& change);
-  // Draws a frame in a window of this size. The bar appears if the change lasts; its button stops the
-  // change.
+  // Draws a frame in a window of this size. The bar appears if the change lasts; its button stops it.
   void draw(const Vec2& window, const Area& picture, ChangeThread& change) const;
   // Returns the stored events, once. After more than a second, presses in the viewport are dropped, because
   // it shows another frame by then.
@@ -75,8 +74,7 @@ class EditorScreen : public Screen {
   Status open();
   // Shows an error in the status bar unless a more important one is shown.
   void tell(const std::string& fault);
-  // Ends background work and writes the settings. Keeps unsaved work for recovery unless the user closed the
-  // editor.
+  // Ends background work and writes the settings. Unsaved work is kept unless the user closed the editor.
   void close(bool left_by_user);
   // Returns the report of the session, which tests read.
   nlohmann::ordered_json report() const;

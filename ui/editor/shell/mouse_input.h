@@ -25,8 +25,7 @@ class HeldPress {
  public:
   // Stores the press in place of an earlier one.
   void hold(const InputEvent& press) { held_ = press; }
-  // Returns the press whose drag this event begins, once. Any other press and the release of the button drop
-  // it.
+  // Returns the press whose drag this event begins, once. Another press, or the release, drops it.
   std::optional<InputEvent> press_of(const InputEvent& event);
 
  private:

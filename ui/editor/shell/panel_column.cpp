@@ -272,7 +272,6 @@ void draw_second_column(const Area& area, std::span<const Panel> panels, PanelPl
   ImGui::End();
 }
 
-// Draws the panels side by side.
 void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
   if (area.size.y <= 0) return;
   std::vector<std::span<const Panel>> shown;
@@ -294,8 +293,7 @@ void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& pl
   ImGui::End();
 }
 
-// Returns the area of a floating panel: at first the middle of the viewport, then its last one; always
-// within the window.
+// Returns the area of a floating panel: its last one, else the middle of the viewport, within the window.
 Area window_area(const std::string& title, const Layout& layout, const Settings& settings) {
   const Area& picture = layout.viewport;
   const auto kept = settings.windows.find(title);

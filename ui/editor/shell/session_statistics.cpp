@@ -203,7 +203,6 @@ void draw_whole(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-// Returns true if it was clicked.
 bool draw_message(const Message& message, float from, float to) {
   ImGui::SameLine(from);
   ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? colours::text() : colours::secondary());

@@ -116,7 +116,7 @@ namespace {
 
 constexpr size_t kMaxRecent = 4;
 
-// Draws a file over the last item: its thumbnail, or an empty frame of that size, its name and folder.
+// Draws a file row over the last item: its thumbnail, or an empty frame of that size, its name and folder.
 void draw_file_row(const std::filesystem::path& file, const std::optional<TipPicture>& thumbnail, Vec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize();

@@ -65,7 +65,7 @@ struct PieceTreeRow {
 // Builds the tree of pieces: under each piece those that came off it, in the order of their steps.
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins);
 
-// Describes the origin, holder and remaining company of a piece. Precondition: its body exists.
+// Describes a piece: its origin, its holder, and pieces still in place. Precondition: its body exists.
 std::string words_on(const PieceNode& node, const Document& document, FileUnit unit);
 
 // Draws the tree: origin, history step, holder and remaining faces of each piece. A click selects a piece

@@ -28,7 +28,7 @@ class Bodies(WindowTest):
 
     def test_the_ground_that_the_first_play_sets_has_no_row_of_its_own_in_the_history(self):
         self.open(SPHERE).quit()
-        self.only_panel("History")
+        self.only_panel("history")
         editor = self.open_again(SPHERE)
         self.play(editor)
         editor.pause(0.2)
@@ -92,7 +92,7 @@ class Bodies(WindowTest):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.only_panel("Bodies")
+        self.only_panel("bodies")
         editor = self.open_again(SPHERE)
         editor.click("gravity on", 0.5, 0.5)
         editor.click("gravity on", 0.5, 0.5)

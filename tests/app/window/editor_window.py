@@ -72,12 +72,12 @@ class WindowTest(unittest.TestCase):
             json.dump({"antialias": self.antialias, "heat_held": self.heat_held,
                        "ui_scale": 1 if self.wants_screen() else UI_SCALE, **settings}, file)
 
-    def only_panel(self, title):
+    def only_panel(self, panel):
         """Folds all panels but one, so that nothing pushes it out of the window."""
         if not os.path.exists(self.settings_file()):
             self.write_settings({})
             self.open_again(SPHERE).quit()
-        self.write_settings({"panels": {t: t == title for t in self.settings()["panels"]}})
+        self.write_settings({"panels": {p: p == panel for p in self.settings()["panels"]}})
 
     def open_by_browser(self, editor, file):
         """Types a whole path, or a part of a name, into File > Open."""

@@ -167,7 +167,7 @@ class Files(WindowTest):
 
     def assert_history_is_travelled(self, *options):
         self.open(SPHERE).quit()
-        self.only_panel("History")
+        self.only_panel("history")
         editor = self.open_again(SPHERE, *options)
         editor.drag(ACROSS)
         editor.drag(ACROSS_ABOVE)

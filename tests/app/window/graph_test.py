@@ -10,7 +10,7 @@ class Graph(WindowTest):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.only_panel("Graph")
+        self.only_panel("graph")
         editor = self.open_again(SPHERE)
         editor.resize(900, 720)  # the panel is high
         return editor

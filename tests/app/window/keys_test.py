@@ -31,7 +31,7 @@ class PaletteTest(WindowTest):
         self.wait_until_closed(editor)
         view = editor.quit()["view"]
         self.assertEqual((view["wire"], view["normals"]), (True, False))
-        self.assertTrue(self.settings()["panels"]["Tree"])
+        self.assertTrue(self.settings()["panels"]["tree"])
 
     def test_what_cannot_be_done_stays_undone_and_the_arrows_choose_something_else(self):
         editor = self.open(SPHERE)
@@ -117,7 +117,7 @@ class SettingsTest(WindowTest):
         editor = self.open(SPHERE)
         editor.point_at(0.05, 0.95)
         editor.do("ctrl", "comma")
-        editor.click("key of Undo", 0.1, 0.5)
+        editor.click("key of edit.undo", 0.1, 0.5)
         editor.do("w")
         editor.part("take the key")  # W is the key of Wire
         editor.do("Return")
@@ -126,8 +126,8 @@ class SettingsTest(WindowTest):
         report = editor.quit()
         self.assertFalse(report["view"]["wire"])
         self.assertIn("Nothing was done yet.", report["messages"])
-        self.assertEqual(self.settings()["bindings"], {"Undo": "W", "Wire": ""})
-        self.set(bindings={"Wire": "Q", "No such action": "Q", "Normals": 7})
+        self.assertEqual(self.settings()["bindings"], {"edit.undo": "W", "view.wire": ""})
+        self.set(bindings={"view.wire": "Q", "no.such_action": "Q", "view.normals": 7})
         editor = self.open_again(SPHERE)
         editor.point_at(0.05, 0.95)
         editor.do("q")
@@ -144,7 +144,7 @@ class SettingsTest(WindowTest):
         editor.part("palette")
         editor.press("Escape")
         self.assertTrue(editor.quit()["view"]["wire"])
-        self.assertEqual(self.settings()["bindings"]["Wire"], "Shift+Z")
+        self.assertEqual(self.settings()["bindings"]["view.wire"], "Shift+Z")
 
 
 if __name__ == "__main__":

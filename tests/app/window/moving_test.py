@@ -113,7 +113,7 @@ class Inspecting(WindowTest):
 
     def test_a_number_that_is_typed_in_the_panel_moves_the_chosen_piece(self):
         self.open(SPHERE).quit()
-        self.only_panel("Pieces")
+        self.only_panel("pieces")
         editor = self.open_again(SPHERE)
         editor.press("k")
         editor.click(0.5, 0.53)

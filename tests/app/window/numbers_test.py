@@ -5,9 +5,9 @@ from editor_window import SPHERE, WindowTest
 
 
 class Numbers(WindowTest):
-    def open_panel(self, title):
+    def open_panel(self, panel):
         self.open(SPHERE).quit()
-        self.only_panel(title)
+        self.only_panel(panel)
         return self.open_again(SPHERE)
 
     def type_into_slider(self, editor, slider, text):
@@ -21,7 +21,7 @@ class Numbers(WindowTest):
         return editor.ask("report")
 
     def test_a_slider_takes_units_refuses_the_rest_and_says_where_it_limits(self):
-        editor = self.open_panel("Laser")
+        editor = self.open_panel("laser")
         before = editor.ask("report")["laser"]["radius"]
         report = self.type_into_slider(editor, "radius", "1/4 in")
         self.assertAlmostEqual(report["laser"]["radius"], 0.00635, delta=1e-9)
@@ -40,7 +40,7 @@ class Numbers(WindowTest):
         editor.quit()
 
     def test_a_slider_that_is_left_by_esc_stays_as_it_was(self):
-        editor = self.open_panel("Laser")
+        editor = self.open_panel("laser")
         before = editor.ask("report")
         editor.key_down("ctrl")
         editor.click("radius", 0.2, 0.5)
@@ -54,7 +54,7 @@ class Numbers(WindowTest):
         editor.quit()
 
     def test_a_field_reads_what_it_shows(self):
-        editor = self.open_panel("Prepare")
+        editor = self.open_panel("prepare")
         faces = editor.ask("report")["faces"]
         editor.click("Faces", 0.5, 0.5)
         editor.press("ctrl", "a")

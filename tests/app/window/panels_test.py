@@ -10,33 +10,33 @@ class Panels(WindowTest):
 
     def test_a_tab_is_brought_to_the_front_by_its_key_and_by_a_click_and_kept(self):
         editor = self.open(SPHERE)
-        self.assertIn("Laser", self.parts(editor))
+        self.assertIn("panel laser", self.parts(editor))
         editor.do("alt", "2")
-        self.assertIn("View", self.parts(editor))
-        self.assertNotIn("Laser", self.parts(editor))
-        editor.click("tab Prepare", 0.5, 0.5)
-        self.assertIn("Prepare", self.parts(editor))
+        self.assertIn("panel view", self.parts(editor))
+        self.assertNotIn("panel laser", self.parts(editor))
+        editor.click("tab mesh", 0.5, 0.5)
+        self.assertIn("panel prepare", self.parts(editor))
         editor.quit()
         editor = self.open_again(SPHERE)
-        self.assertIn("Prepare", self.parts(editor))
-        self.assertNotIn("Laser", self.parts(editor))
+        self.assertIn("panel prepare", self.parts(editor))
+        self.assertNotIn("panel laser", self.parts(editor))
         editor.quit()
 
     def test_a_panel_goes_to_each_place_and_back_to_its_tab(self):
         editor = self.open(SPHERE)
         whole = editor.part("viewport")
         for place, area in (("Below the picture", "strip"), ("In a second column", "second_side")):
-            editor.click("dock Laser", 0.5, 0.5)
+            editor.click("dock laser", 0.5, 0.5)
             editor.click(place, 0.3, 0.5)
             x, y, width, height = editor.part(area)
             self.assertGreater(width * height, 0)
-            left, top = editor.part("Laser")[:2]  # the header in the column is drawn first
+            left, top = editor.part("panel laser")[:2]  # the header in the column is drawn first
             self.assertTrue(x <= left < x + width and y <= top < y + height, (place, left, top))
-        editor.click("dock Laser", 0.5, 0.5)
+        editor.click("dock laser", 0.5, 0.5)
         editor.click("In its tab", 0.3, 0.5)
         self.assertEqual(editor.part("viewport"), whole)
         editor.quit()
-        self.assertEqual(self.settings()["docks"]["Laser"], "column")
+        self.assertEqual(self.settings()["docks"]["laser"], "column")
 
     def test_the_tour_goes_on_when_a_step_is_done_and_ends_by_esc(self):
         editor = self.open(SPHERE)

@@ -26,7 +26,7 @@ class Path(WindowTest):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.only_panel("Path")
+        self.only_panel("path")
         return self.open_again(*arguments)
 
     def write_path(self, strokes, radius):
@@ -114,7 +114,7 @@ class Path(WindowTest):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         path = self.write_path([-0.2 + 0.002 * i for i in range(200)], 0.0006)
-        self.only_panel("Path")
+        self.only_panel("path")
         editor = self.open_again(SPHERE, path)
         editor.point_at(0.1, 0.1)
         editor.press("ctrl", "Return")
@@ -198,7 +198,7 @@ class Path(WindowTest):
     @real_input
     def test_the_emitter_fires_shots_at_the_pace_that_is_typed(self):
         self.open(SPHERE).quit()
-        self.only_panel("Laser")
+        self.only_panel("laser")
         editor = self.open_again(SPHERE)
         editor.point_at(0.1, 0.1)
         editor.do("shift", "u")

@@ -29,7 +29,7 @@ class Pieces(WindowTest):
         self.assertTrue(all(view[name] for name in names))
 
         settings = self.settings()
-        settings["panels"]["Light"], settings["tab"] = True, "look"
+        settings["panels"]["light"], settings["tab"] = True, "view"
         with open(self.settings_file(), "w") as file:
             json.dump(settings, file)
         editor = self.open_again(SPHERE)
@@ -140,7 +140,7 @@ class Pieces(WindowTest):
 
     def test_a_click_on_the_pin_or_the_eye_of_a_row_pins_or_hides_the_piece(self):
         self.open(SPHERE).quit()
-        self.only_panel("Pieces")
+        self.only_panel("pieces")
         editor = self.open_again(SPHERE)
         editor.click("pin sphere", 0.5, 0.5)
         editor.click("eye sphere", 0.5, 0.5)
@@ -151,7 +151,7 @@ class Pieces(WindowTest):
 
     def test_the_box_solid_makes_a_closed_piece_solid_and_back_and_one_undo_takes_each_back(self):
         self.open(SPHERE).quit()
-        self.only_panel("Material")
+        self.only_panel("material")
         editor = self.open_again(SPHERE)
         editor.click("solid", 0.5, 0.5)
         report = editor.quit()
@@ -186,7 +186,7 @@ class Pieces(WindowTest):
 
     def test_specks_are_counted_apart_and_share_a_row_that_a_click_unfolds(self):
         self.open(SPHERE).quit()
-        self.only_panel("Pieces")
+        self.only_panel("pieces")
         editor = self.open_again(self.comb_without_teeth())
         editor.wait_for_title("comb.kerf - Kerf")
         editor.part("specks")
@@ -208,7 +208,7 @@ class Pieces(WindowTest):
 
     def test_a_double_click_renames_a_piece_and_undo_takes_the_name_back(self):
         self.open(SPHERE).quit()
-        self.only_panel("Pieces")
+        self.only_panel("pieces")
         editor = self.open_again(SPHERE)
         for name, end in (("half of a ball", "Return"), ("nothing", "Escape")):
             where = "piece sphere" if end == "Return" else "piece half of a ball"
@@ -228,7 +228,7 @@ class Pieces(WindowTest):
 
     def test_f2_renames_the_chosen_piece_and_asks_for_one_where_none_is_chosen(self):
         self.open(SPHERE).quit()
-        self.only_panel("Light")
+        self.only_panel("light")
         editor = self.open_again(SPHERE)
         editor.point_at(0.9, 0.9)
         editor.do("F2")
@@ -247,7 +247,7 @@ class Pieces(WindowTest):
     def rename_by_f2(self, hide):
         """Where `hide` has put the list out of sight, F2, a name and Enter, all within a frame."""
         self.open(SPHERE).quit()
-        self.write_settings({"panels": {title: title != "Graph" for title in self.settings()["panels"]}})
+        self.write_settings({"panels": {panel: panel != "graph" for panel in self.settings()["panels"]}})
         editor = self.open_again(SPHERE)
         editor.press("k")
         editor.click(0.5, 0.53)
@@ -267,19 +267,19 @@ class Pieces(WindowTest):
         self.rename_by_f2(lambda editor: editor.do("F4"))
 
     def test_f2_brings_the_list_into_view_where_its_panel_is_folded(self):
-        self.rename_by_f2(lambda editor: editor.click("Pieces", 0.5, 0.5))
+        self.rename_by_f2(lambda editor: editor.click("panel pieces", 0.5, 0.5))
 
     def test_f2_brings_the_list_into_view_where_it_is_scrolled_away(self):
         self.rename_by_f2(lambda editor: None)  # the panels above it fill the column
 
     def test_a_name_whose_list_is_hidden_meanwhile_is_taken_and_no_field_opens_later(self):
         self.open(SPHERE).quit()
-        self.only_panel("Pieces")
+        self.only_panel("pieces")
         editor = self.open_again(SPHERE)
         self.double_click_for(editor, "new name", "piece sphere", 0.2, 0.5)
         editor.type("ball")
-        editor.click("tab Look", 0.5, 0.5)
-        editor.click("tab Cut", 0.5, 0.5)
+        editor.click("tab view", 0.5, 0.5)
+        editor.click("tab cut", 0.5, 0.5)
         editor.part("piece ball")
         self.assertNotIn("new name", editor.landmarks()["parts"])
         self.assertEqual(editor.quit()["undo_depth"], 1)

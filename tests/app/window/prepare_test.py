@@ -8,7 +8,7 @@ class Prepare(WindowTest):
     def open_panel(self):
         """The editor with the sphere and nothing but the panel, and its faces."""
         faces = self.open(SPHERE).quit()["faces"]
-        self.only_panel("Prepare")
+        self.only_panel("prepare")
         editor = self.open_again(SPHERE)
         editor.part("prepare")
         return editor, faces

@@ -10,7 +10,7 @@ class ScalarMap(WindowTest):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.only_panel("Scalar map")
+        self.only_panel("scalar_map")
         editor = self.open_again(SPHERE)
         self.ask_palette(editor, f"Colour faces by: {quantity}")
         return editor

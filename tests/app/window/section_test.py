@@ -16,7 +16,7 @@ def numbers(report):
 class Section(WindowTest):
     def open_with_panel(self):
         self.open(SPHERE).quit()
-        self.only_panel("View")
+        self.only_panel("view")
         return self.open_again(SPHERE)
 
     def type_into(self, editor, field, text):

@@ -8,11 +8,11 @@ from editor_window import ACROSS, ACROSS_ABOVE, KERF, SPHERE, WindowTest
 
 
 class SingleStep(WindowTest):
-    def open_panel(self, title):
+    def open_panel(self, panel):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.only_panel(title)
+        self.only_panel(panel)
         return self.open_again(SPHERE)
 
     def hash_of(self, journal):
@@ -22,7 +22,7 @@ class SingleStep(WindowTest):
         return replay.stdout.split()[-1]
 
     def test_a_stroke_that_is_stepped_through_forth_and_back_ends_as_it_was_drawn(self):
-        editor = self.open_panel("Single step")
+        editor = self.open_panel("single_step")
         editor.drag(ACROSS)
         self.save_as(editor, "drawn.kerf")
         editor.wait_for_title("drawn.kerf - Kerf")
@@ -47,7 +47,7 @@ class SingleStep(WindowTest):
         self.assertEqual(report["state_hash"], self.hash_of("drawn.kerf"))
 
     def test_a_stroke_waits_for_its_stages_and_plays_in_slow_motion(self):
-        editor = self.open_panel("Single step")
+        editor = self.open_panel("single_step")
         editor.click("stages on", 0.05, 0.5)
         editor.drag(ACROSS)
         editor.do("period")
@@ -62,7 +62,7 @@ class SingleStep(WindowTest):
         self.assertFalse(stages["stages"]["playing"])
 
     def test_another_stroke_finishes_the_one_before_and_waits_itself(self):
-        editor = self.open_panel("Single step")
+        editor = self.open_panel("single_step")
         editor.press("F8")
         editor.drag(ACROSS)
         editor.do("period")
@@ -74,7 +74,7 @@ class SingleStep(WindowTest):
         self.assertEqual(report["stages"]["done"], 0)
 
     def test_a_stage_asked_for_while_an_earlier_stroke_is_cut_follows_it(self):
-        editor = self.open_panel("Single step")
+        editor = self.open_panel("single_step")
         start, end = editor.place((0.3, 0.4)), editor.place((0.7, 0.6))
         across = [editor.place((0.3 + 0.01 * i, 0.4 + 0.02 * (i % 10))) for i in range(40)]
         editor.draw_at_once([start, *across, end])  # many moves, which are not cut within a frame
@@ -92,7 +92,7 @@ class SingleStep(WindowTest):
         self.assertGreater(report["waiting"], 0)
 
     def test_a_badge_says_what_single_steps_wait_for(self):
-        editor = self.open_panel("Single step")
+        editor = self.open_panel("single_step")
         self.assertFalse(editor.shows("single step badge"))
         editor.press("F8")
         self.assertTrue(editor.shows("single step badge"))
@@ -109,7 +109,7 @@ class SingleStep(WindowTest):
         self.assertFalse(editor.shows("single step badge"))
 
     def test_the_slider_of_the_tree_panel_walks_through_the_query_box_by_box(self):
-        editor = self.open_panel("Tree")
+        editor = self.open_panel("tree")
         editor.drag(ACROSS)
         editor.do("shift", "F8")
         editor.do("period")

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -42,6 +43,15 @@ std::vector<std::string> rows_of_readme() {
 }
 
 TEST_F(Actions, the_readme_lists_what_the_sheet_lists) { EXPECT_EQ(rows_of_readme(), rows_of_sheet()); }
+
+TEST_F(Actions, have_stable_ids_of_their_own) {
+  const std::regex form("[a-z_]+(\\.[a-z0-9_]+)+");
+  std::set<std::string> ids;
+  for (const UserAction& a : actions) {
+    EXPECT_TRUE(std::regex_match(a.id, form)) << a.id << ": " << a.name;
+    EXPECT_TRUE(ids.insert(a.id).second) << a.id;
+  }
+}
 
 TEST_F(Actions, no_two_actions_share_a_key) {
   std::set<std::pair<int, int>> taken;

@@ -85,21 +85,23 @@ class FilesFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{"File", Tab::kPrepare, 1500, true, [this] {
+    return {{"file", "File", Tab::kMesh, 1500, true, [this] {
                draw_file_panel(workspace_.world(), workspace_.work.scene, workspace_.view,
                                workspace_.settings);
              }}};
   }
   std::vector<ActionGroup> actions() override {
-    return {
-        {100, "File", open_actions()},
-        {102, "File", example_actions()},
-        {110, "File", save_actions()},
-        {121, "File", picture_actions()},
-        {122, "File", leave_actions()},
-        {1401,
-         "File",
-         {UserAction{.name = "Shown in", .items = [this] { return frame_actions(); }, .in_menu = false}}}};
+    return {{100, "File", open_actions()},
+            {102, "File", example_actions()},
+            {110, "File", save_actions()},
+            {121, "File", picture_actions()},
+            {122, "File", leave_actions()},
+            {1401,
+             "File",
+             {UserAction{.id = "file.frame",
+                         .name = "Shown in",
+                         .items = [this] { return frame_actions(); },
+                         .in_menu = false}}}};
   }
 
   Status on_start(const EditorOptions& options) override;
@@ -169,11 +171,13 @@ class FilesFeature : public Feature {
 
 std::vector<UserAction> FilesFeature::open_actions() {
   return {
-      UserAction{.name = "New",
+      UserAction{.id = "file.new",
+                 .name = "New",
                  .shortcut = "Ctrl+N",
                  .tip = "The first scene again, uncut.",
                  .run = [this] { leave_for([this] { opener_.open_fresh(); }); }},
-      UserAction{.name = "Open...",
+      UserAction{.id = "file.open",
+                 .name = "Open...",
                  .shortcut = "Ctrl+O",
                  .tip = "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
                         "). Files can also be dropped on the window.",
@@ -190,17 +194,19 @@ std::vector<UserAction> FilesFeature::example_actions() {
     }
     return actions;
   };
-  return {UserAction{.name = "Examples", .items = examples, .ends_group = true}};
+  return {UserAction{.id = "file.examples", .name = "Examples", .items = examples, .ends_group = true}};
 }
 
 std::vector<UserAction> FilesFeature::save_actions() {
   return {
       UserAction{
+          .id = "file.save",
           .name = "Save",
           .shortcut = "Ctrl+S",
           .tip = "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
           .run = [this] { save(); }},
-      UserAction{.name = "Save as...",
+      UserAction{.id = "file.save_as",
+                 .name = "Save as...",
                  .shortcut = "Ctrl+Shift+S",
                  .tip = "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
                  .run = [this] { choose_file_to_save(); },
@@ -210,11 +216,13 @@ std::vector<UserAction> FilesFeature::save_actions() {
 
 std::vector<UserAction> FilesFeature::picture_actions() {
   return {
-      UserAction{.name = "Save the picture",
+      UserAction{.id = "file.save_viewport_image",
+                 .name = "Save the picture",
                  .shortcut = "F12",
                  .tip = "A PNG of the viewport without panels, named by date, in the current folder.",
                  .run = [this] { screenshot_ = Captured::kPicture; }},
-      UserAction{.name = "Save the window",
+      UserAction{.id = "file.save_screenshot",
+                 .name = "Save the window",
                  .shortcut = "Shift+F12",
                  .tip = "A PNG of the window with its panels.",
                  .run = [this] { screenshot_ = Captured::kWindow; },
@@ -224,12 +232,14 @@ std::vector<UserAction> FilesFeature::picture_actions() {
 
 std::vector<UserAction> FilesFeature::leave_actions() {
   return {
-      UserAction{.name = "Play the game",
+      UserAction{.id = "file.play_game",
+                 .name = "Play the game",
                  .shortcut = "F5",
                  .tip = "Car combat with roof-mounted lasers. The open work stays unchanged.",
                  .run = [this] { workspace_.leaves = Workspace::Leaves::kForTheGame; },
                  .ends_group = true},
-      UserAction{.name = "Quit",
+      UserAction{.id = "file.quit",
+                 .name = "Quit",
                  .shortcut = "Ctrl+Q",
                  .tip = "Ends the editor. The settings are kept.",
                  .run = [this] { quit(); }},

@@ -154,18 +154,20 @@ class HistoryFeature : public Feature {
   explicit HistoryFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"History", Tab::kCut, 800, true, [this] { panel_.draw(workspace_); }}};
+    return {{"history", "History", Tab::kCut, 800, true, [this] { panel_.draw(workspace_); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{200,
              "Edit",
-             {UserAction{.name = "Undo",
+             {UserAction{.id = "edit.undo",
+                         .name = "Undo",
                          .shortcut = "Ctrl+Z",
                          .tip = "Reverts the last stroke or command.",
                          .run = [this] { ask_to_step(true); },
                          .disabled_reason =
                              [this] { return history().position() > 0 ? nullptr : "Nothing was done yet."; }},
-              UserAction{.name = "Redo",
+              UserAction{.id = "edit.redo",
+                         .name = "Redo",
                          .shortcut = "Ctrl+Shift+Z",
                          .tip = "Repeats the last undone step.",
                          .run = [this] { ask_to_step(false); },

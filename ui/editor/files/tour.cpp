@@ -16,9 +16,9 @@ namespace {
 constexpr Ticks kSeenFalling = kTicksPerSecond;
 
 // Returns "Ctrl+Z undoes the stroke."; the name of the action if no key is bound to it.
-std::string by_key(const ViewState& view, const std::string& action, const std::string& rest) {
-  const std::string key = shortcut_of(view, action);
-  return (key.empty() ? "\"" + action + "\"" : key) + rest;
+std::string by_key(const ViewState& view, const char* id, const std::string& name, const std::string& rest) {
+  const std::string key = shortcut_of(view, id);
+  return (key.empty() ? "\"" + name + "\"" : key) + rest;
 }
 
 }  // namespace
@@ -46,29 +46,33 @@ std::vector<TourStep> first_five_minutes(const ViewState& view) {
        "car, "
        "and release.",
        "", [](const M& begin, const M& now) { return now.position > begin.position && !now.cuts; }},
-      {"Undo", by_key(view, "Undo", " undoes the stroke: the car is whole again."), "History",
+      {"Undo", by_key(view, "edit.undo", "Undo", " undoes the stroke: the car is whole again."), "panel history",
        [](const M& begin, const M& now) { return now.position < begin.position; }},
-      {"Do it again", by_key(view, "Redo", " cuts it again. The History panel goes to any step."), "History",
-       [](const M& begin, const M& now) { return now.position > begin.position; }},
+      {"Redo", by_key(view, "edit.redo", "Redo", " cuts it again. The History panel goes to any step."),
+       "panel history", [](const M& begin, const M& now) { return now.position > begin.position; }},
       {"Orbit", "Drag with the middle button, or with Alt and the left one, to orbit; scroll to zoom.", "",
        [](const M& begin, const M& now) { return now.eye != begin.eye; }},
       {"Let it fall",
-       by_key(view, "Play", " lets time pass: what is cut off falls. The Move tab sets how fast."),
-       "tab Move",
+       by_key(view, "physics.play", "Play",
+              " lets time pass: what is cut off falls. The Move tab sets how fast."),
+       "tab physics",
        [](const M& begin, const M& now) { return now.plays && now.clock >= begin.clock + kSeenFalling; }},
-      {"Stop time", by_key(view, "Play", " again stops it; ") + by_key(view, "Undo", " puts all back."), "",
-       [](const M&, const M& now) { return !now.plays; }},
+      {"Stop time",
+       by_key(view, "physics.play", "Play", " again stops it; ") +
+           by_key(view, "edit.undo", "Undo", " puts all back."),
+       "", [](const M&, const M& now) { return !now.plays; }},
       {"See the faces",
-       by_key(view, "Wireframe", " shows the edges: Kerf refines where the beam bites, and nowhere else."),
-       "tab Look", [](const M& begin, const M& now) { return now.shows_edges != begin.shows_edges; }},
+       by_key(view, "view.wire", "Wire",
+              " shows the edges: Kerf refines where the beam bites, and nowhere else."),
+       "tab view", [](const M& begin, const M& now) { return now.shows_edges != begin.shows_edges; }},
       {"Refine", "Drag the slider Edge in the Resolution panel: the last stroke is cut again while it moves.",
        "resolution size", [](const M& begin, const M& now) { return now.edge != begin.edge; }},
       {"Look into the tree",
-       by_key(view, "Boxes",
+       by_key(view, "view.boxes", "Boxes of the tree",
               " shows the boxes of the AABB tree that finds the faces: red where the beam was."),
-       "tab Look", [](const M& begin, const M& now) { return now.shows_boxes != begin.shows_boxes; }},
+       "tab view", [](const M& begin, const M& now) { return now.shows_boxes != begin.shows_boxes; }},
       {"Keep it",
-       by_key(view, "Save",
+       by_key(view, "file.save", "Save",
               " writes all of it, with everything that can be undone. This was the tour; Help has it "
               "and all keys."),
        "", [](const M& begin, const M& now) { return now.saved && !begin.saved; }},

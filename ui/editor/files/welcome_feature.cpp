@@ -39,7 +39,9 @@ class RecentFeature : public Feature {
   explicit RecentFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<ActionGroup> actions() override {
-    return {{101, "File", {UserAction{.name = "Open recent", .items = [this] { return files(); }}}}};
+    return {{101, "File", {UserAction{.id = "file.open_recent", .name = "Open recent", .items = [this] {
+                                        return files();
+                                      }}}}};
   }
 
   void update(double) override {
@@ -140,10 +142,12 @@ class WelcomeFeature : public Feature {
   std::vector<ActionGroup> actions() override {
     return {{1900,
              "Help",
-             {UserAction{.name = "Welcome",
+             {UserAction{.id = "help.welcome",
+                         .name = "Welcome",
                          .tip = "Recent files, scenes, and the tour.",
                          .run = [this] { shown_ = true; }},
-              UserAction{.name = "The first five minutes",
+              UserAction{.id = "help.tour",
+                         .name = "The first five minutes",
                          .tip = "A tour of the car that goes on when a step is done.",
                          .run = [this] { begin_tour(); },
                          .checked = [this] { return tour_.is_on(); }}}}};

@@ -231,14 +231,12 @@ void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
   draw_box(view, workspace.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
 }
 
-constexpr const char* kInspectTool = "Inspect and measure";
-
 class InspectFeature : public Feature {
  public:
   explicit InspectFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<ActionGroup> actions() override {
-    UserAction action = tool_action(workspace_, kInspectTool, "M",
+    UserAction action = tool_action(workspace_, kInspectTool, "Inspect and measure", "M",
                                     "Shows facts about the face under the pointer; two clicks measure a "
                                     "distance.");
     action.run = [this, take = action.run] {

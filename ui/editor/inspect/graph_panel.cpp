@@ -98,7 +98,7 @@ void removals_row(GraphState& graph, const ViewState& view) {
       view,
       "Removed faces. A tick marks a removal that closed a loop of removed faces, when Kerf searches. The "
       "viewport shows the loops with the component graph.",
-      action_name(view_switch(SwitchId::kGraph)));
+      action_id(view_switch(SwitchId::kGraph)));
   if (whole_slider({"Removals", "##removals", meaning.c_str()}, removals, 0,
                    static_cast<int>(graph.removed()), shown))
     graph.set_removals(static_cast<size_t>(removals));
@@ -303,14 +303,14 @@ LongChange graph_reading(GraphState& graph) {
           }};
 }
 
-constexpr const char* kGraphPanel = "Graph";
+constexpr const char* kGraphPanel = "graph";
 
 class GraphFeature : public Feature {
  public:
   explicit GraphFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kGraphPanel, Tab::kLook, 1100, false,
+    return {{kGraphPanel, "Graph", Tab::kView, 1100, false,
              [this] {
                const bool seen = workspace_.points() && !workspace_.view.in_second;
                panel_.draw(graph_, workspace_.work.document, workspace_.view,

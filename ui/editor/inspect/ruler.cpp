@@ -137,7 +137,7 @@ std::string RulerList::to_csv() const {
 
 namespace {
 
-constexpr const char* kRuler = "Ruler";      // the tool and the panel
+constexpr const char* kRulerPanel = "ruler";
 constexpr const char* kRulerKey = "rulers";  // in the head of a document
 constexpr double kReachOfEnd = 8;            // screen coordinates
 
@@ -151,7 +151,7 @@ class RulerFeature : public Feature {
   explicit RulerFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kRuler, Tab::kLook, 1350, false, [this] { draw_panel(); }}};
+    return {{kRulerPanel, "Ruler", Tab::kView, 1350, false, [this] { draw_panel(); }}};
   }
   std::vector<ActionGroup> actions() override;
 
@@ -197,8 +197,8 @@ class RulerFeature : public Feature {
     bool edits_ = false;
   };
 
-  bool in_hand() const { return workspace_.tool == kRuler; }
-  bool shown() const { return in_hand() || workspace_.panels.shows(kRuler); }
+  bool in_hand() const { return workspace_.tool == kRulerTool; }
+  bool shown() const { return in_hand() || workspace_.panels.shows(kRulerPanel); }
   void keep() { set_head_entry(workspace_.work.scene, kRulerKey, list_.to_json()); }
   std::optional<EndOfMark> end_under_pointer() const;
   void measure();
@@ -223,13 +223,14 @@ class RulerFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 std::vector<ActionGroup> RulerFeature::actions() {
-  const UserAction take = tool_action(workspace_, kRuler, "",
+  const UserAction take = tool_action(workspace_, kRulerTool, "Ruler", "",
                                       "Click two points to add a measurement, which can be named, moved, "
                                       "saved and exported.",
                                       true);
-  const auto action = [](const char* name, const char* tip, std::function<void()> run,
+  const auto action = [](const char* id, const char* name, const char* tip, std::function<void()> run,
                          std::function<const char*()> disabled_reason) {
-    return UserAction{.name = name,
+    return UserAction{.id = id,
+                      .name = name,
                       .tip = tip,
                       .run = std::move(run),
                       .disabled_reason = std::move(disabled_reason),
@@ -240,14 +241,16 @@ std::vector<ActionGroup> RulerFeature::actions() {
       {1410,
        "Ruler",
        {action(
-            "Undo the edit of distances", "Of the distances that the ruler keeps.", [this] { step(true); },
+            "ruler.undo", "Undo the edit of distances", "Of the distances that the ruler keeps.",
+            [this] { step(true); },
             [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
         action(
-            "Redo the edit of distances", "Edits them again as before the undo.", [this] { step(false); },
+            "ruler.redo", "Redo the edit of distances", "Edits them again as before the undo.",
+            [this] { step(false); },
             [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
         action(
-            "Export the distances...", "As a table (.csv) with the ends and the length of each.",
-            [this] { choose_file_to_export(); },
+            "ruler.export", "Export the distances...",
+            "As a table (.csv) with the ends and the length of each.", [this] { choose_file_to_export(); },
             [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })}}};
 }
 

@@ -121,17 +121,24 @@ bool draw_histogram(const Histogram& histogram, ScalarRange& range) {
 
 namespace {
 
-constexpr const char* kScalarPanel = "Scalar map";
+constexpr const char* kScalarPanel = "scalar_map";
 constexpr double kRestShare = 10;    // computing takes a tenth of the time at most
 constexpr double kOutermost = 0.01;  // of the faces at each end, which the narrower fit leaves out
 constexpr const char* kTip = "Colours every face by a quantity, with a legend in the viewport.";
+
+const char* action_id(std::optional<FaceQuantity> quantity) {
+  constexpr std::array<const char*, kFaceQuantities> kIds{"scalar_map.level", "scalar_map.longest_edge",
+                                                          "scalar_map.min_angle", "scalar_map.temperature",
+                                                          "scalar_map.rim_distance"};
+  return quantity ? kIds.at(static_cast<size_t>(*quantity)) : "scalar_map.paint";
+}
 
 class ScalarMapFeature : public Feature {
  public:
   explicit ScalarMapFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kScalarPanel, Tab::kLook, 1060, false, [this] { draw(); }}};
+    return {{kScalarPanel, "Scalar map", Tab::kView, 1060, false, [this] { draw(); }}};
   }
   std::vector<ActionGroup> actions() override;
   void on_world_changed(const Delta& delta) override { map_.follow(workspace_.world(), delta); }
@@ -162,10 +169,11 @@ class ScalarMapFeature : public Feature {
 
 UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
   const std::string name = std::string("Colour faces by: ") + (quantity ? name_of(*quantity) : "paint");
-  UserAction action = picture_action(workspace_.view, name.c_str(), kTip, [this, quantity] {
-    show(quantity);
-    if (quantity) workspace_.panels.show(kScalarPanel);
-  });
+  UserAction action =
+      picture_action(workspace_.view, action_id(quantity), name.c_str(), kTip, [this, quantity] {
+        show(quantity);
+        if (quantity) workspace_.panels.show(kScalarPanel);
+      });
   action.checked = [this, quantity] { return map_.shown() == quantity; };
   return action;
 }

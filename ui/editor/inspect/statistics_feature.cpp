@@ -106,7 +106,7 @@ class StatisticsFeature : public Feature {
  public:
   explicit StatisticsFeature(Workspace& workspace) : workspace_(workspace) {}
   std::vector<Panel> panels() override {
-    return {{"Statistics", Tab::kLook, 1400, false,
+    return {{"statistics", "Statistics", Tab::kView, 1400, false,
              [this] { draw_statistics_panel(workspace_.statistics.chart, workspace_.statistics.shown); }}};
   }
 

@@ -18,7 +18,7 @@ constexpr int kAllLevels = 64;
 std::string explanation(const ViewState& view, const char* meaning) {
   if (view.look.show.aabb) return meaning;
   return with_shortcut(view, "The boxes are not shown: switch them on above.",
-                       action_name(view_switch(SwitchId::kBoxes)));
+                       action_id(view_switch(SwitchId::kBoxes)));
 }
 
 void explain(const ViewState& view, const char* meaning) { tooltip(explanation(view, meaning).c_str()); }
@@ -109,9 +109,9 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
   end_properties();
 }
 
-UserAction level_action(Workspace& workspace, const char* name, int by) {
+UserAction level_action(Workspace& workspace, const char* id, const char* name, int by) {
   UserAction action = picture_action(
-      workspace.view, name, "Levels of the tree under its root that are drawn.", [&workspace, by] {
+      workspace.view, id, name, "Levels of the tree under its root that are drawn.", [&workspace, by] {
         const int all = std::max(1, workspace.statistics.shown.tree_depth.value_or(1));
         int& deepest = workspace.view.look.tree.deepest;
         deepest = std::max(0, std::min(deepest, all) + by);
@@ -125,7 +125,7 @@ UserAction level_action(Workspace& workspace, const char* name, int by) {
 UserAction palette_action(Workspace& workspace) {
   BoxPalette& palette = workspace.settings.palette;
   UserAction action = picture_action(
-      workspace.view, "Boxes: orange and blue",
+      workspace.view, "tree.colours", "Boxes: orange and blue",
       "Colours that can be told apart by the colour-blind, in place of red and green.", [&palette] {
         palette = palette == BoxPalette::kRedAndGreen ? BoxPalette::kOrangeAndBlue : BoxPalette::kRedAndGreen;
       });
@@ -138,7 +138,7 @@ class TreeFeature : public Feature {
   explicit TreeFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Tree", Tab::kLook, 1050, false, [this] {
+    return {{"tree", "Tree", Tab::kView, 1050, false, [this] {
                draw_tree_panel(workspace_.view, workspace_.world(), workspace_.settings,
                                workspace_.statistics.shown);
              }}};
@@ -147,14 +147,15 @@ class TreeFeature : public Feature {
     TreeOverlay& tree = workspace_.view.look.tree;
     return {{1402,
              "Tree",
-             {flag_action(workspace_.view, "Boxes: leaves only", tree.leaves_only,
+             {flag_action(workspace_.view, "tree.leaves_only", "Boxes: leaves only", tree.leaves_only,
                           "Only the boxes that hold one face."),
-              flag_action(workspace_.view, "Boxes: only where the beam was", tree.hit_only,
+              flag_action(workspace_.view, "tree.hit_only", "Boxes: only where the beam was", tree.hit_only,
                           "Only the boxes in which the beam is or was."),
-              level_action(workspace_, "Boxes: one level more", 1),
-              level_action(workspace_, "Boxes: one level less", -1), palette_action(workspace_)}}};
+              level_action(workspace_, "tree.level_more", "Boxes: one level more", 1),
+              level_action(workspace_, "tree.level_less", "Boxes: one level less", -1),
+              palette_action(workspace_)}}};
   }
-  void update(double) override { workspace_.statistics.depth_wanted = workspace_.panels.shows("Tree"); }
+  void update(double) override { workspace_.statistics.depth_wanted = workspace_.panels.shows("tree"); }
   void on_world_changed(const Delta&) override {
     std::optional<BodyId>& body = workspace_.view.look.tree.body;
     if (body && !workspace_.world().contains(*body)) body.reset();

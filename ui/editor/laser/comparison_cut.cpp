@@ -97,12 +97,13 @@ class SplitFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{"Resolution", Tab::kCut, 401, true, [this] { draw_rows(); }}};
+    return {{"resolution", "Resolution", Tab::kCut, 401, true, [this] { draw_rows(); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{720,
              "View",
-             {UserAction{.name = "Split view",
+             {UserAction{.id = "view.split",
+                         .name = "Split view",
                          .shortcut = "S",
                          .tip = "Shows the last cut at a second resolution in the right half.",
                          .run = [this] { show(!shown_); },
@@ -177,7 +178,7 @@ void SplitFeature::draw_rows() {
   if (!begin_properties("split view")) return;
   property("Split view");
   bool shown = shown_;
-  if (ImGui::Checkbox((with_shortcut(workspace_.view, "two resolutions", "Split view") + "###split").c_str(),
+  if (ImGui::Checkbox((with_shortcut(workspace_.view, "two resolutions", "view.split") + "###split").c_str(),
                       &shown))
     show(shown);
   tooltip("Shows the last cut at a second resolution in the right half of the viewport.");

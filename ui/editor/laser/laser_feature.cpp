@@ -58,7 +58,6 @@ bool draw_laser_panel(LaserControls& laser, FileUnit unit) {
   return changed;
 }
 
-constexpr const char* kLaserTool = "Laser";
 constexpr double kRadiusStep = 1.25;
 constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 
@@ -111,14 +110,14 @@ class LaserFeature : public Feature {
   explicit LaserFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Laser", Tab::kCut, 100, true,
+    return {{"laser", "Laser", Tab::kCut, 100, true,
              [this] {
                if (draw_laser_panel(workspace_.laser, workspace_.view.frame.unit)) cut_again_live(true);
              }},
-            {"Resolution", Tab::kCut, 400, true, [this] { draw_resolution(); }}};
+            {"resolution", "Resolution", Tab::kCut, 400, true, [this] { draw_resolution(); }}};
   }
   std::vector<ActionGroup> actions() override {
-    return {{300, "Tool", {tool_action(workspace_, kLaserTool, "L", "Left-drag to cut.")}},
+    return {{300, "Tool", {tool_action(workspace_, kLaserTool, "Laser", "L", "Left-drag to cut.")}},
             {304, "Tool", {recut_action()}},
             {1000, "Laser", laser_actions()}};
   }
@@ -169,8 +168,8 @@ class LaserFeature : public Feature {
   void draw_ring(ImDrawList& list) const;
   UserAction recut_action();
   std::vector<UserAction> laser_actions();
-  UserAction radius_action(const char* name, double factor);
-  UserAction finer_action(const char* name, int steps);
+  UserAction radius_action(const char* id, const char* name, double factor);
+  UserAction finer_action(const char* id, const char* name, int steps);
 
   void cut_again_live(bool radius) {
     if (workspace_.settings.live_recut && why_no_recut(workspace_.work.document) == nullptr)
@@ -212,7 +211,8 @@ bool LaserFeature::can_stop() const {
 }
 
 UserAction LaserFeature::recut_action() {
-  return {.name = "Cut the last stroke again",
+  return {.id = "laser.recut",
+          .name = "Cut the last stroke again",
           .shortcut = "R",
           .tip = "Recuts the last stroke at the current resolution.",
           .run = [this] { ask_for_recut(false); },
@@ -220,8 +220,9 @@ UserAction LaserFeature::recut_action() {
           .ends_group = true};
 }
 
-UserAction LaserFeature::radius_action(const char* name, double factor) {
-  return {.name = name,
+UserAction LaserFeature::radius_action(const char* id, const char* name, double factor) {
+  return {.id = id,
+          .name = name,
           .tip = "Changes the beam radius by a quarter; with live update, the last stroke is recut.",
           .run =
               [this, factor] {
@@ -234,8 +235,9 @@ UserAction LaserFeature::radius_action(const char* name, double factor) {
           .in_menu = false};
 }
 
-UserAction LaserFeature::finer_action(const char* name, int steps) {
-  return {.menu = "Resolution",
+UserAction LaserFeature::finer_action(const char* id, const char* name, int steps) {
+  return {.id = id,
+          .menu = "Resolution",
           .name = name,
           .tip = "Halves or doubles the edge length along the cut, or changes the depth by one.",
           .run =
@@ -251,33 +253,35 @@ std::vector<UserAction> LaserFeature::laser_actions() {
   Pattern& pattern = workspace_.laser.pattern;
   ResolutionControls& resolution = workspace_.laser.resolution;
   bool& live = workspace_.settings.live_recut;
-  const auto choice = [this](const char* name, auto& value, auto set, const char* tip) {
-    return setting_action("Resolution", name, tip, value, set, [this] { cut_again_live(false); });
+  const auto choice = [this](const char* id, const char* name, auto& value, auto set, const char* tip) {
+    return setting_action("Resolution", id, name, tip, value, set, [this] { cut_again_live(false); });
   };
   return {
-      radius_action("Wider beam", kRadiusStep),
-      radius_action("Narrower beam", 1 / kRadiusStep),
-      setting_action(nullptr, "Pattern: volume", "Removes everything in the beam.", pattern,
-                     Pattern::kVolume),
-      setting_action(nullptr, "Pattern: four rays",
+      radius_action("laser.wider", "Wider beam", kRadiusStep),
+      radius_action("laser.narrower", "Narrower beam", 1 / kRadiusStep),
+      setting_action(nullptr, "laser.pattern_volume", "Pattern: volume", "Removes everything in the beam.",
+                     pattern, Pattern::kVolume),
+      setting_action(nullptr, "laser.pattern_rays", "Pattern: four rays",
                      "Removes only what four parallel rays on the rim of the beam hit.", pattern,
                      Pattern::kRays4),
-      finer_action("Finer cut", 1),
-      finer_action("Coarser cut", -1),
-      choice("Split to edge length", resolution.rule, Rule::kTargetEdge,
+      finer_action("resolution.finer", "Finer cut", 1),
+      finer_action("resolution.coarser", "Coarser cut", -1),
+      choice("resolution.by_edge_length", "Split to edge length", resolution.rule, Rule::kTargetEdge,
              "Splits faces until their edges are short enough."),
-      choice("Split to tolerance", resolution.rule, Rule::kTolerance,
+      choice("resolution.by_tolerance", "Split to tolerance", resolution.rule, Rule::kTolerance,
              "Splits faces until the removed area exceeds the beam by at most the tolerance."),
-      choice("Split to depth", resolution.rule, Rule::kDepth, "Splits faces a fixed number of times."),
-      choice("Scheme: one to four", resolution.scheme, Scheme::kOneToFour,
+      choice("resolution.by_depth", "Split to depth", resolution.rule, Rule::kDepth,
+             "Splits faces a fixed number of times."),
+      choice("resolution.one_to_four", "Scheme: one to four", resolution.scheme, Scheme::kOneToFour,
              "Splits a face into four, as in the paper."),
-      choice("Scheme: longest edge", resolution.scheme, Scheme::kLongestEdge,
+      choice("resolution.longest_edge", "Scheme: longest edge", resolution.scheme, Scheme::kLongestEdge,
              "Splits a face into two at its longest edge."),
-      choice("Rim: faces", resolution.rim, Rim::kFaces,
+      choice("resolution.rim_faces", "Rim: faces", resolution.rim, Rim::kFaces,
              "Removes every face the beam touches; the edge is jagged."),
-      choice("Rim: smooth", resolution.rim, Rim::kSmooth,
+      choice("resolution.rim_smooth", "Rim: smooth", resolution.rim, Rim::kSmooth,
              "Cuts faces along the boundary of the beam when the stroke ends."),
-      UserAction{.menu = "Resolution",
+      UserAction{.id = "resolution.live",
+                 .menu = "Resolution",
                  .name = "Cut again as the slider moves",
                  .tip = "Recuts the last stroke when the resolution or the radius changes.",
                  .run = [&live] { live = !live; },
@@ -295,8 +299,8 @@ void LaserFeature::draw_resolution() {
   ImGui::BeginDisabled(disabled_reason != nullptr);
   if (ImGui::Button("Cut again", {-1, 0})) ask_for_recut(false);
   ImGui::EndDisabled();
-  const std::string meaning = with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.",
-                                            "Cut the last stroke again");
+  const std::string meaning =
+      with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.", "laser.recut");
   tooltip(disabled_reason != nullptr ? disabled_reason : meaning.c_str());
   property("");
   ImGui::Checkbox("as the slider moves", &workspace_.settings.live_recut);

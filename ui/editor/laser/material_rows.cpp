@@ -388,8 +388,8 @@ class MaterialFeature : public Feature {
   explicit MaterialFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Laser", Tab::kCut, 110, true, [this] { draw_heat(); }},
-            {"Material", Tab::kHeat, 200, true, [this] { draw_material(); }}};
+    return {{"laser", "Laser", Tab::kCut, 110, true, [this] { draw_heat(); }},
+            {"material", "Material", Tab::kThermal, 200, true, [this] { draw_material(); }}};
   }
   void update(double seconds) override {
     pointer_.follow(workspace_.pointer, seconds);

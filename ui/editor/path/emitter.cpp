@@ -182,7 +182,7 @@ class EmitterFeature : public Feature {
   explicit EmitterFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Laser", Tab::kCut, 120, true, [this] { draw_rows(); }}};
+    return {{"laser", "Laser", Tab::kCut, 120, true, [this] { draw_rows(); }}};
   }
   std::vector<ActionGroup> actions() override { return {{410, "Path", emitter_actions()}}; }
   std::vector<Gesture> gestures() const override {
@@ -249,18 +249,21 @@ void EmitterFeature::drag(double now) {
 std::vector<UserAction> EmitterFeature::emitter_actions() {
   const auto why_none = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
   return {
-      UserAction{.name = "Place the emitter",
+      UserAction{.id = "emitter.place",
+                 .name = "Place the emitter",
                  .shortcut = "Shift+U",
                  .tip = "Places a laser in the scene, aimed at the centre of the viewport.",
                  .run = [this] { place(); }},
       UserAction{
+          .id = "emitter.fire",
           .name = "Fire the emitter",
           .shortcut = "U",
           .tip = "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
           .run = [this] { emitter_.firing = !emitter_.firing; },
           .checked = [this] { return emitter_.firing; },
           .disabled_reason = why_none},
-      UserAction{.name = "Take the emitter away",
+      UserAction{.id = "emitter.remove",
+                 .name = "Take the emitter away",
                  .tip = "Removes the emitter from the scene.",
                  .run = [this] { emitter_.remove(); },
                  .disabled_reason = why_none},
@@ -276,7 +279,7 @@ void EmitterFeature::draw_rows() {
     return;
   }
   const std::string meaning =
-      with_shortcut(workspace_.view, "Switches the emitter on or off.", "Fire the emitter");
+      with_shortcut(workspace_.view, "Switches the emitter on or off.", "emitter.fire");
   if (row_button(emitter_.firing ? "Switch off###fire" : "Fire###fire", 2, nullptr, meaning.c_str()))
     emitter_.firing = !emitter_.firing;
   mark_last_item("fire");
@@ -367,7 +370,7 @@ void EmitterFeature::draw_overlay(ImDrawList& list) {
   list.PopClipRect();
   if (!emitter_.firing) return;
   workspace_.badges.draw(workspace_.view, Badges::Sign::kMode,
-                         with_shortcut(workspace_.view, "The emitter fires.", "Fire the emitter"),
+                         with_shortcut(workspace_.view, "The emitter fires.", "emitter.fire"),
                          "emitter badge");
 }
 

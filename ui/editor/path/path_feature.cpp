@@ -20,7 +20,7 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kPath = "Path";     // tool and panel
+constexpr const char* kPathPanel = "path";
 constexpr const char* kPathKey = "path";  // in the head of a document
 constexpr const char* kNoPoints = "The path has no points.";
 
@@ -51,7 +51,7 @@ class PathFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{kPath, Tab::kCut, 500, false, [this] { draw_panel(); }}};
+    return {{kPathPanel, "Path", Tab::kCut, 500, false, [this] { draw_panel(); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{303, "Tool", {take_tool_action()}}, {400, "Path", path_actions()}};
@@ -82,8 +82,8 @@ class PathFeature : public Feature {
   void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  bool in_hand() const { return workspace_.tool == kPath; }
-  bool shows_path() const { return in_hand() || workspace_.panels.shows(kPath); }
+  bool in_hand() const { return workspace_.tool == kPathTool; }
+  bool shows_path() const { return in_hand() || workspace_.panels.shows(kPathPanel); }
   const char* why_no_run() const;
   UserAction take_tool_action();
   std::vector<UserAction> path_actions();
@@ -132,7 +132,7 @@ const char* PathFeature::why_no_run() const {
 
 UserAction PathFeature::take_tool_action() {
   UserAction action = tool_action(
-      workspace_, kPath, "O",
+      workspace_, kPathTool, "Path", "O",
       "Click a surface to add a point, Shift+click for a new stroke; drag points and beams.", true);
   action.ends_group = true;
   return action;
@@ -145,25 +145,30 @@ std::vector<UserAction> PathFeature::path_actions() {
   };
   const auto why_empty = [this] { return path_.empty() ? kNoPoints : nullptr; };
   return {
-      UserAction{.name = "Run the path",
+      UserAction{.id = "path.run",
+                 .name = "Run the path",
                  .shortcut = "Ctrl+Enter",
                  .pad_key = GLFW_KEY_KP_ENTER,
                  .tip = "Cuts along the path, like kerf cut --path.",
                  .run = [this] { ask_for_run(); },
                  .disabled_reason = [this] { return why_no_run(); },
                  .ends_group = true},
-      UserAction{.name = "Load a path...",
+      UserAction{.id = "path.load",
+                 .name = "Load a path...",
                  .tip = "Loads a path file (.json); you can also drop one on the window.",
                  .run = [this] { choose_file_to_load(); }},
-      UserAction{.name = "Save the path...",
+      UserAction{.id = "path.save",
+                 .name = "Save the path...",
                  .tip = "Saves the path as a file (.json) for kerf cut --path.",
                  .run = [this] { choose_file_to_save(); },
                  .disabled_reason = why_empty},
-      UserAction{.name = "Clear the path",
+      UserAction{.id = "path.clear",
+                 .name = "Clear the path",
                  .tip = "Removes all points.",
                  .run = [this] { path_.begin_edit(), path_.clear(); },
                  .disabled_reason = why_empty},
       UserAction{
+          .id = "path.delete_point",
           .name = "Remove the point",
           .shortcut = "Del",
           .pad_key = GLFW_KEY_BACKSPACE,
@@ -173,13 +178,15 @@ std::vector<UserAction> PathFeature::path_actions() {
           .has_key_when = [this] { return in_hand() && path_.chosen(); },
           .ends_group = true},
       UserAction{
+          .id = "path.undo",
           .name = "Undo the edit of the path",
           .shortcut = "Ctrl+Z",
           .tip = "The key works with the Path tool, until the path is run.",
           .run = [this] { path_.undo(); },
           .disabled_reason = [this] { return path_.can_undo() ? nullptr : "There is no path edit to undo."; },
           .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_undo(); }},
-      UserAction{.name = "Redo the edit of the path",
+      UserAction{.id = "path.redo",
+                 .name = "Redo the edit of the path",
                  .shortcut = "Ctrl+Shift+Z",
                  .tip = "Repeats the undone edit of the path.",
                  .run = [this] { path_.redo(); },
@@ -223,8 +230,8 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   path_.begin_edit();
   path_.load(std::move(*strokes), workspace_.world());
   path_.record_file(file);
-  workspace_.tool = kPath;
-  workspace_.panels.show(kPath);
+  workspace_.tool = kPathTool;
+  workspace_.panels.show(kPathPanel);
   workspace_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") +
                          ", " + count_text(path_.points(), "point"));
   return "";

@@ -165,7 +165,7 @@ constexpr const char* kEmpty = "The path has no points.";
 
 std::string summary(const PathWork& path, const ViewState& view) {
   if (path.empty())
-    return with_shortcut(view, "Click points on a surface with the Path tool,", "Path") +
+    return with_shortcut(view, "Click points on a surface with the Path tool,", "tool.path") +
            " or load a path file.";
   double way = 0, seconds = 0;
   for (const StrokePath& stroke : path.strokes()) {
@@ -202,7 +202,7 @@ void set_up_columns(const std::string& unit) {
 
 void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run,
                              const PathWishes& wishes) {
-  const std::string run = with_shortcut(view, "Cuts along the path, like kerf cut --path.", "Run the path");
+  const std::string run = with_shortcut(view, "Cuts along the path, like kerf cut --path.", "path.run");
   if (row_button("Run", 4, why_no_run, run.c_str())) wishes.run();
   ImGui::SameLine();
   if (row_button("Load", 4, nullptr, "Loads a path file (.json); you can also drop one on the window."))

@@ -189,13 +189,14 @@ class MovingFeature : public Feature {
   explicit MovingFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Pieces", Tab::kCut, 601, true, [this] { draw_placement(); }}};
+    return {{"pieces", "Pieces", Tab::kCut, 601, true, [this] { draw_placement(); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{240,
              "Edit",
-             {move_action("Move the chosen", "G", PieceMove::Kind::kMove),
-              move_action("Rotate the chosen", "R", PieceMove::Kind::kTurn), duplicate_action()}}};
+             {move_action("pieces.move", "Move the chosen", "G", PieceMove::Kind::kMove),
+              move_action("pieces.rotate", "Rotate the chosen", "R", PieceMove::Kind::kTurn),
+              duplicate_action()}}};
   }
   std::vector<Gesture> gestures() const override {
     return {{40, "Left drag on an arrow or a ring",
@@ -244,7 +245,7 @@ class MovingFeature : public Feature {
   std::optional<Vec3> pivot() const {
     return pivot_shown(workspace_.view, moving_.now(), workspace_.tool == kPickTool, workspace_.world());
   }
-  UserAction move_action(const char* name, const char* key, PieceMove::Kind kind);
+  UserAction move_action(const char* id, const char* name, const char* key, PieceMove::Kind kind);
   UserAction duplicate_action();
   void draw_placement();
 
@@ -321,8 +322,10 @@ std::unique_ptr<Interaction> MovingFeature::begin_interaction(const Press& press
 }
 
 // The key moves the piece only if the Select tool is active and a piece is selected.
-UserAction MovingFeature::move_action(const char* name, const char* key, PieceMove::Kind kind) {
+UserAction MovingFeature::move_action(const char* id, const char* name, const char* key,
+                                      PieceMove::Kind kind) {
   return {
+      .id = id,
       .name = name,
       .shortcut = key,
       .tip =
@@ -340,7 +343,8 @@ UserAction MovingFeature::move_action(const char* name, const char* key, PieceMo
 }
 
 UserAction MovingFeature::duplicate_action() {
-  return {.name = "Duplicate the chosen",
+  return {.id = "pieces.duplicate",
+          .name = "Duplicate the chosen",
           .shortcut = "Shift+D",
           .tip = "Adds a copy of the selected piece and moves it with the pointer.",
           .run = [this] { workspace_.changes.ask("Duplicate the chosen", [this] { duplicate(); }); },

@@ -25,15 +25,15 @@ namespace {
 
 constexpr double kSpreadStep = 0.25, kMaxSpread = 1.5;
 constexpr size_t kMaxNamed = 100;  // pieces
-constexpr const char* kPiecesPanel = "Pieces";
+constexpr const char* kPiecesPanel = "pieces";
 
 class PiecesFeature : public Feature {
  public:
   explicit PiecesFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kPiecesPanel, Tab::kCut, 600, true, [this] { draw_list(); }},
-            {kPiecesPanel, Tab::kCut, 602, true,
+    return {{kPiecesPanel, "Pieces", Tab::kCut, 600, true, [this] { draw_list(); }},
+            {kPiecesPanel, "Pieces", Tab::kCut, 602, true,
              [this] { draw_spread(list_pieces(workspace_.world()).size() < 2); }}};
   }
   std::vector<ActionGroup> actions() override {
@@ -42,7 +42,7 @@ class PiecesFeature : public Feature {
         {230, "Edit", piece_actions()},
         {301,
          "Tool",
-         {tool_action(workspace_, kPickTool, "K",
+         {tool_action(workspace_, kPickTool, "Pick pieces", "K",
                       "Click a piece or drag a box to select; Shift adds. With the Laser tool, use Ctrl.")}},
         {1400, "Pieces", shown_actions()}};
   }
@@ -87,7 +87,7 @@ class PiecesFeature : public Feature {
   std::vector<UserAction> piece_actions();
   std::vector<UserAction> shown_actions();
   std::vector<UserAction> pieces_to_choose();
-  UserAction spread_action(const char* name, double by);
+  UserAction spread_action(const char* id, const char* name, double by);
   UserAction export_action();
 
   void draw_list();
@@ -120,21 +120,25 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
     return chosen_pieces(workspace_.view.look.pieces) > 1 ? "Select a single piece to rename it." : nullptr;
   };
   return {
-      UserAction{.name = "Choose all pieces",
+      UserAction{.id = "pieces.select_all",
+                 .name = "Choose all pieces",
                  .shortcut = "Ctrl+A",
                  .tip = "Selects all visible pieces.",
                  .run = [this] { choose_all(); }},
-      UserAction{.name = "Hide the chosen",
+      UserAction{.id = "pieces.hide",
+                 .name = "Hide the chosen",
                  .shortcut = "H",
                  .tip = "Hides the selected pieces; the beam does not cut them.",
                  .run = [this] { ask_to_hide(); },
                  .disabled_reason = why_none},
-      UserAction{.name = "Show all pieces",
+      UserAction{.id = "pieces.show_all",
+                 .name = "Show all pieces",
                  .shortcut = "Shift+H",
                  .tip = "Shows the hidden pieces again.",
                  .run = [this] { ask_to_show(); },
                  .disabled_reason = [this] { return why_none_hidden(); }},
-      UserAction{.name = "Isolate the chosen",
+      UserAction{.id = "pieces.isolate",
+                 .name = "Isolate the chosen",
                  .shortcut = "/",
                  .pad_key = GLFW_KEY_KP_DIVIDE,
                  .tip = "Hides all other pieces; repeat to show them again.",
@@ -145,12 +149,14 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                                                .is_one = true});
                      },
                  .disabled_reason = [this] { return isolation_.disabled_reason(); }},
-      UserAction{.name = "Rename the chosen",
+      UserAction{.id = "pieces.rename",
+                 .name = "Rename the chosen",
                  .shortcut = "F2",
                  .tip = "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
                  .run = [this] { rename_chosen(); },
                  .disabled_reason = why_no_rename},
       UserAction{
+          .id = "pieces.delete",
           .name = "Delete the chosen",
           .shortcut = "Del",
           .tip = "Removes the selected pieces from the scene.",
@@ -167,7 +173,8 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
 }
 
 UserAction PiecesFeature::export_action() {
-  return {.name = "Export chosen pieces...",
+  return {.id = "pieces.export",
+          .name = "Export chosen pieces...",
           .shortcut = "Ctrl+E",
           .tip = "Writes the selected pieces to mesh files, in world space.",
           .run = [this] { export_.choose_file(); },
@@ -193,8 +200,8 @@ std::vector<UserAction> PiecesFeature::pieces_to_choose() {
   return actions;
 }
 
-UserAction PiecesFeature::spread_action(const char* name, double by) {
-  return picture_action(workspace_.view, name,
+UserAction PiecesFeature::spread_action(const char* id, const char* name, double by) {
+  return picture_action(workspace_.view, id, name,
                         "Draws the pieces apart or closer together, without moving them.", [this, by] {
                           workspace_.view.spread = std::clamp(workspace_.view.spread + by, 0.0, kMaxSpread);
                           spread_pieces(workspace_.world(), workspace_.view.spread, workspace_.view.look);
@@ -203,9 +210,12 @@ UserAction PiecesFeature::spread_action(const char* name, double by) {
 
 std::vector<UserAction> PiecesFeature::shown_actions() {
   return {
-      UserAction{.name = "Choose", .items = [this] { return pieces_to_choose(); }, .in_menu = false},
-      spread_action("Pieces further apart", kSpreadStep),
-      spread_action("Pieces nearer together", -kSpreadStep),
+      UserAction{.id = "pieces.select_one",
+                 .name = "Choose",
+                 .items = [this] { return pieces_to_choose(); },
+                 .in_menu = false},
+      spread_action("pieces.explode_more", "Pieces further apart", kSpreadStep),
+      spread_action("pieces.explode_less", "Pieces nearer together", -kSpreadStep),
   };
 }
 
@@ -225,15 +235,15 @@ void PiecesFeature::draw_buttons() {
   const auto told = [&](const char* meaning, const char* action) {
     return with_shortcut(workspace_.view, meaning, action);
   };
-  if (row_button("Hide", 3, why_none, told("Hides the selected pieces.", "Hide the chosen").c_str()))
+  if (row_button("Hide", 3, why_none, told("Hides the selected pieces.", "pieces.hide").c_str()))
     ask_to_hide();
   ImGui::SameLine();
   if (row_button("Show all", 3, why_none_hidden(),
-                 told("Shows the hidden pieces again.", "Show all pieces").c_str()))
+                 told("Shows the hidden pieces again.", "pieces.show_all").c_str()))
     ask_to_show();
   ImGui::SameLine();
   if (row_button("Export", 3, why_none,
-                 told("Writes the selected pieces to mesh files.", "Export chosen pieces...").c_str()))
+                 told("Writes the selected pieces to mesh files.", "pieces.export").c_str()))
     export_.choose_file();
 }
 

@@ -191,14 +191,14 @@ bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
 
 namespace {
 
-constexpr const char* kPreparePanel = "Prepare";
+constexpr const char* kPreparePanel = "prepare";
 
 class PrepareFeature : public Feature {
  public:
   explicit PrepareFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kPreparePanel, Tab::kPrepare, 300, true, [this] {
+    return {{kPreparePanel, "Prepare", Tab::kMesh, 300, true, [this] {
                if (panel_.draw(workspace_.world(), workspace_.view, preparation_, preview_,
                                workspace_.settings.prepare_preview))
                  ask();
@@ -209,21 +209,25 @@ class PrepareFeature : public Feature {
     return {
         {540,
          "Prepare",
-         {tool_action("Simplify to faces", "Reduces the number of faces to the number in the Prepare panel.",
+         {tool_action("prepare.simplify_to_faces", "Simplify to faces",
+                      "Reduces the number of faces to the number in the Prepare panel.",
                       Kind::kSimplifyToFaces),
-          tool_action("Simplify to an error", "Reduces the number of faces within a maximum error.",
-                      Kind::kSimplifyToError),
-          tool_action("Subdivide", "Splits each face into three or four; can round the surface.",
-                      Kind::kSubdivide),
-          tool_action("Smooth", "Moves vertices towards the mean of their neighbours.", Kind::kSmooth),
-          tool_action("Turn inner shells",
+          tool_action("prepare.simplify_to_error", "Simplify to an error",
+                      "Reduces the number of faces within a maximum error.", Kind::kSimplifyToError),
+          tool_action("prepare.subdivide", "Subdivide",
+                      "Splits each face into three or four; can round the surface.", Kind::kSubdivide),
+          tool_action("prepare.smooth", "Smooth", "Moves vertices towards the mean of their neighbours.",
+                      Kind::kSmooth),
+          tool_action("prepare.turn_shells", "Turn inner shells",
                       "Closed parts inside others that face the same way become cavities.",
                       Kind::kTurnShells),
-          UserAction{.name = "Prepare the mesh",
+          UserAction{.id = "prepare.apply",
+                     .name = "Prepare the mesh",
                      .tip = "Applies the Prepare panel to the selected pieces, or to all.",
                      .run = [this] { ask(); },
                      .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},
           UserAction{
+              .id = "prepare.preview",
               .name = "Preview of the preparation",
               .tip = "Draws the edges of the new mesh over the current surface.",
               .run = [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
@@ -239,8 +243,9 @@ class PrepareFeature : public Feature {
   void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  UserAction tool_action(const char* name, const char* tip, Preparation::Tool tool) {
-    return {.name = name,
+  UserAction tool_action(const char* id, const char* name, const char* tip, Preparation::Tool tool) {
+    return {.id = id,
+            .name = name,
             .tip = tip,
             .run =
                 [this, tool] {

@@ -17,10 +17,10 @@ namespace kerf {
 
 struct EditorOptions;
 
-// A panel below the header that bears its title. The title is also the key under which the settings keep
-// whether it is unfolded, and where it is. Panels of the same title are drawn under one header, and the first
-// of them says where.
+// A panel below the header that bears its title. The settings keep under its id whether it is unfolded, and
+// where it is. Panels of the same id are drawn under one header, and the first of them says where.
 struct Panel {
+  const char* id;
   const char* title;
   Tab tab;        // of the column at the right
   int place;      // among the panels, from top to bottom

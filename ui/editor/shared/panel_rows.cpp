@@ -68,7 +68,7 @@ float height_of_row() { return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle(
 bool draw_switch(ViewState& view, SwitchId id, const char* label) {
   const ViewSwitch& s = view_switch(id);
   std::string text = label != nullptr ? label : s.label;
-  text = with_shortcut(view, text, action_name(s));
+  text = with_shortcut(view, text, action_id(s));
   const size_t before = s.get(view.look);
   size_t state = before;
   if (s.is_two_state()) {

@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"
+#include "ui/editor/shared/old_labels.h"
 #include "ui/window/kept_fields.h"
 
 namespace kerf {
@@ -15,11 +16,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr int kMinWindow = 480, kMaxWindow = 16384;
 constexpr std::array kThemes{"dark", "light"};
 constexpr std::array kPalettes{"red-green", "orange-blue"};
-constexpr std::array kTabs{"cut", "look", "move", "heat", "prepare"};
+constexpr std::array kTabs{"cut", "view", "physics", "thermal", "mesh"};
 constexpr std::array kDocks{"column", "second column", "strip", "window"};
 
 // Paths may hold any bytes, but JSON only UTF-8; other paths are left out.
@@ -51,22 +52,22 @@ std::optional<Enum> named(std::span<const char* const> names, const Json& value)
 
 Json docks_json(const Settings& s) {
   Json all = Json::object();
-  for (const auto& [title, dock] : s.docks) all[title] = kDocks.at(static_cast<size_t>(dock));
+  for (const auto& [id, dock] : s.docks) all[id] = kDocks.at(static_cast<size_t>(dock));
   return all;
 }
 
 Json windows_json(const Settings& s) {
   Json all = Json::object();
-  for (const auto& [title, area] : s.windows) all[title] = {area.at.x, area.at.y, area.size.x, area.size.y};
+  for (const auto& [id, area] : s.windows) all[id] = {area.at.x, area.at.y, area.size.x, area.size.y};
   return all;
 }
 
 void read_windows(const Json& windows, Settings& s) {
   if (!windows.is_object()) return;
-  for (const auto& [title, area] : windows.items()) {
+  for (const auto& [id, area] : windows.items()) {
     const bool is_area = area.is_array() && area.size() == 4 &&
                          std::all_of(area.begin(), area.end(), [](const Json& x) { return x.is_number(); });
-    if (is_area) s.windows[title] = {{area[0], area[1]}, {area[2], area[3]}};
+    if (is_area) s.windows[id] = {{area[0], area[1]}, {area[2], area[3]}};
   }
 }
 
@@ -113,8 +114,8 @@ static void describe(KeptFields& f, Settings& s) {
         [&](const Json& tab) { s.tab = named<Tab>(kTabs, tab); });
   f.any("docks", docks_json(s), [&](const Json& docks) {
     if (!docks.is_object()) return;
-    for (const auto& [title, place] : docks.items()) {
-      if (const auto dock = named<Dock>(kDocks, place)) s.docks[title] = *dock;
+    for (const auto& [id, place] : docks.items()) {
+      if (const auto dock = named<Dock>(kDocks, place)) s.docks[id] = *dock;
     }
   });
   f.any("windows", windows_json(s), [&](const Json& windows) { read_windows(windows, s); });
@@ -166,6 +167,7 @@ fs::path settings_file() { return settings_folder() / "settings.json"; }
 LoadedSettings read_settings(const fs::path& file) {
   LoadedSettings loaded;
   Json json = read_kept(file, loaded.fault);
+  if (!json.contains("version") || json["version"] == Json(1)) convert_labels(json);
   KeptFields fields(json, KeptFields::Way::kRead);
   describe(fields, loaded.settings);
   loaded.settings.others = fields.rest().dump();
@@ -181,16 +183,16 @@ Status write_settings(const Settings& settings, const fs::path& file) {
   return write_kept(json, file);
 }
 
-void PanelPlaces::add(const std::string& title, Tab tab, Dock dock, bool unfolded) {
-  known_.push_back({title, tab});
-  settings_.panels.try_emplace(title, unfolded);
-  if (dock != Dock::kColumn) settings_.docks.try_emplace(title, dock);
+void PanelPlaces::add(const std::string& id, Tab tab, Dock dock, bool unfolded) {
+  known_.push_back({id, tab});
+  settings_.panels.try_emplace(id, unfolded);
+  if (dock != Dock::kColumn) settings_.docks.try_emplace(id, dock);
 }
 
 void PanelPlaces::choose_tab() {
   if (settings_.tab) return;
   const auto first = std::find_if(known_.begin(), known_.end(), [this](const Known& k) {
-    return is_unfolded(k.title) && dock_of(k.title) == Dock::kColumn;
+    return is_unfolded(k.id) && dock_of(k.id) == Dock::kColumn;
   });
   settings_.tab = first != known_.end() ? first->tab : Tab::kCut;
 }
@@ -200,54 +202,53 @@ void PanelPlaces::show_tab(Tab tab) {
   settings_.side_shown = true;
 }
 
-Tab PanelPlaces::tab_of(const std::string& title) const {
-  const auto found =
-      std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.title == title; });
+Tab PanelPlaces::tab_of(const std::string& id) const {
+  const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.id == id; });
   KERF_ASSERT(found != known_.end());
   return found != known_.end() ? found->tab : Tab::kCut;
 }
 
-Dock PanelPlaces::dock_of(const std::string& title) const {
-  const auto found = settings_.docks.find(title);
+Dock PanelPlaces::dock_of(const std::string& id) const {
+  const auto found = settings_.docks.find(id);
   return found != settings_.docks.end() ? found->second : Dock::kColumn;
 }
 
-bool PanelPlaces::is_unfolded(const std::string& title) const {
-  const auto found = settings_.panels.find(title);
+bool PanelPlaces::is_unfolded(const std::string& id) const {
+  const auto found = settings_.panels.find(id);
   return found != settings_.panels.end() && found->second;
 }
 
-bool PanelPlaces::shows(const std::string& title) const {
-  if (!is_unfolded(title)) return false;
-  return dock_of(title) != Dock::kColumn || (settings_.side_shown && tab_of(title) == tab());
+bool PanelPlaces::shows(const std::string& id) const {
+  if (!is_unfolded(id)) return false;
+  return dock_of(id) != Dock::kColumn || (settings_.side_shown && tab_of(id) == tab());
 }
 
-void PanelPlaces::show(const std::string& title) {
-  settings_.panels[title] = true;
-  if (dock_of(title) == Dock::kColumn) show_tab(tab_of(title));
+void PanelPlaces::show(const std::string& id) {
+  settings_.panels[id] = true;
+  if (dock_of(id) == Dock::kColumn) show_tab(tab_of(id));
 }
 
-void PanelPlaces::reveal(const std::string& title) {
-  show(title);
-  revealed_ = title;
+void PanelPlaces::reveal(const std::string& id) {
+  show(id);
+  revealed_ = id;
 }
 
-bool PanelPlaces::take_revealed(const std::string& title) {
-  if (revealed_ != title) return false;
+bool PanelPlaces::take_revealed(const std::string& id) {
+  if (revealed_ != id) return false;
   revealed_.clear();
   return true;
 }
 
-void PanelPlaces::fold(const std::string& title) { settings_.panels[title] = false; }
+void PanelPlaces::fold(const std::string& id) { settings_.panels[id] = false; }
 
-void PanelPlaces::dock(const std::string& title, Dock dock) {
-  settings_.docks[title] = dock;
-  show(title);
+void PanelPlaces::dock(const std::string& id, Dock dock) {
+  settings_.docks[id] = dock;
+  show(id);
 }
 
 bool PanelPlaces::has_any(Dock dock) const {
   return std::any_of(known_.begin(), known_.end(),
-                     [&](const Known& k) { return is_unfolded(k.title) && dock_of(k.title) == dock; });
+                     [&](const Known& k) { return is_unfolded(k.id) && dock_of(k.id) == dock; });
 }
 
 }  // namespace kerf

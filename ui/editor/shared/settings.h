@@ -16,7 +16,7 @@
 namespace kerf {
 
 // Tasks of the user; each is a tab of the sidebar.
-enum class Tab { kCut, kLook, kMove, kHeat, kPrepare };
+enum class Tab { kCut, kView, kPhysics, kThermal, kMesh };
 // Where a panel is drawn: behind its tab in the sidebar (right), in a second column (left), in a strip below
 // the viewport, or in a floating window.
 enum class Dock { kColumn, kSecondColumn, kStrip, kWindow };
@@ -38,11 +38,11 @@ struct Settings {
   bool prepare_preview = true;             // mesh tools show a preview
   bool heat_held = false;                  // temperatures stay constant while the simulation is paused
   double drag_speed = 1, wheel_speed = 1;  // of the mouse, relative to the default
-  std::map<std::string, std::string> bindings;  // chords by action, if not the default
+  std::map<std::string, std::string> bindings;  // chords by id of action, if not the default
   std::optional<Tab> tab;                       // nullopt: that of the first unfolded panel
-  std::map<std::string, bool> panels;           // whether they are unfolded, by their titles
-  std::map<std::string, Dock> docks;            // by their titles; not in here: in the sidebar
-  std::map<std::string, Area> windows;          // last areas of floating panels, by their titles
+  std::map<std::string, bool> panels;           // whether they are unfolded, by their ids
+  std::map<std::string, Dock> docks;            // by their ids; not in here: in the sidebar
+  std::map<std::string, Area> windows;          // last areas of floating panels, by their ids
   std::vector<std::filesystem::path> recent;    // latest first, absolute
   // Frames by mesh format ("stl"); nullopt: a guess for each file. Missing formats were not asked about yet.
   std::map<std::string, std::optional<FileFrame>> frames;
@@ -80,49 +80,50 @@ struct LoadedSettings {
   std::string fault;  // one sentence, or empty
 };
 
-// Reads the settings. A missing file and invalid values give defaults. A file that is not JSON is renamed
-// with ".bad" appended, so that it is not overwritten.
+// Reads the settings. A missing file and invalid values give defaults. Labels in a file of version 1 become
+// ids (see convert_labels). A file that is not JSON is renamed with ".bad" appended, so that it is not
+// overwritten.
 LoadedSettings read_settings(const std::filesystem::path& file);
 
 // Writes the settings atomically, and creates missing folders.
 Status write_settings(const Settings& settings, const std::filesystem::path& file);
 
 // Which panels are unfolded, and where: behind their tab in the sidebar, or docked elsewhere. Panels are
-// identified by their titles; those of one title share their state.
+// identified by their ids.
 class PanelPlaces {
  public:
   // The settings must outlive it.
   explicit PanelPlaces(Settings& settings) : settings_(settings) {}
 
   // Registers a panel. `dock` and `unfolded` apply if the settings have no state for it.
-  void add(const std::string& title, Tab tab, Dock dock, bool unfolded);
+  void add(const std::string& id, Tab tab, Dock dock, bool unfolded);
   // Called after all add(): selects the tab of the first unfolded panel if the settings name none.
   void choose_tab();
 
   Tab tab() const { return settings_.tab.value_or(Tab::kCut); }
   void show_tab(Tab tab);
 
-  // Precondition of the following: add() was called with the title.
-  Tab tab_of(const std::string& title) const;
-  Dock dock_of(const std::string& title) const;
-  bool is_unfolded(const std::string& title) const;
+  // Precondition of the following: add() was called with the id.
+  Tab tab_of(const std::string& id) const;
+  Dock dock_of(const std::string& id) const;
+  bool is_unfolded(const std::string& id) const;
   // Returns true if it is unfolded and neither hidden with the sidebar nor behind another tab.
-  bool shows(const std::string& title) const;
+  bool shows(const std::string& id) const;
   // Unfolds it and brings it to the front.
-  void show(const std::string& title);
+  void show(const std::string& id);
   // Shows it, and scrolls it into view when it is next drawn.
-  void reveal(const std::string& title);
+  void reveal(const std::string& id);
   // Returns true, once, if reveal() was called with it and the panel is not in view yet.
-  bool take_revealed(const std::string& title);
-  void fold(const std::string& title);
-  void dock(const std::string& title, Dock dock);
+  bool take_revealed(const std::string& id);
+  void fold(const std::string& id);
+  void dock(const std::string& id, Dock dock);
   bool has_any(Dock dock) const;
 
  private:
   Settings& settings_;
-  std::string revealed_;  // the title, until it is drawn
+  std::string revealed_;  // the id, until it is drawn
   struct Known {
-    std::string title;
+    std::string id;
     Tab tab;
   };
   std::vector<Known> known_;  // in the order of registration

@@ -18,10 +18,11 @@ namespace kerf {
 // Something that the user can ask for by menu, by key and by name. The menus, the keys, the command palette
 // and the sheet of shortcuts are all made from one list of these.
 struct UserAction {
+  std::string id = {};         // "edit.undo"; empty for the items of a submenu
   const char* menu = nullptr;  // null: that of its group
-  std::string name;
-  std::string shortcut = {};  // as parse_chord() reads it; empty: none
-  int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
+  std::string name;            // as the user reads it
+  std::string shortcut = {};   // as parse_chord() reads it; empty: none
+  int pad_key = 0;             // GLFW_KEY_KP_* that does the same; 0: none
   std::string tip = {};
   std::function<std::optional<TipPicture>()> tip_picture = {};  // under the tip; empty: none
   std::function<void()> run = {};
@@ -47,9 +48,10 @@ struct UserAction {
 // value is set, and is in no menu. `menu` may be null.
 template <typename Value>
 UserAction setting_action(
-    const char* menu, const char* name, const char* tip, Value& value, Value set,
+    const char* menu, const char* id, const char* name, const char* tip, Value& value, Value set,
     std::function<void()> then = [] {}) {
-  return {.menu = menu,
+  return {.id = id,
+          .menu = menu,
           .name = name,
           .tip = tip,
           .run = [&value, set, then = std::move(then)] { value = set, then(); },

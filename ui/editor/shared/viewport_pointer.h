@@ -46,8 +46,7 @@ std::optional<Vec3> point_under_pointer(const Workspace& workspace);
 // Rotates a direction by the shortest rotation from one unit vector to another.
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);
 
-// The tool that selects pieces; with Ctrl, every tool does.
-inline constexpr const char* kPickTool = "Pick pieces";
+// Whether a press selects pieces: with Ctrl, every tool does.
 inline bool picks(const Workspace& workspace, const Press& press) {
   return workspace.tool == kPickTool || press.control;
 }

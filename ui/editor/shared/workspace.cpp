@@ -36,29 +36,32 @@ void stand_together(Workspace& workspace) {
   spread_pieces(workspace.world(), 0, workspace.view.look);
 }
 
-UserAction tool_action(Workspace& workspace, const char* name, const char* shortcut, const char* tip,
-                       bool has_panel) {
-  return {.name = name,
+UserAction tool_action(Workspace& workspace, const char* tool, const char* name, const char* shortcut,
+                       const char* tip, bool has_panel) {
+  return {.id = std::string("tool.") + tool,
+          .name = name,
           .shortcut = shortcut,
           .tip = tip,
           .run =
-              [&workspace, name, has_panel] {
+              [&workspace, tool, has_panel] {
                 if (workspace.held && workspace.held->cuts()) cancel_stroke(workspace);
-                workspace.tool = name;
-                if (has_panel) workspace.panels.show(name);
+                workspace.tool = tool;
+                if (has_panel) workspace.panels.show(tool);
               },
-          .checked = [&workspace, name] { return workspace.tool == name; }};
+          .checked = [&workspace, tool] { return workspace.tool == tool; }};
 }
 
-UserAction picture_action(ViewState& view, const char* name, const char* tip, std::function<void()> change) {
-  return {.name = name,
+UserAction picture_action(ViewState& view, const char* id, const char* name, const char* tip,
+                          std::function<void()> change) {
+  return {.id = id,
+          .name = name,
           .tip = tip,
           .run = [&view, change = std::move(change)] { change(), view.picture_old = true; },
           .in_menu = false};
 }
 
-UserAction flag_action(ViewState& view, const char* name, bool& flag, const char* tip) {
-  UserAction action = picture_action(view, name, tip, [&flag] { flag = !flag; });
+UserAction flag_action(ViewState& view, const char* id, const char* name, bool& flag, const char* tip) {
+  UserAction action = picture_action(view, id, name, tip, [&flag] { flag = !flag; });
   action.checked = [&flag] { return flag; };
   return action;
 }

@@ -22,6 +22,10 @@
 
 namespace kerf {
 
+// The ids of the tools.
+inline constexpr const char *kLaserTool = "laser", *kPickTool = "pick", *kInspectTool = "inspect",
+                            *kRulerTool = "ruler", *kPathTool = "path";
+
 // State shared by all features: the open document and its view, the use of the mouse, and the queue of
 // requested changes. State of a single feature is a member of that feature.
 struct Workspace {
@@ -44,7 +48,7 @@ struct Workspace {
   bool cut_once = false;  // hints are no longer needed
   Badges badges;          // of modes, in the viewport
 
-  std::string tool = "Laser";         // of the left button, by the name of its action
+  std::string tool = kLaserTool;      // of the left button, by its id
   Vec2 pointer{0};                    // screen coordinates
   bool over_picture = false;          // pointer over the viewport, and no panel or menu uses it
   std::unique_ptr<Interaction> held;  // the current use of the mouse; null: no button is held
@@ -108,14 +112,15 @@ bool cancel_stroke(Workspace& workspace);
 // Ends the exploded view, because pieces are cut and moved at their true places.
 void stand_together(Workspace& workspace);
 
-// Returns the action that activates a tool, and unfolds the panel of the same name if there is one. Ends a
-// stroke drawn by hand.
-UserAction tool_action(Workspace& workspace, const char* name, const char* shortcut, const char* tip,
-                       bool has_panel = false);
+// Returns the action that activates a tool, "tool.ID", and unfolds the panel of the same id if there is one.
+// Ends a stroke drawn by hand.
+UserAction tool_action(Workspace& workspace, const char* tool, const char* name, const char* shortcut,
+                       const char* tip, bool has_panel = false);
 
 // Returns an action that changes the view, in no menu. Its state and disabled reason can be added.
-UserAction picture_action(ViewState& view, const char* name, const char* tip, std::function<void()> change);
+UserAction picture_action(ViewState& view, const char* id, const char* name, const char* tip,
+                          std::function<void()> change);
 // Returns the action that flips a flag of the view.
-UserAction flag_action(ViewState& view, const char* name, bool& flag, const char* tip);
+UserAction flag_action(ViewState& view, const char* id, const char* name, bool& flag, const char* tip);
 
 }  // namespace kerf

@@ -13,40 +13,40 @@ const std::array<BindingPreset, 2> kPresets{{
      "Keys that Blender users know, where Kerf has the same action: Home frames all, A selects all, X "
      "deletes, "
      "Alt+H shows, N hides the panels, F3 finds actions, Shift+Z shows edges.",
-     {{"Frame all", "Home"},
-      {"First view", "Ctrl+Home"},
-      {"Choose all pieces", "A"},
-      {"Show all pieces", "Alt+H"},
-      {"Delete the chosen", "X"},
-      {"Compare two shadow methods", "Shift+X"},
-      {"Column of panels", "N"},
-      {"Normals", "Shift+N"},
-      {"Command palette", "F3"},
-      {"Wire", "Shift+Z"}}},
+     {{"view.frame_all", "Home"},
+      {"view.reset", "Ctrl+Home"},
+      {"pieces.select_all", "A"},
+      {"pieces.show_all", "Alt+H"},
+      {"pieces.delete", "X"},
+      {"view.shadow_compare", "Shift+X"},
+      {"view.sidebar", "N"},
+      {"view.normals", "Shift+N"},
+      {"help.palette", "F3"},
+      {"view.wire", "Shift+Z"}}},
 }};
 
-void set_binding(Bindings& bindings, std::span<const UserAction> usual, const std::string& name,
+void set_binding(Bindings& bindings, std::span<const UserAction> usual, const std::string& id,
                  const std::string& key) {
-  const UserAction* action = find_action(usual, name);
+  const UserAction* action = find_action(usual, id);
   if (action != nullptr && action->shortcut == key) {
-    bindings.erase(name);
+    bindings.erase(id);
   } else {
-    bindings[name] = key;
+    bindings[id] = key;
   }
 }
 
 }  // namespace
 
-const UserAction* find_action(std::span<const UserAction> actions, const std::string& name) {
+const UserAction* find_action(std::span<const UserAction> actions, const std::string& id) {
   for (const UserAction& action : actions) {
-    if (action.name == name) return &action;
+    if (action.id == id) return &action;
   }
   return nullptr;
 }
 
 std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Bindings& bindings) {
   for (UserAction& action : actions) {
-    const auto found = bindings.find(action.name);
+    const auto found = bindings.find(action.id);
     if (found == bindings.end() || action.items) continue;
     if (!parse_chord(found->second) && !found->second.empty()) continue;
     action.set_shortcut(found->second);
@@ -60,7 +60,7 @@ const UserAction* clash_of(std::span<const UserAction> actions, const UserAction
   for (const UserAction& other : actions) {
     const bool same_key = (other.key == chord.key || other.pad_key == chord.key) && other.mods == chord.mods;
     const bool same_time = (other.has_key_when != nullptr) == (action.has_key_when != nullptr);
-    if (chord.key != 0 && same_key && same_time && other.name != action.name) return &other;
+    if (chord.key != 0 && same_key && same_time && other.id != action.id) return &other;
   }
   return nullptr;
 }
@@ -70,8 +70,7 @@ void rebind(Bindings& bindings, std::span<const UserAction> usual, const std::st
   const std::vector<UserAction> bound = bind_keys({usual.begin(), usual.end()}, bindings);
   const UserAction* changed = find_action(bound, action);
   if (changed == nullptr) return;
-  if (const UserAction* other = clash_of(bound, *changed, chord))
-    set_binding(bindings, usual, other->name, "");
+  if (const UserAction* other = clash_of(bound, *changed, chord)) set_binding(bindings, usual, other->id, "");
   set_binding(bindings, usual, action, chord_text(chord));
 }
 
@@ -94,7 +93,7 @@ void Catalogue::gather(const Features& features, PanelPlaces& places) {
     append_in_order(groups, feature->actions());
     append_in_order(gestures, feature->gestures());
   }
-  for (const Panel& panel : panels) places.add(panel.title, panel.tab, panel.dock, panel.unfolded);
+  for (const Panel& panel : panels) places.add(panel.id, panel.tab, panel.dock, panel.unfolded);
   places.choose_tab();
   for (ActionGroup& group : groups) {
     for (UserAction& action : group.actions) {
@@ -111,7 +110,7 @@ void Catalogue::bind(const Settings& settings, std::map<std::string, std::string
   bound_ = settings.bindings;
   actions = bind_keys(usual, bound_);
   shortcuts.clear();
-  for (const UserAction& action : actions) shortcuts.emplace(action.name, action.shortcut);
+  for (const UserAction& action : actions) shortcuts.emplace(action.id, action.shortcut);
 }
 
 }  // namespace kerf

@@ -12,11 +12,11 @@
 
 namespace kerf {
 
-// Keys set by the user: chords by the names of actions; an empty chord removes the default key.
+// Keys set by the user: chords by the ids of actions; an empty chord removes the default key.
 using Bindings = std::map<std::string, std::string>;
 
-// Returns the action of this name, or null.
-const UserAction* find_action(std::span<const UserAction> actions, const std::string& name);
+// Returns the action of this id, or null.
+const UserAction* find_action(std::span<const UserAction> actions, const std::string& id);
 
 // Returns the actions with these keys. Unknown actions and invalid chords are ignored.
 std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Bindings& bindings);
@@ -49,7 +49,7 @@ struct Catalogue {
 
   // Collects them from the features, which must outlive it, and registers the panels in `places`.
   void gather(const Features& features, PanelPlaces& places);
-  // Gives the actions the keys of the settings. `shortcuts` receives the keys by the names of actions.
+  // Gives the actions the keys of the settings. `shortcuts` receives the keys by the ids of actions.
   void bind(const Settings& settings, std::map<std::string, std::string>& shortcuts);
 
  private:

@@ -228,13 +228,13 @@ void draw_row(SettingsPage& page, const UserAction& action, size_t place) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(place));
-  const bool waits = page.waits_for == action.name;
+  const bool waits = page.waits_for == action.id;
   if (ImGui::Selectable(action.name.c_str(), page.cursor == place, ImGuiSelectableFlags_SpanAllColumns)) {
     stop_waiting(page);
     page.cursor = place;
-    page.waits_for = action.name;
+    page.waits_for = action.id;
   }
-  mark_last_item(("key of " + action.name).c_str());
+  mark_last_item(("key of " + action.id).c_str());
   if (!action.tip.empty()) tooltip(action.tip.c_str());
   if (page.cursor == place && std::exchange(page.show_cursor, false)) ImGui::SetScrollHereY();
   ImGui::PopID();
@@ -269,8 +269,8 @@ void settings_page_key(SettingsPage& page, Settings& settings, std::span<const U
   if (key == GLFW_KEY_DOWN && page.cursor + 1 < actions.size()) ++page.cursor;
   page.show_cursor = true;
   KERF_ASSERT(page.cursor < actions.size());
-  if (enter) page.waits_for = actions[page.cursor].name;
-  if (key == GLFW_KEY_DELETE) rebind(settings.bindings, usual, actions[page.cursor].name, {});
+  if (enter) page.waits_for = actions[page.cursor].id;
+  if (key == GLFW_KEY_DELETE) rebind(settings.bindings, usual, actions[page.cursor].id, {});
 }
 
 void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
@@ -330,9 +330,11 @@ class Dialogs : public Feature {
 std::vector<UserAction> Dialogs::column_actions() {
   bool& shown = workspace_.settings.side_shown;
   std::vector<UserAction> actions = tab_actions(workspace_.panels);
-  actions.push_back(
-      {.name = "Panels", .items = [this] { return panel_actions(catalogue_.panels, workspace_.panels); }});
-  actions.push_back({.name = "Column of panels",
+  actions.push_back({.id = "view.panels", .name = "Panels", .items = [this] {
+                       return panel_actions(catalogue_.panels, workspace_.panels);
+                     }});
+  actions.push_back({.id = "view.sidebar",
+                     .name = "Column of panels",
                      .shortcut = "F4",
                      .tip = "Hides the sidebar, so that the viewport fills the window.",
                      .run = [&shown] { shown = !shown; },
@@ -342,21 +344,25 @@ std::vector<UserAction> Dialogs::column_actions() {
 
 std::vector<UserAction> Dialogs::help_actions() {
   return {
-      UserAction{.name = "Command palette",
+      UserAction{.id = "help.palette",
+                 .name = "Command palette",
                  .shortcut = "Ctrl+P",
                  .tip = "Finds any action by parts of its name, and shows its key.",
                  .run = [this] { open_palette(palette_); }},
-      UserAction{.name = "Settings",
+      UserAction{.id = "help.settings",
+                 .name = "Settings",
                  .shortcut = "Ctrl+,",
                  .tip = "The speed of the mouse, and the keys of all actions.",
                  .run = [this] { page_.shown = !page_.shown; },
                  .checked = [this] { return page_.shown; }},
-      UserAction{.name = "Shortcuts",
+      UserAction{.id = "help.shortcuts",
+                 .name = "Shortcuts",
                  .shortcut = "F1",
                  .tip = "All keys, and what the mouse does.",
                  .run = [this] { shortcuts_shown_ = !shortcuts_shown_; },
                  .checked = [this] { return shortcuts_shown_; }},
-      UserAction{.name = "Messages",
+      UserAction{.id = "help.messages",
+                 .name = "Messages",
                  .tip = "All messages of the status bar, in full. A click on its message shows them too.",
                  .run = [this] { workspace_.messages_shown = !workspace_.messages_shown; },
                  .checked = [this] { return workspace_.messages_shown; }},

@@ -24,7 +24,7 @@ void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions, std::
 // that belongs to another action is reassigned only if the user confirms.
 struct SettingsPage {
   bool shown = false;
-  std::string waits_for;                           // name of the action that waits for a key; empty: none
+  std::string waits_for;                           // id of the action that waits for a key; empty: none
   std::optional<KeyChord> clashes = std::nullopt;  // the pressed key, which belongs to another action
   size_t cursor = 0;                               // index into the actions
   bool show_cursor = false;

@@ -40,22 +40,22 @@ void draw_icon(ImVec2 at, float size, Dock dock, ImU32 colour) {
 
 }  // namespace
 
-void draw_dock_button(const char* title, float right, PanelPlaces& places) {
+void draw_dock_button(const char* panel, float right, PanelPlaces& places) {
   const float em = ImGui::GetFontSize(), line = ImGui::GetFrameHeight();
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("dock");
   ImGui::SameLine(right - line);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("##dock", {line, line})) ImGui::OpenPopup("dock");
-  mark_last_item((std::string("dock ") + title).c_str());
+  mark_last_item((std::string("dock ") + panel).c_str());
   const bool over = ImGui::IsItemHovered();
   tooltip("Place of this panel: its tab, a second column, below the viewport, or a window.");
   const float size = 0.75f * em;
-  draw_icon({at.x + 0.5f * (line - size), at.y + 0.5f * (line - 0.8f * size)}, size, places.dock_of(title),
+  draw_icon({at.x + 0.5f * (line - size), at.y + 0.5f * (line - 0.8f * size)}, size, places.dock_of(panel),
             over ? colours::text() : colours::secondary());
   if (!ImGui::BeginPopup("dock")) return;
   for (const Place& place : kPlaces) {
-    if (ImGui::MenuItem(place.name, nullptr, places.dock_of(title) == place.dock))
-      places.dock(title, place.dock);
+    if (ImGui::MenuItem(place.name, nullptr, places.dock_of(panel) == place.dock))
+      places.dock(panel, place.dock);
     mark_last_item(place.name);
   }
   ImGui::EndPopup();
@@ -111,24 +111,27 @@ void draw_mesh(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
 
 struct TabLook {
   Tab tab;
+  const char* id;
   const char* name;
   const char* tip;
   const char* shortcut;
   Draw draw;
 };
 constexpr std::array kTabs{
-    TabLook{Tab::kCut, "Cut", "The laser, the resolution, the pieces and the history.", "Alt+1", draw_cut},
-    TabLook{Tab::kLook, "Look", "The view, the light, the tree, the graph and the figures.", "Alt+2",
+    TabLook{Tab::kCut, "cut", "Cut", "The laser, the resolution, the pieces and the history.", "Alt+1",
+            draw_cut},
+    TabLook{Tab::kView, "view", "Look", "The view, the light, the tree, the graph and the figures.", "Alt+2",
             draw_eye},
-    TabLook{Tab::kMove, "Move", "Bodies that fall, and time.", "Alt+3", draw_arrows},
-    TabLook{Tab::kHeat, "Heat", "The material, and how hot it gets.", "Alt+4", draw_thermometer},
-    TabLook{Tab::kPrepare, "Prepare", "Repairs, subdivides and simplifies; what the file holds.", "Alt+5",
-            draw_mesh}};
+    TabLook{Tab::kPhysics, "physics", "Move", "Bodies that fall, and time.", "Alt+3", draw_arrows},
+    TabLook{Tab::kThermal, "thermal", "Heat", "The material, and how hot it gets.", "Alt+4",
+            draw_thermometer},
+    TabLook{Tab::kMesh, "mesh", "Prepare", "Repairs, subdivides and simplifies; what the file holds.",
+            "Alt+5", draw_mesh}};
 
 void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton(look.name, size)) places.show_tab(look.tab);
-  mark_last_item((std::string("tab ") + look.name).c_str());
+  if (ImGui::InvisibleButton(look.id, size)) places.show_tab(look.tab);
+  mark_last_item((std::string("tab ") + look.id).c_str());
   const bool over = ImGui::IsItemHovered(), chosen = places.tab() == look.tab;
   tooltip((std::string(look.tip) + " " + look.shortcut).c_str());
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -162,7 +165,10 @@ void draw_tab_bar(PanelPlaces& places) {
 std::vector<UserAction> tab_actions(PanelPlaces& places) {
   std::vector<UserAction> actions;
   for (const TabLook& look : kTabs) {
-    actions.push_back({.name = std::string("Tab: ") + look.name, .shortcut = look.shortcut, .tip = look.tip});
+    actions.push_back({.id = std::string("tab.") + look.id,
+                       .name = std::string("Tab: ") + look.name,
+                       .shortcut = look.shortcut,
+                       .tip = look.tip});
     actions.back().run = [&places, tab = look.tab] { places.show_tab(tab); };
     actions.back().checked = [&places, tab = look.tab] { return places.tab() == tab; };
   }
@@ -176,18 +182,18 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 constexpr float kMinStripPanel = 22;  // width in sizes of the text; more panels scroll
 
-// Returns the panels that have the title of the first one.
-std::span<const Panel> with_one_title(std::span<const Panel> panels) {
+// Returns the panels that have the id of the first one.
+std::span<const Panel> with_one_id(std::span<const Panel> panels) {
   size_t count = 1;
-  while (count < panels.size() && std::string_view(panels[count].title) == panels.front().title) ++count;
+  while (count < panels.size() && std::string_view(panels[count].id) == panels.front().id) ++count;
   return panels.first(count);
 }
 
 // Calls `draw` with the parts of each panel in turn.
 template <typename Draw>
-void for_each_title(std::span<const Panel> panels, const Draw& draw) {
+void for_each_id(std::span<const Panel> panels, const Draw& draw) {
   while (!panels.empty()) {
-    const std::span<const Panel> parts = with_one_title(panels);
+    const std::span<const Panel> parts = with_one_id(panels);
     draw(parts);
     panels = panels.subspan(parts.size());
   }
@@ -212,22 +218,22 @@ void bring_into_view(float top) {
 // docked elsewhere shows and folds it there. A panel unfolded by other means than its header scrolls into
 // view.
 void draw_foldable(std::span<const Panel> parts, PanelPlaces& places, Dock here) {
-  const char* title = parts.front().title;
-  const bool is_here = places.dock_of(title) == here, was = places.is_unfolded(title);
-  ImGui::PushID(title);
+  const char *id = parts.front().id, *title = parts.front().title;
+  const bool is_here = places.dock_of(id) == here, was = places.is_unfolded(id);
+  ImGui::PushID(id);
   const bool comes = is_here && was && was_folded(title);
-  const bool revealed = is_here && was && places.take_revealed(title);
+  const bool revealed = is_here && was && places.take_revealed(id);
   const float top = ImGui::GetCursorScreenPos().y;
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
   ImGui::SetNextItemOpen(was, ImGuiCond_Always);
   const float right = ImGui::GetContentRegionMax().x;
   const bool unfolded = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_AllowItemOverlap);
-  mark_last_item(title);
+  mark_last_item((std::string("panel ") + id).c_str());
   if (comes) ImGui::SetScrollHereY(0);
   ImGui::PopStyleVar();
-  if (unfolded && !was) places.show(title);
-  if (!unfolded && was) places.fold(title);
-  draw_dock_button(title, right, places);
+  if (unfolded && !was) places.show(id);
+  if (!unfolded && was) places.fold(id);
+  draw_dock_button(id, right, places);
   if (unfolded && is_here) draw_parts(parts);
   if (revealed) bring_into_view(top);
   ImGui::PopID();
@@ -252,8 +258,8 @@ void draw_column(const Area& area, std::span<const Panel> panels, PanelPlaces& p
   ImGui::PopStyleVar();
   if (begin_area("##side", {area.at + Vec2(0, tabs), {area.size.x, std::max(1.0, area.size.y - tabs)}})) {
     ImGui::PushID(static_cast<int>(places.tab()));
-    for_each_title(panels, [&](std::span<const Panel> parts) {
-      if (places.tab_of(parts.front().title) == places.tab()) draw_foldable(parts, places, Dock::kColumn);
+    for_each_id(panels, [&](std::span<const Panel> parts) {
+      if (places.tab_of(parts.front().id) == places.tab()) draw_foldable(parts, places, Dock::kColumn);
     });
     ImGui::PopID();
   }
@@ -263,9 +269,9 @@ void draw_column(const Area& area, std::span<const Panel> panels, PanelPlaces& p
 void draw_second_column(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
   if (area.size.x <= 0) return;
   if (begin_area("##second", area)) {
-    for_each_title(panels, [&](std::span<const Panel> parts) {
-      const char* title = parts.front().title;
-      if (places.dock_of(title) == Dock::kSecondColumn && places.is_unfolded(title))
+    for_each_id(panels, [&](std::span<const Panel> parts) {
+      const char* id = parts.front().id;
+      if (places.dock_of(id) == Dock::kSecondColumn && places.is_unfolded(id))
         draw_foldable(parts, places, Dock::kSecondColumn);
     });
   }
@@ -275,9 +281,9 @@ void draw_second_column(const Area& area, std::span<const Panel> panels, PanelPl
 void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
   if (area.size.y <= 0) return;
   std::vector<std::span<const Panel>> shown;
-  for_each_title(panels, [&](std::span<const Panel> parts) {
-    const char* title = parts.front().title;
-    if (places.dock_of(title) == Dock::kStrip && places.is_unfolded(title)) shown.push_back(parts);
+  for_each_id(panels, [&](std::span<const Panel> parts) {
+    const char* id = parts.front().id;
+    if (places.dock_of(id) == Dock::kStrip && places.is_unfolded(id)) shown.push_back(parts);
   });
   if (begin_area("##strip", area, kFilled)) {
     const float gap = ImGui::GetStyle().ItemSpacing.x, all = ImGui::GetContentRegionAvail().x;
@@ -286,7 +292,7 @@ void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& pl
         std::max((all - gap * (count - 1)) / count, std::min(all, kMinStripPanel * ImGui::GetFontSize()));
     for (const std::span<const Panel> parts : shown) {
       if (parts.data() != shown.front().data()) ImGui::SameLine();
-      if (ImGui::BeginChild(parts.front().title, {width, 0})) draw_foldable(parts, places, Dock::kStrip);
+      if (ImGui::BeginChild(parts.front().id, {width, 0})) draw_foldable(parts, places, Dock::kStrip);
       ImGui::EndChild();
     }
   }
@@ -294,9 +300,9 @@ void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& pl
 }
 
 // Returns the area of a floating panel: its last one, else the middle of the viewport, within the window.
-Area window_area(const std::string& title, const Layout& layout, const Settings& settings) {
+Area window_area(const std::string& id, const Layout& layout, const Settings& settings) {
   const Area& picture = layout.viewport;
-  const auto kept = settings.windows.find(title);
+  const auto kept = settings.windows.find(id);
   Area area{picture.at + 0.15 * picture.size, 0.7 * picture.size};
   if (kept != settings.windows.end()) area = kept->second;
   area.size = glm::min(area.size, picture.size);
@@ -306,24 +312,24 @@ Area window_area(const std::string& title, const Layout& layout, const Settings&
 
 void draw_window(std::span<const Panel> parts, const Layout& layout, PanelPlaces& places,
                  Settings& settings) {
-  const std::string title = parts.front().title;
-  const Area area = window_area(title, layout, settings);
+  const std::string id = parts.front().id, title = parts.front().title + ("###" + id);
+  const Area area = window_area(id, layout, settings);
   ImGui::SetNextWindowPos(to_im(area.at), ImGuiCond_Appearing);
   ImGui::SetNextWindowSize(to_im(area.size), ImGuiCond_Appearing);
   ImGui::SetNextWindowSizeConstraints({12 * ImGui::GetFontSize(), 6 * ImGui::GetFontSize()},
                                       to_im(layout.viewport.size));
   bool open = true;
   if (ImGui::Begin(title.c_str(), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-    mark_window(title.c_str());
-    ImGui::PushID(title.c_str());
-    draw_dock_button(title.c_str(), ImGui::GetContentRegionMax().x, places);
+    mark_window(("panel " + id).c_str());
+    ImGui::PushID(id.c_str());
+    draw_dock_button(id.c_str(), ImGui::GetContentRegionMax().x, places);
     draw_parts(parts);
     ImGui::PopID();
   }
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  settings.windows[title] = {{at.x, at.y}, {size.x, size.y}};
+  settings.windows[id] = {{at.x, at.y}, {size.x, size.y}};
   ImGui::End();
-  if (!open) places.fold(title);
+  if (!open) places.fold(id);
 }
 
 void drag_edge(const SplitterMove& move, double Settings::*size, double wanted, double least, double most,
@@ -339,23 +345,23 @@ void draw_panel_areas(const Layout& layout, std::span<const Panel> panels, Panel
   draw_column(layout.side, panels, places);
   draw_second_column(layout.second_side, panels, places);
   draw_strip(layout.strip, panels, places);
-  for_each_title(panels, [&](std::span<const Panel> parts) {
-    const char* title = parts.front().title;
-    if (places.dock_of(title) == Dock::kWindow && places.is_unfolded(title))
+  for_each_id(panels, [&](std::span<const Panel> parts) {
+    const char* id = parts.front().id;
+    if (places.dock_of(id) == Dock::kWindow && places.is_unfolded(id))
       draw_window(parts, layout, places, settings);
   });
 }
 
 std::vector<UserAction> panel_actions(std::span<const Panel> panels, PanelPlaces& places) {
   std::vector<UserAction> actions;
-  for_each_title(panels, [&](std::span<const Panel> parts) {
-    const std::string title = parts.front().title;
-    actions.push_back({.name = title, .tip = "Shows or folds this panel."});
-    actions.back().run = [&places, title] {
-      if (places.shows(title)) return places.fold(title);
-      places.show(title);
+  for_each_id(panels, [&](std::span<const Panel> parts) {
+    const std::string id = parts.front().id;
+    actions.push_back({.name = parts.front().title, .tip = "Shows or folds this panel."});
+    actions.back().run = [&places, id] {
+      if (places.shows(id)) return places.fold(id);
+      places.show(id);
     };
-    actions.back().checked = [&places, title] { return places.shows(title); };
+    actions.back().checked = [&places, id] { return places.shows(id); };
   });
   return actions;
 }

@@ -13,7 +13,7 @@ namespace kerf {
 // Draws a small button at the right end of the line of the last widget, which ends at `right` (in the
 // coordinates of the current window). Its menu, which a right click on that widget opens too, offers the
 // places of a panel. Precondition: the current ImGui ids are those of the panel.
-void draw_dock_button(const char* title, float right, PanelPlaces& places);
+void draw_dock_button(const char* panel, float right, PanelPlaces& places);
 
 // Returns the height of the row of tabs, screen coordinates. Precondition of both: an ImGui frame has begun.
 float tab_bar_height();
@@ -26,12 +26,12 @@ void draw_tab_bar(PanelPlaces& places);
 std::vector<UserAction> tab_actions(PanelPlaces& places);
 
 // Draws the panels in their places: the sidebar under the selected tab, the second column, the strip, and
-// floating windows. Panels of the same title are one panel. `panels` is in display order; changes by the
+// floating windows. Panels of the same id are one panel. `panels` is in display order; changes by the
 // user are stored in the places and the settings.
 void draw_panel_areas(const Layout& layout, std::span<const Panel> panels, PanelPlaces& places,
                       Settings& settings);
 
-// Returns one action per title, which shows or folds it. The places must outlive them.
+// Returns one action per panel, which shows or folds it. The places must outlive them.
 std::vector<UserAction> panel_actions(std::span<const Panel> panels, PanelPlaces& places);
 
 // Returns the current sizes of the areas of panels.

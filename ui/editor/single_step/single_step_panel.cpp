@@ -45,7 +45,7 @@ float width_of_one(int buttons) {
 void draw_beginnings(StageState& stages, const Document& document, const ViewState& view) {
   StageWishes& wishes = stages.wishes;
   bool on = wishes.on;
-  if (ImGui::Checkbox((with_shortcut(view, "Single steps", "Single steps") + "###on").c_str(), &on)) {
+  if (ImGui::Checkbox((with_shortcut(view, "Single steps", "stages.step_mode") + "###on").c_str(), &on)) {
     wishes.stop();
     wishes.on = on;
   }
@@ -53,7 +53,7 @@ void draw_beginnings(StageState& stages, const Document& document, const ViewSta
   tooltip("A drawn stroke waits and is cut stage by stage. The result is the same.");
   ImGui::SameLine();
   if (button(view, "Start again", "stage start", "Undoes the last stroke and cuts it again, stage by stage.",
-             "Step through the last stroke", why_not_again(document), width_of_one(1)))
+             "stages.step_last_cut", why_not_again(document), width_of_one(1)))
     wishes.begin_again();
 }
 
@@ -61,24 +61,25 @@ void draw_steps(StageState& stages, const Document& document, const ViewState& v
   StageWishes& wishes = stages.wishes;
   const char* no_next = why_no_next_stage(stages, document);
   const float third = width_of_one(3);
-  if (button(view, "Back", "stage back", "Undoes the last stage.", "Stage back",
+  if (button(view, "Back", "stage back", "Undoes the last stage.", "stages.previous",
              why_no_stage_back(stages, document), third))
     wishes.go_to(stages.log.done() - 1);
   ImGui::SameLine();
   const char* no_play = no_next != nullptr && !wishes.playing ? why_not_again(document) : nullptr;
   if (button(view, wishes.playing ? "Pause" : "Play", "stage play",
-             "Plays the stages; restarts at the end of the stroke.", "Play the stages", no_play, third))
+             "Plays the stages; restarts at the end of the stroke.", "stages.play", no_play, third))
     play_or_pause(stages, document);
   ImGui::SameLine();
-  if (button(view, "Next", "stage next", "Executes one stage.", "Next stage", no_next, third))
+  if (button(view, "Next", "stage next", "Executes one stage.", "stages.next", no_next, third))
     wishes.go_to(stages.log.done() + 1);
   const float half = width_of_one(2);
   if (button(view, "Finish the move", "stage end of move",
-             "Executes the remaining stages of this segment of the beam.", "Finish the move", no_next, half))
+             "Executes the remaining stages of this segment of the beam.", "stages.finish_segment", no_next,
+             half))
     wishes.run_to_end_of_move();
   ImGui::SameLine();
   if (button(view, "Finish the stroke", "stage end of stroke", "Executes all remaining stages.",
-             "Finish the stroke", no_next, half))
+             "stages.finish_stroke", no_next, half))
     wishes.go_to(StageWishes::kAll);
 }
 
@@ -254,11 +255,11 @@ class SingleStepFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{"Tree", Tab::kLook, 1051, false,
+    return {{"tree", "Tree", Tab::kView, 1051, false,
              [this] {
                if (stages_.wishes.on) draw_query_walk(stages_.log);
              }},
-            {"Single step", Tab::kLook, 1200, false,
+            {"single_step", "Single step", Tab::kView, 1200, false,
              [this] { panel_.draw(stages_, workspace_.work.document, workspace_.view); }}};
   }
   std::vector<ActionGroup> actions() override {
@@ -301,8 +302,8 @@ class SingleStepFeature : public Feature {
   std::vector<UserAction> beginnings();
   std::vector<UserAction> steps();
   std::vector<UserAction> view_actions();
-  UserAction speed_action(const char* name, double factor);
-  UserAction visit_action(const char* name, const char* shortcut, int by);
+  UserAction speed_action(const char* id, const char* name, double factor);
+  UserAction visit_action(const char* id, const char* name, const char* shortcut, int by);
 
   Workspace& workspace_;
   StageState stages_;
@@ -317,7 +318,7 @@ std::string SingleStepFeature::state_text() const {
   const size_t waiting = workspace_.work.document.waiting();
   if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
   if (waiting > 0 && stages_.wishes.playing) return "playing";
-  if (waiting > 0) return with_shortcut(workspace_.view, "next stage", "Next stage");
+  if (waiting > 0) return with_shortcut(workspace_.view, "next stage", "stages.next");
   return stages_.log.done() > 0 ? "the stroke is cut" : "draw a stroke";
 }
 
@@ -328,17 +329,20 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
     return stages_.wishes.playing || why_no_next() == nullptr ? nullptr : why_not_start();
   };
   return {
-      UserAction{.name = "Single steps",
+      UserAction{.id = "stages.step_mode",
+                 .name = "Single steps",
                  .shortcut = "F8",
                  .tip = "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
                  .run = [&wishes] { wishes.stop(), wishes.on = !wishes.on; },
                  .checked = [&wishes] { return wishes.on; }},
-      UserAction{.name = "Step through the last stroke",
+      UserAction{.id = "stages.step_last_cut",
+                 .name = "Step through the last stroke",
                  .shortcut = "Shift+F8",
                  .tip = "Undoes the last stroke and cuts it again, stage by stage.",
                  .run = [&wishes] { wishes.begin_again(); },
                  .disabled_reason = why_not_start},
-      UserAction{.name = "Play the stages",
+      UserAction{.id = "stages.play",
+                 .name = "Play the stages",
                  .shortcut = "Space",
                  .tip = "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
                  .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.work.document); },
@@ -353,7 +357,8 @@ std::vector<UserAction> SingleStepFeature::steps() {
   const auto disabled_reason = [this] { return why_no_next(); };
   const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key advances a tick
   return {
-      UserAction{.name = "Next stage",
+      UserAction{.id = "stages.next",
+                 .name = "Next stage",
                  .shortcut = ".",
                  .tip = "Executes one stage of the stroke.",
                  .run =
@@ -363,17 +368,20 @@ std::vector<UserAction> SingleStepFeature::steps() {
                      },
                  .disabled_reason = disabled_reason,
                  .has_key_when = while_on},
-      UserAction{.name = "Stage back",
+      UserAction{.id = "stages.previous",
+                 .name = "Stage back",
                  .shortcut = ",",
                  .tip = "Undoes the last stage, to the bit.",
                  .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
                  .disabled_reason = [this] { return why_no_stage_back(stages_, workspace_.work.document); }},
-      UserAction{.name = "Finish the move",
+      UserAction{.id = "stages.finish_segment",
+                 .name = "Finish the move",
                  .shortcut = "Shift+.",
                  .tip = "Executes the remaining stages of this segment of the beam.",
                  .run = [this] { cut_.follow(), stages_.wishes.run_to_end_of_move(); },
                  .disabled_reason = disabled_reason},
-      UserAction{.name = "Finish the stroke",
+      UserAction{.id = "stages.finish_stroke",
+                 .name = "Finish the stroke",
                  .shortcut = "End",
                  .tip = "Executes all remaining stages.",
                  .run = [this] { cut_.follow(), stages_.wishes.go_to(StageWishes::kAll); },
@@ -381,8 +389,9 @@ std::vector<UserAction> SingleStepFeature::steps() {
   };
 }
 
-UserAction SingleStepFeature::speed_action(const char* name, double factor) {
-  return {.menu = "Single step",
+UserAction SingleStepFeature::speed_action(const char* id, const char* name, double factor) {
+  return {.id = id,
+          .menu = "Single step",
           .name = name,
           .tip = "Speed of playback in stages per second.",
           .run =
@@ -394,8 +403,9 @@ UserAction SingleStepFeature::speed_action(const char* name, double factor) {
 }
 
 // Visits one more or one less box of the last query.
-UserAction SingleStepFeature::visit_action(const char* name, const char* shortcut, int by) {
-  return {.name = name,
+UserAction SingleStepFeature::visit_action(const char* id, const char* name, const char* shortcut, int by) {
+  return {.id = id,
+          .name = name,
           .shortcut = shortcut,
           .tip = "Steps through the boxes of the last tree query in the order of their tests.",
           .run =
@@ -410,11 +420,12 @@ UserAction SingleStepFeature::visit_action(const char* name, const char* shortcu
 
 std::vector<UserAction> SingleStepFeature::view_actions() {
   return {
-      speed_action("Stages: faster", kSpeedStep),
-      speed_action("Stages: slower", 1 / kSpeedStep),
-      visit_action("Query: next box", "]", 1),
-      visit_action("Query: box before", "[", -1),
-      {.name = "Query: show the boxes",
+      speed_action("stages.faster", "Stages: faster", kSpeedStep),
+      speed_action("stages.slower", "Stages: slower", 1 / kSpeedStep),
+      visit_action("tree.next_node", "Query: next box", "]", 1),
+      visit_action("tree.previous_node", "Query: box before", "[", -1),
+      {.id = "tree.show_query",
+       .name = "Query: show the boxes",
        .tip = "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
        .run = [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
        .checked = [this] { return stages_.log.query().drawn; },

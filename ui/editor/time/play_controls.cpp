@@ -34,7 +34,8 @@ namespace kerf {
 namespace {
 
 UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
-  return {.name = faster ? "Time: faster" : "Time: slower",
+  return {.id = faster ? "physics.faster" : "physics.slower",
+          .name = faster ? "Time: faster" : "Time: slower",
           .shortcut = faster ? "=" : "-",
           .pad_key = faster ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT,
           .tip = "Changes the speed between 1/8 of real time and real time.",
@@ -55,13 +56,15 @@ std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
   const auto why_no_play = [&workspace] { return workspace.why_time_stands_still(); };
   return {
       UserAction{
+          .id = "physics.play",
           .name = "Play",
           .shortcut = "Space",
           .tip = "Plays or pauses the simulation, in which separated pieces fall. One undo covers all of it.",
           .run = [&play] { play.play_or_pause(); },
           .checked = [&play] { return play.playing; },
           .disabled_reason = [&play, why_no_play] { return play.playing ? nullptr : why_no_play(); }},
-      UserAction{.name = "One tick",
+      UserAction{.id = "physics.step",
+                 .name = "One tick",
                  .shortcut = ".",
                  .tip = "Advances the simulation by one tick (1/120 s).",
                  .run = [&play] { play.ask_for_tick(); },
@@ -109,7 +112,8 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
   std::vector<UserAction> actions = time_actions(workspace, play);
   const auto has_gravity = [&workspace] { return workspace.world().environment().gravity != Vec3(0); };
   const auto are_pinned = [&workspace] { return chosen_are_pinned(workspace.world(), workspace.view); };
-  actions.push_back({.name = "Gravity",
+  actions.push_back({.id = "physics.gravity",
+                     .name = "Gravity",
                      .tip = "Switches gravity on or off; the Bodies panel sets its value.",
                      .run =
                          [&workspace, has_gravity] {
@@ -117,7 +121,8 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
                                with_gravity(workspace.world(), workspace.view.frame, !has_gravity()));
                          },
                      .checked = has_gravity});
-  actions.push_back({.name = "Pin the chosen",
+  actions.push_back({.id = "pieces.pin",
+                     .name = "Pin the chosen",
                      .shortcut = "Shift+P",
                      .tip = "Fixes the selected pieces in place while others move; repeat to release them.",
                      .run = [&workspace, are_pinned] { ask_to_pin(workspace, !are_pinned()); },
@@ -225,12 +230,12 @@ void draw_time(Workspace& workspace, PlayState& play) {
     return with_shortcut(workspace.view, meaning, action);
   };
   if (row_button(play.playing ? "Pause###play" : "Play###play", 2, play.playing ? nullptr : disabled_reason,
-                 told("Plays or pauses the simulation.", "Play").c_str()))
+                 told("Plays or pauses the simulation.", "physics.play").c_str()))
     play.play_or_pause();
   mark_last_item("bodies play");
   ImGui::SameLine();
   if (row_button("One tick", 2, disabled_reason,
-                 told("Advances the simulation by one tick (1/120 s).", "One tick").c_str()))
+                 told("Advances the simulation by one tick (1/120 s).", "physics.step").c_str()))
     play.ask_for_tick();
   mark_last_item("bodies tick");
 }
@@ -249,10 +254,10 @@ void draw_speed(PlayState& play) {
 
 void draw_pin(Workspace& workspace) {
   const bool pinned = chosen_are_pinned(workspace.world(), workspace.view);
-  if (row_button(pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(workspace.view),
-                 with_shortcut(workspace.view, "Fixes the selected pieces in place while others move.",
-                               "Pin the chosen")
-                     .c_str()))
+  if (row_button(
+          pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(workspace.view),
+          with_shortcut(workspace.view, "Fixes the selected pieces in place while others move.", "pieces.pin")
+              .c_str()))
     ask_to_pin(workspace, !pinned);
   mark_last_item("bodies pin");
 }
@@ -321,7 +326,7 @@ class TimeFeature : public Feature {
   explicit TimeFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"Bodies", Tab::kMove, 700, true, [this] { panel_.draw(workspace_, play_); }}};
+    return {{"bodies", "Bodies", Tab::kPhysics, 700, true, [this] { panel_.draw(workspace_, play_); }}};
   }
   std::vector<ActionGroup> actions() override { return {{520, "Bodies", body_actions(workspace_, play_)}}; }
   std::vector<Gesture> gestures() const override {

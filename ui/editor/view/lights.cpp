@@ -338,14 +338,14 @@ void draw_light_panel(ViewState& view, const World::Bounds& bounds, const Shadow
   if (changed) view.picture_old = true;
 }
 
-constexpr const char* kLightPanel = "Light";
+constexpr const char* kLightPanel = "light";
 
 class LightFeature : public Feature {
  public:
   explicit LightFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kLightPanel, Tab::kLook, 1310, false, [this] {
+    return {{kLightPanel, "Light", Tab::kView, 1310, false, [this] {
                draw_light_panel(workspace_.view, workspace_.world().bounds(), workspace_.statistics.shadows);
              }}};
   }
@@ -413,24 +413,28 @@ std::vector<UserAction> LightFeature::presets() {
 std::vector<UserAction> LightFeature::light_actions() {
   ViewState& view = workspace_.view;
   ViewOptions& look = view.look;
-  UserAction add = picture_action(view, "Add a light",
+  UserAction add = picture_action(view, "light.add", "Add a light",
                                   "Adds a directional light; drag its handle while the Light panel is open.",
                                   [&view] { add_light(view.look, view.camera.up_axis()); });
   add.disabled_reason = [&look] {
     return look.lights.size() < kMaxLights ? nullptr : "There are already four lights, the maximum.";
   };
   UserAction remove =
-      picture_action(view, "Remove the chosen light", "Removes the light shown in the Light panel.",
-                     [&look] { remove_light(look); });
+      picture_action(view, "light.remove", "Remove the chosen light",
+                     "Removes the light shown in the Light panel.", [&look] { remove_light(look); });
   remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
-  UserAction next = picture_action(view, "Next light", "Selects the next light in the Light panel.", [&look] {
-    KERF_ASSERT(!look.lights.empty());
-    look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
-  });
+  UserAction next =
+      picture_action(view, "light.next", "Next light", "Selects the next light in the Light panel.", [&look] {
+        KERF_ASSERT(!look.lights.empty());
+        look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
+      });
   next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
-  return {UserAction{.name = "Light preset", .items = [this] { return presets(); }, .in_menu = false}, add,
-          remove, next,
-          flag_action(view, "Shadows: paper look", look.shadow.paper_look,
+  return {UserAction{.id = "light.preset",
+                     .name = "Light preset",
+                     .items = [this] { return presets(); },
+                     .in_menu = false},
+          add, remove, next,
+          flag_action(view, "light.paper_look", "Shadows: paper look", look.shadow.paper_look,
                       "Draws shadows as transparent black instead of omitting the light.")};
 }
 

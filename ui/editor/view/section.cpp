@@ -240,8 +240,8 @@ class DragOfPlane : public Interaction {
 using Edit = std::function<void(ViewState&)>;
 
 // Shows the plane first if it is hidden.
-UserAction edit_action(Workspace& workspace, const char* name, const char* tip, Edit edit) {
-  UserAction action{.name = name, .tip = tip, .in_menu = false};
+UserAction edit_action(Workspace& workspace, const char* id, const char* name, const char* tip, Edit edit) {
+  UserAction action{.id = id, .name = name, .tip = tip, .in_menu = false};
   action.run = [&workspace, edit = std::move(edit)] {
     workspace.view.look.show.section = true;
     place_section(workspace.view, workspace.world());
@@ -250,8 +250,9 @@ UserAction edit_action(Workspace& workspace, const char* name, const char* tip, 
   return action;
 }
 
-UserAction across(Workspace& workspace, const char* name, int axis) {
-  return edit_action(workspace, name, "Turns the plane about its point and hides the side towards the eye.",
+UserAction across(Workspace& workspace, const char* id, const char* name, int axis) {
+  return edit_action(workspace, id, name,
+                     "Turns the plane about its point and hides the side towards the eye.",
                      [axis](ViewState& view) { turn_section_across(view, axis); });
 }
 
@@ -260,26 +261,27 @@ class SectionFeature : public Feature {
   explicit SectionFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{"View", Tab::kLook, 1000, true, [this] { draw_rows(); }}};
+    return {{"view", "View", Tab::kView, 1000, true, [this] { draw_rows(); }}};
   }
 
   std::vector<ActionGroup> actions() override {
-    return {
-        {1500,
-         "View",
-         {edit_action(workspace_, "Section plane: flip", "Swaps the visible and the hidden side.",
-                      flip_section),
-          across(workspace_, "Section plane: across X", 0), across(workspace_, "Section plane: across Y", 1),
-          across(workspace_, "Section plane: across Z", 2),
-          edit_action(workspace_, "Section plane: parallel to the picture",
-                      "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
-          edit_action(workspace_, "Section plane: copy",
-                      "Copies the plane as text for kerf render --section.",
-                      [this](ViewState& view) { copy_section(view, workspace_.message); }),
-          UserAction{.name = "Section plane: paste",
-                     .tip = "Sets the plane from text in the clipboard.",
-                     .run = [this] { paste_section(workspace_.view, workspace_.message); },
-                     .in_menu = false}}}};
+    return {{1500,
+             "View",
+             {edit_action(workspace_, "section.flip", "Section plane: flip",
+                          "Swaps the visible and the hidden side.", flip_section),
+              across(workspace_, "section.across_x", "Section plane: across X", 0),
+              across(workspace_, "section.across_y", "Section plane: across Y", 1),
+              across(workspace_, "section.across_z", "Section plane: across Z", 2),
+              edit_action(workspace_, "section.face_view", "Section plane: parallel to the picture",
+                          "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
+              edit_action(workspace_, "section.copy", "Section plane: copy",
+                          "Copies the plane as text for kerf render --section.",
+                          [this](ViewState& view) { copy_section(view, workspace_.message); }),
+              UserAction{.id = "section.paste",
+                         .name = "Section plane: paste",
+                         .tip = "Sets the plane from text in the clipboard.",
+                         .run = [this] { paste_section(workspace_.view, workspace_.message); },
+                         .in_menu = false}}}};
   }
 
   std::vector<Gesture> gestures() const override {

@@ -47,7 +47,8 @@ void DisplayPanel::draw(Settings& settings, const ViewState& view) {
   if (!begin_properties("display")) return;
   choice_row(
       "Theme", "##theme", settings.theme, "Dark\0Light\0", nullptr,
-      with_shortcut(view, "Colours of panels and menus; the viewport keeps its own.", "Light theme").c_str());
+      with_shortcut(view, "Colours of panels and menus; the viewport keeps its own.", "view.light_theme")
+          .c_str());
   scale_row(settings, wanted_scale_);
   end_properties();
 }
@@ -98,11 +99,14 @@ void change_scale(Settings& settings, double by) {
 
 // Returns the action of a standard view. Each pair of views shares a key; the second one adds Ctrl.
 UserAction look_action(ViewState& view, size_t which) {
+  constexpr std::array kIds{"view.front", "view.back", "view.right", "view.left", "view.top", "view.bottom"};
+  static_assert(kIds.size() == kStandardViews.size());
   constexpr std::array kKeys{"1", "3", "7"};
   constexpr std::array kPadKeys{GLFW_KEY_KP_1, GLFW_KEY_KP_3, GLFW_KEY_KP_7};
   const StandardView& looked = kStandardViews.at(which);
   const bool opposite = which % 2 == 1;
-  UserAction action{.name = looked.name,
+  UserAction action{.id = kIds.at(which),
+                    .name = looked.name,
                     .shortcut = std::string(opposite ? "Ctrl+" : "") + kKeys.at(which / 2),
                     .pad_key = kPadKeys.at(which / 2),
                     .tip = "Also on the number pad, and by clicking the axes in the corner.",
@@ -112,7 +116,11 @@ UserAction look_action(ViewState& view, size_t which) {
 }
 
 UserAction switch_action(Workspace& workspace, const ViewSwitch& s) {
-  UserAction action{.name = action_name(s), .tip = s.tip, .in_menu = s.in_menu, .ends_group = s.ends_group};
+  UserAction action{.id = action_id(s),
+                    .name = action_name(s),
+                    .tip = s.tip,
+                    .in_menu = s.in_menu,
+                    .ends_group = s.ends_group};
   if (s.key != 0) action.shortcut = std::string(1, s.key);
   action.run = [&view = workspace.view, &message = workspace.message, &s] {
     s.flip(view.look);
@@ -135,8 +143,8 @@ class ViewFeature : public Feature {
   explicit ViewFeature(Workspace& workspace) : workspace_(workspace) { workspace_.view.look.legends = false; }
 
   std::vector<Panel> panels() override {
-    return {{"View", Tab::kLook, 1001, true, [this] { draw_switches(); }},
-            {"Display", Tab::kLook, 1600, false,
+    return {{"view", "View", Tab::kView, 1001, true, [this] { draw_switches(); }},
+            {"display", "Display", Tab::kView, 1600, false,
              [this] { display_.draw(workspace_.settings, workspace_.view); }}};
   }
   std::vector<ActionGroup> actions() override {
@@ -183,11 +191,13 @@ class ViewFeature : public Feature {
 
 std::vector<UserAction> ViewFeature::text_of_view_actions() {
   return {
-      UserAction{.name = "Copy the view",
+      UserAction{.id = "view.copy_camera",
+                 .name = "Copy the view",
                  .shortcut = "Ctrl+C",
                  .tip = "Copies the position of the camera as text.",
                  .run = [this] { copy_view(workspace_); }},
-      UserAction{.name = "Paste the view",
+      UserAction{.id = "view.paste_camera",
+                 .name = "Paste the view",
                  .shortcut = "Ctrl+V",
                  .tip = "Sets the camera from text in the clipboard.",
                  .run = [this] { paste_view(workspace_); },
@@ -197,14 +207,16 @@ std::vector<UserAction> ViewFeature::text_of_view_actions() {
 
 std::vector<UserAction> ViewFeature::camera_actions() {
   std::vector<UserAction> actions{
-      UserAction{.name = "Frame all",
+      UserAction{.id = "view.frame_all",
+                 .name = "Frame all",
                  .shortcut = "F",
                  .tip = "Fits the scene in the viewport and keeps the direction of view.",
                  .run =
                      [this] {
                        workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect());
                      }},
-      UserAction{.name = "First view",
+      UserAction{.id = "view.reset",
+                 .name = "First view",
                  .shortcut = "Home",
                  .tip = "Restores the view as it was when the file was opened.",
                  .run = [this] { go_home(workspace_.view, workspace_.world().bounds()); },
@@ -212,7 +224,8 @@ std::vector<UserAction> ViewFeature::camera_actions() {
   };
   for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(workspace_.view, i));
   actions.push_back(
-      UserAction{.name = "Orthographic",
+      UserAction{.id = "view.orthographic",
+                 .name = "Orthographic",
                  .shortcut = "5",
                  .pad_key = GLFW_KEY_KP_5,
                  .tip = "Projection without perspective: sizes do not depend on the distance.",
@@ -231,7 +244,8 @@ std::vector<UserAction> ViewFeature::switch_actions() {
 
 UserAction ViewFeature::theme_action() {
   Theme& theme = workspace_.settings.theme;
-  return {.name = "Light theme",
+  return {.id = "view.light_theme",
+          .name = "Light theme",
           .shortcut = "F9",
           .tip = "Light panels and menus; the viewport keeps its colours.",
           .run = [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
@@ -241,7 +255,8 @@ UserAction ViewFeature::theme_action() {
 std::vector<UserAction> ViewFeature::scale_actions() {
   Settings& settings = workspace_.settings;
   return {
-      UserAction{.name = "Larger text",
+      UserAction{.id = "view.scale_up",
+                 .name = "Larger text",
                  .shortcut = "Ctrl+=",
                  .tip = "Size of panels and menus.",
                  .run = [&settings] { change_scale(settings, kScaleStep); },
@@ -250,7 +265,8 @@ std::vector<UserAction> ViewFeature::scale_actions() {
                        return settings.ui_scale >= Settings::kMaxScale ? "Already at the maximum size."
                                                                        : nullptr;
                      }},
-      UserAction{.name = "Smaller text",
+      UserAction{.id = "view.scale_down",
+                 .name = "Smaller text",
                  .shortcut = "Ctrl+-",
                  .tip = "Size of panels and menus.",
                  .run = [&settings] { change_scale(settings, -kScaleStep); },

@@ -223,6 +223,8 @@ constexpr std::array kSwitches{
 
 }  // namespace
 
+std::string action_id(const ViewSwitch& s) { return std::string("view.") + s.report; }
+
 std::string action_name(const ViewSwitch& s) {
   std::string name = s.label;
   for (size_t i = 0; !s.is_two_state() && i < s.states.size(); ++i)

@@ -48,7 +48,7 @@ inline constexpr std::array kOffAndOn{"off", "on"};
 struct ViewSwitch {
   SwitchId id;
   const char* show = "";    // name in `--show`; empty: none of its overlays
-  const char* report = "";  // key in the editor's report; empty: not in it
+  const char* report = "";  // key in the editor's report, and id of its action; empty: not in it
   const char* label = "";   // in menus and panels; empty: in neither
   char key = 0;             // capital letter of its key; 0: none
   const char* tip = "";     // tooltip
@@ -67,6 +67,8 @@ struct ViewSwitch {
   }
 };
 
+// The id of its action: "view.wire".
+std::string action_id(const ViewSwitch& s);
 // The name of its action: "Shadows: none, ground, all", or its label for the states off and on.
 std::string action_name(const ViewSwitch& s);
 

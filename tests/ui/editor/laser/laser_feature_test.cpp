@@ -10,7 +10,7 @@ namespace {
 const char* why_no_recut(Feature& laser) {
   for (const ActionGroup& group : laser.actions()) {
     for (const UserAction& action : group.actions) {
-      if (action.name == "Cut the last stroke again") return action.objection();
+      if (action.id == "laser.recut") return action.objection();
     }
   }
   return "There is no such action.";

@@ -26,8 +26,8 @@ TEST(LightFeature, a_press_on_a_handle_moves_the_light_while_the_panel_is_unfold
   workspace.pointer = light_handle(workspace.view, 0).value();
   const InputEvent event{InputEvent::Kind::kPress, workspace.pointer};
   EXPECT_EQ(feature->begin_interaction({event}), nullptr);
-  workspace.panels.add("Light", Tab::kLook, Dock::kColumn, false);
-  workspace.panels.show("Light");
+  workspace.panels.add("light", Tab::kView, Dock::kColumn, false);
+  workspace.panels.show("light");
   EXPECT_NE(feature->begin_interaction({event}), nullptr);
   workspace.settings.side_shown = false;
   EXPECT_EQ(feature->begin_interaction({event}), nullptr);

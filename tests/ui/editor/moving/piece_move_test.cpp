@@ -166,7 +166,7 @@ struct Bench {
   void run(const std::string& action) {
     for (const ActionGroup& group : feature->actions()) {
       for (const UserAction& a : group.actions) {
-        if (a.name == action) a.run();
+        if (a.id == action) a.run();
       }
     }
   }
@@ -176,7 +176,8 @@ struct Bench {
   }
   const PieceLook& look() { return workspace.view.look.pieces[{id, 0}]; }
   std::vector<PieceHandle> handles() const {
-    return piece_handles(workspace.view, pivot_shown(workspace.view, std::nullopt, workspace.tool == kPickTool, workspace.world()));
+    return piece_handles(workspace.view, pivot_shown(workspace.view, std::nullopt,
+                                                     workspace.tool == kPickTool, workspace.world()));
   }
 
   Workspace workspace;
@@ -186,7 +187,7 @@ struct Bench {
 
 TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
   Bench b;
-  b.run("Move the chosen");
+  b.run("pieces.move");
   b.keys("Y2");
   EXPECT_EQ(b.look().offset, Vec3(0, 2, 0));
   EXPECT_FALSE(b.workspace.changes.is_asked());
@@ -208,12 +209,12 @@ TEST(Moving, ends_with_the_command_that_moves_the_piece) {
 
 TEST(Moving, asks_for_nothing_when_it_is_cancelled_or_goes_nowhere) {
   Bench b;
-  b.run("Rotate the chosen");
+  b.run("pieces.rotate");
   b.keys("X90");
   EXPECT_TRUE(b.look().is_turned());
   EXPECT_TRUE(b.key(GLFW_KEY_ESCAPE));
   EXPECT_FALSE(b.look().is_away());
-  b.run("Move the chosen");
+  b.run("pieces.move");
   EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
   EXPECT_FALSE(b.workspace.changes.is_asked());
 }
@@ -242,7 +243,7 @@ TEST(PieceHandles, are_found_where_they_are_drawn_and_only_with_the_tool_that_pi
   }
   const Area& area = b.workspace.view.layout.first;
   EXPECT_FALSE(handle_under(handles, area.at + Vec2(5)));
-  b.workspace.tool = "Laser";
+  b.workspace.tool = kLaserTool;
   EXPECT_TRUE(b.handles().empty());
 }
 

@@ -21,7 +21,7 @@ struct RulerBench {
     workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
     workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
     workspace.view.camera.finish();
-    workspace.tool = "Ruler";
+    workspace.tool = kRulerTool;
   }
   Vec2 seen(const Vec3& p) const { return FirstPicture(workspace.view).place_of(p).value(); }
   void hear(InputEvent::Kind kind, Vec2 at) {
@@ -33,9 +33,9 @@ struct RulerBench {
     hear(InputEvent::Kind::kRelease, to);
   }
   void click(const Vec3& p) { drag(seen(p), seen(p)); }
-  void run(const std::string& name) {
+  void run(const std::string& id) {
     for (const UserAction& a : editor.catalogue.actions) {
-      if (a.name == name) a.run();
+      if (a.id == id) a.run();
     }
   }
   nlohmann::json kept() const {
@@ -55,7 +55,7 @@ TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cu
   EXPECT_LT(bench.kept()[0]["from"][0], 0);
   EXPECT_GT(bench.kept()[0]["to"][0], 0);
   EXPECT_EQ(bench.workspace.work.document.history().strokes(), 0u);
-  bench.run("Undo the edit of distances");
+  bench.run("ruler.undo");
   EXPECT_TRUE(bench.kept().is_null());
 }
 
@@ -70,7 +70,7 @@ TEST(RulerFeature, a_drag_of_an_end_moves_it_and_is_one_step_of_the_undo) {
   ASSERT_EQ(bench.kept().size(), 1u);
   EXPECT_GT(bench.kept()[0]["to"][1], 0.1);
   EXPECT_EQ(bench.kept()[0]["from"], before[0]["from"]);
-  bench.run("Undo the edit of distances");
+  bench.run("ruler.undo");
   EXPECT_EQ(bench.kept(), before);
 }
 

@@ -15,11 +15,11 @@ class BindingsOfActions : public testing::Test {
   Workspace& workspace = editor.workspace;
   const std::vector<UserAction>& usual = editor.catalogue.usual;
 
-  const UserAction& action(const std::vector<UserAction>& of, const std::string& name) const {
+  const UserAction& action(const std::vector<UserAction>& of, const std::string& id) const {
     for (const UserAction& a : of) {
-      if (a.name == name) return a;
+      if (a.id == id) return a;
     }
-    ADD_FAILURE() << name;
+    ADD_FAILURE() << id;
     return of.front();
   }
   void expect_no_clash(const std::vector<UserAction>& actions) const {
@@ -53,8 +53,8 @@ TEST_F(BindingsOfActions, every_key_with_a_name_is_read_back) {
 TEST_F(BindingsOfActions, presets_name_actions_and_clash_nowhere) {
   for (const BindingPreset& preset : binding_presets()) {
     SCOPED_TRACE(preset.name);
-    for (const auto& [name, key] : preset.bindings) {
-      EXPECT_EQ(action(usual, name).name, name);
+    for (const auto& [id, key] : preset.bindings) {
+      EXPECT_EQ(action(usual, id).id, id);
       EXPECT_TRUE(key.empty() || parse_chord(key)) << key;
     }
     expect_no_clash(bind_keys(usual, preset.bindings));
@@ -63,31 +63,31 @@ TEST_F(BindingsOfActions, presets_name_actions_and_clash_nowhere) {
 
 TEST_F(BindingsOfActions, a_key_is_taken_from_the_action_that_had_it_and_usual_keys_are_not_noted) {
   Bindings bindings;
-  rebind(bindings, usual, "Wire", {'B', 0});
+  rebind(bindings, usual, "view.wire", {'B', 0});
   const std::vector<UserAction> bound = bind_keys(usual, bindings);
-  EXPECT_EQ(action(bound, "Wire").shortcut, "B");
-  EXPECT_EQ(action(bound, "Boxes of the tree").key, 0);
+  EXPECT_EQ(action(bound, "view.wire").shortcut, "B");
+  EXPECT_EQ(action(bound, "view.boxes").key, 0);
   expect_no_clash(bound);
   EXPECT_EQ(bindings.size(), 2u);
-  rebind(bindings, usual, "Wire", {'W', 0});
-  rebind(bindings, usual, "Boxes of the tree", {'B', 0});
+  rebind(bindings, usual, "view.wire", {'W', 0});
+  rebind(bindings, usual, "view.boxes", {'B', 0});
   EXPECT_TRUE(bindings.empty());
 }
 
 TEST_F(BindingsOfActions, the_key_of_an_action_that_has_it_only_at_times_does_not_clash_with_the_usual_one) {
-  EXPECT_EQ(clash_of(usual, action(usual, "Move the chosen"), {'G', 0}), nullptr);
-  const UserAction* other = clash_of(usual, action(usual, "Move the chosen"), {'R', 0});
+  EXPECT_EQ(clash_of(usual, action(usual, "pieces.move"), {'G', 0}), nullptr);
+  const UserAction* other = clash_of(usual, action(usual, "pieces.move"), {'R', 0});
   ASSERT_NE(other, nullptr);
-  EXPECT_EQ(other->name, "Rotate the chosen");
+  EXPECT_EQ(other->id, "pieces.rotate");
 }
 
 TEST_F(BindingsOfActions, what_the_settings_name_wrongly_changes_nothing) {
-  const std::vector<UserAction> bound = bind_keys(usual, {{"No such action", "A"}, {"Wire", "Hyper+W"}});
+  const std::vector<UserAction> bound = bind_keys(usual, {{"No such action", "A"}, {"view.wire", "Hyper+W"}});
   for (size_t i = 0; i < usual.size(); ++i) EXPECT_EQ(bound[i].shortcut, usual[i].shortcut);
 }
 
 TEST_F(BindingsOfActions, the_page_names_a_clash_before_it_takes_a_key) {
-  SettingsPage page{.shown = true, .waits_for = "Wire"};
+  SettingsPage page{.shown = true, .waits_for = "view.wire"};
   Settings settings;
   const auto press = [&](int key, int mods = 0) { settings_page_key(page, settings, usual, key, mods); };
   press(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
@@ -97,11 +97,11 @@ TEST_F(BindingsOfActions, the_page_names_a_clash_before_it_takes_a_key) {
   EXPECT_TRUE(settings.bindings.empty());
   press(GLFW_KEY_ESCAPE);
   EXPECT_TRUE(page.shown && settings.bindings.empty() && page.waits_for.empty());
-  page.waits_for = "Wire";
+  page.waits_for = "view.wire";
   press('B');
   press(GLFW_KEY_ENTER);
-  EXPECT_EQ(settings.bindings.at("Wire"), "B");
-  EXPECT_EQ(settings.bindings.at("Boxes of the tree"), "");
+  EXPECT_EQ(settings.bindings.at("view.wire"), "B");
+  EXPECT_EQ(settings.bindings.at("view.boxes"), "");
   press(GLFW_KEY_ESCAPE);
   EXPECT_FALSE(page.shown);
 }

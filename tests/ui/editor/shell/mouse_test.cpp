@@ -102,7 +102,7 @@ TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_clo
 
 TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
   MouseBench bench;
-  bench.workspace.tool = "Pick pieces";
+  bench.workspace.tool = kPickTool;
   for (const InputEvent& e : arc()) bench.hear(e);
   EXPECT_EQ(bench.workspace.work.document.history().strokes(), 0u);
   EXPECT_EQ(bench.workspace.held, nullptr);

@@ -53,7 +53,7 @@ TEST(Tour, can_be_skipped_and_gone_back) {
 
 TEST(Tour, names_the_keys_as_they_are_bound) {
   ViewState view;
-  view.shortcuts = {{"Undo", "Ctrl+Backspace"}};
+  view.shortcuts = {{"edit.undo", "Ctrl+Backspace"}};
   EXPECT_TRUE(first_five_minutes(view)[1].text.starts_with("Ctrl+Backspace "));
   EXPECT_TRUE(first_five_minutes(ViewState())[1].text.starts_with("\"Undo\" "));
 }

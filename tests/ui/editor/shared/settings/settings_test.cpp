@@ -33,11 +33,11 @@ TEST_F(SettingsTest, come_back_as_they_were_written) {
   settings.theme = Theme::kLight;
   settings.ui_scale = 1.5;
   settings.palette = BoxPalette::kOrangeAndBlue;
-  settings.panels["Tree"] = true;
-  settings.panels["Laser"] = false;
-  settings.tab = Tab::kHeat;
-  settings.docks = {{"Graph", Dock::kWindow}, {"Tree", Dock::kColumn}};
-  settings.windows["Graph"] = {{20, 30}, {400, 300}};
+  settings.panels["tree"] = true;
+  settings.panels["laser"] = false;
+  settings.tab = Tab::kThermal;
+  settings.docks = {{"graph", Dock::kWindow}, {"tree", Dock::kColumn}};
+  settings.windows["graph"] = {{20, 30}, {400, 300}};
   settings.second_ems = 15;
   settings.strip_ems = 12;
   settings.welcomed = true;
@@ -46,7 +46,7 @@ TEST_F(SettingsTest, come_back_as_they_were_written) {
   settings.drag_speed = 2;
   settings.wheel_speed = 0.5;
   settings.threads = 3;
-  settings.bindings = {{"Undo", "Ctrl+U"}, {"Wire", ""}};
+  settings.bindings = {{"edit.undo", "Ctrl+U"}, {"view.wire", ""}};
   settings.frames["stl"] = FileFrame{FileUnit::kInch, UpAxis::kZ};
   settings.frames["obj"] = std::nullopt;
   ASSERT_TRUE(write_settings(settings, file).ok());
@@ -68,6 +68,24 @@ TEST_F(SettingsTest, keys_of_a_later_version_are_kept) {
   loaded.settings.ui_scale = 2;
   ASSERT_TRUE(write_settings(loaded.settings, file).ok());
   EXPECT_EQ(nlohmann::json::parse(text())["night_mode"], nlohmann::json::parse(R"({"deep": [1, 2]})"));
+}
+
+TEST_F(SettingsTest, labels_of_version_1_become_ids_once) {
+  put(R"({"version": 1, "tab": "look",
+          "bindings": {"Undo": "Ctrl+U", "Shadows: none, ground, all": "", "Tab: Move": "Q", "Not one": "R"},
+          "panels": {"Scalar map": true, "Laser": false}, "docks": {"Graph": "window"},
+          "windows": {"Graph": [20, 30, 400, 300]}})");
+  const Settings settings = read_settings(file).settings;
+  EXPECT_EQ(settings.tab, Tab::kView);
+  EXPECT_EQ(settings.bindings,
+            (std::map<std::string, std::string>{
+                {"edit.undo", "Ctrl+U"}, {"view.shadows", ""}, {"tab.physics", "Q"}, {"Not one", "R"}}));
+  EXPECT_EQ(settings.panels, (std::map<std::string, bool>{{"scalar_map", true}, {"laser", false}}));
+  EXPECT_EQ(settings.docks, (std::map<std::string, Dock>{{"graph", Dock::kWindow}}));
+  EXPECT_TRUE(settings.windows.contains("graph"));
+  ASSERT_TRUE(write_settings(settings, file).ok());
+  EXPECT_EQ(nlohmann::json::parse(text())["version"], 2);
+  EXPECT_EQ(read_settings(file).settings, settings);
 }
 
 TEST_F(SettingsTest, a_broken_file_is_set_aside_and_said) {

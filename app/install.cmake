@@ -1,13 +1,16 @@
 # cmake --install: the program with its data, and the library with its public headers. The target `distribution`
-# builds exactly these.
+# builds exactly these. Each file belongs to the component of a package: program, library, development or python.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS kerf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # Images of the pages and generator scripts are not installed.
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf
   PATTERN "pictures" EXCLUDE PATTERN "install" EXCLUDE PATTERN "*.py" EXCLUDE PATTERN "*.md" EXCLUDE
-  PATTERN "__pycache__" EXCLUDE)
+  PATTERN "__pycache__" EXCLUDE PATTERN "materials.json" EXCLUDE)
+# The library needs this one too.
+install(FILES ${CMAKE_SOURCE_DIR}/assets/materials.json DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf COMPONENT library)
 set(extras ${CMAKE_SOURCE_DIR}/assets/install)
 install(FILES ${extras}/kerf.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${extras}/kerf.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
@@ -26,27 +29,16 @@ set_target_properties(kerf_face_c PROPERTIES EXPORT_NAME c)
 set_target_properties(kerf_shared PROPERTIES EXPORT_NAME shared)
 target_include_directories(kerf_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS kerf_shared kerf_face_cpp kerf_face_c EXPORT kerf_targets
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(FILES ${CMAKE_SOURCE_DIR}/core/kerf.h ${CMAKE_SOURCE_DIR}/core/kerf_c.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kerf)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/kerf)
 install(EXPORT kerf_targets NAMESPACE kerf:: DESTINATION ${package} FILE kerfConfig.cmake)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake DESTINATION ${package})
-
-# cpack -G DEB. shlibdeps finds linked libraries; the others are opened at run time: OpenGL with its drivers,
-# libraries that GLFW loads, and the font of the panels.
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_NAME kerf)
-set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "The Kerf project <kerf@localhost>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Editor and library in which a laser drills through triangle meshes")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS
-  "libgl1, libegl1, libgl1-mesa-dri, libegl-mesa0, libxrandr2, libxcursor1, libxi6, libxinerama1, fonts-roboto-unhinted")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-numpy")
-set(CPACK_STRIP_FILES ON)
-include(CPack)
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
+  OUTPUT_VARIABLE up)
+configure_file(${extras}/kerf.pc.in ${CMAKE_BINARY_DIR}/kerf.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/kerf.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+include(packages.cmake)

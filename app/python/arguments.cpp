@@ -102,6 +102,19 @@ std::vector<uint32_t> faces_argument(const py::handle& given) {
   return indices;
 }
 
+Mesh mesh_argument(const py::handle& given, const char* name) {
+  if (py::isinstance<Mesh>(given)) return given.cast<const Mesh&>();
+  const auto attribute = [&](const char* key) { return py::getattr(given, key, py::none()); };
+  const py::object vertices = attribute("vertices");
+  const py::object faces = py::hasattr(given, "faces") ? attribute("faces") : attribute("triangles");
+  if (vertices.is_none() || faces.is_none())
+    throw py::type_error(std::string(name) +
+                         ": must be a kerf.Mesh or an object with vertices and faces (or triangles), not " +
+                         type_of(given));
+  const std::vector<double> positions = triples_argument(vertices, "vertices");
+  return Mesh(positions, faces_argument(faces));
+}
+
 std::array<double, 2> range_argument(const py::handle& given) {
   const py::sequence ends = sequence_of(given, 2);
   if (!ends) throw py::value_error("range: must be (min, max)");

@@ -40,6 +40,10 @@ std::vector<uint32_t> faces_argument(const py::handle& given);
 // Returns a pair (min, max).
 std::array<double, 2> range_argument(const py::handle& given);
 
+// Returns a kerf.Mesh, or copies another object with the attributes vertices and faces, or vertices and
+// triangles.
+Mesh mesh_argument(const py::handle& given, const char* name);
+
 // Returns a sequence of (time, origin, direction).
 std::vector<Key> keys_argument(const py::handle& given);
 // Returns the strokes of a Stroke, or of an iterable of them.

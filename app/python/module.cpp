@@ -80,19 +80,66 @@ py::array_t<T> copied(const std::vector<T>& numbers) {
   return py::array_t<T>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
+double positive_argument(const py::object& given, const char* name, const char* unit) {
+  const double number = number_argument(given, name);
+  if (number > 0) return number;
+  throw py::value_error(std::string(name) + ": must be a number of " + unit + " greater than zero");
+}
+
+// Set an attribute of a stroke; None means the default.
+void set_radius(kerf::Stroke& stroke, const py::object& given) {
+  stroke.radius = given.is_none() ? 0 : positive_argument(given, "radius", "metres");
+}
+void set_range(kerf::Stroke& stroke, const py::object& given) {
+  stroke.range = given.is_none() ? std::array<double, 2>{} : range_argument(given);
+}
+void set_power(kerf::Stroke& stroke, const py::object& given) {
+  stroke.power = given.is_none() ? 0 : positive_argument(given, "power", "watts");
+}
+
 kerf::Stroke make_stroke(const py::object& keys, const py::object& radius, const py::object& range,
                          const py::object& power) {
   kerf::Stroke stroke;
   stroke.keys = keys_argument(keys);
-  const auto positive = [](const py::object& given, const char* name, const char* unit) {
-    const double number = number_argument(given, name);
-    if (number > 0) return number;
-    throw py::value_error(std::string(name) + ": must be a number of " + unit + " greater than zero");
-  };
-  if (!radius.is_none()) stroke.radius = positive(radius, "radius", "metres");
-  if (!range.is_none()) stroke.range = range_argument(range);
-  if (!power.is_none()) stroke.power = positive(power, "power", "watts");
+  set_radius(stroke, radius);
+  set_range(stroke, range);
+  set_power(stroke, power);
   return stroke;
+}
+
+// Return an attribute of a stroke; None for the default.
+py::object number_or_none(double number) {
+  if (number == 0) return py::none();
+  return py::float_(number);
+}
+py::object range_of(const kerf::Stroke& stroke) {
+  if (stroke.range == std::array<double, 2>{}) return py::none();
+  return py::make_tuple(stroke.range[0], stroke.range[1]);
+}
+py::list keys_of(const kerf::Stroke& stroke) {
+  py::list keys;
+  for (const kerf::Key& key : stroke.keys) {
+    const auto vector = [](const double(&v)[3]) { return py::make_tuple(v[0], v[1], v[2]); };
+    keys.append(py::make_tuple(key.time, vector(key.origin), vector(key.direction)));
+  }
+  return keys;
+}
+
+py::tuple state_of(const kerf::Stroke& stroke) {
+  return py::make_tuple(keys_of(stroke), number_or_none(stroke.radius), range_of(stroke),
+                        number_or_none(stroke.power));
+}
+
+// Returns an expression that creates the stroke.
+std::string text_of(const kerf::Stroke& stroke) {
+  const py::tuple state = state_of(stroke);
+  std::string text = "kerf.Stroke(" + py::repr(state[0]).cast<std::string>();
+  const char* const names[] = {"keys", "radius", "range", "power"};
+  for (size_t i = 1; i < state.size(); ++i) {
+    const py::object value = state[i];
+    if (!value.is_none()) text += ", " + std::string(names[i]) + "=" + py::repr(value).cast<std::string>();
+  }
+  return text + ")";
 }
 
 kerf::CutSettings settings_of(const py::object& target_edge, const py::object& tolerance,
@@ -171,8 +218,15 @@ void add_mesh(py::module_& m) {
              return kerf::Mesh(positions, corners);
            }),
            py::arg("vertices"), py::arg("faces"),
-           "Creates a mesh from arrays, which are copied: vertices, positions of shape (n, 3) in metres, and "
-           "faces, integers of shape (m, 3), counter-clockwise seen from outside.")
+           "Creates a mesh from arrays, which are copied.\n\n"
+           "vertices: positions of shape (n, 3), metres, finite.\n"
+           "faces: integers of shape (m, 3), counter-clockwise seen from outside.\n\n"
+           "Raises ValueError for arrays of another shape or kind, numbers that are not finite, and indices "
+           "out of range.")
+      .def(py::init([](const py::object& mesh) { return mesh_argument(mesh, "mesh"); }), py::arg("mesh"),
+           "Creates a mesh from an object with the attributes vertices and faces, or vertices and triangles, "
+           "such as a mesh of Trimesh or Open3D.\n\n"
+           "Raises TypeError for an object without them, otherwise like Mesh(vertices, faces).")
       .def_property_readonly(
           "vertices", [](const kerf::Mesh& mesh) { return look_at(mesh.vertices(), mesh); },
           "Positions, float64 of shape (n, 3), metres. Read-only.")
@@ -194,9 +248,10 @@ void add_mesh(py::module_& m) {
           "Centroid of the area, or of the volume of a solid, shape (3,), metres.")
       .def_property_readonly(
           "inertia", [](const kerf::Mesh& mesh) { return numbers(mesh.info().inertia); },
-          "Inertia, kg m^2 about the centroid in world axes: xx, yy, zz, xy, xz, yz.")
-      .def_property_readonly("boundary_edges",
-                             [](const kerf::Mesh& mesh) { return mesh.info().boundary_edges; })
+          "Inertia about the centroid in world axes, shape (6,), kg m^2: xx, yy, zz, xy, xz, yz.")
+      .def_property_readonly(
+          "boundary_edges", [](const kerf::Mesh& mesh) { return mesh.info().boundary_edges; },
+          "Number of edges with one face; 0 unless the mesh is a piece of a world.")
       .def_property_readonly(
           "placement",
           [](const kerf::Mesh& mesh) {
@@ -211,63 +266,140 @@ void add_mesh(py::module_& m) {
             const std::string file = path_argument(path);
             on_file(file, folder_of(file), [&] { mesh.write(file); });
           },
-          py::arg("path"), "Writes the mesh as .obj, .ply, .stl, .off, .glb or .gltf, whole or not at all.")
+          py::arg("path"),
+          "Writes the mesh, whole or not at all. The extension decides the format: .obj, .ply, .stl, .off, "
+          ".glb or .gltf.\n\n"
+          "Raises ValueError for another extension, FileNotFoundError if the folder is missing, and Error if "
+          "the file cannot be written.")
+      .def("__copy__", [](const kerf::Mesh& mesh) { return mesh; })
+      .def(
+          "__deepcopy__", [](const kerf::Mesh& mesh, const py::object&) { return mesh; }, py::arg("memo"))
+      .def(py::pickle(
+          [](const kerf::Mesh& mesh) {
+            return py::make_tuple(look_at(mesh.vertices(), mesh), look_at(mesh.faces(), mesh));
+          },
+          [](const py::tuple& state) {
+            const std::vector<double> positions = triples_argument(state[0], "vertices");
+            return kerf::Mesh(positions, faces_argument(state[1]));
+          }))
       .def("__repr__", [](const kerf::Mesh& mesh) {
-        return "<kerf.Mesh of " + std::to_string(mesh.faces().size() / 3) + " faces>";
+        const std::string name = mesh.name();
+        return "<kerf.Mesh " + (name.empty() ? "" : "\"" + name + "\" ") + "of " +
+               std::to_string(mesh.faces().size() / 3) + " faces>";
       });
   m.def(
       "read",
-      [](const py::object& path) {
+      [](const py::object& path, const py::object& progress) {
         const std::string file = path_argument(path);
-        const kerf::Control control = control_argument(py::none(), 0);
+        const kerf::Control control = control_argument(progress, 0);
         return on_file(file, file, [&] { return kerf::Mesh::read(file, control); });
       },
-      py::arg("path"), "Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh.");
+      py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
+      "Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh.\n\n"
+      "progress: as in World.cut.\n\n"
+      "Raises FileNotFoundError for a missing file, ValueError for one that cannot be parsed or has no "
+      "usable face, and Cancelled.");
 }
 
 void add_stroke(py::module_& m) {
   py::class_<kerf::Stroke>(m, "Stroke", "A stroke of the laser.")
       .def(py::init(&make_stroke), py::arg("keys"), py::arg("radius") = py::none(),
            py::arg("range") = py::none(), py::arg("power") = py::none(),
-           "keys: (time in s, origin in m, direction of any non-zero length). Defaults: radius (m) is 1/400 "
-           "of the diagonal of the world, range (m along the beam) reaches ten diagonals, power is 2000 W.");
+           "keys: poses of the beam, (time in s, origin in m, direction of any non-zero length) each.\n"
+           "radius: metres, > 0; None: 1/400 of the diagonal of the world.\n"
+           "range: (min, max) along the beam in metres; None: from 0 to ten diagonals.\n"
+           "power: watts, > 0, for the thermal model; None: 2000.\n\n"
+           "Raises TypeError for an argument of another type and ValueError for a number out of range. "
+           "World.cut checks the keys.")
+      .def_property(
+          "keys", &keys_of,
+          [](kerf::Stroke& stroke, const py::object& keys) { stroke.keys = keys_argument(keys); },
+          "Poses of the beam, a copy: a list of (time in s, origin in m, direction).")
+      .def_property(
+          "radius", [](const kerf::Stroke& stroke) { return number_or_none(stroke.radius); }, &set_radius,
+          "Beam radius in metres, > 0; None: 1/400 of the diagonal of the world.")
+      .def_property("range", &range_of, &set_range,
+                    "(min, max) along the beam in metres; None: from 0 to ten diagonals.")
+      .def_property(
+          "power", [](const kerf::Stroke& stroke) { return number_or_none(stroke.power); }, &set_power,
+          "Watts, > 0, for the thermal model; None: 2000.")
+      .def("__eq__",
+           [](const kerf::Stroke& stroke, const py::object& other) {
+             return py::isinstance<kerf::Stroke>(other) &&
+                    state_of(stroke).equal(state_of(other.cast<const kerf::Stroke&>()));
+           })
+      .def(py::pickle(
+          &state_of,
+          [](const py::tuple& state) { return make_stroke(state[0], state[1], state[2], state[3]); }))
+      .def("__repr__", &text_of);
 }
 
 void add_world(py::module_& m) {
-  py::class_<HitArrays>(m, "Hits", "Crossings of rays with surfaces.")
-      .def_readonly("first", &HitArrays::first, "all_hits: hits of ray i are first[i] to first[i + 1] - 1.")
-      .def_readonly("distance", &HitArrays::distance, "float64, metres; inf on a miss.")
-      .def_readonly("body", &HitArrays::body, "uint32, in the order of adding; 2^32 - 1 on a miss.")
-      .def_readonly("face", &HitArrays::face, "uint32, the slot of the face in its body.");
+  py::class_<HitArrays>(m, "Hits", "Crossings of k rays with surfaces, n in total.")
+      .def_readonly("first", &HitArrays::first,
+                    "all_hits: uint64 of shape (k + 1,); hits of ray i are first[i] to first[i + 1] - 1. "
+                    "nearest_hits: empty.")
+      .def_readonly("distance", &HitArrays::distance, "float64 of shape (n,), metres; inf on a miss.")
+      .def_readonly("body", &HitArrays::body,
+                    "uint32 of shape (n,), in the order of adding; 2^32 - 1 on a miss.")
+      .def_readonly("face", &HitArrays::face,
+                    "uint32 of shape (n,), slots of the faces in their bodies; 2^32 - 1 on a miss.")
+      .def(py::pickle(
+          [](const HitArrays& hits) {
+            return py::make_tuple(hits.first, hits.distance, hits.body, hits.face);
+          },
+          [](const py::tuple& state) {
+            return HitArrays{state[0], state[1], state[2], state[3]};
+          }))
+      .def("__repr__", [](const HitArrays& hits) {
+        return "<kerf.Hits, " + std::to_string(hits.distance.size()) + " distances>";
+      });
   py::class_<kerf::World>(m, "World", "The bodies that a laser cuts.")
-      .def(py::init<>())
+      .def(py::init<>(), "Creates an empty world.")
       .def_static(
           "open",
-          [](const py::object& path) {
+          [](const py::object& path, const py::object& progress) {
             const std::string file = path_argument(path);
-            const kerf::Control control = control_argument(py::none(), 0);
+            const kerf::Control control = control_argument(progress, 0);
             return on_file(file, file, [&] { return std::make_unique<kerf::World>(file, control); });
           },
-          py::arg("path"),
-          "Opens a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.")
+          py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
+          "Opens a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.\n\n"
+          "progress: as in cut.\n\n"
+          "Raises FileNotFoundError for a missing file, ValueError for a wrong one, and Cancelled.")
       .def(
           "add",
           [](kerf::World& world, const py::object& mesh, const py::object& name) {
-            const kerf::Mesh added = instance_argument<kerf::Mesh>(mesh, "mesh", "kerf.Mesh");
+            const kerf::Mesh added = mesh_argument(mesh, "mesh");
             const std::string text = text_argument(name, "name");
             const kerf::Control control = control_argument(py::none(), 0);
             const py::gil_scoped_release unlocked;
             world.add(added, text, control);
           },
           py::arg("mesh"), py::arg("name") = "mesh",
-          "Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick.")
+          "Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick.\n\n"
+          "mesh: a Mesh, or an object with the attributes vertices and faces, or vertices and triangles.\n"
+          "name: without null characters.\n\n"
+          "Raises TypeError for another object, ValueError for bad arrays or a bad name, and Busy.")
       .def("cut", &cut, py::arg("strokes"), py::kw_only(), py::arg("target_edge") = py::none(),
            py::arg("tolerance") = py::none(), py::arg("levels") = py::none(), py::arg("rim") = "faces",
            py::arg("scheme") = "longest-edge", py::arg("model") = "geometric",
            py::arg("material") = py::none(), py::arg("progress") = py::none(), py::arg("threads") = 0,
-           "Cuts all bodies with a Stroke or a list of them, all or nothing. Set at most one of target_edge "
-           "(m), tolerance (m) and levels. progress(share) is called at most fifty times a second and may "
-           "return False to stop. Returns removed_faces, removed_area (m^2) and seconds.")
+           "Cuts all bodies with strokes, in order, all or nothing.\n\n"
+           "strokes: a Stroke or an iterable of them.\n"
+           "target_edge: longest edge under the beam in metres; None: a quarter of the radius.\n"
+           "tolerance: instead, how far the removed area may reach beyond the beam, in metres.\n"
+           "levels: instead, levels under the base face, 0 to 24.\n"
+           "rim: \"faces\" removes every face that the beam touches, \"smooth\" cuts faces along the beam.\n"
+           "scheme: \"longest-edge\" or \"one-to-four\", how faces are split.\n"
+           "model: \"geometric\" removes faces at once, \"thermal\" if they have absorbed enough energy.\n"
+           "material: new material of all bodies, a name from `kerf materials`; None: unchanged.\n"
+           "progress: called with the completed share, 0 to 1, at most fifty times a second; returns False "
+           "to stop.\n"
+           "threads: maximum number of threads, 0 to 1024; 0: one per processor.\n\n"
+           "Returns a dict of removed_faces, removed_area (m^2) and seconds.\n\n"
+           "Raises TypeError or ValueError for a wrong argument, ValueError if the world has no mesh, "
+           "Cancelled, Busy, and Error if a body would get too many faces. A failed cut changes nothing.")
       .def_property_readonly(
           "pieces",
           [](const kerf::World& world) {
@@ -275,7 +407,7 @@ void add_world(py::module_& m) {
             const py::gil_scoped_release unlocked;
             return world.pieces(control);
           },
-          "The pieces of all bodies as meshes in world coordinates, largest area first.")
+          "The pieces of all bodies as meshes in world coordinates, largest area first. Raises Busy.")
       .def(
           "nearest_hits",
           [](const kerf::World& world, const py::object& origins, const py::object& directions,
@@ -287,7 +419,10 @@ void add_world(py::module_& m) {
                             });
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
-          "Finds the first surface that each of n rays crosses: takes arrays of shape (n, 3), returns Hits.")
+          "Finds the first surface that each of n rays crosses and returns Hits of shape (n,).\n\n"
+          "origins, directions: finite, of shape (n, 3), metres; directions of any non-zero length.\n"
+          "range: (min, max) distance in metres; None: from 0 to infinity.\n\n"
+          "Raises ValueError for arrays or a range that violate the above, and Busy.")
       .def(
           "all_hits",
           [](const kerf::World& world, const py::object& origins, const py::object& directions,
@@ -299,7 +434,8 @@ void add_world(py::module_& m) {
                             });
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
-          "Finds all surfaces that each ray crosses, nearest first.")
+          "Finds all surfaces that each of n rays crosses, nearest first, and returns Hits. Arguments and "
+          "errors are those of nearest_hits.")
       .def(
           "save_scene",
           [](const kerf::World& world, const py::object& folder) {
@@ -307,14 +443,20 @@ void add_world(py::module_& m) {
             const py::gil_scoped_release unlocked;
             world.save_scene(to);
           },
-          py::arg("folder"), "Writes the bodies as OBJ files and a scene.json that the editor opens.")
+          py::arg("folder"),
+          "Writes the bodies as OBJ files and a scene.json that the editor opens. The folder is created if "
+          "missing.\n\n"
+          "Raises ValueError if the world has no face, and Error if a file cannot be written.")
       .def(
           "save_journal",
           [](const kerf::World& world, const py::object& path) {
             const std::string file = path_argument(path);
             on_file(file, folder_of(file), [&] { world.save_journal(file); });
           },
-          py::arg("path"), "Writes the journal (.kerf) of the cuts, and the added meshes next to it.")
+          py::arg("path"),
+          "Writes the journal (.kerf) of the cuts, and the added meshes next to it.\n\n"
+          "Raises FileNotFoundError if the folder is missing, ValueError if a body was added or the material "
+          "changed after a cut, and Error if a file cannot be written.")
       .def(
           "report", [](const kerf::World& world) { return object_of([&] { return world.report(); }); },
           "Returns the report of all cuts so far, with the keys of the report.json of `kerf cut`.")

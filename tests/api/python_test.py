@@ -1,13 +1,17 @@
 """The Python module: arrays, exceptions, the lock of the interpreter and Ctrl-C: python_test.py MESH"""
 import _thread
+import ast
+import copy
 import errno
 import os
 import pathlib
 import pickle
+import re
 import sys
 import tempfile
 import threading
 import time
+import types
 import unittest
 
 import numpy as np
@@ -129,6 +133,80 @@ class Module(unittest.TestCase):
         with self.assertRaises(FileNotFoundError) as raised:
             kerf.read('no-such.obj')
         self.assertEqual(pickle.loads(pickle.dumps(raised.exception)).filename, 'no-such.obj')
+
+    def test_a_stroke_has_attributes_a_text_and_equal_copies(self):
+        stroke = kerf.Stroke([(0, (0, 1, 0), (0, -1, 0))], radius=0.25, range=(0, 2))
+        self.assertEqual(stroke.keys, [(0.0, (0.0, 1.0, 0.0), (0.0, -1.0, 0.0))])
+        self.assertEqual((stroke.radius, stroke.range, stroke.power), (0.25, (0.0, 2.0), None))
+        self.assertEqual(repr(stroke), 'kerf.Stroke([(0.0, (0.0, 1.0, 0.0), (0.0, -1.0, 0.0))], radius=0.25, range=(0.0, 2.0))')
+        for same in (copy.copy(stroke), copy.deepcopy(stroke), pickle.loads(pickle.dumps(stroke)), eval(repr(stroke))):
+            self.assertEqual(same, stroke)
+            same.power = 500
+            self.assertEqual((same.power, stroke.power), (500, None))
+            self.assertNotEqual(same, stroke)
+        for name, bad in (('radius', -1), ('power', 0), ('range', (1,)), ('keys', [()])):
+            with self.assertRaises(ValueError):
+                setattr(stroke, name, bad)
+        stroke.radius = stroke.range = None
+        self.assertEqual(repr(stroke), 'kerf.Stroke([(0.0, (0.0, 1.0, 0.0), (0.0, -1.0, 0.0))])')
+        self.assertNotEqual(stroke, 5)
+
+    def test_meshes_and_hits_are_copied_and_pickled(self):
+        for same in (copy.copy(self.mesh), copy.deepcopy(self.mesh), pickle.loads(pickle.dumps(self.mesh))):
+            np.testing.assert_array_equal(same.vertices, self.mesh.vertices)
+            np.testing.assert_array_equal(same.faces, self.mesh.faces)
+        piece, = self.world.pieces
+        self.assertEqual(copy.deepcopy(piece).mass, piece.mass)
+        self.assertEqual((repr(self.mesh), repr(piece)),
+                         tuple(f'<kerf.Mesh {name}of {len(self.mesh.faces)} faces>' for name in ('', '"ball" ')))
+        hits = self.world.all_hits([[0, 9, 0]] * 2, [[0, -1, 0]] * 2)
+        same = pickle.loads(pickle.dumps(hits))
+        for name in ('first', 'distance', 'body', 'face'):
+            np.testing.assert_array_equal(getattr(same, name), getattr(hits, name))
+        with self.assertRaises(TypeError):
+            pickle.dumps(self.world)
+
+    def test_meshes_of_other_libraries_are_taken_by_their_attributes(self):
+        v, f = np.array(self.mesh.vertices), np.array(self.mesh.faces)
+        for other in (types.SimpleNamespace(vertices=v, faces=f.astype(np.int64)),
+                      types.SimpleNamespace(vertices=v.tolist(), triangles=f.tolist())):
+            world = kerf.World()
+            world.add(other, name='ball')
+            self.assertEqual(world.hash, self.world.hash)
+            self.assertEqual(kerf.Mesh(other).area, self.mesh.area)
+        for bad in (types.SimpleNamespace(vertices=v), v, 'x'):
+            with self.assertRaisesRegex(TypeError, '^mesh: must be a kerf.Mesh or'):
+                self.world.add(bad)
+
+    def test_reading_and_opening_report_progress(self):
+        for read in (kerf.read, kerf.World.open):
+            shares = []
+            read(MESH, progress=shares.append)
+            self.assertTrue(all(0 <= share <= 1 for share in shares) and shares)
+            with self.assertRaises(kerf.Cancelled):
+                read(MESH, progress=lambda share: False)
+
+    def test_type_hints_name_the_defaults_and_docstrings_the_errors(self):
+        with open(os.path.splitext(kerf.__file__)[0] + '.pyi', encoding='utf-8') as text:
+            hints = ast.parse(text.read())
+        functions = [(node.name, node) for node in hints.body if isinstance(node, ast.FunctionDef)]
+        for group in hints.body:
+            if isinstance(group, ast.ClassDef) and not group.name.startswith('_'):
+                functions += [(f'{group.name}.{node.name}', node) for node in group.body
+                              if isinstance(node, ast.FunctionDef) and not node.decorator_list]
+        self.assertGreater(len(functions), 10)
+        for name, node in functions:
+            actual = kerf
+            for part in name.split('.'):
+                actual = getattr(actual, part)
+            with self.subTest(name):
+                hinted = dict(zip([a.arg for a in node.args.kwonlyargs], node.args.kw_defaults))
+                hinted.update(zip([a.arg for a in node.args.args[::-1]], node.args.defaults[::-1]))
+                signature = actual.__doc__.splitlines()[0]
+                self.assertEqual({k: repr(ast.literal_eval(v)) for k, v in hinted.items() if v},
+                                 dict(re.findall(r"(\w+): \w+ = ([^,)]+)", signature)))
+                if signature.count(':') > 1 and name != 'World.add':
+                    self.assertIn('Raises', actual.__doc__ if name != 'World.all_hits' else kerf.World.nearest_hits.__doc__)
 
     def test_threads_read_one_world_at_the_same_time(self):
         self.world.cut(slot(self.mesh))

@@ -1,6 +1,6 @@
 from collections.abc import Callable, Iterable
 from os import PathLike
-from typing import Any, Literal
+from typing import Any, Literal, Protocol, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -8,6 +8,24 @@ import numpy.typing as npt
 __version__: str
 
 _Path = str | bytes | PathLike[str] | PathLike[bytes]
+_Vector = tuple[float, float, float]
+_Progress = Callable[[float], object]
+
+class _Faces(Protocol):
+    """A mesh of another library, such as Trimesh."""
+
+    @property
+    def vertices(self) -> npt.ArrayLike: ...
+    @property
+    def faces(self) -> npt.ArrayLike: ...
+
+class _Triangles(Protocol):
+    """A mesh of another library, such as Open3D."""
+
+    @property
+    def vertices(self) -> npt.ArrayLike: ...
+    @property
+    def triangles(self) -> npt.ArrayLike: ...
 
 class Error(RuntimeError):
     """A call that failed; it has changed nothing."""
@@ -21,13 +39,16 @@ class Busy(Error):
 class FileNotFound(FileNotFoundError, ValueError):
     """A path without a file."""
 
-def read(path: _Path) -> Mesh:
+def read(path: _Path, *, progress: _Progress | None = None) -> Mesh:
     """Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh."""
 
 class Mesh:
     """A triangle mesh, or a piece of one; immutable."""
 
+    @overload
     def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike) -> None: ...
+    @overload
+    def __init__(self, mesh: Mesh | _Faces | _Triangles) -> None: ...
     @property
     def vertices(self) -> npt.NDArray[np.float64]:
         """Positions of shape (n, 3), metres."""
@@ -38,19 +59,26 @@ class Mesh:
     def temperatures(self) -> npt.NDArray[np.float64]:
         """Face temperatures of a piece, shape (m,), kelvin; empty for any other mesh."""
     @property
-    def area(self) -> float: ...
+    def area(self) -> float:
+        """Area, m^2."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Name of the piece; empty for a mesh that was read or created."""
     @property
-    def mass(self) -> float: ...
+    def mass(self) -> float:
+        """Mass in kg; 0 unless the mesh is a piece of a world."""
     @property
-    def centroid(self) -> npt.NDArray[np.float64]: ...
+    def centroid(self) -> npt.NDArray[np.float64]:
+        """Centroid of the area, or of the volume of a solid, shape (3,), metres."""
     @property
-    def inertia(self) -> npt.NDArray[np.float64]: ...
+    def inertia(self) -> npt.NDArray[np.float64]:
+        """Inertia about the centroid in world axes, shape (6,), kg m^2: xx, yy, zz, xy, xz, yz."""
     @property
-    def boundary_edges(self) -> int: ...
+    def boundary_edges(self) -> int:
+        """Number of edges with one face; 0 unless the mesh is a piece of a world."""
     @property
-    def placement(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]: ...
+    def placement(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """Position in metres and quaternion w, x, y, z of the body."""
     def write(self, path: _Path) -> None: ...
 
 class Stroke:
@@ -59,45 +87,66 @@ class Stroke:
     def __init__(
         self,
         keys: Iterable[tuple[float, npt.ArrayLike, npt.ArrayLike]],
-        radius: float | None = ...,
-        range: tuple[float, float] | None = ...,
-        power: float | None = ...,
+        radius: float | None = None,
+        range: tuple[float, float] | None = None,
+        power: float | None = None,
     ) -> None: ...
+    @property
+    def keys(self) -> list[tuple[float, _Vector, _Vector]]:
+        """Poses of the beam, a copy: (time in s, origin in m, direction)."""
+    @keys.setter
+    def keys(self, keys: Iterable[tuple[float, npt.ArrayLike, npt.ArrayLike]]) -> None: ...
+    radius: float | None
+    """Metres; None: 1/400 of the diagonal of the world."""
+    range: tuple[float, float] | None
+    """(min, max) along the beam in metres; None: from 0 to ten diagonals."""
+    power: float | None
+    """Watts, for the thermal model; None: 2000."""
 
 class Hits:
-    first: npt.NDArray[np.uint64]
-    distance: npt.NDArray[np.float64]
-    body: npt.NDArray[np.uint32]
-    face: npt.NDArray[np.uint32]
+    """Crossings of k rays with surfaces, n in total."""
+
+    @property
+    def first(self) -> npt.NDArray[np.uint64]:
+        """all_hits: shape (k + 1,); hits of ray i are first[i] to first[i + 1] - 1. nearest_hits: empty."""
+    @property
+    def distance(self) -> npt.NDArray[np.float64]:
+        """Shape (n,), metres; inf on a miss."""
+    @property
+    def body(self) -> npt.NDArray[np.uint32]:
+        """Shape (n,), in the order of adding; 2^32 - 1 on a miss."""
+    @property
+    def face(self) -> npt.NDArray[np.uint32]:
+        """Shape (n,), slots of the faces in their bodies; 2^32 - 1 on a miss."""
 
 class World:
     """The bodies that a laser cuts."""
 
     def __init__(self) -> None: ...
     @staticmethod
-    def open(path: _Path) -> World: ...
-    def add(self, mesh: Mesh, name: str = ...) -> None: ...
+    def open(path: _Path, *, progress: _Progress | None = None) -> World: ...
+    def add(self, mesh: Mesh | _Faces | _Triangles, name: str = "mesh") -> None: ...
     def cut(
         self,
         strokes: Stroke | Iterable[Stroke],
         *,
-        target_edge: float | None = ...,
-        tolerance: float | None = ...,
-        levels: int | None = ...,
-        rim: Literal["faces", "smooth"] = ...,
-        scheme: Literal["longest-edge", "one-to-four"] = ...,
-        model: Literal["geometric", "thermal"] = ...,
-        material: str | None = ...,
-        progress: Callable[[float], object] | None = ...,
-        threads: int = ...,
+        target_edge: float | None = None,
+        tolerance: float | None = None,
+        levels: int | None = None,
+        rim: Literal["faces", "smooth"] = "faces",
+        scheme: Literal["longest-edge", "one-to-four"] = "longest-edge",
+        model: Literal["geometric", "thermal"] = "geometric",
+        material: str | None = None,
+        progress: _Progress | None = None,
+        threads: int = 0,
     ) -> dict[str, Any]: ...
     @property
     def pieces(self) -> list[Mesh]: ...
     def nearest_hits(
-        self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, range: tuple[float, float] | None = ...
+        self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, range: tuple[float, float] | None = None
     ) -> Hits: ...
     def all_hits(
-        self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, range: tuple[float, float] | None = ...
+        self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, range: tuple[float, float] | None = None
     ) -> Hits: ...
     def save_scene(self, folder: _Path) -> None: ...
     def save_journal(self, path: _Path) -> None: ...

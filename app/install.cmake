@@ -15,7 +15,11 @@ set(extras ${CMAKE_SOURCE_DIR}/assets/install)
 install(FILES ${extras}/kerf.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${extras}/kerf.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES ${extras}/kerf.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+install(FILES ${extras}/kerf.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+install(FILES ${extras}/kerf.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers)
 install(FILES ${extras}/kerf.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME kerf)
+install(FILES ${extras}/_kerf DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${extras}/kerf.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(FILES ${CMAKE_BINARY_DIR}/kerf.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 # find_package(kerf) provides kerf::core and kerf::c: the same library with and without C++20.

@@ -1,8 +1,29 @@
 # Completion of kerf for bash: subcommands and options are those that its help names.
+
+# Prints the values of an option that has a fixed list of them.
+_kerf_values() {
+  case $1 in
+    --assist) echo none oxygen ;;
+    --difficulty) echo easy normal hard ;;
+    --driver) echo bot still ;;
+    --format) echo obj ply stl off glb gltf ;;
+    --material) kerf materials 2>/dev/null | sed -n 's/^ *"name": "\(.*\)",*$/\1/p' ;;
+    --model) echo geometric thermal ;;
+    --pattern) echo volume rays4 ;;
+    --rim) echo faces smooth ;;
+    --scheme) echo longest-edge one-to-four ;;
+    --show) kerf render --help 2>/dev/null | sed -n '/^  --show /s/.*): //p' | tr -d , ;;
+    --subdivide) echo loop sqrt3 midpoint ;;
+  esac
+}
+
 _kerf() {
   local word=${COMP_WORDS[COMP_CWORD]} command='' words
   ((COMP_CWORD > 1)) && [[ ${COMP_WORDS[1]} =~ ^[a-z]+$ ]] && command=${COMP_WORDS[1]}
-  if [[ $word == -* ]]; then
+  words=$(_kerf_values "${COMP_WORDS[COMP_CWORD - 1]}")
+  if [[ -n $words ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+  elif [[ $word == -* ]]; then
     words=$("${COMP_WORDS[0]}" ${command:+"$command"} --help 2>/dev/null | grep -oE -- '--[a-z][a-z-]*' | sort -u)
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
   elif ((COMP_CWORD == 1)); then

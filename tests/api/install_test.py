@@ -27,7 +27,9 @@ def run(*command, **options):
 def check_files(prefix):
     for path in ('bin/kerf', 'share/kerf/materials.json', 'share/applications/kerf.desktop', 'share/man/man1/kerf.1',
                  'share/icons/hicolor/scalable/apps/kerf.svg', 'share/mime/packages/kerf.xml',
-                 'share/bash-completion/completions/kerf', 'include/kerf/kerf.h', 'include/kerf/kerf_c.h'):
+                 'share/bash-completion/completions/kerf',
+                 'share/zsh/vendor-completions/_kerf', 'share/fish/vendor_completions.d/kerf.fish',
+                 'share/metainfo/kerf.metainfo.xml', 'share/thumbnailers/kerf.thumbnailer', 'lib/pkgconfig/kerf.pc', 'include/kerf/kerf.h', 'include/kerf/kerf_c.h'):
         assert os.path.isfile(os.path.join(prefix, path)), f'{path} is not installed'
     assert not os.path.exists(os.path.join(prefix, 'share/kerf/pictures'))
 

@@ -100,6 +100,25 @@ class Desktop(unittest.TestCase):
                     self.assertEqual(file.read(24)[16:], bytes([0, 0, 0, 128] * 2))
                 os.remove(image)
 
+    def test_the_man_page_has_its_sections_and_names_files_that_exist(self):
+        with open(os.path.join(os.path.dirname(KERF), 'kerf.1'), encoding='utf-8') as file:
+            page = file.read().replace('\\-', '-')
+        sections = re.split('^[.]SH (.*)\n', page, flags=re.MULTILINE)
+        text = dict(zip(sections[1::2], sections[2::2]))
+        self.assertLessEqual({'NAME', 'SYNOPSIS', 'DESCRIPTION', 'OPTIONS', 'COMMANDS', 'EXIT STATUS', 'ENVIRONMENT', 'FILES',
+                              'EXAMPLES'}, set(text))
+        files = re.findall('/usr/share/kerf/([^ \n]+)', text['EXAMPLES'])
+        self.assertGreater(len(files), 4)
+        for name in files:
+            self.assertTrue(os.path.isfile(os.path.join(ROOT, 'assets', name)), name)
+        commands = re.findall('^[.]SS kerf ([a-z]+)', text['COMMANDS'], re.MULTILINE)
+        self.assertEqual(commands, re.findall('^kerf ([a-z]+)', text['EXAMPLES'], re.MULTILINE))
+        for command in commands:
+            said = subprocess.run([KERF, command, '--help'], capture_output=True, text=True, check=True).stdout
+            part = text['COMMANDS'].split(f'.SS kerf {command}\n')[1].split('.SS ')[0]
+            self.assertEqual(re.findall('^  (?:-., *)?(--[a-z-]+)', said, re.MULTILINE),
+                             re.findall(r'^\\fB(?:-.,)?(--[a-z-]+)', part, re.MULTILINE))
+
     def test_metadata_names_the_desktop_entry_and_its_types(self):
         root = ElementTree.fromstring(text_of('kerf.metainfo.xml'))
         self.assertEqual(root.find('launchable').text, 'kerf.desktop')

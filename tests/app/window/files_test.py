@@ -81,7 +81,7 @@ class Files(WindowTest):
         self.assertEqual(png_size_and_bytes(os.path.join(pictures, thumbnail)), uncut)
         editor.press("ctrl", "p")
         editor.part("palette")
-        editor.type("Forget them")
+        editor.type("Clear Recent Files")
         editor.press("Return")
         editor.settle()
         editor.quit()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Moving, turning and duplicating the chosen piece, by keys, by numbers and by handles."""
+"""Moving, turning and duplicating the selected piece, by keys, by numbers and by handles."""
 import unittest
 
 from editor_window import SPHERE, WindowTest

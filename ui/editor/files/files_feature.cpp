@@ -206,7 +206,7 @@ std::vector<UserAction> FilesFeature::save_actions() {
           .tip = "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
           .run = [this] { save(); }},
       UserAction{.id = "file.save_as",
-                 .name = "Save as...",
+                 .name = "Save As...",
                  .shortcut = "Ctrl+Shift+S",
                  .tip = "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
                  .run = [this] { choose_file_to_save(); },
@@ -217,12 +217,12 @@ std::vector<UserAction> FilesFeature::save_actions() {
 std::vector<UserAction> FilesFeature::picture_actions() {
   return {
       UserAction{.id = "file.save_viewport_image",
-                 .name = "Save the picture",
+                 .name = "Save Viewport Image",
                  .shortcut = "F12",
                  .tip = "A PNG of the viewport without panels, named by date, in the current folder.",
                  .run = [this] { screenshot_ = Captured::kPicture; }},
       UserAction{.id = "file.save_screenshot",
-                 .name = "Save the window",
+                 .name = "Save Screenshot",
                  .shortcut = "Shift+F12",
                  .tip = "A PNG of the window with its panels.",
                  .run = [this] { screenshot_ = Captured::kWindow; },
@@ -233,7 +233,7 @@ std::vector<UserAction> FilesFeature::picture_actions() {
 std::vector<UserAction> FilesFeature::leave_actions() {
   return {
       UserAction{.id = "file.play_game",
-                 .name = "Play the game",
+                 .name = "Play Game",
                  .shortcut = "F5",
                  .tip = "Car combat with roof-mounted lasers. The open work stays unchanged.",
                  .run = [this] { workspace_.leaves = Workspace::Leaves::kForTheGame; },

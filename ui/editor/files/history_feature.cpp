@@ -165,7 +165,7 @@ class HistoryFeature : public Feature {
                          .tip = "Reverts the last stroke or command.",
                          .run = [this] { ask_to_step(true); },
                          .disabled_reason =
-                             [this] { return history().position() > 0 ? nullptr : "Nothing was done yet."; }},
+                             [this] { return history().position() > 0 ? nullptr : "Nothing to undo"; }},
               UserAction{.id = "edit.redo",
                          .name = "Redo",
                          .shortcut = "Ctrl+Shift+Z",
@@ -173,8 +173,7 @@ class HistoryFeature : public Feature {
                          .run = [this] { ask_to_step(false); },
                          .disabled_reason =
                              [this] {
-                               return history().position() < history().size() ? nullptr
-                                                                              : "Nothing was taken back.";
+                               return history().position() < history().size() ? nullptr : "Nothing to redo";
                              },
                          .ends_group = true}}}};
   }

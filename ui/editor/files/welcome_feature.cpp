@@ -39,7 +39,7 @@ class RecentFeature : public Feature {
   explicit RecentFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<ActionGroup> actions() override {
-    return {{101, "File", {UserAction{.id = "file.open_recent", .name = "Open recent", .items = [this] {
+    return {{101, "File", {UserAction{.id = "file.open_recent", .name = "Open Recent", .items = [this] {
                                         return files();
                                       }}}}};
   }
@@ -77,7 +77,7 @@ std::vector<UserAction> RecentFeature::files() {
     actions.back().tip_picture = [this, file] { return workspace_.thumbnails.find(file); };
   }
   if (!actions.empty()) actions.back().ends_group = true;
-  actions.push_back({.name = "Forget them", .tip = "Empties this list; the files stay."});
+  actions.push_back({.name = "Clear Recent Files", .tip = "Empties this list; the files stay."});
   actions.back().run = [this] { workspace_.settings.recent.clear(); };
   actions.back().disabled_reason = [this] {
     return workspace_.settings.recent.empty() ? "Nothing was opened yet." : nullptr;

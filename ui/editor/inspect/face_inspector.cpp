@@ -236,7 +236,7 @@ class InspectFeature : public Feature {
   explicit InspectFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<ActionGroup> actions() override {
-    UserAction action = tool_action(workspace_, kInspectTool, "Inspect and measure", "M",
+    UserAction action = tool_action(workspace_, kInspectTool, "Inspect and Measure", "M",
                                     "Shows facts about the face under the pointer; two clicks measure a "
                                     "distance.");
     action.run = [this, take = action.run] {

@@ -103,7 +103,7 @@ class SplitFeature : public Feature {
     return {{720,
              "View",
              {UserAction{.id = "view.split",
-                         .name = "Split view",
+                         .name = "Split View",
                          .shortcut = "S",
                          .tip = "Shows the last cut at a second resolution in the right half.",
                          .run = [this] { show(!shown_); },
@@ -176,7 +176,7 @@ bool SplitFeature::cut(Renderer& renderer) {
 
 void SplitFeature::draw_rows() {
   if (!begin_properties("split view")) return;
-  property("Split view");
+  property("Split View");
   bool shown = shown_;
   if (ImGui::Checkbox((with_shortcut(workspace_.view, "two resolutions", "view.split") + "###split").c_str(),
                       &shown))

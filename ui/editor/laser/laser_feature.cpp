@@ -212,7 +212,7 @@ bool LaserFeature::can_stop() const {
 
 UserAction LaserFeature::recut_action() {
   return {.id = "laser.recut",
-          .name = "Cut the last stroke again",
+          .name = "Recompute Last Cut",
           .shortcut = "R",
           .tip = "Recuts the last stroke at the current resolution.",
           .run = [this] { ask_for_recut(false); },

@@ -250,20 +250,20 @@ std::vector<UserAction> EmitterFeature::emitter_actions() {
   const auto why_none = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
   return {
       UserAction{.id = "emitter.place",
-                 .name = "Place the emitter",
+                 .name = "Place Emitter",
                  .shortcut = "Shift+U",
                  .tip = "Places a laser in the scene, aimed at the centre of the viewport.",
                  .run = [this] { place(); }},
       UserAction{
           .id = "emitter.fire",
-          .name = "Fire the emitter",
+          .name = "Fire Emitter",
           .shortcut = "U",
           .tip = "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
           .run = [this] { emitter_.firing = !emitter_.firing; },
           .checked = [this] { return emitter_.firing; },
           .disabled_reason = why_none},
       UserAction{.id = "emitter.remove",
-                 .name = "Take the emitter away",
+                 .name = "Remove Emitter",
                  .tip = "Removes the emitter from the scene.",
                  .run = [this] { emitter_.remove(); },
                  .disabled_reason = why_none},
@@ -274,7 +274,7 @@ std::vector<UserAction> EmitterFeature::emitter_actions() {
 void EmitterFeature::draw_rows() {
   if (!emitter_.placed()) {
     const std::string meaning = with_shortcut(
-        workspace_.view, "Places a laser in the scene; move and aim it by its handles.", "Place the emitter");
+        workspace_.view, "Places a laser in the scene; move and aim it by its handles.", "Place Emitter");
     if (row_button("Place an emitter", 1, nullptr, meaning.c_str())) place();
     return;
   }

@@ -194,13 +194,12 @@ class MovingFeature : public Feature {
   std::vector<ActionGroup> actions() override {
     return {{240,
              "Edit",
-             {move_action("pieces.move", "Move the chosen", "G", PieceMove::Kind::kMove),
-              move_action("pieces.rotate", "Rotate the chosen", "R", PieceMove::Kind::kTurn),
-              duplicate_action()}}};
+             {move_action("pieces.move", "Move", "G", PieceMove::Kind::kMove),
+              move_action("pieces.rotate", "Rotate", "R", PieceMove::Kind::kTurn), duplicate_action()}}};
   }
   std::vector<Gesture> gestures() const override {
     return {{40, "Left drag on an arrow or a ring",
-             "Move or turn the chosen piece, with the tool that picks; Ctrl snaps to steps and vertices"}};
+             "Move or rotate the selected piece with the tool Select; Ctrl snaps to steps and vertices"}};
   }
 
   bool handle_event(const InputEvent& event, bool in_picture) override;
@@ -344,10 +343,10 @@ UserAction MovingFeature::move_action(const char* id, const char* name, const ch
 
 UserAction MovingFeature::duplicate_action() {
   return {.id = "pieces.duplicate",
-          .name = "Duplicate the chosen",
+          .name = "Duplicate",
           .shortcut = "Shift+D",
           .tip = "Adds a copy of the selected piece and moves it with the pointer.",
-          .run = [this] { workspace_.changes.ask("Duplicate the chosen", [this] { duplicate(); }); },
+          .run = [this] { workspace_.changes.ask("Duplicate", [this] { duplicate(); }); },
           .disabled_reason = [this] { return why_no_move(workspace_.view.look.pieces); }};
 }
 

@@ -42,13 +42,13 @@ class PiecesFeature : public Feature {
         {230, "Edit", piece_actions()},
         {301,
          "Tool",
-         {tool_action(workspace_, kPickTool, "Pick pieces", "K",
+         {tool_action(workspace_, kPickTool, "Select", "K",
                       "Click a piece or drag a box to select; Shift adds. With the Laser tool, use Ctrl.")}},
         {1400, "Pieces", shown_actions()}};
   }
   std::vector<Gesture> gestures() const override {
-    return {{20, "Ctrl+click", "Choose a piece; with Shift one more"},
-            {30, "Ctrl+left drag", "Choose the pieces in a box; from right to left those that it touches"},
+    return {{20, "Ctrl+click", "Select a piece; with Shift one more"},
+            {30, "Ctrl+left drag", "Select the pieces in a box; from right to left those that it touches"},
             {90, "Double click on a name in the list", "Rename the piece"}};
   }
 
@@ -121,24 +121,24 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
   };
   return {
       UserAction{.id = "pieces.select_all",
-                 .name = "Choose all pieces",
+                 .name = "Select All",
                  .shortcut = "Ctrl+A",
                  .tip = "Selects all visible pieces.",
                  .run = [this] { choose_all(); }},
       UserAction{.id = "pieces.hide",
-                 .name = "Hide the chosen",
+                 .name = "Hide Selected",
                  .shortcut = "H",
                  .tip = "Hides the selected pieces; the beam does not cut them.",
                  .run = [this] { ask_to_hide(); },
                  .disabled_reason = why_none},
       UserAction{.id = "pieces.show_all",
-                 .name = "Show all pieces",
+                 .name = "Show All",
                  .shortcut = "Shift+H",
                  .tip = "Shows the hidden pieces again.",
                  .run = [this] { ask_to_show(); },
                  .disabled_reason = [this] { return why_none_hidden(); }},
       UserAction{.id = "pieces.isolate",
-                 .name = "Isolate the chosen",
+                 .name = "Isolate Selected",
                  .shortcut = "/",
                  .pad_key = GLFW_KEY_KP_DIVIDE,
                  .tip = "Hides all other pieces; repeat to show them again.",
@@ -150,14 +150,14 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                      },
                  .disabled_reason = [this] { return isolation_.disabled_reason(); }},
       UserAction{.id = "pieces.rename",
-                 .name = "Rename the chosen",
+                 .name = "Rename...",
                  .shortcut = "F2",
                  .tip = "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
                  .run = [this] { rename_chosen(); },
                  .disabled_reason = why_no_rename},
       UserAction{
           .id = "pieces.delete",
-          .name = "Delete the chosen",
+          .name = "Delete Selected",
           .shortcut = "Del",
           .tip = "Removes the selected pieces from the scene.",
           .run =
@@ -174,7 +174,7 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
 
 UserAction PiecesFeature::export_action() {
   return {.id = "pieces.export",
-          .name = "Export chosen pieces...",
+          .name = "Export Selected...",
           .shortcut = "Ctrl+E",
           .tip = "Writes the selected pieces to mesh files, in world space.",
           .run = [this] { export_.choose_file(); },
@@ -211,7 +211,7 @@ UserAction PiecesFeature::spread_action(const char* id, const char* name, double
 std::vector<UserAction> PiecesFeature::shown_actions() {
   return {
       UserAction{.id = "pieces.select_one",
-                 .name = "Choose",
+                 .name = "Select Pieces",
                  .items = [this] { return pieces_to_choose(); },
                  .in_menu = false},
       spread_action("pieces.explode_more", "Pieces further apart", kSpreadStep),
@@ -284,8 +284,7 @@ void PiecesFeature::ask_to_hide() {
 }
 
 void PiecesFeature::ask_to_show() {
-  workspace_.changes.ask(
-      {.name = "Show all pieces", .run = [this] { return show_hidden(), true; }, .is_one = true});
+  workspace_.changes.ask({.name = "Show All", .run = [this] { return show_hidden(), true; }, .is_one = true});
 }
 
 void PiecesFeature::rename_chosen() {
@@ -310,8 +309,7 @@ void PiecesFeature::show_hidden() {
   std::vector<Command> commands;
   for (const PieceId& piece : hidden_pieces(workspace_.view.look.pieces))
     commands.emplace_back(HidePiece{piece, false});
-  workspace_.changes.change("Show all pieces", is_small(workspace_.work.document),
-                            apply_all(std::move(commands)));
+  workspace_.changes.change("Show All", is_small(workspace_.work.document), apply_all(std::move(commands)));
 }
 
 }  // namespace

@@ -86,8 +86,8 @@ constexpr size_t kMaxTyped = 1'000'000'000'000;  // faces
 constexpr double kUsualError = 0.001;            // of the world size
 
 // In the order of Preparation::Tool and Subdivision.
-constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth",
-                            "Turn inner shells"};
+constexpr std::array kTools{"Simplify to Face Count", "Simplify by Tolerance", "Subdivide", "Smooth",
+                            "Turn Inner Shells"};
 constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
 
 const char* button_name(PrepareTool tool) {
@@ -209,20 +209,20 @@ class PrepareFeature : public Feature {
     return {
         {540,
          "Prepare",
-         {tool_action("prepare.simplify_to_faces", "Simplify to faces",
+         {tool_action("prepare.simplify_to_faces", "Simplify to Face Count",
                       "Reduces the number of faces to the number in the Prepare panel.",
                       Kind::kSimplifyToFaces),
-          tool_action("prepare.simplify_to_error", "Simplify to an error",
+          tool_action("prepare.simplify_to_error", "Simplify by Tolerance",
                       "Reduces the number of faces within a maximum error.", Kind::kSimplifyToError),
           tool_action("prepare.subdivide", "Subdivide",
                       "Splits each face into three or four; can round the surface.", Kind::kSubdivide),
           tool_action("prepare.smooth", "Smooth", "Moves vertices towards the mean of their neighbours.",
                       Kind::kSmooth),
-          tool_action("prepare.turn_shells", "Turn inner shells",
+          tool_action("prepare.turn_shells", "Turn Inner Shells",
                       "Closed parts inside others that face the same way become cavities.",
                       Kind::kTurnShells),
           UserAction{.id = "prepare.apply",
-                     .name = "Prepare the mesh",
+                     .name = "Prepare Mesh",
                      .tip = "Applies the Prepare panel to the selected pieces, or to all.",
                      .run = [this] { ask(); },
                      .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},

@@ -1,9 +1,9 @@
 #include "ui/editor/shared/old_labels.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include "core/base/json.h"
 
 namespace kerf {
 

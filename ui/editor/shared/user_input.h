@@ -34,7 +34,7 @@ struct UserAction {
   // The actions of a submenu, as they are at the moment, in place of `run`. They have neither keys nor
   // submenus.
   std::function<std::vector<UserAction>()> items = {};
-  bool in_menu = true;      // false: the command palette alone offers it, beside a panel
+  bool in_menu = true;      // false: only in the command palette and a panel
   bool ends_group = false;  // a line under it in the menu
   int key = 0, mods = 0;    // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
 

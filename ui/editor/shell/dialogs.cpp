@@ -300,8 +300,8 @@ class Dialogs : public Feature {
             {110, "Shift+middle drag, right drag", "Pan"},
             {140, "Wheel", "Zoom to the pointer"},
             {160, "Esc",
-             "Close a menu; end the cut, also one that is still at work; stop opening a file; let go of the "
-             "chosen pieces"}};
+             "Close a menu; end the cut, also one that is still at work; stop opening a file; clear the "
+             "selection"}};
   }
 
   bool handle_event(const InputEvent& event, bool) override;
@@ -334,7 +334,7 @@ std::vector<UserAction> Dialogs::column_actions() {
                        return panel_actions(catalogue_.panels, workspace_.panels);
                      }});
   actions.push_back({.id = "view.sidebar",
-                     .name = "Column of panels",
+                     .name = "Sidebar",
                      .shortcut = "F4",
                      .tip = "Hides the sidebar, so that the viewport fills the window.",
                      .run = [&shown] { shown = !shown; },
@@ -345,7 +345,7 @@ std::vector<UserAction> Dialogs::column_actions() {
 std::vector<UserAction> Dialogs::help_actions() {
   return {
       UserAction{.id = "help.palette",
-                 .name = "Command palette",
+                 .name = "Command Palette",
                  .shortcut = "Ctrl+P",
                  .tip = "Finds any action by parts of its name, and shows its key.",
                  .run = [this] { open_palette(palette_); }},

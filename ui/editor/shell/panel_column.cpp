@@ -120,13 +120,12 @@ struct TabLook {
 constexpr std::array kTabs{
     TabLook{Tab::kCut, "cut", "Cut", "The laser, the resolution, the pieces and the history.", "Alt+1",
             draw_cut},
-    TabLook{Tab::kView, "view", "Look", "The view, the light, the tree, the graph and the figures.", "Alt+2",
+    TabLook{Tab::kView, "view", "View", "View, lights, AABB tree, component graph and statistics.", "Alt+2",
             draw_eye},
-    TabLook{Tab::kPhysics, "physics", "Move", "Bodies that fall, and time.", "Alt+3", draw_arrows},
-    TabLook{Tab::kThermal, "thermal", "Heat", "The material, and how hot it gets.", "Alt+4",
-            draw_thermometer},
-    TabLook{Tab::kMesh, "mesh", "Prepare", "Repairs, subdivides and simplifies; what the file holds.",
-            "Alt+5", draw_mesh}};
+    TabLook{Tab::kPhysics, "physics", "Physics", "Falling bodies and time.", "Alt+3", draw_arrows},
+    TabLook{Tab::kThermal, "thermal", "Thermal", "Material and temperature.", "Alt+4", draw_thermometer},
+    TabLook{Tab::kMesh, "mesh", "Mesh", "Repair, subdivision, simplification and file contents.", "Alt+5",
+            draw_mesh}};
 
 void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {
   const ImVec2 at = ImGui::GetCursorScreenPos();

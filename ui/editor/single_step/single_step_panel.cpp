@@ -45,7 +45,7 @@ float width_of_one(int buttons) {
 void draw_beginnings(StageState& stages, const Document& document, const ViewState& view) {
   StageWishes& wishes = stages.wishes;
   bool on = wishes.on;
-  if (ImGui::Checkbox((with_shortcut(view, "Single steps", "stages.step_mode") + "###on").c_str(), &on)) {
+  if (ImGui::Checkbox((with_shortcut(view, "Step Mode", "stages.step_mode") + "###on").c_str(), &on)) {
     wishes.stop();
     wishes.on = on;
   }
@@ -73,12 +73,12 @@ void draw_steps(StageState& stages, const Document& document, const ViewState& v
   if (button(view, "Next", "stage next", "Executes one stage.", "stages.next", no_next, third))
     wishes.go_to(stages.log.done() + 1);
   const float half = width_of_one(2);
-  if (button(view, "Finish the move", "stage end of move",
+  if (button(view, "Finish Segment", "stage end of move",
              "Executes the remaining stages of this segment of the beam.", "stages.finish_segment", no_next,
              half))
     wishes.run_to_end_of_move();
   ImGui::SameLine();
-  if (button(view, "Finish the stroke", "stage end of stroke", "Executes all remaining stages.",
+  if (button(view, "Finish Stroke", "stage end of stroke", "Executes all remaining stages.",
              "stages.finish_stroke", no_next, half))
     wishes.go_to(StageWishes::kAll);
 }
@@ -330,19 +330,19 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
   };
   return {
       UserAction{.id = "stages.step_mode",
-                 .name = "Single steps",
+                 .name = "Step Mode",
                  .shortcut = "F8",
                  .tip = "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
                  .run = [&wishes] { wishes.stop(), wishes.on = !wishes.on; },
                  .checked = [&wishes] { return wishes.on; }},
       UserAction{.id = "stages.step_last_cut",
-                 .name = "Step through the last stroke",
+                 .name = "Step Through Last Cut",
                  .shortcut = "Shift+F8",
                  .tip = "Undoes the last stroke and cuts it again, stage by stage.",
                  .run = [&wishes] { wishes.begin_again(); },
                  .disabled_reason = why_not_start},
       UserAction{.id = "stages.play",
-                 .name = "Play the stages",
+                 .name = "Play Stages",
                  .shortcut = "Space",
                  .tip = "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
                  .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.work.document); },
@@ -358,7 +358,7 @@ std::vector<UserAction> SingleStepFeature::steps() {
   const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key advances a tick
   return {
       UserAction{.id = "stages.next",
-                 .name = "Next stage",
+                 .name = "Next Stage",
                  .shortcut = ".",
                  .tip = "Executes one stage of the stroke.",
                  .run =
@@ -369,19 +369,19 @@ std::vector<UserAction> SingleStepFeature::steps() {
                  .disabled_reason = disabled_reason,
                  .has_key_when = while_on},
       UserAction{.id = "stages.previous",
-                 .name = "Stage back",
+                 .name = "Previous Stage",
                  .shortcut = ",",
                  .tip = "Undoes the last stage, to the bit.",
                  .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
                  .disabled_reason = [this] { return why_no_stage_back(stages_, workspace_.work.document); }},
       UserAction{.id = "stages.finish_segment",
-                 .name = "Finish the move",
+                 .name = "Finish Segment",
                  .shortcut = "Shift+.",
                  .tip = "Executes the remaining stages of this segment of the beam.",
                  .run = [this] { cut_.follow(), stages_.wishes.run_to_end_of_move(); },
                  .disabled_reason = disabled_reason},
       UserAction{.id = "stages.finish_stroke",
-                 .name = "Finish the stroke",
+                 .name = "Finish Stroke",
                  .shortcut = "End",
                  .tip = "Executes all remaining stages.",
                  .run = [this] { cut_.follow(), stages_.wishes.go_to(StageWishes::kAll); },

@@ -35,7 +35,7 @@ namespace {
 
 UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
   return {.id = faster ? "physics.faster" : "physics.slower",
-          .name = faster ? "Time: faster" : "Time: slower",
+          .name = faster ? "Faster" : "Slower",
           .shortcut = faster ? "=" : "-",
           .pad_key = faster ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT,
           .tip = "Changes the speed between 1/8 of real time and real time.",
@@ -64,7 +64,7 @@ std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
           .checked = [&play] { return play.playing; },
           .disabled_reason = [&play, why_no_play] { return play.playing ? nullptr : why_no_play(); }},
       UserAction{.id = "physics.step",
-                 .name = "One tick",
+                 .name = "Step Physics",
                  .shortcut = ".",
                  .tip = "Advances the simulation by one tick (1/120 s).",
                  .run = [&play] { play.ask_for_tick(); },
@@ -122,7 +122,7 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
                          },
                      .checked = has_gravity});
   actions.push_back({.id = "pieces.pin",
-                     .name = "Pin the chosen",
+                     .name = "Pin Selected",
                      .shortcut = "Shift+P",
                      .tip = "Fixes the selected pieces in place while others move; repeat to release them.",
                      .run = [&workspace, are_pinned] { ask_to_pin(workspace, !are_pinned()); },
@@ -234,7 +234,7 @@ void draw_time(Workspace& workspace, PlayState& play) {
     play.play_or_pause();
   mark_last_item("bodies play");
   ImGui::SameLine();
-  if (row_button("One tick", 2, disabled_reason,
+  if (row_button("Step Physics", 2, disabled_reason,
                  told("Advances the simulation by one tick (1/120 s).", "physics.step").c_str()))
     play.ask_for_tick();
   mark_last_item("bodies tick");
@@ -255,7 +255,7 @@ void draw_speed(PlayState& play) {
 void draw_pin(Workspace& workspace) {
   const bool pinned = chosen_are_pinned(workspace.world(), workspace.view);
   if (row_button(
-          pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(workspace.view),
+          pinned ? "Unpin Selected###pin" : "Pin Selected###pin", 1, why_no_pin(workspace.view),
           with_shortcut(workspace.view, "Fixes the selected pieces in place while others move.", "pieces.pin")
               .c_str()))
     ask_to_pin(workspace, !pinned);

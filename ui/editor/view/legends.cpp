@@ -50,7 +50,7 @@ Legend legend_of_boxes(const ViewOptions& look) {
   const BoxColours colours = colours_of(look.tree.palette);
   const bool hit_only = look.show.aabb_hit || look.tree.hit_only;
   Legend legend;
-  legend.title = look.tree.leaves_only ? "Boxes of single faces" : "Boxes of the tree";
+  legend.title = look.tree.leaves_only ? "Boxes of single faces" : "AABB Tree";
   legend.rows.push_back({colours.hit, "visited by the beam"});
   if (!hit_only) legend.rows.push_back({colours.untouched, "not visited", true, true});
   if (!look.tree.leaves_only && look.tree.deepest < TreeOverlay().deepest)
@@ -89,11 +89,11 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
       return {"Silhouette: sides of the volume on an edge",
               {{kOneSide, "one"}, {kTwoSides, "two"}, {kMoreSides, "three or more"}}};
     case SwitchId::kShadowVolumes:
-      return {"Shadow volumes", {{kVolumeFront, "front faces"}, {kVolumeBack, "back faces"}}};
+      return {"Shadow Volumes", {{kVolumeFront, "front faces"}, {kVolumeBack, "back faces"}}};
     case SwitchId::kShadowCounts:
       return legend_of_counts();
     case SwitchId::kFacing:
-      return {"Facing the light", {{kFacing, "facing it"}, {kAverted, "facing away"}, {kEdgeOn, "edge-on"}}};
+      return {"Light-Facing", {{kFacing, "facing it"}, {kAverted, "facing away"}, {kEdgeOn, "edge-on"}}};
     case SwitchId::kCompare:
       return legend_of_comparison(look, shadows);
     case SwitchId::kTrace:
@@ -127,7 +127,7 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
     case SwitchId::kColliders:
       return {"Colliders", {{kColliderPoint, "points"}, {kColliderChord, "chords"}}};
     case SwitchId::kCentres:
-      return {"Centres of mass", {{kAwake, "awake"}, {kAsleep, "asleep"}, {kPinned, "pinned"}}};
+      return {"Centres of Mass", {{kAwake, "awake"}, {kAsleep, "asleep"}, {kPinned, "pinned"}}};
     case SwitchId::kJoints:
       return {"Joints", {{kHinge, "hinges"}, {kHub, "hubs"}, {kWeld, "welds"}}};
     case SwitchId::kShadows:

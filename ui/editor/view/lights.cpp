@@ -222,7 +222,7 @@ bool compare_rows(ViewState& view, const ShadowStatistics& statistics) {
   property("Compare");
   draw_switch(view, SwitchId::kCompare, "two methods");
   if (!view.look.show.shadow_compare) return false;
-  bool changed = method_row("with", "##beside", shadow.beside);
+  bool changed = method_row("with", "##second", shadow.beside);
   changed |= slider_row({"Split", "##split", "Position of the boundary between the two methods."},
                         shadow.split, 0, 1, "%.2f");
   property("");
@@ -275,7 +275,7 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
 bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
   property("Preset");
   bool changed = false;
-  if (begin_fitted_combo("##preset", "Choose")) {
+  if (begin_fitted_combo("##preset", "Select a preset")) {
     for (const LightPreset& preset : light_presets()) {
       if (ImGui::Selectable(preset.name)) {
         look.lights = lights_of(preset, bounds, up);
@@ -420,8 +420,8 @@ std::vector<UserAction> LightFeature::light_actions() {
     return look.lights.size() < kMaxLights ? nullptr : "There are already four lights, the maximum.";
   };
   UserAction remove =
-      picture_action(view, "light.remove", "Remove the chosen light",
-                     "Removes the light shown in the Light panel.", [&look] { remove_light(look); });
+      picture_action(view, "light.remove", "Remove Light", "Removes the light shown in the Light panel.",
+                     [&look] { remove_light(look); });
   remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
   UserAction next =
       picture_action(view, "light.next", "Next light", "Selects the next light in the Light panel.", [&look] {

@@ -192,12 +192,12 @@ class ViewFeature : public Feature {
 std::vector<UserAction> ViewFeature::text_of_view_actions() {
   return {
       UserAction{.id = "view.copy_camera",
-                 .name = "Copy the view",
+                 .name = "Copy Camera",
                  .shortcut = "Ctrl+C",
                  .tip = "Copies the position of the camera as text.",
                  .run = [this] { copy_view(workspace_); }},
       UserAction{.id = "view.paste_camera",
-                 .name = "Paste the view",
+                 .name = "Paste Camera",
                  .shortcut = "Ctrl+V",
                  .tip = "Sets the camera from text in the clipboard.",
                  .run = [this] { paste_view(workspace_); },
@@ -208,7 +208,7 @@ std::vector<UserAction> ViewFeature::text_of_view_actions() {
 std::vector<UserAction> ViewFeature::camera_actions() {
   std::vector<UserAction> actions{
       UserAction{.id = "view.frame_all",
-                 .name = "Frame all",
+                 .name = "Frame All",
                  .shortcut = "F",
                  .tip = "Fits the scene in the viewport and keeps the direction of view.",
                  .run =
@@ -216,7 +216,7 @@ std::vector<UserAction> ViewFeature::camera_actions() {
                        workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect());
                      }},
       UserAction{.id = "view.reset",
-                 .name = "First view",
+                 .name = "Reset View",
                  .shortcut = "Home",
                  .tip = "Restores the view as it was when the file was opened.",
                  .run = [this] { go_home(workspace_.view, workspace_.world().bounds()); },
@@ -245,7 +245,7 @@ std::vector<UserAction> ViewFeature::switch_actions() {
 UserAction ViewFeature::theme_action() {
   Theme& theme = workspace_.settings.theme;
   return {.id = "view.light_theme",
-          .name = "Light theme",
+          .name = "Light Theme",
           .shortcut = "F9",
           .tip = "Light panels and menus; the viewport keeps its colours.",
           .run = [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
@@ -256,7 +256,7 @@ std::vector<UserAction> ViewFeature::scale_actions() {
   Settings& settings = workspace_.settings;
   return {
       UserAction{.id = "view.scale_up",
-                 .name = "Larger text",
+                 .name = "Increase UI Scale",
                  .shortcut = "Ctrl+=",
                  .tip = "Size of panels and menus.",
                  .run = [&settings] { change_scale(settings, kScaleStep); },
@@ -266,7 +266,7 @@ std::vector<UserAction> ViewFeature::scale_actions() {
                                                                        : nullptr;
                      }},
       UserAction{.id = "view.scale_down",
-                 .name = "Smaller text",
+                 .name = "Decrease UI Scale",
                  .shortcut = "Ctrl+-",
                  .tip = "Size of panels and menus.",
                  .run = [&settings] { change_scale(settings, -kScaleStep); },

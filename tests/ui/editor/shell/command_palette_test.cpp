@@ -25,12 +25,12 @@ class Palette : public testing::Test {
 
 TEST_F(Palette, finds_an_action_by_parts_of_its_name) {
   EXPECT_EQ(best("undo"), "Undo");
-  EXPECT_EQ(best("hide"), "Hide the chosen");
-  EXPECT_EQ(best("wire"), "Wire");
-  EXPECT_EQ(best("shvol"), "Shadow volumes");
+  EXPECT_EQ(best("hide"), "Hide Selected");
+  EXPECT_EQ(best("wire"), "Wireframe");
+  EXPECT_EQ(best("shvol"), "Shadow Volumes");
   EXPECT_EQ(best("panel light"), "Panels: Light");
   EXPECT_EQ(best("preset noon"), "Light preset: Noon");
-  EXPECT_EQ(best("cull"), "Cull backs");
+  EXPECT_EQ(best("cull"), "Backface Culling");
   EXPECT_EQ(best("qqqq"), "");
 }
 

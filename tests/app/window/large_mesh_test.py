@@ -79,7 +79,7 @@ class LargeMesh(WindowTest):
         editor.pause(6)
         report = editor.quit()
         self.assertEqual(report["faces"], before)
-        self.assertIn("cancelled", report["message"])
+        self.assertIn("Cancelled", report["message"])
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <iostream>
 
+#include "app/standard_streams.h"
 #include "core/mesh/mesh_file.h"
 
 namespace kerf {
@@ -14,7 +15,21 @@ Status flush_output() {
   return std::cout.flush() ? Status(Done{}) : failed("cannot write to standard output");
 }
 
-void warn(const std::string& warning) { std::cerr << "kerf: warning: " << warning << '\n'; }
+namespace {
+
+bool quiet = false;
+
+}  // namespace
+
+void set_quiet() { quiet = true; }
+
+void summarize(const std::string& outcome) {
+  if (!quiet) std::cerr << "kerf: " << outcome << '\n';
+}
+
+void warn(const std::string& warning) {
+  std::cerr << "kerf: warning: " << with_stream_names(warning) << '\n';
+}
 
 void tell(const MeshReport& report) {
   for (const std::string& warning : report.warnings) warn(warning);
@@ -51,8 +66,9 @@ int interrupt_status() { return interrupted() ? kSignalStatus + interrupt_seen :
 
 ProgressLine::ProgressLine(std::string work)
     : work_(std::move(work)),
-      terminal_(::isatty(STDERR_FILENO) == 1),
+      terminal_(!quiet && ::isatty(STDERR_FILENO) == 1),
       next_(std::chrono::steady_clock::now() + kBeforeFirst) {
+  work_ = with_stream_names(std::move(work_));
   if (work_.size() > kLongestWork) work_ = work_.substr(0, kLongestWork - 3) + "...";
 }
 

@@ -14,6 +14,11 @@ namespace kerf {
 // Flushes standard output. Fails if it cannot be written.
 Status flush_output();
 
+// Omits progress and summaries from now on (--quiet). Warnings and notes are still printed.
+void set_quiet();
+// Prints the outcome of a command as one line on standard error.
+void summarize(const std::string& outcome);
+
 // Prints a warning as one line on standard error.
 void warn(const std::string& warning);
 

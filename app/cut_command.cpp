@@ -6,6 +6,8 @@
 #include "app/console.h"
 #include "app/cut_options.h"
 #include "app/cut_output.h"
+#include "app/run_description.h"
+#include "app/standard_streams.h"
 #include "core/base/platform.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
@@ -34,6 +36,7 @@ class CutRun {
   explicit CutRun(CutOptions options) : options_(std::move(options)) {}
 
   Status run() {
+    if (const auto s = open_inputs(); !s) return s;
     catch_interrupts();
     if (const auto s = merge_settings_file(options_); !s) return s;
     if (const auto s = check_cut_options(options_); !s) return s;
@@ -56,12 +59,34 @@ class CutRun {
     for (size_t i = loaded_notes_; i < job_.notes.size(); ++i) warn(job_.notes[i]);
     if (!job_.missed.empty())
       warn(missed_text(job_, options_.path.empty() ? options_.meshes.front() : options_.path));
-    std::cerr << "kerf: " << cut_summary(job_, strokes_.size(), written->size(), options_.out) << '\n';
+    summarize(cut_summary(job_, strokes_.size(), written->size(), options_.out));
     return journal;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  // Reads standard input if it is a mesh or the path.
+  Status open_inputs() {
+    std::vector<std::string> inputs = options_.meshes;
+    if (!options_.path.empty()) inputs.push_back(options_.path);
+    record_inputs(std::move(inputs));
+    const bool streamed = std::ranges::find(options_.meshes, kStream) != options_.meshes.end();
+    if (streamed && !options_.journal.empty())
+      return bad_input(
+          "--journal: a journal cannot name a mesh from standard input; save the mesh in a file");
+    for (std::string* file : all_of(options_)) {
+      if (const Status s = unpack(input_file(*file), *file); !s) return s;
+    }
+    return Done{};
+  }
+
+  // Returns the meshes and the path.
+  static std::vector<std::string*> all_of(CutOptions& options) {
+    std::vector<std::string*> files{&options.path};
+    for (std::string& mesh : options.meshes) files.push_back(&mesh);
+    return files;
+  }
 
   // A scene must be the only file; its own strokes are cut unless --path is given.
   Status read_scene_description() {

@@ -193,10 +193,12 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   command.footer(kPathFile);
   command
       .add_option("MESH", o.meshes,
-                  "Mesh files (" + list_mesh_titles(", ") + "), cut together, or a scene (.json)")
+                  "Mesh files (" + list_mesh_titles(", ") +
+                      "), cut together, - for one on standard input, or a scene (.json)")
       ->required();
-  command.add_option("--path", o.path, "The strokes of the laser (JSON); without it no stroke is cut");
-  command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();
+  command.add_option("--path", o.path,
+                     "The strokes of the laser (JSON), or - for standard input; without it no stroke is cut");
+  command.add_option("-o,--out", o.out, "The folder for the pieces and report.json")->required();
   Offer offer{command};
   visit_options(o, offer);
   command.add_option("--journal", o.journal, "The file for the journal (.kerf) of the cut, for kerf replay");

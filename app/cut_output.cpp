@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/console.h"
+#include "app/run_description.h"
 #include "core/base/number_format.h"
 #include "core/base/parallel.h"
 #include "core/base/platform.h"
@@ -256,7 +257,7 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
   if (note) job.notes.push_back(*note);
   nlohmann::ordered_json how = settings_json(settings, format, split_all);
   if (solid) how["solid"] = true;
-  const auto report = cut_report(job, world, how, written);
+  const auto report = with_run_description(cut_report(job, world, how, written));
   const auto file = fs::path(path) / kReport;
   if (const auto s = write_file_atomically(file, report.dump(2) + "\n"); !s) return s.error();
   earlier.remove_all_but(written);

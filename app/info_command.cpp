@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/standard_streams.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/material_table.h"
@@ -43,8 +44,10 @@ nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m, boo
 }
 
 Status run_info(const std::string& file) {
+  const auto path = input_file(file);
+  if (!path) return path.error();
   catch_interrupts();
-  const auto built = load_mesh(file);
+  const auto built = load_mesh(*path);
   if (!built) return built.error();
   for (const std::string& warning : built->report.warnings) warn(warning);
   const bool closed = enclosed_volume(built->mesh, 0.5 * (built->report.min + built->report.max)).closed;
@@ -59,7 +62,8 @@ Status run_info(const std::string& file) {
 void add_info_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("info", "Describe a mesh file as JSON on standard output");
   auto file = std::make_shared<std::string>();
-  command->add_option("MESH", *file, "A mesh file: " + list_mesh_titles())->required();
+  command->add_option("MESH", *file, "A mesh file, or - for standard input: " + list_mesh_titles())
+      ->required();
   on_call(
       *command, invocation, [file] { return run_info(*file); }, "kerf info assets/meshes/car.obj");
 }

@@ -1,4 +1,5 @@
 #include <malloc.h>
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
@@ -8,6 +9,8 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/run_description.h"
+#include "app/standard_streams.h"
 #include "app/version.h"
 #include "core/base/parallel.h"
 #include "core/document/text/nearest_name.h"
@@ -18,7 +21,7 @@ namespace {
 // Prints the error on standard error and returns the exit status: 130 or 143 after Ctrl-C or SIGTERM, 2 for
 // bad input, 1 for any other failure.
 int report_error(const kerf::Error& error) {
-  std::cerr << "kerf: " << error.message << '\n';
+  std::cerr << "kerf: " << kerf::with_stream_names(error.message) << '\n';
   if (kerf::interrupted()) return kerf::interrupt_status();
   return error.code == kerf::ErrorCode::kBadInput ? 2 : 1;
 }
@@ -58,10 +61,24 @@ kerf::Error parse_error(const CLI::App& app, const CLI::ParseError& wrong) {
   return kerf::bad_input(std::string(wrong.what()) + hint + " (see " + asked_of(app) + " --help)");
 }
 
+// Turns "help COMMAND" into "COMMAND --help". Fails for an unknown command.
+kerf::Status rewrite_help(const CLI::App& app, std::vector<std::string>& arguments) {
+  arguments.erase(arguments.begin());
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (!arguments.empty() && !arguments[0].starts_with('-') &&
+      std::ranges::find(names, arguments[0]) == names.end())
+    return kerf::bad_input("help: \"" + arguments[0] + "\" is not a command" +
+                           kerf::nearest_name_hint(arguments[0], names) + " (see kerf --help)");
+  arguments.emplace_back("--help");
+  return kerf::Done{};
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
-  app.set_version_flag("--version", kerf::version_text());
-  app.set_help_flag("--help", "Show this help");
+  app.set_version_flag("-V,--version", kerf::version_text());
+  app.set_help_flag("-h,--help", "Show this help");
+  app.footer("kerf help COMMAND shows the options of a command.");
   kerf::Invocation invocation;
   kerf::add_editor(app, invocation);
   kerf::add_info_command(app, invocation);
@@ -73,8 +90,17 @@ int parse_and_run(int argc, char** argv) {
   kerf::add_play_command(app, invocation);
   kerf::add_prepare_command(app, invocation);
   kerf::add_materials_command(app, invocation);
+  for (CLI::App* command : app.get_subcommands({}))
+    command->add_flag_callback("-q,--quiet", kerf::set_quiet, "Print no progress and no summary");
+  kerf::record_command({argv, argv + argc});
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (!arguments.empty() && arguments.front() == "help") {
+    if (const kerf::Status s = rewrite_help(app, arguments); !s) return report_error(s.error());
+  }
+  // CLI11 takes the last argument first.
+  std::reverse(arguments.begin(), arguments.end());
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(arguments));
   } catch (const CLI::Success& asked) {  // --help, --version
     return app.exit(asked);
   } catch (const CLI::ParseError& wrong) {

@@ -7,6 +7,7 @@
 #include "app/arguments.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/standard_streams.h"
 #include "core/document/input_files.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/remesh/openmesh_tools.h"
@@ -18,12 +19,18 @@ namespace kerf {
 namespace {
 
 struct PrepareOptions {
-  std::string mesh, out;
+  std::string mesh, out, format;
   std::optional<int64_t> faces;
   std::optional<double> error;
   std::optional<std::string> subdivide;
   std::optional<int> smooth;
   bool turn_shells = false;
+
+  // Returns the extension of the output, which sets its format.
+  std::string ending() const {
+    if (out != kStream) return std::filesystem::path(out).extension().string();
+    return format.empty() ? "obj" : format;
+  }
 };
 
 std::optional<Subdivision> subdivision_named(const std::string& name) {
@@ -43,7 +50,12 @@ Status check(const PrepareOptions& o) {
     return bad_input("--subdivide: \"" + *o.subdivide +
                      "\" is not a valid value; the values are: loop, sqrt3, midpoint");
   }
-  if (!mesh_format(std::filesystem::path(o.out).extension().string()))
+  if (o.out != kStream && !o.format.empty())
+    return bad_input("--format: only for standard output (--out -); the extension of a file sets its format");
+  if (o.out == kStream && !mesh_format(o.ending()))
+    return bad_input("--format: \"" + o.format +
+                     "\" is not a valid value; the values are: " + list_mesh_endings(""));
+  if (o.out != kStream && !mesh_format(o.ending()))
     return bad_input("--out: " + o.out + " must end in " + list_mesh_endings());
   return Done{};
 }
@@ -54,8 +66,9 @@ class PrepareRun {
   explicit PrepareRun(PrepareOptions options) : options_(std::move(options)) {}
 
   Status run() {
-    catch_interrupts();
     if (const auto s = check(options_); !s) return s;
+    if (const auto s = unpack(input_file(options_.mesh), options_.mesh); !s) return s;
+    catch_interrupts();
     if (const auto s =
             input_files(std::array{std::filesystem::path(options_.mesh)}).check("--out", options_.out);
         !s)
@@ -68,8 +81,8 @@ class PrepareRun {
     const size_t before = mesh_.live_faces();
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
     if (const auto s = write(); !s) return s;
-    std::cerr << "kerf: " << before << " faces became " << made_.triangles.size() << " in " << options_.out
-              << '\n';
+    summarize(std::to_string(before) + " faces became " + std::to_string(made_.triangles.size()) + " in " +
+              (options_.out == kStream ? "standard output" : options_.out));
     return Done{};
   }
 
@@ -133,8 +146,11 @@ class PrepareRun {
                         {},
                         {},
                         colours_};
-    const MeshFormat format = *mesh_format(std::filesystem::path(options_.out).extension().string());
-    if (const Status written = write_mesh(view, options_.out, format); !written) return written;
+    const MeshFormat format = *mesh_format(options_.ending());
+    const auto write_to = [&](const std::filesystem::path& file) { return write_mesh(view, file, format); };
+    const Status written =
+        options_.out == kStream ? write_to_output(options_.ending(), write_to) : write_to(options_.out);
+    if (!written) return written;
     const auto note = precision_note(precision_loss(view, format), format, "write OBJ, PLY or OFF");
     if (note) warn(options_.out + ": " + *note);
     return Done{};
@@ -158,11 +174,14 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       "Boundaries, edges of three faces or more and edges between materials are features: they stay where "
       "they "
       "are.");
-  command->add_option("MESH", o->mesh, "A mesh file: " + list_mesh_titles())->required();
-  command
-      ->add_option("--out", o->out,
-                   "The file to write; its extension sets the format: " + list_mesh_endings(""))
+  command->add_option("MESH", o->mesh, "A mesh file, or - for standard input: " + list_mesh_titles())
       ->required();
+  command
+      ->add_option("-o,--out", o->out,
+                   "The file to write; its extension sets the format: " + list_mesh_endings("") +
+                       "; - for standard output")
+      ->required();
+  command->add_option("--format", o->format, "With --out -: format of the mesh (obj)");
   command->add_flag("--turn-shells", o->turn_shells,
                     "Turn closed parts inside others that face the same way, which makes them cavities");
   add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "Simplify to at most this many faces");

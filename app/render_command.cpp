@@ -41,7 +41,7 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("render", "Draw a scene, a journal or a mesh to a PNG, without a display");
   auto a = std::make_shared<RenderArguments>();
   command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
-  command->add_option("--out", a->out, "The PNG to write")->required();
+  command->add_option("-o,--out", a->out, "The PNG to write")->required();
   a->picture.add_to(*command);
   add_number(*command, "--spread", a->spread, kSpread,
              "Explosion of the pieces, in distances from the centre (0)");
@@ -142,7 +142,7 @@ void add_figures_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "figures", "Draw the figures of the paper as fig01.png and so on, without a display");
   auto a = std::make_shared<FiguresArguments>();
-  command->add_option("--out", a->out, "The folder for the figures");
+  command->add_option("-o,--out", a->out, "The folder for the figures");
   command->add_option(
       "--film", a->film,
       "A folder for the films: the car cut in two, a fight, the traversal of the graph and the "

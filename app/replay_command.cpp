@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/cut_output.h"
+#include "app/run_description.h"
 #include "core/cut/stopwatch.h"
 #include "core/document/command_log.h"
 #include "core/document/commands.h"
@@ -100,6 +101,7 @@ class ReplayRun {
     if (const auto s = check_arguments(); !s) return s;
     if (is_recording(arguments_.journal)) return run_match();
     const PiecesFolder folder{arguments_.out};
+    record_inputs({arguments_.journal});
     if (const auto s = load(); !s) return s;
     if (const auto s = check_outputs(folder); !s) return s;
     if (!folder.path.empty()) {
@@ -276,7 +278,7 @@ void add_replay_command(CLI::App& app, Invocation& invocation) {
       "replay", "Replay a journal, print its final hash and compare it with the recorded ones");
   auto a = std::make_shared<ReplayArguments>();
   command->add_option("JOURNAL", a->journal, "A journal (.kerf)")->required();
-  command->add_option("--out", a->out, "A folder for the pieces and report.json, like that of kerf cut");
+  command->add_option("-o,--out", a->out, "A folder for the pieces and report.json, like that of kerf cut");
   command->add_option("--expect", a->expect, "The expected final hash");
   auto* frames =
       command->add_option("--frames", a->frames,

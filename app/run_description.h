@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+
+namespace kerf {
+
+// Record the command line, the name of the program first, and the input files as the user named them, for
+// the reports of this run.
+void record_command(std::vector<std::string> words);
+void record_inputs(std::vector<std::string> files);
+
+// Returns a report that begins with the version, the command line, the inputs and the units of all numbers,
+// and has a list of notes, perhaps empty.
+nlohmann::ordered_json with_run_description(const nlohmann::ordered_json& report);
+
+}  // namespace kerf

@@ -3,6 +3,6 @@
 namespace kerf {
 
 // The version of Kerf. CMake reads it from this line.
-inline constexpr const char* kVersion = "0.1.0";
+inline constexpr const char* kVersion = "0.2.0";
 
 }  // namespace kerf

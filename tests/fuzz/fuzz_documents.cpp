@@ -79,7 +79,7 @@ void check_journal(const fs::path& file) {
   require(lines.ok(), "commands that cannot be written");
   const fs::path again = folder() / "again.kerf";
   std::ofstream(again, std::ios::binary)
-      << R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[]})" << '\n'
+      << R"({"kerf":"journal","format":1,"program":"0.2.0","bodies":[]})" << '\n'
       << *lines;
   const auto back = read_journal(again);
   if (!back) return;  // a journal without bodies

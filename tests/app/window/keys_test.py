@@ -42,7 +42,7 @@ class PaletteTest(WindowTest):
         self.assertIn("palette", editor.landmarks()["parts"])
         for _ in range(4):
             editor.press("BackSpace")
-        editor.type("boxes")
+        editor.type("aabb")
         editor.pause(0.5)
         editor.press("Down")
         editor.press("Up")

@@ -276,7 +276,7 @@ TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
   ASSERT_TRUE(lines);
   write_text(
       folder / "fall.kerf",
-      std::string(R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[{"mesh":"plate.obj"}]})") +
+      std::string(R"({"kerf":"journal","format":1,"program":"0.2.0","bodies":[{"mesh":"plate.obj"}]})") +
           '\n' + *lines);
   const auto read = read_journal(folder / "fall.kerf");
   ASSERT_TRUE(read) << read.error().message;

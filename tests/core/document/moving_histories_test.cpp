@@ -194,7 +194,7 @@ Journal journal_of(User& user) {
   const auto lines = journal_lines(user.document().journal(), user.marks(), folder.path());
   EXPECT_TRUE(lines.ok());
   write_text(folder / "work.kerf",
-             std::string(R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[{"mesh":"a.obj"}]})") +
+             std::string(R"({"kerf":"journal","format":1,"program":"0.2.0","bodies":[{"mesh":"a.obj"}]})") +
                  '\n' + *lines);
   auto journal = read_journal(folder / "work.kerf");
   EXPECT_TRUE(journal.ok());

@@ -194,8 +194,8 @@ TEST_F(JournalFile, refuses_a_head_that_is_none) {
        {"", "{}", "[]", "\xff", R"({"kerf":"scene","version":1,"bodies":[{"mesh":"plate.obj"}]})",
         R"({"kerf":"journal","bodies":[{"mesh":"plate.obj"}]})",
         R"({"kerf":"journal","format":99,"program":"9.0.0","bodies":[{"mesh":"plate.obj"}]})",
-        R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[]})",
-        R"({"kerf":"journal","format":1,"program":"0.1.0","bodies":[{"mesh":"plate.obj","hash":"7"}]})"}) {
+        R"({"kerf":"journal","format":1,"program":"0.2.0","bodies":[]})",
+        R"({"kerf":"journal","format":1,"program":"0.2.0","bodies":[{"mesh":"plate.obj","hash":"7"}]})"}) {
     SCOPED_TRACE(head);
     write_text(file(), std::string(head) + "\n{\"do\":\"end\"}\n");
     const auto journal = read_journal(file());

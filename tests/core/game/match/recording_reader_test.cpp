@@ -8,7 +8,7 @@ namespace kerf {
 namespace {
 
 const std::string kHead =
-    R"({"kerf":"match","format":1,"program":"0.1.0","rules":"rules.json","files":"0123456789abcdef","seed":7,)"
+    R"({"kerf":"match","format":1,"program":"0.2.0","rules":"rules.json","files":"0123456789abcdef","seed":7,)"
     R"("difficulty":"hard"})";
 const std::string kInputs = R"({"inputs":[[2,100,-5,0,1,30,-200,17]]})";
 
@@ -101,7 +101,7 @@ TEST_F(RecordingFile, is_refused_where_its_head_is_wrong) {
 
 TEST_F(RecordingFile, made_before_formats_had_numbers_is_refused_as_such) {
   std::string head = kHead;
-  const std::string format = R"("format":1,"program":"0.1.0")";
+  const std::string format = R"("format":1,"program":"0.2.0")";
   head.replace(head.find(format), format.size(), R"("version":5)");
   const auto recording = read(head + "\n" + kInputs + "\n");
   ASSERT_FALSE(recording);

@@ -46,7 +46,7 @@ def check_program(prefix, folder):
 
 def check_outside_programs(prefix, folder):
     with open(os.path.join(folder, 'CMakeLists.txt'), 'w', encoding='utf-8') as text:
-        text.write('cmake_minimum_required(VERSION 3.25)\nproject(outside LANGUAGES C CXX)\nfind_package(kerf 0.1 REQUIRED)\n'
+        text.write('cmake_minimum_required(VERSION 3.25)\nproject(outside LANGUAGES C CXX)\nfind_package(kerf 0.2 REQUIRED)\n'
                    f'add_executable(outside {EXAMPLES}/outside.cpp)\ntarget_link_libraries(outside PRIVATE kerf::core)\n'
                    f'add_executable(outside_c {EXAMPLES}/outside.c)\ntarget_link_libraries(outside_c PRIVATE kerf::c)\n'
                    f'add_executable(engine {EXAMPLES}/engine_extension.c)\ntarget_link_libraries(engine PRIVATE kerf::c m)\n'

@@ -119,7 +119,7 @@ class SettingsTest(WindowTest):
         editor.do("ctrl", "comma")
         editor.click("key of edit.undo", 0.1, 0.5)
         editor.do("w")
-        editor.part("take the key")  # W is the key of Wire
+        editor.part("take the key")  # W is the key of Wireframe
         editor.do("Return")
         editor.do("Escape")
         editor.do("w")  # nothing was done yet, so undo says so
@@ -137,7 +137,7 @@ class SettingsTest(WindowTest):
         editor = self.open(SPHERE)
         editor.point_at(0.05, 0.95)
         editor.do("ctrl", "comma")
-        editor.click("Like Blender", 0.5, 0.5)
+        editor.click("Blender", 0.5, 0.5)
         editor.do("Escape")
         editor.do("shift", "z")
         editor.press("F3")

@@ -25,7 +25,7 @@ class Panels(WindowTest):
     def test_a_panel_goes_to_each_place_and_back_to_its_tab(self):
         editor = self.open(SPHERE)
         whole = editor.part("viewport")
-        for place, area in (("Below the picture", "strip"), ("In a second column", "second_side")):
+        for place, area in (("Below the Viewport", "strip"), ("In a Second Column", "second_side")):
             editor.click("dock laser", 0.5, 0.5)
             editor.click(place, 0.3, 0.5)
             x, y, width, height = editor.part(area)
@@ -33,7 +33,7 @@ class Panels(WindowTest):
             left, top = editor.part("panel laser")[:2]  # the header in the column is drawn first
             self.assertTrue(x <= left < x + width and y <= top < y + height, (place, left, top))
         editor.click("dock laser", 0.5, 0.5)
-        editor.click("In its tab", 0.3, 0.5)
+        editor.click("In Its Tab", 0.3, 0.5)
         self.assertEqual(editor.part("viewport"), whole)
         editor.quit()
         self.assertEqual(self.settings()["docks"]["laser"], "column")
@@ -41,7 +41,7 @@ class Panels(WindowTest):
     def test_the_tour_goes_on_when_a_step_is_done_and_ends_by_esc(self):
         editor = self.open(SPHERE)
         editor.press("ctrl", "p")
-        editor.type("first five")
+        editor.type("guided tour")
         editor.press("Return")
         editor.part("tour")
         editor.drag([(0.3, 0.5), (0.7, 0.5)])

@@ -12,7 +12,7 @@ class ScalarMap(WindowTest):
         self.folder = folder.name
         self.only_panel("scalar_map")
         editor = self.open_again(SPHERE)
-        self.ask_palette(editor, f"Colour faces by: {quantity}")
+        self.ask_palette(editor, f"Colour by: {quantity}")
         return editor
 
     def ask_palette(self, editor, name):
@@ -25,11 +25,11 @@ class ScalarMap(WindowTest):
         return editor.ask("report")["scalar_map"]
 
     def test_a_quantity_colours_the_faces_and_paint_takes_the_colours_back(self):
-        editor = self.open_map("least angle")
+        editor = self.open_map("Min. Angle")
         place = editor.place((0.5, 0.5))
         mapped = editor.pixels()(*place)
         self.assertGreater(self.map_of(editor)["faces"], 0)
-        self.ask_palette(editor, "Colour faces by: paint")
+        self.ask_palette(editor, "Colour by: Paint")
         painted = editor.pixels()(*place)
         self.assertGreater(sum(abs(a - b) for a, b in zip(mapped, painted)), 40)
         self.assertIsNone(editor.quit()["scalar_map"]["quantity"])

@@ -99,7 +99,7 @@ class FilesFeature : public Feature {
             {1401,
              "File",
              {UserAction{.id = "file.frame",
-                         .name = "Shown in",
+                         .name = "Units and Up Axis",
                          .items = [this] { return frame_actions(); },
                          .in_menu = false}}}};
   }
@@ -261,10 +261,10 @@ std::vector<UserAction> FilesFeature::frame_actions() {
   for (const FileUnit unit :
        {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
     actions.push_back(
-        frame_action("unit " + std::string(unit_symbol(unit)), {unit, frame.up}, "Length of one file unit."));
+        frame_action("Unit " + std::string(unit_symbol(unit)), {unit, frame.up}, "Length of one file unit."));
   }
   for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
-    actions.push_back(frame_action(up == UpAxis::kY ? "+Y upwards" : "+Z upwards", {frame.unit, up},
+    actions.push_back(frame_action(up == UpAxis::kY ? "Y Up" : "Z Up", {frame.unit, up},
                                    "Axis of the file that points up."));
   }
   return actions;

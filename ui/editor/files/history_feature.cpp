@@ -105,7 +105,7 @@ void draw_window(Document& document, Settings& settings) {
     settings.history_megabytes = megabytes;
     document.set_window(settings.history_bytes());
   }
-  property("Held");
+  property("Memory Used");
   ImGui::TextUnformatted(
       text_of("%.1f MB", static_cast<double>(document.history().bytes()) / (1 << 20)).c_str());
   tooltip("Memory used by the steps above.");

@@ -54,7 +54,7 @@ std::vector<TourStep> first_five_minutes(const ViewState& view) {
        [](const M& begin, const M& now) { return now.eye != begin.eye; }},
       {"Let it fall",
        by_key(view, "physics.play", "Play",
-              " lets time pass: what is cut off falls. The Move tab sets how fast."),
+              " lets time pass: what is cut off falls. The Physics tab sets how fast."),
        "tab physics",
        [](const M& begin, const M& now) { return now.plays && now.clock >= begin.clock + kSeenFalling; }},
       {"Stop time",
@@ -136,7 +136,7 @@ TourMove draw_buttons(const Tour& tour) {
   if (ImGui::Button(tour.at() + 1 == tour.count() ? "Done" : "Next")) move = TourMove::kOn;
   mark_last_item("tour next");
   ImGui::SameLine();
-  if (ImGui::Button("End the tour")) move = TourMove::kEnd;
+  if (ImGui::Button("End Tour")) move = TourMove::kEnd;
   mark_last_item("tour end");
   ImGui::SameLine();
   ImGui::TextDisabled("%zu of %zu", tour.at() + 1, tour.count());

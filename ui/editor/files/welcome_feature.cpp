@@ -147,7 +147,7 @@ class WelcomeFeature : public Feature {
                          .tip = "Recent files, scenes, and the tour.",
                          .run = [this] { shown_ = true; }},
               UserAction{.id = "help.tour",
-                         .name = "The first five minutes",
+                         .name = "Guided Tour",
                          .tip = "A tour of the car that goes on when a step is done.",
                          .run = [this] { begin_tour(); },
                          .checked = [this] { return tour_.is_on(); }}}}};
@@ -249,9 +249,9 @@ void WelcomeFeature::draw_welcome() {
     ImGui::TextUnformatted("Kerf");
     ImGui::TextDisabled("Laser-cut any triangle mesh");
     ImGui::Spacing();
-    if (ImGui::Button("The first five minutes", {-1, 0})) begin_tour();
+    if (ImGui::Button("Guided Tour", {-1, 0})) begin_tour();
     mark_last_item("welcome tour");
-    if (ImGui::Button("Cut the car", {-1, 0})) shown_ = false;
+    if (ImGui::Button("Cut the Car", {-1, 0})) shown_ = false;
     mark_last_item("welcome car");
     draw_recent();
     draw_scenes();

@@ -33,7 +33,7 @@ constexpr float kHeightOfWidth = 0.8f;  // of the canvas below the rows
 constexpr float kWide = 44, kRows = 24;
 
 void placing_row(GraphState& graph) {
-  property("Laid out");
+  property("Layout");
   const bool positioned = graph.cannot_unroll() && graph.removed() > 0;
   const char* shown =
       positioned ? "By position (cut is not a loop)" : kPlacings.at(static_cast<size_t>(graph.placing()));
@@ -222,7 +222,7 @@ static void draw_absence(GraphState& graph) {
     return secondary_text(graph.shows_piece() ? "Select a piece to draw its graph here."
                                               : "There are no faces.");
   secondary_text("The graph of " + grouped(graph.left_out()) + " faces takes a moment after each stroke.");
-  if (ImGui::Button("Draw it")) graph.ask_for_it();
+  if (ImGui::Button("Draw")) graph.ask_for_it();
   mark_last_item("graph ask");
 }
 
@@ -231,12 +231,12 @@ void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
   mark_last_item("graph fit");
   tooltip("Shows the whole graph (F while the pointer is over it). Scroll to zoom, drag to pan.");
   ImGui::SameLine();
-  if (ImGui::Button("Near the cut")) canvas_.come_near();
+  if (ImGui::Button("Near the Cut")) canvas_.come_near();
   mark_last_item("graph near");
   tooltip("Shows the faces around the ringed one, next to the cut, large enough to tell them apart.");
   if (graph.any_open()) {
     ImGui::SameLine();
-    if (ImGui::Button("Close clusters")) graph.close_all();
+    if (ImGui::Button("Close Clusters")) graph.close_all();
   }
   if (!begin_properties("traversal")) return;
   traversal_row(graph);

@@ -241,15 +241,15 @@ std::vector<ActionGroup> RulerFeature::actions() {
       {1410,
        "Ruler",
        {action(
-            "ruler.undo", "Undo the edit of distances", "Of the distances that the ruler keeps.",
+            "ruler.undo", "Undo Measurement Edit", "Of the distances that the ruler keeps.",
             [this] { step(true); },
             [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
         action(
-            "ruler.redo", "Redo the edit of distances", "Edits them again as before the undo.",
+            "ruler.redo", "Redo Measurement Edit", "Edits them again as before the undo.",
             [this] { step(false); },
             [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
         action(
-            "ruler.export", "Export the distances...",
+            "ruler.export", "Export Measurements...",
             "As a table (.csv) with the ends and the length of each.", [this] { choose_file_to_export(); },
             [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })}}};
 }
@@ -338,7 +338,7 @@ void RulerFeature::draw_row(size_t mark) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), workspace_.view.frame.unit).c_str());
   ImGui::TableNextColumn();
-  const bool removed = ImGui::SmallButton("remove");
+  const bool removed = ImGui::SmallButton("Remove");
   mark_last_item("ruler remove", static_cast<int>(mark));
   ImGui::PopID();
   if (!removed) return;

@@ -133,12 +133,18 @@ const char* action_id(std::optional<FaceQuantity> quantity) {
   return quantity ? kIds.at(static_cast<size_t>(*quantity)) : "scalar_map.paint";
 }
 
+const char* label_of(std::optional<FaceQuantity> quantity) {
+  constexpr std::array<const char*, kFaceQuantities> kLabels{"Level", "Longest Edge", "Min. Angle",
+                                                             "Temperature", "Distance to Rim"};
+  return quantity ? kLabels.at(static_cast<size_t>(*quantity)) : "Paint";
+}
+
 class ScalarMapFeature : public Feature {
  public:
   explicit ScalarMapFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<Panel> panels() override {
-    return {{kScalarPanel, "Scalar map", Tab::kView, 1060, false, [this] { draw(); }}};
+    return {{kScalarPanel, "Scalar Map", Tab::kView, 1060, false, [this] { draw(); }}};
   }
   std::vector<ActionGroup> actions() override;
   void on_world_changed(const Delta& delta) override { map_.follow(workspace_.world(), delta); }
@@ -168,7 +174,7 @@ class ScalarMapFeature : public Feature {
 };
 
 UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
-  const std::string name = std::string("Colour faces by: ") + (quantity ? name_of(*quantity) : "paint");
+  const std::string name = std::string("Colour by: ") + label_of(quantity);
   UserAction action =
       picture_action(workspace_.view, action_id(quantity), name.c_str(), kTip, [this, quantity] {
         show(quantity);
@@ -242,9 +248,7 @@ void ScalarMapFeature::draw_choice() {
   if (!begin_properties("scalar map")) return;
   std::string names{"Paint", 6};
   for (size_t i = 0; i < kFaceQuantities; ++i) {
-    std::string name = name_of(static_cast<FaceQuantity>(i));
-    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    names += name + '\0';
+    names += std::string(label_of(static_cast<FaceQuantity>(i))) + '\0';
   }
   int choice = map_.shown() ? 1 + static_cast<int>(*map_.shown()) : 0;
   if (choice_row("Colour by", "##quantity", choice, names.c_str(), "Colour by", kTip))
@@ -264,7 +268,7 @@ void ScalarMapFeature::draw_range() {
   if (changed && range.low < range.high) map_.set_range(range), hand_over();
   for (const auto& [name, share, tip] :
        {std::tuple("Fit", 0.0, "Fits the colours to the minimum and maximum, also after cuts."),
-        std::tuple("Fit most", kOutermost, "The same without the hundredth of the faces at either end.")}) {
+        std::tuple("Fit 1-99 %", kOutermost, "The same without the hundredth of the faces at either end.")}) {
     if (share > 0) ImGui::SameLine();
     if (ImGui::Button(name)) map_.fit(share), hand_over();
     mark_last_item((std::string("scalar ") + name).c_str());

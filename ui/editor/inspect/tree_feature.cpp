@@ -24,14 +24,14 @@ std::string explanation(const ViewState& view, const char* meaning) {
 void explain(const ViewState& view, const char* meaning) { tooltip(explanation(view, meaning).c_str()); }
 
 void depth_row(ViewState& view, int tree_depth) {
-  property("Down to");
+  property("Max. Depth");
   TreeOverlay& tree = view.look.tree;
   const int deepest = std::max(1, tree_depth);
   int depth = std::min(tree.deepest, deepest);
   const std::string text =
       depth == deepest ? std::to_string(depth) + ": all" : "level " + std::to_string(depth);
   const std::string meaning = explanation(view, "Levels of the tree under its root that are drawn.");
-  if (whole_slider({"Down to", "##depth", meaning.c_str()}, depth, 0, deepest, text)) {
+  if (whole_slider({"Max. Depth", "##depth", meaning.c_str()}, depth, 0, deepest, text)) {
     tree.deepest = depth == deepest ? kAllLevels : depth;
     view.picture_old = true;
   }
@@ -95,13 +95,13 @@ void figure_rows(const ShownStatistics& shown) {
 
 void draw_tree_panel(ViewState& view, const World& world, Settings& settings, const ShownStatistics& shown) {
   if (!begin_properties("tree")) return;
-  property("Boxes");
+  property("AABB Tree");
   draw_switch(view, SwitchId::kBoxes, "shown");
   ImGui::BeginDisabled(!view.look.show.aabb);
   depth_row(view, shown.tree_depth.value_or(0));
   TreeOverlay& tree = view.look.tree;
-  flag_row(view, "Only", "leaves", tree.leaves_only, "Only the boxes that hold one face.");
-  flag_row(view, "", "where the beam was", tree.hit_only, "Only the boxes in which the beam is or was.");
+  flag_row(view, "Only", "Leaf Nodes", tree.leaves_only, "Only the boxes that hold one face.");
+  flag_row(view, "", "Hit Nodes", tree.hit_only, "Only the boxes in which the beam is or was.");
   body_row(view, world);
   ImGui::EndDisabled();
   palette_row(view, settings);
@@ -125,7 +125,7 @@ UserAction level_action(Workspace& workspace, const char* id, const char* name, 
 UserAction palette_action(Workspace& workspace) {
   BoxPalette& palette = workspace.settings.palette;
   UserAction action = picture_action(
-      workspace.view, "tree.colours", "Boxes: orange and blue",
+      workspace.view, "tree.colours", "Orange and Blue Nodes",
       "Colours that can be told apart by the colour-blind, in place of red and green.", [&palette] {
         palette = palette == BoxPalette::kRedAndGreen ? BoxPalette::kOrangeAndBlue : BoxPalette::kRedAndGreen;
       });
@@ -147,12 +147,12 @@ class TreeFeature : public Feature {
     TreeOverlay& tree = workspace_.view.look.tree;
     return {{1402,
              "Tree",
-             {flag_action(workspace_.view, "tree.leaves_only", "Boxes: leaves only", tree.leaves_only,
+             {flag_action(workspace_.view, "tree.leaves_only", "Leaf Nodes Only", tree.leaves_only,
                           "Only the boxes that hold one face."),
-              flag_action(workspace_.view, "tree.hit_only", "Boxes: only where the beam was", tree.hit_only,
+              flag_action(workspace_.view, "tree.hit_only", "Hit Nodes Only", tree.hit_only,
                           "Only the boxes in which the beam is or was."),
-              level_action(workspace_, "tree.level_more", "Boxes: one level more", 1),
-              level_action(workspace_, "tree.level_less", "Boxes: one level less", -1),
+              level_action(workspace_, "tree.level_more", "Show One More Level", 1),
+              level_action(workspace_, "tree.level_less", "Show One Less Level", -1),
               palette_action(workspace_)}}};
   }
   void update(double) override { workspace_.statistics.depth_wanted = workspace_.panels.shows("tree"); }

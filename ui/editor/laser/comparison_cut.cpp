@@ -178,12 +178,12 @@ void SplitFeature::draw_rows() {
   if (!begin_properties("split view")) return;
   property("Split View");
   bool shown = shown_;
-  if (ImGui::Checkbox((with_shortcut(workspace_.view, "two resolutions", "view.split") + "###split").c_str(),
+  if (ImGui::Checkbox((with_shortcut(workspace_.view, "Two Resolutions", "view.split") + "###split").c_str(),
                       &shown))
     show(shown);
   tooltip("Shows the last cut at a second resolution in the right half of the viewport.");
   if (shown_) {
-    property("Right half");
+    property("Right View");
     ImGui::Dummy({1, ImGui::GetFrameHeight()});
     if (resolution_rows(resolution_, {workspace_.laser.radius, workspace_.view.frame.unit}))
       workspace_.view.picture_old = true;

@@ -97,11 +97,11 @@ std::string smallest_angle_text(double largest_cosine) {
 
 void stroke_rows(const std::optional<ShownStatistics::Stroke>& stroke, FileUnit unit) {
   const std::string none = "-";
-  figure_row("Made", stroke ? grouped(stroke->statistics.faces_made) : none,
+  figure_row("Faces Created", stroke ? grouped(stroke->statistics.faces_made) : none,
              "Faces that the last cut created by splitting.");
-  figure_row("Least angle", stroke ? smallest_angle_text(stroke->statistics.largest_cosine) : none,
+  figure_row("Min. Angle", stroke ? smallest_angle_text(stroke->statistics.largest_cosine) : none,
              "Smallest angle of the remaining faces that the last cut created.");
-  figure_row("Removed", stroke ? area_label(stroke->removed_area, unit) : none,
+  figure_row("Area Removed", stroke ? area_label(stroke->removed_area, unit) : none,
              "Area that the last cut removed.");
 }
 
@@ -257,32 +257,32 @@ std::vector<UserAction> LaserFeature::laser_actions() {
     return setting_action("Resolution", id, name, tip, value, set, [this] { cut_again_live(false); });
   };
   return {
-      radius_action("laser.wider", "Wider beam", kRadiusStep),
-      radius_action("laser.narrower", "Narrower beam", 1 / kRadiusStep),
-      setting_action(nullptr, "laser.pattern_volume", "Pattern: volume", "Removes everything in the beam.",
+      radius_action("laser.wider", "Wider Beam", kRadiusStep),
+      radius_action("laser.narrower", "Narrower Beam", 1 / kRadiusStep),
+      setting_action(nullptr, "laser.pattern_volume", "Pattern: Volume", "Removes everything in the beam.",
                      pattern, Pattern::kVolume),
-      setting_action(nullptr, "laser.pattern_rays", "Pattern: four rays",
+      setting_action(nullptr, "laser.pattern_rays", "Pattern: Four Rays",
                      "Removes only what four parallel rays on the rim of the beam hit.", pattern,
                      Pattern::kRays4),
-      finer_action("resolution.finer", "Finer cut", 1),
-      finer_action("resolution.coarser", "Coarser cut", -1),
-      choice("resolution.by_edge_length", "Split to edge length", resolution.rule, Rule::kTargetEdge,
+      finer_action("resolution.finer", "Finer Cut", 1),
+      finer_action("resolution.coarser", "Coarser Cut", -1),
+      choice("resolution.by_edge_length", "Refine by Edge Length", resolution.rule, Rule::kTargetEdge,
              "Splits faces until their edges are short enough."),
-      choice("resolution.by_tolerance", "Split to tolerance", resolution.rule, Rule::kTolerance,
+      choice("resolution.by_tolerance", "Refine by Tolerance", resolution.rule, Rule::kTolerance,
              "Splits faces until the removed area exceeds the beam by at most the tolerance."),
-      choice("resolution.by_depth", "Split to depth", resolution.rule, Rule::kDepth,
+      choice("resolution.by_depth", "Refine by Depth", resolution.rule, Rule::kDepth,
              "Splits faces a fixed number of times."),
-      choice("resolution.one_to_four", "Scheme: one to four", resolution.scheme, Scheme::kOneToFour,
+      choice("resolution.one_to_four", "Subdivision: One to Four", resolution.scheme, Scheme::kOneToFour,
              "Splits a face into four, as in the paper."),
-      choice("resolution.longest_edge", "Scheme: longest edge", resolution.scheme, Scheme::kLongestEdge,
+      choice("resolution.longest_edge", "Subdivision: Longest Edge", resolution.scheme, Scheme::kLongestEdge,
              "Splits a face into two at its longest edge."),
-      choice("resolution.rim_faces", "Rim: faces", resolution.rim, Rim::kFaces,
+      choice("resolution.rim_faces", "Rim: Faces", resolution.rim, Rim::kFaces,
              "Removes every face the beam touches; the edge is jagged."),
-      choice("resolution.rim_smooth", "Rim: smooth", resolution.rim, Rim::kSmooth,
+      choice("resolution.rim_smooth", "Rim: Smooth", resolution.rim, Rim::kSmooth,
              "Cuts faces along the boundary of the beam when the stroke ends."),
       UserAction{.id = "resolution.live",
                  .menu = "Resolution",
-                 .name = "Cut again as the slider moves",
+                 .name = "Live Update of Last Cut",
                  .tip = "Recuts the last stroke when the resolution or the radius changes.",
                  .run = [&live] { live = !live; },
                  .checked = [&live] { return live; },
@@ -294,16 +294,16 @@ void LaserFeature::draw_resolution() {
   if (!begin_properties("resolution")) return;
   const bool changed =
       resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
-  property("Last stroke");
+  property("Last Cut");
   const char* disabled_reason = why_no_recut(workspace_.work.document);
   ImGui::BeginDisabled(disabled_reason != nullptr);
-  if (ImGui::Button("Cut again", {-1, 0})) ask_for_recut(false);
+  if (ImGui::Button("Recompute", {-1, 0})) ask_for_recut(false);
   ImGui::EndDisabled();
   const std::string meaning =
       with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.", "laser.recut");
   tooltip(disabled_reason != nullptr ? disabled_reason : meaning.c_str());
   property("");
-  ImGui::Checkbox("as the slider moves", &workspace_.settings.live_recut);
+  ImGui::Checkbox("Live Update", &workspace_.settings.live_recut);
   tooltip("Recuts the last stroke while a slider above, or that of the radius, moves.");
   if (changed) cut_again_live(false);
   figure_row("Faces", grouped(workspace_.statistics.shown.faces), "Current faces of all bodies.");

@@ -51,7 +51,7 @@ void model_row(LaserControls& laser) {
 }
 
 void hold_row(bool& held) {
-  property("Hold the heat");
+  property("Freeze Temperature");
   ImGui::Checkbox("##hold", &held);
   mark_last_item("hold heat");
   tooltip("Freezes all temperatures; otherwise hot faces cool in real time.");

@@ -274,27 +274,25 @@ std::vector<UserAction> EmitterFeature::emitter_actions() {
 void EmitterFeature::draw_rows() {
   if (!emitter_.placed()) {
     const std::string meaning = with_shortcut(
-        workspace_.view, "Places a laser in the scene; move and aim it by its handles.", "Place Emitter");
-    if (row_button("Place an emitter", 1, nullptr, meaning.c_str())) place();
+        workspace_.view, "Places a laser in the scene; move and aim it by its handles.", "emitter.place");
+    if (row_button("Place Emitter", 1, nullptr, meaning.c_str())) place();
     return;
   }
   const std::string meaning =
       with_shortcut(workspace_.view, "Switches the emitter on or off.", "emitter.fire");
-  if (row_button(emitter_.firing ? "Switch off###fire" : "Fire###fire", 2, nullptr, meaning.c_str()))
+  if (row_button(emitter_.firing ? "Stop###fire" : "Fire###fire", 2, nullptr, meaning.c_str()))
     emitter_.firing = !emitter_.firing;
   mark_last_item("fire");
   ImGui::SameLine();
-  const bool removed = row_button("Take away", 2, nullptr, "Removes the emitter from the scene.");
+  const bool removed = row_button("Remove", 2, nullptr, "Removes the emitter from the scene.");
   if (!begin_properties("emitter")) return;
   draw_pace();
   Vec3 at = emitter_.at(), target = emitter_.target();
   const NumberUnit unit = file_unit(workspace_.view.frame.unit);
   const double size = workspace_.world().loaded_bounds().diagonal();
-  if (fields_.vector("Stands at", at, "%.5g", "Position of the emitter, in the unit of the file.", unit,
-                     size))
+  if (fields_.vector("Position", at, "%.5g", "Position of the emitter, in the unit of the file.", unit, size))
     emitter_.stand_at(at);
-  if (fields_.vector("Aims at", target, "%.5g", "Target of the emitter, in the unit of the file.", unit,
-                     size))
+  if (fields_.vector("Target", target, "%.5g", "Target of the emitter, in the unit of the file.", unit, size))
     emitter_.aim_at(target);
   end_properties();
   if (removed) emitter_.remove();
@@ -303,7 +301,7 @@ void EmitterFeature::draw_rows() {
 void EmitterFeature::draw_pace() {
   constexpr std::array kKinds{"Continuous", "Pulsed"};
   int kind = emitter_.in_shots ? 1 : 0;
-  marked_choice_row("Fires", "##fires", kind, kKinds, "emitter fires",
+  marked_choice_row("Mode", "##fires", kind, kKinds, "emitter fires",
                     "Continuous: one stroke follows the motion of the emitter. Pulsed: each shot at a steady "
                     "rate is a stroke.");
   emitter_.in_shots = kind == 1;

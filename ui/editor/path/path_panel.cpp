@@ -296,7 +296,7 @@ void PathPanel::draw_chosen(PathWork& path, const World& world, FileUnit unit) {
   Vec3 target = path.target(point), direction = path.pose(point).direction;
   double distance = path.distance(point);
   bool edited =
-      fields_.vector("Aims at", target, "%.5g",
+      fields_.vector("Target", target, "%.5g",
                      "Position of the selected point, in the unit of the file. Its beam moves along.",
                      file_unit(unit), world.loaded_bounds().diagonal());
   edited = fields_.vector("Direction", direction, "%.4g", "Direction of the beam, of any length.") || edited;

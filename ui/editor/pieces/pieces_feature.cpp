@@ -214,8 +214,8 @@ std::vector<UserAction> PiecesFeature::shown_actions() {
                  .name = "Select Pieces",
                  .items = [this] { return pieces_to_choose(); },
                  .in_menu = false},
-      spread_action("pieces.explode_more", "Pieces further apart", kSpreadStep),
-      spread_action("pieces.explode_less", "Pieces nearer together", -kSpreadStep),
+      spread_action("pieces.explode_more", "Explode More", kSpreadStep),
+      spread_action("pieces.explode_less", "Explode Less", -kSpreadStep),
   };
 }
 
@@ -238,7 +238,7 @@ void PiecesFeature::draw_buttons() {
   if (row_button("Hide", 3, why_none, told("Hides the selected pieces.", "pieces.hide").c_str()))
     ask_to_hide();
   ImGui::SameLine();
-  if (row_button("Show all", 3, why_none_hidden(),
+  if (row_button("Show All", 3, why_none_hidden(),
                  told("Shows the hidden pieces again.", "pieces.show_all").c_str()))
     ask_to_show();
   ImGui::SameLine();
@@ -249,12 +249,12 @@ void PiecesFeature::draw_buttons() {
 
 void PiecesFeature::draw_spread(bool one_piece) {
   if (!begin_properties("spread")) return;
-  property("Spread");
+  property("Explode");
   double& spread = workspace_.view.spread;
   ImGui::BeginDisabled(one_piece);
   const char* meaning = one_piece ? "There is only one piece: cut a piece off first."
                                   : "Draws the pieces apart without moving them; the next cut resets it.";
-  if (real_slider({"Spread", "##spread", meaning}, spread, 0, kMaxSpread, "%.2f", {},
+  if (real_slider({"Explode", "##spread", meaning}, spread, 0, kMaxSpread, "%.2f", {},
                   spread == 0 ? "together" : "")) {
     spread_further(workspace_.world(), spread, workspace_.view.look);
     workspace_.view.picture_old = true;

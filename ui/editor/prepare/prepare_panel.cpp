@@ -208,7 +208,7 @@ class PrepareFeature : public Feature {
     using Kind = Preparation::Tool;
     return {
         {540,
-         "Prepare",
+         "Mesh",
          {tool_action("prepare.simplify_to_faces", "Simplify to Face Count",
                       "Reduces the number of faces to the number in the Prepare panel.",
                       Kind::kSimplifyToFaces),
@@ -228,7 +228,7 @@ class PrepareFeature : public Feature {
                      .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},
           UserAction{
               .id = "prepare.preview",
-              .name = "Preview of the preparation",
+              .name = "Preview Preparation",
               .tip = "Draws the edges of the new mesh over the current surface.",
               .run = [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
               .checked = [this] { return workspace_.settings.prepare_preview; }}}}};

@@ -9,7 +9,7 @@ namespace {
 
 const std::array<BindingPreset, 2> kPresets{{
     {"Kerf", "Default keys.", {}},
-    {"Like Blender",
+    {"Blender",
      "Keys that Blender users know, where Kerf has the same action: Home frames all, A selects all, X "
      "deletes, "
      "Alt+H shows, N hides the panels, F3 finds actions, Shift+Z shows edges.",

@@ -51,7 +51,7 @@ void draw_said(const Message::Said& said) {
 
 void draw_log(const std::deque<Message::Said>& log) {
   if (log.empty()) return ImGui::TextDisabled("No messages");
-  if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(as_text(log).c_str());
+  if (ImGui::SmallButton("Copy All")) ImGui::SetClipboardText(as_text(log).c_str());
   tooltip("Copies the messages as text, oldest first.");
   if (!ImGui::BeginTable("log", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthFixed, kTimeEms * ImGui::GetFontSize());
@@ -181,7 +181,7 @@ void draw_mouse(Settings& settings) {
   if (!begin_properties("mouse")) return;
   speed_row("Orbit", settings.drag_speed, "Rotation of the view per drag of the mouse.");
   speed_row("Zoom", settings.wheel_speed, "Zoom per notch of the wheel.");
-  property("Keys");
+  property("Keymap");
   for (const BindingPreset& preset : binding_presets()) {
     if (&preset != binding_presets().data()) ImGui::SameLine();
     if (ImGui::RadioButton(preset.name, settings.bindings == preset.bindings))

@@ -20,9 +20,9 @@ struct Place {
   Dock dock;
   const char* name;
 };
-constexpr std::array kPlaces{
-    Place{Dock::kColumn, "In its tab"}, Place{Dock::kSecondColumn, "In a second column"},
-    Place{Dock::kStrip, "Below the picture"}, Place{Dock::kWindow, "In a window of its own"}};
+constexpr std::array kPlaces{Place{Dock::kColumn, "In Its Tab"},
+                             Place{Dock::kSecondColumn, "In a Second Column"},
+                             Place{Dock::kStrip, "Below the Viewport"}, Place{Dock::kWindow, "In a Window"}};
 
 // Draws a window of which the edge with the panel is filled.
 void draw_icon(ImVec2 at, float size, Dock dock, ImU32 colour) {

@@ -52,7 +52,7 @@ void draw_beginnings(StageState& stages, const Document& document, const ViewSta
   mark_last_item("stages on");
   tooltip("A drawn stroke waits and is cut stage by stage. The result is the same.");
   ImGui::SameLine();
-  if (button(view, "Start again", "stage start", "Undoes the last stroke and cuts it again, stage by stage.",
+  if (button(view, "Restart", "stage start", "Undoes the last stroke and cuts it again, stage by stage.",
              "stages.step_last_cut", why_not_again(document), width_of_one(1)))
     wishes.begin_again();
 }
@@ -61,7 +61,7 @@ void draw_steps(StageState& stages, const Document& document, const ViewState& v
   StageWishes& wishes = stages.wishes;
   const char* no_next = why_no_next_stage(stages, document);
   const float third = width_of_one(3);
-  if (button(view, "Back", "stage back", "Undoes the last stage.", "stages.previous",
+  if (button(view, "Previous", "stage back", "Undoes the last stage.", "stages.previous",
              why_no_stage_back(stages, document), third))
     wishes.go_to(stages.log.done() - 1);
   ImGui::SameLine();
@@ -200,7 +200,7 @@ void visited_row(StageLog& stages) {
 }
 
 void drawn_row(StageLog& stages) {
-  property("Last query");
+  property("Last Tree Query");
   bool drawn = stages.query().drawn;
   if (ImGui::Checkbox("shown", &drawn)) stages.draw_query(drawn);
   mark_last_item("query shown");
@@ -251,7 +251,7 @@ class SingleStepFeature : public Feature {
   explicit SingleStepFeature(Workspace& workspace) : workspace_(workspace) {
     workspace.holds_back = [this] { return cut_.holds_back(); };
     workspace.time_holds.push_back(
-        [this] { return stages_.wishes.on ? "Bodies do not move during single steps." : nullptr; });
+        [this] { return stages_.wishes.on ? "Bodies do not move in step mode." : nullptr; });
   }
 
   std::vector<Panel> panels() override {
@@ -259,7 +259,7 @@ class SingleStepFeature : public Feature {
              [this] {
                if (stages_.wishes.on) draw_query_walk(stages_.log);
              }},
-            {"single_step", "Single step", Tab::kView, 1200, false,
+            {"single_step", "Step Mode", Tab::kView, 1200, false,
              [this] { panel_.draw(stages_, workspace_.work.document, workspace_.view); }}};
   }
   std::vector<ActionGroup> actions() override {
@@ -280,7 +280,7 @@ class SingleStepFeature : public Feature {
 
   void draw_overlay(ImDrawList&) override {
     if (!stages_.wishes.on) return;
-    workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Single steps: " + state_text(),
+    workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Step mode: " + state_text(),
                            "single step badge");
     if (stages_.log.done() > 0) draw_stage_caption(stages_.log, workspace_.view.layout.first);
   }
@@ -391,7 +391,7 @@ std::vector<UserAction> SingleStepFeature::steps() {
 
 UserAction SingleStepFeature::speed_action(const char* id, const char* name, double factor) {
   return {.id = id,
-          .menu = "Single step",
+          .menu = "Step Mode",
           .name = name,
           .tip = "Speed of playback in stages per second.",
           .run =
@@ -420,12 +420,12 @@ UserAction SingleStepFeature::visit_action(const char* id, const char* name, con
 
 std::vector<UserAction> SingleStepFeature::view_actions() {
   return {
-      speed_action("stages.faster", "Stages: faster", kSpeedStep),
-      speed_action("stages.slower", "Stages: slower", 1 / kSpeedStep),
-      visit_action("tree.next_node", "Query: next box", "]", 1),
-      visit_action("tree.previous_node", "Query: box before", "[", -1),
+      speed_action("stages.faster", "Faster Stages", kSpeedStep),
+      speed_action("stages.slower", "Slower Stages", 1 / kSpeedStep),
+      visit_action("tree.next_node", "Next Node", "]", 1),
+      visit_action("tree.previous_node", "Previous Node", "[", -1),
       {.id = "tree.show_query",
-       .name = "Query: show the boxes",
+       .name = "Show Last Tree Query",
        .tip = "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
        .run = [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
        .checked = [this] { return stages_.log.query().drawn; },

@@ -7,7 +7,7 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kOff = "Single steps are off.";
+constexpr const char* kOff = "Step mode is off.";
 
 }  // namespace
 

@@ -328,7 +328,7 @@ class TimeFeature : public Feature {
   std::vector<Panel> panels() override {
     return {{"bodies", "Bodies", Tab::kPhysics, 700, true, [this] { panel_.draw(workspace_, play_); }}};
   }
-  std::vector<ActionGroup> actions() override { return {{520, "Bodies", body_actions(workspace_, play_)}}; }
+  std::vector<ActionGroup> actions() override { return {{520, "Physics", body_actions(workspace_, play_)}}; }
   std::vector<Gesture> gestures() const override {
     return {{50, "Ctrl+left drag on a piece", "Pull it by a spring, while bodies move"}};
   }

@@ -43,15 +43,15 @@ const std::array<LightPreset, 6> kPresets{{
      [](const World::Bounds&) {
        return std::vector{sun({0.12, 1, 0.08}, kPale, 2.2)};
      }},
-    {"Low sun", "Warm and grazing, with long shadows.",
+    {"Low Sun", "Warm and grazing, with long shadows.",
      [](const World::Bounds&) {
        return std::vector{sun({-1, 0.32, 0.45}, kWarm, 2.6)};
      }},
-    {"Lamp overhead", "A lamp close above the scene.",
+    {"Lamp Overhead", "A lamp close above the scene.",
      [](const World::Bounds& b) {
        return std::vector{lamp(b, {0.5, 3.2, 0.4}, kPale, 2.2)};
      }},
-    {"Lamp inside", "A lamp in the centre; light shines out through the holes.",
+    {"Lamp Inside", "A lamp in the centre; light shines out through the holes.",
      [](const World::Bounds& b) {
        return std::vector{lamp(b, {0.02, 0.05, 0.02}, kWarm, 3.5)};
      }},
@@ -210,7 +210,7 @@ bool shadow_rows(ViewState& view) {
                    shadow.extrusion, kMinReach, kMaxReach, "%.2g sizes");
   }
   property("");
-  changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
+  changed |= ImGui::Checkbox("Paper Style", &shadow.paper_look);
   tooltip("Draws shadows as transparent black, as in the paper, instead of omitting the light.");
   property("");
   draw_switch(view, SwitchId::kCullBacks);
@@ -413,7 +413,7 @@ std::vector<UserAction> LightFeature::presets() {
 std::vector<UserAction> LightFeature::light_actions() {
   ViewState& view = workspace_.view;
   ViewOptions& look = view.look;
-  UserAction add = picture_action(view, "light.add", "Add a light",
+  UserAction add = picture_action(view, "light.add", "Add Light",
                                   "Adds a directional light; drag its handle while the Light panel is open.",
                                   [&view] { add_light(view.look, view.camera.up_axis()); });
   add.disabled_reason = [&look] {
@@ -424,17 +424,17 @@ std::vector<UserAction> LightFeature::light_actions() {
                      [&look] { remove_light(look); });
   remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
   UserAction next =
-      picture_action(view, "light.next", "Next light", "Selects the next light in the Light panel.", [&look] {
+      picture_action(view, "light.next", "Next Light", "Selects the next light in the Light panel.", [&look] {
         KERF_ASSERT(!look.lights.empty());
         look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
       });
   next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
   return {UserAction{.id = "light.preset",
-                     .name = "Light preset",
+                     .name = "Light Preset",
                      .items = [this] { return presets(); },
                      .in_menu = false},
           add, remove, next,
-          flag_action(view, "light.paper_look", "Shadows: paper look", look.shadow.paper_look,
+          flag_action(view, "light.paper_look", "Paper Shadow Style", look.shadow.paper_look,
                       "Draws shadows as transparent black instead of omitting the light.")};
 }
 

@@ -206,7 +206,7 @@ void draw_turns(ViewState& view) {
 }
 
 void draw_text(ViewState& view, Message& message) {
-  property("As text");
+  property("View as Text");
   if (button("Copy", "section copy", "Copies the plane as text for kerf render --section.", true))
     copy_section(view, message);
   if (button("Paste", "section paste", "Sets the plane from the clipboard.")) paste_section(view, message);
@@ -267,18 +267,18 @@ class SectionFeature : public Feature {
   std::vector<ActionGroup> actions() override {
     return {{1500,
              "View",
-             {edit_action(workspace_, "section.flip", "Section plane: flip",
+             {edit_action(workspace_, "section.flip", "Flip Section Plane",
                           "Swaps the visible and the hidden side.", flip_section),
-              across(workspace_, "section.across_x", "Section plane: across X", 0),
-              across(workspace_, "section.across_y", "Section plane: across Y", 1),
-              across(workspace_, "section.across_z", "Section plane: across Z", 2),
-              edit_action(workspace_, "section.face_view", "Section plane: parallel to the picture",
+              across(workspace_, "section.across_x", "Section Plane Across X", 0),
+              across(workspace_, "section.across_y", "Section Plane Across Y", 1),
+              across(workspace_, "section.across_z", "Section Plane Across Z", 2),
+              edit_action(workspace_, "section.face_view", "Align Section Plane to View",
                           "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
-              edit_action(workspace_, "section.copy", "Section plane: copy",
+              edit_action(workspace_, "section.copy", "Copy Section Plane",
                           "Copies the plane as text for kerf render --section.",
                           [this](ViewState& view) { copy_section(view, workspace_.message); }),
               UserAction{.id = "section.paste",
-                         .name = "Section plane: paste",
+                         .name = "Paste Section Plane",
                          .tip = "Sets the plane from text in the clipboard.",
                          .run = [this] { paste_section(workspace_.view, workspace_.message); },
                          .in_menu = false}}}};

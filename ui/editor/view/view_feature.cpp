@@ -31,11 +31,11 @@ class DisplayPanel {
 
 // Applies the size when the slider is released, because the slider itself changes with it.
 void scale_row(Settings& settings, double& wanted) {
-  property("Text size");
+  property("UI Scale");
   constexpr double kLow = Settings::kMinScale * 100, kHigh = Settings::kMaxScale * 100;
   double percent = wanted > 0 ? 100 * wanted : 100 * settings.ui_scale;
   constexpr const char* kMeaning = "Size of panels and menus, relative to the scale of the display.";
-  if (real_slider({"Text size", "##scale", kMeaning}, percent, kLow, kHigh, "%.0f %%"))
+  if (real_slider({"UI Scale", "##scale", kMeaning}, percent, kLow, kHigh, "%.0f %%"))
     wanted = std::round(percent / 5) * 0.05;
   if (ImGui::IsItemDeactivated() && wanted > 0) {
     settings.ui_scale = wanted;

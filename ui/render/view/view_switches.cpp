@@ -216,7 +216,7 @@ constexpr std::array kSwitches{
                               .tip = "Shows sparks and smoke at the cut. Visual only."}),
     of<&ViewOptions::antialias>({.id = SwitchId::kAntialias,
                                  .report = "antialias",
-                                 .label = "Anti-aliasing",
+                                 .label = "Anti-Aliasing",
                                  .tip = "Smooths edges. Turn it off for speed without a graphics card.",
                                  .ends_group = true}),
 };
@@ -226,10 +226,7 @@ constexpr std::array kSwitches{
 std::string action_id(const ViewSwitch& s) { return std::string("view.") + s.report; }
 
 std::string action_name(const ViewSwitch& s) {
-  std::string name = s.label;
-  for (size_t i = 0; !s.is_two_state() && i < s.states.size(); ++i)
-    name += std::string(i == 0 ? ": " : ", ") + s.states[i];
-  return name;
+  return s.is_two_state() ? s.label : std::string("Cycle ") + s.label;
 }
 
 std::span<const ViewSwitch> view_switches() { return kSwitches; }

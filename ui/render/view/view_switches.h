@@ -69,7 +69,7 @@ struct ViewSwitch {
 
 // The id of its action: "view.wire".
 std::string action_id(const ViewSwitch& s);
-// The name of its action: "Shadows: none, ground, all", or its label for the states off and on.
+// The name of its action: "Cycle Shadows", or its label for the states off and on.
 std::string action_name(const ViewSwitch& s);
 
 // All switches, indexed by their ids.

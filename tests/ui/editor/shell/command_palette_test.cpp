@@ -29,7 +29,7 @@ TEST_F(Palette, finds_an_action_by_parts_of_its_name) {
   EXPECT_EQ(best("wire"), "Wireframe");
   EXPECT_EQ(best("shvol"), "Shadow Volumes");
   EXPECT_EQ(best("panel light"), "Panels: Light");
-  EXPECT_EQ(best("preset noon"), "Light preset: Noon");
+  EXPECT_EQ(best("preset noon"), "Light Preset: Noon");
   EXPECT_EQ(best("cull"), "Backface Culling");
   EXPECT_EQ(best("qqqq"), "");
 }
@@ -52,7 +52,7 @@ TEST_F(Palette, every_action_has_a_name_of_its_own_and_does_something) {
 TEST_F(Palette, every_switch_of_the_view_and_every_panel_is_found_by_its_name) {
   for (const ViewSwitch& s : view_switches()) {
     if (s.label[0] == '\0') continue;
-    EXPECT_EQ(best(s.label).rfind(s.label, 0), 0u) << s.label << " found " << best(s.label);
+    EXPECT_EQ(best(s.label), action_name(s));
   }
   for (const Panel& panel : editor.catalogue.panels)
     EXPECT_EQ(best((std::string("panels ") + panel.title).c_str()), std::string("Panels: ") + panel.title);
@@ -63,12 +63,12 @@ TEST_F(Palette, the_actions_of_panels_change_what_the_panels_show) {
   const double before = workspace.laser.radius;
   run("wider beam");
   EXPECT_GT(workspace.laser.radius, before);
-  run("split to depth");
+  run("refine by depth");
   EXPECT_EQ(workspace.laser.resolution.rule, Resolution::Rule::kDepth);
   const int depth = workspace.laser.resolution.depth;
   run("finer cut");
   EXPECT_EQ(workspace.laser.resolution.depth, depth + 1);
-  run("add a light");
+  run("add light");
   EXPECT_EQ(workspace.view.look.lights.size(), 2u);
   run("remove light");
   EXPECT_EQ(workspace.view.look.lights.size(), 1u);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/editor/editor.h"
 #include "ui/editor/shared/workspace.h"
+#include "ui/editor/shell/catalogue.h"
 
 namespace kerf::test {
 

@@ -9,8 +9,6 @@
 #include "core/game/vehicle/vehicle.h"
 #include "ui/editor/path/emitter.h"
 #include "ui/editor/shared/document_session.h"
-#include "ui/editor/shared/features.h"
-#include "ui/editor/shell/dialogs.h"
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
 #include "ui/game/game_settings.h"
@@ -18,35 +16,6 @@
 #include "ui/window/window.h"
 
 namespace kerf {
-
-Features make_features(Workspace& workspace, const Catalogue& catalogue) {
-  Features features;
-  features.push_back(files_feature(workspace));
-  features.push_back(recent_feature(workspace));
-  features.push_back(dialogs(workspace, catalogue));
-  features.push_back(welcome_feature(workspace));
-  features.push_back(view_feature(workspace));
-  features.push_back(light_feature(workspace));
-  features.push_back(section_feature(workspace));
-  features.push_back(emitter_feature(workspace));
-  features.push_back(path_feature(workspace));
-  features.push_back(moving_feature(workspace));
-  features.push_back(time_feature(workspace));
-  features.push_back(inspect_feature(workspace));
-  features.push_back(ruler_feature(workspace));
-  features.push_back(pieces_feature(workspace));
-  features.push_back(history_feature(workspace));
-  features.push_back(material_feature(workspace));
-  features.push_back(prepare_feature(workspace));
-  features.push_back(tree_feature(workspace));
-  features.push_back(scalar_map_feature(workspace));
-  features.push_back(graph_feature(workspace));
-  features.push_back(single_step_feature(workspace));
-  features.push_back(statistics_feature(workspace));
-  features.push_back(split_feature(workspace));
-  features.push_back(laser_feature(workspace));
-  return features;
-}
 
 namespace {
 
@@ -137,7 +106,7 @@ Status run_editor(const EditorOptions& options, LeftMatch left) {
   if (!picture) return picture.error();
   Gui gui(window);
   FrameLoop loop(window, gui);
-  EditorScreen screen(window, std::move(*picture), std::move(loaded), options, make_features);
+  EditorScreen screen(window, std::move(*picture), std::move(loaded), options);
   gui.dress(screen.look());
   if (const Status shown = screen.open(); !shown) return shown;
   screen.tell(fault);

@@ -2,16 +2,9 @@
 
 #include "core/base/result.h"
 #include "ui/editor/shared/settings.h"
-#include "ui/editor/shell/catalogue.h"
 #include "ui/game/game.h"
 
 namespace kerf {
-
-struct Workspace;
-
-// Creates all features of the editor. The order defines which receives input first, and whose overlays lie
-// below others. The workspace and the catalogue, which is filled later, must outlive them.
-Features make_features(Workspace& workspace, const Catalogue& catalogue);
 
 // Runs the editor until its window is closed or its script ends. Fails without a display or OpenGL 3.3, if
 // not even the default scene can be read, at an invalid line of the script, or if the report cannot be

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 #include <regex>
 #include <set>
 #include <string>
@@ -86,6 +87,60 @@ TEST_F(Actions, a_key_flips_a_switch_of_the_view_and_one_that_cannot_be_done_say
   EXPECT_TRUE(run_shortcut(actions, 'H', 0, workspace.message));
   EXPECT_TRUE(workspace.message.is_error);
   EXPECT_FALSE(run_shortcut(actions, 'Q', 0, workspace.message));
+}
+
+class LayoutTable : public testing::Test {
+ protected:
+  using Ids = std::multiset<std::string>;
+
+  static Ids ids_of(std::span<const MenuLayout> menus) {
+    Ids ids;
+    for (const MenuLayout& menu : menus) ids.insert(menu.actions.begin(), menu.actions.end());
+    ids.erase(MenuLayout::kLine);
+    return ids;
+  }
+  template <typename List>
+  Ids provided(const std::function<List(Feature&)>& list_of) const {
+    Ids ids;
+    for (const auto& feature : editor.features) {
+      for (const auto& one : list_of(*feature)) ids.insert(one.id);
+    }
+    return ids;
+  }
+
+  test::EditorFeatures editor;
+};
+
+TEST_F(LayoutTable, names_each_action_of_the_features_once_and_no_other) {
+  Ids named = ids_of(menu_layout());
+  named.merge(ids_of(palette_layout()));
+  EXPECT_EQ(named, provided<std::vector<UserAction>>(&Feature::actions));
+}
+
+TEST_F(LayoutTable, names_each_part_of_a_panel_once_and_no_other) {
+  Ids named;
+  std::set<std::string> panels;
+  for (const TabLayout& tab : tab_layout()) {
+    for (const PanelLayout& panel : tab.panels) {
+      EXPECT_TRUE(panels.insert(panel.id).second) << panel.id;
+      named.insert(panel.parts.begin(), panel.parts.end());
+    }
+  }
+  EXPECT_EQ(named, provided<std::vector<PanelPart>>(&Feature::panel_parts));
+}
+
+TEST_F(LayoutTable, names_each_gesture_once_and_no_other) {
+  EXPECT_EQ(Ids(gesture_layout().begin(), gesture_layout().end()),
+            provided<std::vector<Gesture>>(&Feature::gestures));
+}
+
+TEST_F(LayoutTable, separates_actions_and_nothing_else) {
+  for (const MenuLayout& menu : menu_layout()) {
+    EXPECT_STRNE(menu.actions.front(), MenuLayout::kLine) << menu.title;
+    EXPECT_STRNE(menu.actions.back(), MenuLayout::kLine) << menu.title;
+    for (size_t i = 1; i < menu.actions.size(); ++i)
+      EXPECT_STRNE(menu.actions[i - 1], menu.actions[i]) << menu.title;
+  }
 }
 
 }  // namespace

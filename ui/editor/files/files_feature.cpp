@@ -84,24 +84,21 @@ class FilesFeature : public Feature {
     workspace.quit = [this] { quit(); };
   }
 
-  std::vector<Panel> panels() override {
-    return {{"file", "File", Tab::kMesh, 1500, true, [this] {
+  std::vector<PanelPart> panel_parts() override {
+    return {{"file", [this] {
                draw_file_panel(workspace_.world(), workspace_.work.scene, workspace_.view,
                                workspace_.settings);
              }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{100, "File", open_actions()},
-            {102, "File", example_actions()},
-            {110, "File", save_actions()},
-            {121, "File", picture_actions()},
-            {122, "File", leave_actions()},
-            {1401,
-             "File",
-             {UserAction{.id = "file.frame",
-                         .name = "Units and Up Axis",
-                         .items = [this] { return frame_actions(); },
-                         .in_menu = false}}}};
+  std::vector<UserAction> actions() override {
+    return joined({open_actions(),
+                   example_actions(),
+                   save_actions(),
+                   picture_actions(),
+                   leave_actions(),
+                   {UserAction{.id = "file.frame", .name = "Units and Up Axis", .items = [this] {
+                                 return frame_actions();
+                               }}}});
   }
 
   Status on_start(const EditorOptions& options) override;
@@ -194,7 +191,7 @@ std::vector<UserAction> FilesFeature::example_actions() {
     }
     return actions;
   };
-  return {UserAction{.id = "file.examples", .name = "Examples", .items = examples, .ends_group = true}};
+  return {UserAction{.id = "file.examples", .name = "Examples", .items = examples}};
 }
 
 std::vector<UserAction> FilesFeature::save_actions() {
@@ -209,8 +206,7 @@ std::vector<UserAction> FilesFeature::save_actions() {
                  .name = "Save As...",
                  .shortcut = "Ctrl+Shift+S",
                  .tip = "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
-                 .run = [this] { choose_file_to_save(); },
-                 .ends_group = true},
+                 .run = [this] { choose_file_to_save(); }},
   };
 }
 
@@ -225,8 +221,7 @@ std::vector<UserAction> FilesFeature::picture_actions() {
                  .name = "Save Screenshot",
                  .shortcut = "Shift+F12",
                  .tip = "A PNG of the window with its panels.",
-                 .run = [this] { screenshot_ = Captured::kWindow; },
-                 .ends_group = true},
+                 .run = [this] { screenshot_ = Captured::kWindow; }},
   };
 }
 
@@ -236,8 +231,7 @@ std::vector<UserAction> FilesFeature::leave_actions() {
                  .name = "Play Game",
                  .shortcut = "F5",
                  .tip = "Car combat with roof-mounted lasers. The open work stays unchanged.",
-                 .run = [this] { workspace_.leaves = Workspace::Leaves::kForTheGame; },
-                 .ends_group = true},
+                 .run = [this] { workspace_.leaves = Workspace::Leaves::kForTheGame; }},
       UserAction{.id = "file.quit",
                  .name = "Quit",
                  .shortcut = "Ctrl+Q",
@@ -247,11 +241,9 @@ std::vector<UserAction> FilesFeature::leave_actions() {
 }
 
 UserAction FilesFeature::frame_action(const std::string& name, const FileFrame& frame, const char* tip) {
-  return {
-      .name = name,
-      .tip = tip,
-      .run = [this, frame] { set_frame(frame, workspace_.work.scene, workspace_.view, workspace_.settings); },
-      .in_menu = false};
+  return {.name = name, .tip = tip, .run = [this, frame] {
+            set_frame(frame, workspace_.work.scene, workspace_.view, workspace_.settings);
+          }};
 }
 
 // The actions use the frame at the time of listing.

@@ -153,29 +153,26 @@ class HistoryFeature : public Feature {
  public:
   explicit HistoryFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"history", "History", Tab::kCut, 800, true, [this] { panel_.draw(workspace_); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"history", [this] { panel_.draw(workspace_); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{200,
-             "Edit",
-             {UserAction{.id = "edit.undo",
-                         .name = "Undo",
-                         .shortcut = "Ctrl+Z",
-                         .tip = "Reverts the last stroke or command.",
-                         .run = [this] { ask_to_step(true); },
-                         .disabled_reason =
-                             [this] { return history().position() > 0 ? nullptr : "Nothing to undo"; }},
-              UserAction{.id = "edit.redo",
-                         .name = "Redo",
-                         .shortcut = "Ctrl+Shift+Z",
-                         .tip = "Repeats the last undone step.",
-                         .run = [this] { ask_to_step(false); },
-                         .disabled_reason =
-                             [this] {
-                               return history().position() < history().size() ? nullptr : "Nothing to redo";
-                             },
-                         .ends_group = true}}}};
+  std::vector<UserAction> actions() override {
+    return {UserAction{
+                .id = "edit.undo",
+                .name = "Undo",
+                .shortcut = "Ctrl+Z",
+                .tip = "Reverts the last stroke or command.",
+                .run = [this] { ask_to_step(true); },
+                .disabled_reason = [this] { return history().position() > 0 ? nullptr : "Nothing to undo"; }},
+            UserAction{.id = "edit.redo",
+                       .name = "Redo",
+                       .shortcut = "Ctrl+Shift+Z",
+                       .tip = "Repeats the last undone step.",
+                       .run = [this] { ask_to_step(false); },
+                       .disabled_reason =
+                           [this] {
+                             return history().position() < history().size() ? nullptr : "Nothing to redo";
+                           }}};
   }
 
   void write_session_log(nlohmann::ordered_json& report) const override {

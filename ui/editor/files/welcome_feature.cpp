@@ -38,10 +38,8 @@ class RecentFeature : public Feature {
  public:
   explicit RecentFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<ActionGroup> actions() override {
-    return {{101, "File", {UserAction{.id = "file.open_recent", .name = "Open Recent", .items = [this] {
-                                        return files();
-                                      }}}}};
+  std::vector<UserAction> actions() override {
+    return {UserAction{.id = "file.open_recent", .name = "Open Recent", .items = [this] { return files(); }}};
   }
 
   void update(double) override {
@@ -139,18 +137,16 @@ class WelcomeFeature : public Feature {
  public:
   explicit WelcomeFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<ActionGroup> actions() override {
-    return {{1900,
-             "Help",
-             {UserAction{.id = "help.welcome",
-                         .name = "Welcome",
-                         .tip = "Recent files, scenes, and the tour.",
-                         .run = [this] { shown_ = true; }},
-              UserAction{.id = "help.tour",
-                         .name = "Guided Tour",
-                         .tip = "A tour of the car that goes on when a step is done.",
-                         .run = [this] { begin_tour(); },
-                         .checked = [this] { return tour_.is_on(); }}}}};
+  std::vector<UserAction> actions() override {
+    return {UserAction{.id = "help.welcome",
+                       .name = "Welcome",
+                       .tip = "Recent files, scenes, and the tour.",
+                       .run = [this] { shown_ = true; }},
+            UserAction{.id = "help.tour",
+                       .name = "Guided Tour",
+                       .tip = "A tour of the car that goes on when a step is done.",
+                       .run = [this] { begin_tour(); },
+                       .checked = [this] { return tour_.is_on(); }}};
   }
 
   Status on_start(const EditorOptions& options) override {

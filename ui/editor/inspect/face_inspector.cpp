@@ -235,7 +235,7 @@ class InspectFeature : public Feature {
  public:
   explicit InspectFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<ActionGroup> actions() override {
+  std::vector<UserAction> actions() override {
     UserAction action = tool_action(workspace_, kInspectTool, "Inspect and Measure", "M",
                                     "Shows facts about the face under the pointer; two clicks measure a "
                                     "distance.");
@@ -243,7 +243,7 @@ class InspectFeature : public Feature {
       take();
       measured_.clear();
     };
-    return {{302, "Tool", {action}}};
+    return {action};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {

@@ -309,17 +309,15 @@ class GraphFeature : public Feature {
  public:
   explicit GraphFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{kGraphPanel, "Graph", Tab::kView, 1100, false,
-             [this] {
+  std::vector<PanelPart> panel_parts() override {
+    return {{kGraphPanel, [this] {
                const bool seen = workspace_.points() && !workspace_.view.in_second;
                panel_.draw(graph_, workspace_.work.document, workspace_.view,
                            seen ? std::optional(workspace_.pointer) : std::nullopt);
-             },
-             Dock::kStrip}};
+             }}};
   }
   std::vector<Gesture> gestures() const override {
-    return {{140, "F over the graph", "Show all of it, while the pointer is over it"}};
+    return {{"fit_graph", "F over the graph", "Show all of it, while the pointer is over it"}};
   }
   bool handle_event(const InputEvent& event, bool) override {
     const bool fits = event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_F && event.mods == 0;

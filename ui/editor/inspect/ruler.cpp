@@ -150,10 +150,10 @@ class RulerFeature : public Feature {
  public:
   explicit RulerFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{kRulerPanel, "Ruler", Tab::kView, 1350, false, [this] { draw_panel(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{kRulerPanel, [this] { draw_panel(); }}};
   }
-  std::vector<ActionGroup> actions() override;
+  std::vector<UserAction> actions() override;
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   bool clear_selection() override { return std::exchange(first_, std::nullopt).has_value(); }
@@ -222,7 +222,7 @@ class RulerFeature : public Feature {
 // Input
 // --------------------------------------------------------------------------------------------------------
 
-std::vector<ActionGroup> RulerFeature::actions() {
+std::vector<UserAction> RulerFeature::actions() {
   const UserAction take = tool_action(workspace_, kRulerTool, "Ruler", "",
                                       "Click two points to add a measurement, which can be named, moved, "
                                       "saved and exported.",
@@ -233,25 +233,21 @@ std::vector<ActionGroup> RulerFeature::actions() {
                       .name = name,
                       .tip = tip,
                       .run = std::move(run),
-                      .disabled_reason = std::move(disabled_reason),
-                      .in_menu = false};
+                      .disabled_reason = std::move(disabled_reason)};
   };
-  return {
-      {302, "Tool", {take}},
-      {1410,
-       "Ruler",
-       {action(
-            "ruler.undo", "Undo Measurement Edit", "Of the distances that the ruler keeps.",
-            [this] { step(true); },
-            [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
-        action(
-            "ruler.redo", "Redo Measurement Edit", "Edits them again as before the undo.",
-            [this] { step(false); },
-            [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
-        action(
-            "ruler.export", "Export Measurements...",
-            "As a table (.csv) with the ends and the length of each.", [this] { choose_file_to_export(); },
-            [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })}}};
+  return {take,
+          action(
+              "ruler.undo", "Undo Measurement Edit", "Of the distances that the ruler keeps.",
+              [this] { step(true); },
+              [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
+          action(
+              "ruler.redo", "Redo Measurement Edit", "Edits them again as before the undo.",
+              [this] { step(false); },
+              [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
+          action(
+              "ruler.export", "Export Measurements...",
+              "As a table (.csv) with the ends and the length of each.", [this] { choose_file_to_export(); },
+              [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })};
 }
 
 std::optional<EndOfMark> RulerFeature::end_under_pointer() const {

@@ -143,10 +143,10 @@ class ScalarMapFeature : public Feature {
  public:
   explicit ScalarMapFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{kScalarPanel, "Scalar Map", Tab::kView, 1060, false, [this] { draw(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{kScalarPanel, [this] { draw(); }}};
   }
-  std::vector<ActionGroup> actions() override;
+  std::vector<UserAction> actions() override;
   void on_world_changed(const Delta& delta) override { map_.follow(workspace_.world(), delta); }
   void on_document_opened() override {
     map_.forget();
@@ -184,10 +184,10 @@ UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
   return action;
 }
 
-std::vector<ActionGroup> ScalarMapFeature::actions() {
+std::vector<UserAction> ScalarMapFeature::actions() {
   std::vector<UserAction> actions{action(std::nullopt)};
   for (size_t i = 0; i < kFaceQuantities; ++i) actions.push_back(action(static_cast<FaceQuantity>(i)));
-  return {{1403, "View", std::move(actions)}};
+  return actions;
 }
 
 // Switches off the other colourings of faces.

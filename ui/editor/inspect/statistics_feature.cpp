@@ -105,8 +105,8 @@ void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown)
 class StatisticsFeature : public Feature {
  public:
   explicit StatisticsFeature(Workspace& workspace) : workspace_(workspace) {}
-  std::vector<Panel> panels() override {
-    return {{"statistics", "Statistics", Tab::kView, 1400, false,
+  std::vector<PanelPart> panel_parts() override {
+    return {{"statistics",
              [this] { draw_statistics_panel(workspace_.statistics.chart, workspace_.statistics.shown); }}};
   }
 

@@ -137,23 +137,21 @@ class TreeFeature : public Feature {
  public:
   explicit TreeFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"tree", "Tree", Tab::kView, 1050, false, [this] {
+  std::vector<PanelPart> panel_parts() override {
+    return {{"tree.boxes", [this] {
                draw_tree_panel(workspace_.view, workspace_.world(), workspace_.settings,
                                workspace_.statistics.shown);
              }}};
   }
-  std::vector<ActionGroup> actions() override {
+  std::vector<UserAction> actions() override {
     TreeOverlay& tree = workspace_.view.look.tree;
-    return {{1402,
-             "Tree",
-             {flag_action(workspace_.view, "tree.leaves_only", "Leaf Nodes Only", tree.leaves_only,
-                          "Only the boxes that hold one face."),
-              flag_action(workspace_.view, "tree.hit_only", "Hit Nodes Only", tree.hit_only,
-                          "Only the boxes in which the beam is or was."),
-              level_action(workspace_, "tree.level_more", "Show One More Level", 1),
-              level_action(workspace_, "tree.level_less", "Show One Less Level", -1),
-              palette_action(workspace_)}}};
+    return {flag_action(workspace_.view, "tree.leaves_only", "Leaf Nodes Only", tree.leaves_only,
+                        "Only the boxes that hold one face."),
+            flag_action(workspace_.view, "tree.hit_only", "Hit Nodes Only", tree.hit_only,
+                        "Only the boxes in which the beam is or was."),
+            level_action(workspace_, "tree.level_more", "Show One More Level", 1),
+            level_action(workspace_, "tree.level_less", "Show One Less Level", -1),
+            palette_action(workspace_)};
   }
   void update(double) override { workspace_.statistics.depth_wanted = workspace_.panels.shows("tree"); }
   void on_world_changed(const Delta&) override {

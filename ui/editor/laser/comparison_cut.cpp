@@ -96,18 +96,16 @@ class SplitFeature : public Feature {
         [this] { return shown_ ? "Bodies do not move in the split view." : nullptr; });
   }
 
-  std::vector<Panel> panels() override {
-    return {{"resolution", "Resolution", Tab::kCut, 401, true, [this] { draw_rows(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"resolution.compare", [this] { draw_rows(); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{720,
-             "View",
-             {UserAction{.id = "view.split",
-                         .name = "Split View",
-                         .shortcut = "S",
-                         .tip = "Shows the last cut at a second resolution in the right half.",
-                         .run = [this] { show(!shown_); },
-                         .checked = [this] { return shown_; }}}}};
+  std::vector<UserAction> actions() override {
+    return {UserAction{.id = "view.split",
+                       .name = "Split View",
+                       .shortcut = "S",
+                       .tip = "Shows the last cut at a second resolution in the right half.",
+                       .run = [this] { show(!shown_); },
+                       .checked = [this] { return shown_; }}};
   }
 
   void after_queue(double) override;

@@ -109,19 +109,20 @@ class LaserFeature : public Feature {
  public:
   explicit LaserFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"laser", "Laser", Tab::kCut, 100, true,
+  std::vector<PanelPart> panel_parts() override {
+    return {{"laser.beam",
              [this] {
                if (draw_laser_panel(workspace_.laser, workspace_.view.frame.unit)) cut_again_live(true);
              }},
-            {"resolution", "Resolution", Tab::kCut, 400, true, [this] { draw_resolution(); }}};
+            {"resolution.cut", [this] { draw_resolution(); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{300, "Tool", {tool_action(workspace_, kLaserTool, "Laser", "L", "Left-drag to cut.")}},
-            {304, "Tool", {recut_action()}},
-            {1000, "Laser", laser_actions()}};
+  std::vector<UserAction> actions() override {
+    return joined({{tool_action(workspace_, kLaserTool, "Laser", "L", "Left-drag to cut."), recut_action()},
+                   laser_actions()});
   }
-  std::vector<Gesture> gestures() const override { return {{10, "Left drag", "Cut where the pointer goes"}}; }
+  std::vector<Gesture> gestures() const override {
+    return {{"cut", "Left drag", "Cut where the pointer goes"}};
+  }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   bool cancel() override {
@@ -216,36 +217,30 @@ UserAction LaserFeature::recut_action() {
           .shortcut = "R",
           .tip = "Recuts the last stroke at the current resolution.",
           .run = [this] { ask_for_recut(false); },
-          .disabled_reason = [this] { return why_no_recut(workspace_.work.document); },
-          .ends_group = true};
+          .disabled_reason = [this] { return why_no_recut(workspace_.work.document); }};
 }
 
 UserAction LaserFeature::radius_action(const char* id, const char* name, double factor) {
   return {.id = id,
           .name = name,
           .tip = "Changes the beam radius by a quarter; with live update, the last stroke is recut.",
-          .run =
-              [this, factor] {
-                LaserControls& laser = workspace_.laser;
-                laser.radius =
-                    std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
-                               laser.default_radius * LaserControls::kRadiusSpan);
-                cut_again_live(true);
-              },
-          .in_menu = false};
+          .run = [this, factor] {
+            LaserControls& laser = workspace_.laser;
+            laser.radius =
+                std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
+                           laser.default_radius * LaserControls::kRadiusSpan);
+            cut_again_live(true);
+          }};
 }
 
 UserAction LaserFeature::finer_action(const char* id, const char* name, int steps) {
   return {.id = id,
-          .menu = "Resolution",
           .name = name,
           .tip = "Halves or doubles the edge length along the cut, or changes the depth by one.",
-          .run =
-              [this, steps] {
-                make_finer(workspace_.laser.resolution, steps);
-                cut_again_live(false);
-              },
-          .in_menu = false};
+          .run = [this, steps] {
+            make_finer(workspace_.laser.resolution, steps);
+            cut_again_live(false);
+          }};
 }
 
 std::vector<UserAction> LaserFeature::laser_actions() {
@@ -254,14 +249,14 @@ std::vector<UserAction> LaserFeature::laser_actions() {
   ResolutionControls& resolution = workspace_.laser.resolution;
   bool& live = workspace_.settings.live_recut;
   const auto choice = [this](const char* id, const char* name, auto& value, auto set, const char* tip) {
-    return setting_action("Resolution", id, name, tip, value, set, [this] { cut_again_live(false); });
+    return setting_action(id, name, tip, value, set, [this] { cut_again_live(false); });
   };
   return {
       radius_action("laser.wider", "Wider Beam", kRadiusStep),
       radius_action("laser.narrower", "Narrower Beam", 1 / kRadiusStep),
-      setting_action(nullptr, "laser.pattern_volume", "Pattern: Volume", "Removes everything in the beam.",
-                     pattern, Pattern::kVolume),
-      setting_action(nullptr, "laser.pattern_rays", "Pattern: Four Rays",
+      setting_action("laser.pattern_volume", "Pattern: Volume", "Removes everything in the beam.", pattern,
+                     Pattern::kVolume),
+      setting_action("laser.pattern_rays", "Pattern: Four Rays",
                      "Removes only what four parallel rays on the rim of the beam hit.", pattern,
                      Pattern::kRays4),
       finer_action("resolution.finer", "Finer Cut", 1),
@@ -281,12 +276,10 @@ std::vector<UserAction> LaserFeature::laser_actions() {
       choice("resolution.rim_smooth", "Rim: Smooth", resolution.rim, Rim::kSmooth,
              "Cuts faces along the boundary of the beam when the stroke ends."),
       UserAction{.id = "resolution.live",
-                 .menu = "Resolution",
                  .name = "Live Update of Last Cut",
                  .tip = "Recuts the last stroke when the resolution or the radius changes.",
                  .run = [&live] { live = !live; },
-                 .checked = [&live] { return live; },
-                 .in_menu = false},
+                 .checked = [&live] { return live; }},
   };
 }
 

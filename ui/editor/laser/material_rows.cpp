@@ -387,9 +387,8 @@ class MaterialFeature : public Feature {
  public:
   explicit MaterialFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"laser", "Laser", Tab::kCut, 110, true, [this] { draw_heat(); }},
-            {"material", "Material", Tab::kThermal, 200, true, [this] { draw_material(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"laser.heat", [this] { draw_heat(); }}, {"material", [this] { draw_material(); }}};
   }
   void update(double seconds) override {
     pointer_.follow(workspace_.pointer, seconds);

@@ -181,12 +181,12 @@ class EmitterFeature : public Feature {
  public:
   explicit EmitterFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"laser", "Laser", Tab::kCut, 120, true, [this] { draw_rows(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"laser.emitter", [this] { draw_rows(); }}};
   }
-  std::vector<ActionGroup> actions() override { return {{410, "Path", emitter_actions()}}; }
+  std::vector<UserAction> actions() override { return emitter_actions(); }
   std::vector<Gesture> gestures() const override {
-    return {{80, "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
+    return {{"move_emitter", "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;

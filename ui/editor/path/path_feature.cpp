@@ -50,17 +50,15 @@ class PathFeature : public Feature {
     workspace.file_takers.push_back([this](const std::filesystem::path& file) { return take_file(file); });
   }
 
-  std::vector<Panel> panels() override {
-    return {{kPathPanel, "Path", Tab::kCut, 500, false, [this] { draw_panel(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{kPathPanel, [this] { draw_panel(); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{303, "Tool", {take_tool_action()}}, {400, "Path", path_actions()}};
-  }
+  std::vector<UserAction> actions() override { return joined({{take_tool_action()}, path_actions()}); }
   std::vector<Gesture> gestures() const override {
-    return {
-        {60, "Click on a surface",
-         "Add a point to the path, with the tool Path; Shift begins another stroke"},
-        {70, "Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"}};
+    return {{"add_point", "Click on a surface",
+             "Add a point to the path, with the tool Path; Shift begins another stroke"},
+            {"move_point", "Left drag on a point or its knob",
+             "Move a point of the path over the surface, turn its beam"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
@@ -134,7 +132,6 @@ UserAction PathFeature::take_tool_action() {
   UserAction action = tool_action(
       workspace_, kPathTool, "Path", "O",
       "Click a surface to add a point, Shift+click for a new stroke; drag points and beams.", true);
-  action.ends_group = true;
   return action;
 }
 
@@ -151,8 +148,7 @@ std::vector<UserAction> PathFeature::path_actions() {
                  .pad_key = GLFW_KEY_KP_ENTER,
                  .tip = "Cuts along the path, like kerf cut --path.",
                  .run = [this] { ask_for_run(); },
-                 .disabled_reason = [this] { return why_no_run(); },
-                 .ends_group = true},
+                 .disabled_reason = [this] { return why_no_run(); }},
       UserAction{.id = "path.load",
                  .name = "Load Path...",
                  .tip = "Loads a path file (.json); you can also drop one on the window.",
@@ -175,8 +171,7 @@ std::vector<UserAction> PathFeature::path_actions() {
           .tip = "Deletes the selected point of the path; Backspace does the same.",
           .run = [this] { path_.begin_edit(), path_.remove(*path_.chosen()); },
           .disabled_reason = [this] { return path_.chosen() ? nullptr : "Select a point of the path."; },
-          .has_key_when = [this] { return in_hand() && path_.chosen(); },
-          .ends_group = true},
+          .has_key_when = [this] { return in_hand() && path_.chosen(); }},
       UserAction{
           .id = "path.undo",
           .name = "Undo Path Edit",
@@ -191,8 +186,7 @@ std::vector<UserAction> PathFeature::path_actions() {
                  .tip = "Repeats the undone edit of the path.",
                  .run = [this] { path_.redo(); },
                  .disabled_reason = [this] { return path_.can_redo() ? nullptr : "No path edit to redo."; },
-                 .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_redo(); },
-                 .ends_group = true},
+                 .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_redo(); }},
   };
 }
 

@@ -188,17 +188,15 @@ class MovingFeature : public Feature {
  public:
   explicit MovingFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"pieces", "Pieces", Tab::kCut, 601, true, [this] { draw_placement(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"pieces.placement", [this] { draw_placement(); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{240,
-             "Edit",
-             {move_action("pieces.move", "Move", "G", PieceMove::Kind::kMove),
-              move_action("pieces.rotate", "Rotate", "R", PieceMove::Kind::kTurn), duplicate_action()}}};
+  std::vector<UserAction> actions() override {
+    return {move_action("pieces.move", "Move", "G", PieceMove::Kind::kMove),
+            move_action("pieces.rotate", "Rotate", "R", PieceMove::Kind::kTurn), duplicate_action()};
   }
   std::vector<Gesture> gestures() const override {
-    return {{40, "Left drag on an arrow or a ring",
+    return {{"move_piece", "Left drag on an arrow or a ring",
              "Move or rotate the selected piece with the tool Select; Ctrl snaps to steps and vertices"}};
   }
 

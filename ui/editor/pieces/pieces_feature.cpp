@@ -31,25 +31,23 @@ class PiecesFeature : public Feature {
  public:
   explicit PiecesFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{kPiecesPanel, "Pieces", Tab::kCut, 600, true, [this] { draw_list(); }},
-            {kPiecesPanel, "Pieces", Tab::kCut, 602, true,
-             [this] { draw_spread(list_pieces(workspace_.world()).size() < 2); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"pieces.list", [this] { draw_list(); }},
+            {"pieces.explode", [this] { draw_spread(list_pieces(workspace_.world()).size() < 2); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {
-        {120, "File", {export_action()}},
-        {230, "Edit", piece_actions()},
-        {301,
-         "Tool",
-         {tool_action(workspace_, kPickTool, "Select", "K",
-                      "Click a piece or drag a box to select; Shift adds. With the Laser tool, use Ctrl.")}},
-        {1400, "Pieces", shown_actions()}};
+  std::vector<UserAction> actions() override {
+    return joined(
+        {{tool_action(workspace_, kPickTool, "Select", "K",
+                      "Click a piece or drag a box to select; Shift adds. With the Laser tool, use Ctrl."),
+          export_action()},
+         piece_actions(),
+         shown_actions()});
   }
   std::vector<Gesture> gestures() const override {
-    return {{20, "Ctrl+click", "Select a piece; with Shift one more"},
-            {30, "Ctrl+left drag", "Select the pieces in a box; from right to left those that it touches"},
-            {90, "Double click on a name in the list", "Rename the piece"}};
+    return {{"select", "Ctrl+click", "Select a piece; with Shift one more"},
+            {"select_box", "Ctrl+left drag",
+             "Select the pieces in a box; from right to left those that it touches"},
+            {"rename", "Double click on a name in the list", "Rename the piece"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
@@ -167,8 +165,7 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                      .run = [this] { return change_chosen([](const PieceId& p) { return DeletePiece{p}; }); },
                      .is_one = true});
               },
-          .disabled_reason = why_none,
-          .ends_group = true},
+          .disabled_reason = why_none},
   };
 }
 
@@ -210,10 +207,8 @@ UserAction PiecesFeature::spread_action(const char* id, const char* name, double
 
 std::vector<UserAction> PiecesFeature::shown_actions() {
   return {
-      UserAction{.id = "pieces.select_one",
-                 .name = "Select Pieces",
-                 .items = [this] { return pieces_to_choose(); },
-                 .in_menu = false},
+      UserAction{
+          .id = "pieces.select_one", .name = "Select Pieces", .items = [this] { return pieces_to_choose(); }},
       spread_action("pieces.explode_more", "Explode More", kSpreadStep),
       spread_action("pieces.explode_less", "Explode Less", -kSpreadStep),
   };

@@ -197,41 +197,38 @@ class PrepareFeature : public Feature {
  public:
   explicit PrepareFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{kPreparePanel, "Prepare", Tab::kMesh, 300, true, [this] {
+  std::vector<PanelPart> panel_parts() override {
+    return {{kPreparePanel, [this] {
                if (panel_.draw(workspace_.world(), workspace_.view, preparation_, preview_,
                                workspace_.settings.prepare_preview))
                  ask();
              }}};
   }
-  std::vector<ActionGroup> actions() override {
+  std::vector<UserAction> actions() override {
     using Kind = Preparation::Tool;
     return {
-        {540,
-         "Mesh",
-         {tool_action("prepare.simplify_to_faces", "Simplify to Face Count",
-                      "Reduces the number of faces to the number in the Prepare panel.",
-                      Kind::kSimplifyToFaces),
-          tool_action("prepare.simplify_to_error", "Simplify by Tolerance",
-                      "Reduces the number of faces within a maximum error.", Kind::kSimplifyToError),
-          tool_action("prepare.subdivide", "Subdivide",
-                      "Splits each face into three or four; can round the surface.", Kind::kSubdivide),
-          tool_action("prepare.smooth", "Smooth", "Moves vertices towards the mean of their neighbours.",
-                      Kind::kSmooth),
-          tool_action("prepare.turn_shells", "Turn Inner Shells",
-                      "Closed parts inside others that face the same way become cavities.",
-                      Kind::kTurnShells),
-          UserAction{.id = "prepare.apply",
-                     .name = "Prepare Mesh",
-                     .tip = "Applies the Prepare panel to the selected pieces, or to all.",
-                     .run = [this] { ask(); },
-                     .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},
-          UserAction{
-              .id = "prepare.preview",
-              .name = "Preview Preparation",
-              .tip = "Draws the edges of the new mesh over the current surface.",
-              .run = [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
-              .checked = [this] { return workspace_.settings.prepare_preview; }}}}};
+        tool_action("prepare.simplify_to_faces", "Simplify to Face Count",
+                    "Reduces the number of faces to the number in the Prepare panel.",
+                    Kind::kSimplifyToFaces),
+        tool_action("prepare.simplify_to_error", "Simplify by Tolerance",
+                    "Reduces the number of faces within a maximum error.", Kind::kSimplifyToError),
+        tool_action("prepare.subdivide", "Subdivide",
+                    "Splits each face into three or four; can round the surface.", Kind::kSubdivide),
+        tool_action("prepare.smooth", "Smooth", "Moves vertices towards the mean of their neighbours.",
+                    Kind::kSmooth),
+        tool_action("prepare.turn_shells", "Turn Inner Shells",
+                    "Closed parts inside others that face the same way become cavities.", Kind::kTurnShells),
+        UserAction{.id = "prepare.apply",
+                   .name = "Prepare Mesh",
+                   .tip = "Applies the Prepare panel to the selected pieces, or to all.",
+                   .run = [this] { ask(); },
+                   .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},
+        UserAction{
+            .id = "prepare.preview",
+            .name = "Preview Preparation",
+            .tip = "Draws the edges of the new mesh over the current surface.",
+            .run = [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
+            .checked = [this] { return workspace_.settings.prepare_preview; }}};
   }
 
   void after_queue(double) override;
@@ -253,9 +250,8 @@ class PrepareFeature : public Feature {
                   preparation_.tool = tool;
                   preparation_.times = 1;
                 },
-            .checked = [this,
-                        tool] { return workspace_.panels.shows(kPreparePanel) && preparation_.tool == tool; },
-            .ends_group = tool == Preparation::Tool::kTurnShells};
+            .checked =
+                [this, tool] { return workspace_.panels.shows(kPreparePanel) && preparation_.tool == tool; }};
   }
 
   std::vector<PieceRow> pieces() const {

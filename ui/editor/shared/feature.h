@@ -17,23 +17,10 @@ namespace kerf {
 
 struct EditorOptions;
 
-// A panel below the header that bears its title. The settings keep under its id whether it is unfolded, and
-// where it is. Panels of the same id are drawn under one header, and the first of them says where.
-struct Panel {
-  const char* id;
-  const char* title;
-  Tab tab;        // of the column at the right
-  int place;      // among the panels, from top to bottom
-  bool unfolded;  // at first
+// Content of a panel, or of a part of one. layout_table.h states the panel.
+struct PanelPart {
+  const char* id;  // "laser.beam"
   std::function<void()> draw;
-  Dock dock = Dock::kColumn;  // at first
-};
-
-// Actions that follow each other in a menu, and the place of the group among all of them.
-struct ActionGroup {
-  int place;
-  const char* menu;  // of the actions that name no other
-  std::vector<UserAction> actions;
 };
 
 // A part of the editor with its panels, overlay, actions, keys and mouse input. Features are independent of
@@ -43,9 +30,9 @@ class Feature {
  public:
   virtual ~Feature() = default;
 
-  // Called once, at the start. The results may refer to the feature.
-  virtual std::vector<Panel> panels() { return {}; }
-  virtual std::vector<ActionGroup> actions() { return {}; }
+  // Called once, at the start, in any order. The results may refer to the feature.
+  virtual std::vector<PanelPart> panel_parts() { return {}; }
+  virtual std::vector<UserAction> actions() { return {}; }
   virtual std::vector<Gesture> gestures() const { return {}; }
 
   // Input. The first feature that returns true consumes an event: keys before actions, mouse events before

@@ -1,6 +1,7 @@
 #include "ui/editor/shared/user_input.h"
 
 #include <GLFW/glfw3.h>
+#include <iterator>
 
 #include "core/base/assert.h"
 #include "ui/window/window.h"
@@ -27,6 +28,12 @@ void UserAction::set_shortcut(const std::string& text) {
   shortcut = text;
   key = chord.key;
   mods = chord.mods;
+}
+
+std::vector<UserAction> joined(std::vector<std::vector<UserAction>> lists) {
+  std::vector<UserAction> all;
+  for (std::vector<UserAction>& list : lists) std::move(list.begin(), list.end(), std::back_inserter(all));
+  return all;
 }
 
 bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message) {

@@ -18,11 +18,10 @@ namespace kerf {
 // Something that the user can ask for by menu, by key and by name. The menus, the keys, the command palette
 // and the sheet of shortcuts are all made from one list of these.
 struct UserAction {
-  std::string id = {};         // "edit.undo"; empty for the items of a submenu
-  const char* menu = nullptr;  // null: that of its group
-  std::string name;            // as the user reads it
-  std::string shortcut = {};   // as parse_chord() reads it; empty: none
-  int pad_key = 0;             // GLFW_KEY_KP_* that does the same; 0: none
+  std::string id = {};        // "edit.undo"; empty for the items of a submenu
+  std::string name;           // as the user reads it
+  std::string shortcut = {};  // as parse_chord() reads it; empty: none
+  int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
   std::string tip = {};
   std::function<std::optional<TipPicture>()> tip_picture = {};  // under the tip; empty: none
   std::function<void()> run = {};
@@ -34,9 +33,10 @@ struct UserAction {
   // The actions of a submenu, as they are at the moment, in place of `run`. They have neither keys nor
   // submenus.
   std::function<std::vector<UserAction>()> items = {};
-  bool in_menu = true;      // false: only in the command palette and a panel
-  bool ends_group = false;  // a line under it in the menu
-  int key = 0, mods = 0;    // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
+  const char* menu = nullptr;  // set by the layout table, as are the next two
+  bool in_menu = true;         // false: only the command palette offers it
+  bool ends_group = false;     // a separator follows in the menu
+  int key = 0, mods = 0;       // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
 
   // Why it cannot be done at the moment; null where it can.
   const char* objection() const { return disabled_reason ? disabled_reason() : nullptr; }
@@ -45,23 +45,24 @@ struct UserAction {
 };
 
 // Returns an action that sets a value, which must outlive it, and then calls `then`. It is checked while the
-// value is set, and is in no menu. `menu` may be null.
+// value is set.
 template <typename Value>
 UserAction setting_action(
-    const char* menu, const char* id, const char* name, const char* tip, Value& value, Value set,
+    const char* id, const char* name, const char* tip, Value& value, Value set,
     std::function<void()> then = [] {}) {
   return {.id = id,
-          .menu = menu,
           .name = name,
           .tip = tip,
           .run = [&value, set, then = std::move(then)] { value = set, then(); },
-          .checked = [&value, set] { return value == set; },
-          .in_menu = false};
+          .checked = [&value, set] { return value == set; }};
 }
+
+// Appends the lists to each other.
+std::vector<UserAction> joined(std::vector<std::vector<UserAction>> lists);
 
 // A mouse gesture in the viewport, for the list of shortcuts.
 struct Gesture {
-  int place;  // in the list
+  const char* id;
   const char* gesture;
   const char* meaning;
 };

@@ -53,11 +53,9 @@ UserAction tool_action(Workspace& workspace, const char* tool, const char* name,
 
 UserAction picture_action(ViewState& view, const char* id, const char* name, const char* tip,
                           std::function<void()> change) {
-  return {.id = id,
-          .name = name,
-          .tip = tip,
-          .run = [&view, change = std::move(change)] { change(), view.picture_old = true; },
-          .in_menu = false};
+  return {.id = id, .name = name, .tip = tip, .run = [&view, change = std::move(change)] {
+            change(), view.picture_old = true;
+          }};
 }
 
 UserAction flag_action(ViewState& view, const char* id, const char* name, bool& flag, const char* tip) {

@@ -117,7 +117,7 @@ void stand_together(Workspace& workspace);
 UserAction tool_action(Workspace& workspace, const char* tool, const char* name, const char* shortcut,
                        const char* tip, bool has_panel = false);
 
-// Returns an action that changes the view, in no menu. Its state and disabled reason can be added.
+// Returns an action that changes the view. Its state and disabled reason can be added.
 UserAction picture_action(ViewState& view, const char* id, const char* name, const char* tip,
                           std::function<void()> change);
 // Returns the action that flips a flag of the view.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+#include <utility>
 
 namespace kerf {
 
@@ -78,31 +80,72 @@ std::span<const BindingPreset> binding_presets() { return kPresets; }
 
 namespace {
 
-template <typename T>
-void append_in_order(std::vector<T>& all, std::vector<T> some) {
-  std::move(some.begin(), some.end(), std::back_inserter(all));
-  std::stable_sort(all.begin(), all.end(), [](const T& a, const T& b) { return a.place < b.place; });
+// The contributions of all features by their ids.
+template <typename T, typename Contribute>
+std::map<std::string, T> by_id(const Features& features, const Contribute& contribute) {
+  std::map<std::string, T> all;
+  for (const auto& feature : features) {
+    for (T& one : contribute(*feature)) {
+      std::string id = one.id;
+      all.emplace(std::move(id), std::move(one));
+    }
+  }
+  return all;
+}
+
+// Moves the actions of a menu to the end of the list, except for those that no feature has.
+void append_menu(const MenuLayout& menu, bool in_menu, std::map<std::string, UserAction>& actions,
+                 std::vector<UserAction>& list) {
+  for (size_t i = 0; i < menu.actions.size(); ++i) {
+    const auto found = actions.find(menu.actions[i]);
+    if (found == actions.end()) continue;
+    UserAction action = std::move(found->second);
+    action.menu = menu.title;
+    action.in_menu = in_menu;
+    action.ends_group =
+        i + 1 < menu.actions.size() && std::string_view(menu.actions[i + 1]) == MenuLayout::kLine;
+    action.set_shortcut(action.shortcut);
+    list.push_back(std::move(action));
+  }
 }
 
 }  // namespace
 
 void Catalogue::gather(const Features& features, PanelPlaces& places) {
-  std::vector<ActionGroup> groups;
-  for (const auto& feature : features) {
-    append_in_order(panels, feature->panels());
-    append_in_order(groups, feature->actions());
-    append_in_order(gestures, feature->gestures());
-  }
-  for (const Panel& panel : panels) places.add(panel.id, panel.tab, panel.dock, panel.unfolded);
-  places.choose_tab();
-  for (ActionGroup& group : groups) {
-    for (UserAction& action : group.actions) {
-      if (action.menu == nullptr) action.menu = group.menu;
-      action.set_shortcut(action.shortcut);
-      usual.push_back(std::move(action));
+  add_panels(features, places);
+  add_actions(features);
+  add_gestures(features);
+}
+
+void Catalogue::add_panels(const Features& features, PanelPlaces& places) {
+  auto parts = by_id<PanelPart>(features, [](Feature& f) { return f.panel_parts(); });
+  for (const TabLayout& tab : tab_layout()) {
+    for (const PanelLayout& layout : tab.panels) {
+      Panel panel{layout.id, layout.title, {}};
+      for (const char* part : layout.parts) {
+        const auto found = parts.find(part);
+        if (found != parts.end()) panel.parts.push_back(std::move(found->second.draw));
+      }
+      panels.push_back(std::move(panel));
+      places.add(layout.id, tab.tab, layout.dock, layout.unfolded);
     }
   }
+  places.choose_tab();
+}
+
+void Catalogue::add_actions(const Features& features) {
+  auto all = by_id<UserAction>(features, [](Feature& f) { return f.actions(); });
+  for (const MenuLayout& menu : menu_layout()) append_menu(menu, true, all, usual);
+  for (const MenuLayout& menu : palette_layout()) append_menu(menu, false, all, usual);
   actions = usual;
+}
+
+void Catalogue::add_gestures(const Features& features) {
+  const auto all = by_id<Gesture>(features, [](Feature& f) { return f.gestures(); });
+  for (const char* id : gesture_layout()) {
+    const auto found = all.find(id);
+    if (found != all.end()) gestures.push_back(found->second);
+  }
 }
 
 void Catalogue::bind(const Settings& settings, std::map<std::string, std::string>& shortcuts) {

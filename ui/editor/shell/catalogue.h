@@ -8,6 +8,7 @@
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/user_input.h"
+#include "ui/editor/shell/layout_table.h"
 #include "ui/window/window.h"
 
 namespace kerf {
@@ -38,9 +39,14 @@ struct BindingPreset {
 };
 std::span<const BindingPreset> binding_presets();
 
-using Features = std::vector<std::unique_ptr<Feature>>;
+// A panel with the parts that features draw, from top to bottom.
+struct Panel {
+  const char* id;
+  const char* title;
+  std::vector<std::function<void()>> parts;
+};
 
-// Panels, actions and gestures of all features.
+// Panels, actions and gestures of all features, in the order of the layout table.
 struct Catalogue {
   std::vector<Panel> panels;        // from top to bottom
   std::vector<UserAction> usual;    // with their default keys, in the order of the menus
@@ -53,6 +59,10 @@ struct Catalogue {
   void bind(const Settings& settings, std::map<std::string, std::string>& shortcuts);
 
  private:
+  void add_panels(const Features& features, PanelPlaces& places);
+  void add_actions(const Features& features);
+  void add_gestures(const Features& features);
+
   std::map<std::string, std::string> bound_;
 };
 

@@ -292,14 +292,12 @@ class Dialogs : public Feature {
  public:
   Dialogs(Workspace& workspace, const Catalogue& catalogue) : workspace_(workspace), catalogue_(catalogue) {}
 
-  std::vector<ActionGroup> actions() override {
-    return {{721, "View", column_actions()}, {800, "Help", help_actions()}};
-  }
+  std::vector<UserAction> actions() override { return joined({column_actions(), help_actions()}); }
   std::vector<Gesture> gestures() const override {
-    return {{100, "Middle drag, Alt+left drag", "Orbit"},
-            {110, "Shift+middle drag, right drag", "Pan"},
-            {140, "Wheel", "Zoom to the pointer"},
-            {160, "Esc",
+    return {{"orbit", "Middle drag, Alt+left drag", "Orbit"},
+            {"pan", "Shift+middle drag, right drag", "Pan"},
+            {"zoom", "Wheel", "Zoom to the pointer"},
+            {"escape", "Esc",
              "Close a menu; end the cut, also one that is still at work; stop opening a file; clear the "
              "selection"}};
   }

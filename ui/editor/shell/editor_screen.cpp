@@ -103,7 +103,7 @@ void send(Workspace& workspace) {
 }  // namespace
 
 EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded,
-                           const EditorOptions& options, MakeFeatures make_features)
+                           const EditorOptions& options)
     : window_(window), options_(options), landmarks_(options.landmarks), picture_(std::move(picture)) {
   workspace_.picture = &picture_;
   workspace_.window = &window;

@@ -62,11 +62,9 @@ class BusyWindow {
 class EditorScreen : public Screen {
  public:
   // Creates the features of an editor; the catalogue is filled later.
-  using MakeFeatures = Features (*)(Workspace&, const Catalogue&);
 
   // The window and the options must outlive it. Precondition: an ImGui context is current.
-  EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded, const EditorOptions& options,
-               MakeFeatures make_features);
+  EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded, const EditorOptions& options);
   EditorScreen(const EditorScreen&) = delete;
   EditorScreen& operator=(const EditorScreen&) = delete;
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include "ui/window/layout.h"
 #include "ui/window/property_rows.h"
@@ -181,26 +180,9 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 constexpr float kMinStripPanel = 22;  // width in sizes of the text; more panels scroll
 
-// Returns the panels that have the id of the first one.
-std::span<const Panel> with_one_id(std::span<const Panel> panels) {
-  size_t count = 1;
-  while (count < panels.size() && std::string_view(panels[count].id) == panels.front().id) ++count;
-  return panels.first(count);
-}
-
-// Calls `draw` with the parts of each panel in turn.
-template <typename Draw>
-void for_each_id(std::span<const Panel> panels, const Draw& draw) {
-  while (!panels.empty()) {
-    const std::span<const Panel> parts = with_one_id(panels);
-    draw(parts);
-    panels = panels.subspan(parts.size());
-  }
-}
-
-void draw_parts(std::span<const Panel> parts) {
+void draw_parts(const Panel& panel) {
   ImGui::Spacing();
-  for (const Panel& part : parts) part.draw();
+  for (const auto& draw : panel.parts) draw();
   ImGui::Spacing();
 }
 
@@ -216,8 +198,8 @@ void bring_into_view(float top) {
 // Draws the header of a panel, and the panel if it is unfolded here. The header in the sidebar of a panel
 // docked elsewhere shows and folds it there. A panel unfolded by other means than its header scrolls into
 // view.
-void draw_foldable(std::span<const Panel> parts, PanelPlaces& places, Dock here) {
-  const char *id = parts.front().id, *title = parts.front().title;
+void draw_foldable(const Panel& panel, PanelPlaces& places, Dock here) {
+  const char *id = panel.id, *title = panel.title;
   const bool is_here = places.dock_of(id) == here, was = places.is_unfolded(id);
   ImGui::PushID(id);
   const bool comes = is_here && was && was_folded(title);
@@ -233,7 +215,7 @@ void draw_foldable(std::span<const Panel> parts, PanelPlaces& places, Dock here)
   if (unfolded && !was) places.show(id);
   if (!unfolded && was) places.fold(id);
   draw_dock_button(id, right, places);
-  if (unfolded && is_here) draw_parts(parts);
+  if (unfolded && is_here) draw_parts(panel);
   if (revealed) bring_into_view(top);
   ImGui::PopID();
 }
@@ -257,9 +239,9 @@ void draw_column(const Area& area, std::span<const Panel> panels, PanelPlaces& p
   ImGui::PopStyleVar();
   if (begin_area("##side", {area.at + Vec2(0, tabs), {area.size.x, std::max(1.0, area.size.y - tabs)}})) {
     ImGui::PushID(static_cast<int>(places.tab()));
-    for_each_id(panels, [&](std::span<const Panel> parts) {
-      if (places.tab_of(parts.front().id) == places.tab()) draw_foldable(parts, places, Dock::kColumn);
-    });
+    for (const Panel& panel : panels) {
+      if (places.tab_of(panel.id) == places.tab()) draw_foldable(panel, places, Dock::kColumn);
+    }
     ImGui::PopID();
   }
   ImGui::End();
@@ -268,30 +250,30 @@ void draw_column(const Area& area, std::span<const Panel> panels, PanelPlaces& p
 void draw_second_column(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
   if (area.size.x <= 0) return;
   if (begin_area("##second", area)) {
-    for_each_id(panels, [&](std::span<const Panel> parts) {
-      const char* id = parts.front().id;
+    for (const Panel& panel : panels) {
+      const char* id = panel.id;
       if (places.dock_of(id) == Dock::kSecondColumn && places.is_unfolded(id))
-        draw_foldable(parts, places, Dock::kSecondColumn);
-    });
+        draw_foldable(panel, places, Dock::kSecondColumn);
+    }
   }
   ImGui::End();
 }
 
 void draw_strip(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
   if (area.size.y <= 0) return;
-  std::vector<std::span<const Panel>> shown;
-  for_each_id(panels, [&](std::span<const Panel> parts) {
-    const char* id = parts.front().id;
-    if (places.dock_of(id) == Dock::kStrip && places.is_unfolded(id)) shown.push_back(parts);
-  });
+  std::vector<const Panel*> shown;
+  for (const Panel& panel : panels) {
+    const char* id = panel.id;
+    if (places.dock_of(id) == Dock::kStrip && places.is_unfolded(id)) shown.push_back(&panel);
+  }
   if (begin_area("##strip", area, kFilled)) {
     const float gap = ImGui::GetStyle().ItemSpacing.x, all = ImGui::GetContentRegionAvail().x;
     const auto count = static_cast<float>(std::max<size_t>(shown.size(), 1));
     const float width =
         std::max((all - gap * (count - 1)) / count, std::min(all, kMinStripPanel * ImGui::GetFontSize()));
-    for (const std::span<const Panel> parts : shown) {
-      if (parts.data() != shown.front().data()) ImGui::SameLine();
-      if (ImGui::BeginChild(parts.front().id, {width, 0})) draw_foldable(parts, places, Dock::kStrip);
+    for (const Panel* panel : shown) {
+      if (panel != shown.front()) ImGui::SameLine();
+      if (ImGui::BeginChild(panel->id, {width, 0})) draw_foldable(*panel, places, Dock::kStrip);
       ImGui::EndChild();
     }
   }
@@ -309,9 +291,8 @@ Area window_area(const std::string& id, const Layout& layout, const Settings& se
   return area;
 }
 
-void draw_window(std::span<const Panel> parts, const Layout& layout, PanelPlaces& places,
-                 Settings& settings) {
-  const std::string id = parts.front().id, title = parts.front().title + ("###" + id);
+void draw_window(const Panel& panel, const Layout& layout, PanelPlaces& places, Settings& settings) {
+  const std::string id = panel.id, title = panel.title + ("###" + id);
   const Area area = window_area(id, layout, settings);
   ImGui::SetNextWindowPos(to_im(area.at), ImGuiCond_Appearing);
   ImGui::SetNextWindowSize(to_im(area.size), ImGuiCond_Appearing);
@@ -322,7 +303,7 @@ void draw_window(std::span<const Panel> parts, const Layout& layout, PanelPlaces
     mark_window(("panel " + id).c_str());
     ImGui::PushID(id.c_str());
     draw_dock_button(id.c_str(), ImGui::GetContentRegionMax().x, places);
-    draw_parts(parts);
+    draw_parts(panel);
     ImGui::PopID();
   }
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
@@ -344,24 +325,24 @@ void draw_panel_areas(const Layout& layout, std::span<const Panel> panels, Panel
   draw_column(layout.side, panels, places);
   draw_second_column(layout.second_side, panels, places);
   draw_strip(layout.strip, panels, places);
-  for_each_id(panels, [&](std::span<const Panel> parts) {
-    const char* id = parts.front().id;
+  for (const Panel& panel : panels) {
+    const char* id = panel.id;
     if (places.dock_of(id) == Dock::kWindow && places.is_unfolded(id))
-      draw_window(parts, layout, places, settings);
-  });
+      draw_window(panel, layout, places, settings);
+  }
 }
 
 std::vector<UserAction> panel_actions(std::span<const Panel> panels, PanelPlaces& places) {
   std::vector<UserAction> actions;
-  for_each_id(panels, [&](std::span<const Panel> parts) {
-    const std::string id = parts.front().id;
-    actions.push_back({.name = parts.front().title, .tip = "Shows or folds this panel."});
+  for (const Panel& panel : panels) {
+    const std::string id = panel.id;
+    actions.push_back({.name = panel.title, .tip = "Shows or folds this panel."});
     actions.back().run = [&places, id] {
       if (places.shows(id)) return places.fold(id);
       places.show(id);
     };
     actions.back().checked = [&places, id] { return places.shows(id); };
-  });
+  }
   return actions;
 }
 

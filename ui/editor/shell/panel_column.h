@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/user_input.h"
+#include "ui/editor/shell/catalogue.h"
 #include "ui/window/layout.h"
 
 namespace kerf {
@@ -26,8 +26,8 @@ void draw_tab_bar(PanelPlaces& places);
 std::vector<UserAction> tab_actions(PanelPlaces& places);
 
 // Draws the panels in their places: the sidebar under the selected tab, the second column, the strip, and
-// floating windows. Panels of the same id are one panel. `panels` is in display order; changes by the
-// user are stored in the places and the settings.
+// floating windows. `panels` is in display order; changes by the user are stored in the places and the
+// settings.
 void draw_panel_areas(const Layout& layout, std::span<const Panel> panels, PanelPlaces& places,
                       Settings& settings);
 

@@ -254,17 +254,14 @@ class SingleStepFeature : public Feature {
         [this] { return stages_.wishes.on ? "Bodies do not move in step mode." : nullptr; });
   }
 
-  std::vector<Panel> panels() override {
-    return {{"tree", "Tree", Tab::kView, 1051, false,
+  std::vector<PanelPart> panel_parts() override {
+    return {{"tree.query",
              [this] {
                if (stages_.wishes.on) draw_query_walk(stages_.log);
              }},
-            {"single_step", "Step Mode", Tab::kView, 1200, false,
-             [this] { panel_.draw(stages_, workspace_.work.document, workspace_.view); }}};
+            {"single_step", [this] { panel_.draw(stages_, workspace_.work.document, workspace_.view); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{500, "Tool", beginnings()}, {501, "Tool", steps()}, {1100, "Tree", view_actions()}};
-  }
+  std::vector<UserAction> actions() override { return joined({beginnings(), steps(), view_actions()}); }
 
   void update(double seconds) override { cut_.advance(std::min(seconds, Workspace::kLongestStep)); }
   void after_queue(double) override {
@@ -390,32 +387,26 @@ std::vector<UserAction> SingleStepFeature::steps() {
 }
 
 UserAction SingleStepFeature::speed_action(const char* id, const char* name, double factor) {
-  return {.id = id,
-          .menu = "Step Mode",
-          .name = name,
-          .tip = "Speed of playback in stages per second.",
-          .run =
-              [this, factor] {
-                double& speed = stages_.wishes.per_second;
-                speed = std::clamp(speed * factor, StageWishes::kSlowest, StageWishes::kFastest);
-              },
-          .in_menu = false};
+  return {.id = id, .name = name, .tip = "Speed of playback in stages per second.", .run = [this, factor] {
+            double& speed = stages_.wishes.per_second;
+            speed = std::clamp(speed * factor, StageWishes::kSlowest, StageWishes::kFastest);
+          }};
 }
 
 // Visits one more or one less box of the last query.
 UserAction SingleStepFeature::visit_action(const char* id, const char* name, const char* shortcut, int by) {
-  return {.id = id,
-          .name = name,
-          .shortcut = shortcut,
-          .tip = "Steps through the boxes of the last tree query in the order of their tests.",
-          .run =
-              [this, by] {
-                const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
-                stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
-              },
-          .disabled_reason =
-              [this] { return stages_.log.query().empty() ? "No stage has queried the tree yet." : nullptr; },
-          .in_menu = false};
+  return {
+      .id = id,
+      .name = name,
+      .shortcut = shortcut,
+      .tip = "Steps through the boxes of the last tree query in the order of their tests.",
+      .run =
+          [this, by] {
+            const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
+            stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
+          },
+      .disabled_reason =
+          [this] { return stages_.log.query().empty() ? "No stage has queried the tree yet." : nullptr; }};
 }
 
 std::vector<UserAction> SingleStepFeature::view_actions() {
@@ -428,8 +419,7 @@ std::vector<UserAction> SingleStepFeature::view_actions() {
        .name = "Show Last Tree Query",
        .tip = "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
        .run = [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
-       .checked = [this] { return stages_.log.query().drawn; },
-       .in_menu = false}};
+       .checked = [this] { return stages_.log.query().drawn; }}};
 }
 
 }  // namespace

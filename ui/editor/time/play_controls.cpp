@@ -48,8 +48,7 @@ UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
           .disabled_reason = [&play, faster]() -> const char* {
             if (faster) return play.can_go_faster() ? nullptr : "Already at maximum speed: real time.";
             return play.can_go_slower() ? nullptr : "Already at minimum speed: 1/8 of real time.";
-          },
-          .ends_group = faster};
+          }};
 }
 
 std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
@@ -325,12 +324,12 @@ class TimeFeature : public Feature {
  public:
   explicit TimeFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"bodies", "Bodies", Tab::kPhysics, 700, true, [this] { panel_.draw(workspace_, play_); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"bodies", [this] { panel_.draw(workspace_, play_); }}};
   }
-  std::vector<ActionGroup> actions() override { return {{520, "Physics", body_actions(workspace_, play_)}}; }
+  std::vector<UserAction> actions() override { return body_actions(workspace_, play_); }
   std::vector<Gesture> gestures() const override {
-    return {{50, "Ctrl+left drag on a piece", "Pull it by a spring, while bodies move"}};
+    return {{"pull_piece", "Ctrl+left drag on a piece", "Pull it by a spring, while bodies move"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {

@@ -344,14 +344,14 @@ class LightFeature : public Feature {
  public:
   explicit LightFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{kLightPanel, "Light", Tab::kView, 1310, false, [this] {
+  std::vector<PanelPart> panel_parts() override {
+    return {{kLightPanel, [this] {
                draw_light_panel(workspace_.view, workspace_.world().bounds(), workspace_.statistics.shadows);
              }}};
   }
-  std::vector<ActionGroup> actions() override { return {{1300, "Light", light_actions()}}; }
+  std::vector<UserAction> actions() override { return light_actions(); }
   std::vector<Gesture> gestures() const override {
-    return {{130, "Left drag on a light", "Move it, while the Light panel is open"}};
+    return {{"move_light", "Left drag on a light", "Move it, while the Light panel is open"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {
@@ -429,10 +429,7 @@ std::vector<UserAction> LightFeature::light_actions() {
         look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
       });
   next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
-  return {UserAction{.id = "light.preset",
-                     .name = "Light Preset",
-                     .items = [this] { return presets(); },
-                     .in_menu = false},
+  return {UserAction{.id = "light.preset", .name = "Light Preset", .items = [this] { return presets(); }},
           add, remove, next,
           flag_action(view, "light.paper_look", "Paper Shadow Style", look.shadow.paper_look,
                       "Draws shadows as transparent black instead of omitting the light.")};

@@ -241,7 +241,7 @@ using Edit = std::function<void(ViewState&)>;
 
 // Shows the plane first if it is hidden.
 UserAction edit_action(Workspace& workspace, const char* id, const char* name, const char* tip, Edit edit) {
-  UserAction action{.id = id, .name = name, .tip = tip, .in_menu = false};
+  UserAction action{.id = id, .name = name, .tip = tip};
   action.run = [&workspace, edit = std::move(edit)] {
     workspace.view.look.show.section = true;
     place_section(workspace.view, workspace.world());
@@ -260,32 +260,30 @@ class SectionFeature : public Feature {
  public:
   explicit SectionFeature(Workspace& workspace) : workspace_(workspace) {}
 
-  std::vector<Panel> panels() override {
-    return {{"view", "View", Tab::kView, 1000, true, [this] { draw_rows(); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"view.section", [this] { draw_rows(); }}};
   }
 
-  std::vector<ActionGroup> actions() override {
-    return {{1500,
-             "View",
-             {edit_action(workspace_, "section.flip", "Flip Section Plane",
-                          "Swaps the visible and the hidden side.", flip_section),
-              across(workspace_, "section.across_x", "Section Plane Across X", 0),
-              across(workspace_, "section.across_y", "Section Plane Across Y", 1),
-              across(workspace_, "section.across_z", "Section Plane Across Z", 2),
-              edit_action(workspace_, "section.face_view", "Align Section Plane to View",
-                          "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
-              edit_action(workspace_, "section.copy", "Copy Section Plane",
-                          "Copies the plane as text for kerf render --section.",
-                          [this](ViewState& view) { copy_section(view, workspace_.message); }),
-              UserAction{.id = "section.paste",
-                         .name = "Paste Section Plane",
-                         .tip = "Sets the plane from text in the clipboard.",
-                         .run = [this] { paste_section(workspace_.view, workspace_.message); },
-                         .in_menu = false}}}};
+  std::vector<UserAction> actions() override {
+    return {edit_action(workspace_, "section.flip", "Flip Section Plane",
+                        "Swaps the visible and the hidden side.", flip_section),
+            across(workspace_, "section.across_x", "Section Plane Across X", 0),
+            across(workspace_, "section.across_y", "Section Plane Across Y", 1),
+            across(workspace_, "section.across_z", "Section Plane Across Z", 2),
+            edit_action(workspace_, "section.face_view", "Align Section Plane to View",
+                        "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
+            edit_action(workspace_, "section.copy", "Copy Section Plane",
+                        "Copies the plane as text for kerf render --section.",
+                        [this](ViewState& view) { copy_section(view, workspace_.message); }),
+            UserAction{.id = "section.paste",
+                       .name = "Paste Section Plane",
+                       .tip = "Sets the plane from text in the clipboard.",
+                       .run = [this] { paste_section(workspace_.view, workspace_.message); }}};
   }
 
   std::vector<Gesture> gestures() const override {
-    return {{120, "Left drag on the section plane's handles", "Move it along its normal, or turn it"}};
+    return {
+        {"move_section", "Left drag on the section plane's handles", "Move it along its normal, or turn it"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {

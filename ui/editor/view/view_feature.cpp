@@ -109,18 +109,13 @@ UserAction look_action(ViewState& view, size_t which) {
                     .name = looked.name,
                     .shortcut = std::string(opposite ? "Ctrl+" : "") + kKeys.at(which / 2),
                     .pad_key = kPadKeys.at(which / 2),
-                    .tip = "Also on the number pad, and by clicking the axes in the corner.",
-                    .ends_group = which + 1 == kStandardViews.size()};
+                    .tip = "Also on the number pad, and by clicking the axes in the corner."};
   action.run = [&view, &looked] { view.camera.turn_to(looked.yaw, looked.pitch); };
   return action;
 }
 
 UserAction switch_action(Workspace& workspace, const ViewSwitch& s) {
-  UserAction action{.id = action_id(s),
-                    .name = action_name(s),
-                    .tip = s.tip,
-                    .in_menu = s.in_menu,
-                    .ends_group = s.ends_group};
+  UserAction action{.id = action_id(s), .name = action_name(s), .tip = s.tip};
   if (s.key != 0) action.shortcut = std::string(1, s.key);
   action.run = [&view = workspace.view, &message = workspace.message, &s] {
     s.flip(view.look);
@@ -142,20 +137,17 @@ class ViewFeature : public Feature {
   // The legends drawn here replace those of the renderer.
   explicit ViewFeature(Workspace& workspace) : workspace_(workspace) { workspace_.view.look.legends = false; }
 
-  std::vector<Panel> panels() override {
-    return {{"view", "View", Tab::kView, 1001, true, [this] { draw_switches(); }},
-            {"display", "Display", Tab::kView, 1600, false,
-             [this] { display_.draw(workspace_.settings, workspace_.view); }}};
+  std::vector<PanelPart> panel_parts() override {
+    return {{"view.switches", [this] { draw_switches(); }},
+            {"display", [this] { display_.draw(workspace_.settings, workspace_.view); }}};
   }
-  std::vector<ActionGroup> actions() override {
-    return {{220, "Edit", text_of_view_actions()},
-            {700, "Camera", camera_actions()},
-            {710, "View", switch_actions()},
-            {722, "View", {theme_action()}},
-            {730, "View", scale_actions()}};
+  std::vector<UserAction> actions() override {
+    return joined(
+        {text_of_view_actions(), camera_actions(), switch_actions(), {theme_action()}, scale_actions()});
   }
   std::vector<Gesture> gestures() const override {
-    return {{150, "Click on the axes in the corner", "Look along that axis; a drag there orbits"}};
+    return {
+        {"look_along_axis", "Click on the axes in the corner", "Look along that axis; a drag there orbits"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {
@@ -200,8 +192,7 @@ std::vector<UserAction> ViewFeature::text_of_view_actions() {
                  .name = "Paste Camera",
                  .shortcut = "Ctrl+V",
                  .tip = "Sets the camera from text in the clipboard.",
-                 .run = [this] { paste_view(workspace_); },
-                 .ends_group = true},
+                 .run = [this] { paste_view(workspace_); }},
   };
 }
 
@@ -219,8 +210,7 @@ std::vector<UserAction> ViewFeature::camera_actions() {
                  .name = "Reset View",
                  .shortcut = "Home",
                  .tip = "Restores the view as it was when the file was opened.",
-                 .run = [this] { go_home(workspace_.view, workspace_.world().bounds()); },
-                 .ends_group = true},
+                 .run = [this] { go_home(workspace_.view, workspace_.world().bounds()); }},
   };
   for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(workspace_.view, i));
   actions.push_back(

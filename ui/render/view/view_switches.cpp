@@ -91,8 +91,7 @@ constexpr std::array kSwitches{
          .label = "Ray-Traced Shadows",
          .key = 'Y',
          .tip = "Traces the shadow of the selected light in a static view and marks wrong pixels in magenta.",
-         .in_view_panel = false,
-         .ends_group = true}),
+         .in_view_panel = false}),
     of<&ViewOptions::rim_glow>(
         {.id = SwitchId::kRimGlow,
          .report = "rim_glow",
@@ -128,7 +127,6 @@ constexpr std::array kSwitches{
     ViewSwitch{.id = SwitchId::kBoxesHit,
                .show = "aabb-hit",
                .report = "boxes_hit",
-               .in_menu = false,
                .in_view_panel = false,
                .get = shows_boxes_hit,
                .set = set<&ShowOptions::aabb_hit>},
@@ -192,8 +190,7 @@ constexpr std::array kSwitches{
                               .report = "joints",
                               .label = "Joints",
                               .tip = "Axes of hinges and hubs, and crosses at welds. A joint is removed with "
-                                     "the faces that carry it.",
-                              .ends_group = true}),
+                                     "the faces that carry it."}),
     of<&ViewOptions::ghost>({.id = SwitchId::kGhost,
                              .report = "ghost",
                              .label = "Removed Faces",
@@ -202,14 +199,12 @@ constexpr std::array kSwitches{
     of<&ViewOptions::two_sided>({.id = SwitchId::kTwoSided,
                                  .report = "two_sided",
                                  .label = "Two-Sided Lighting",
-                                 .tip = "Lights faces from both sides; if off, their backs are black.",
-                                 .in_menu = false}),
+                                 .tip = "Lights faces from both sides; if off, their backs are black."}),
     of<&ViewOptions::cull_backs>({.id = SwitchId::kCullBacks,
                                   .report = "cull_backs",
                                   .label = "Backface Culling",
                                   .tip = "Skips back faces: faster, but holes then show nothing inside. Off "
-                                         "in the paper for this reason.",
-                                  .in_menu = false}),
+                                         "in the paper for this reason."}),
     of<&ViewOptions::sparks>({.id = SwitchId::kSparks,
                               .report = "sparks",
                               .label = "Sparks and Smoke",
@@ -217,8 +212,7 @@ constexpr std::array kSwitches{
     of<&ViewOptions::antialias>({.id = SwitchId::kAntialias,
                                  .report = "antialias",
                                  .label = "Anti-Aliasing",
-                                 .tip = "Smooths edges. Turn it off for speed without a graphics card.",
-                                 .ends_group = true}),
+                                 .tip = "Smooths edges. Turn it off for speed without a graphics card."}),
 };
 
 }  // namespace

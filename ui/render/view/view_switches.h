@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// The switches of the view, in the order of menus and panels.
+// The switches of the view, in the order of panels.
 enum class SwitchId {
   kShadows,
   kSilhouette,
@@ -47,14 +47,12 @@ inline constexpr std::array kOffAndOn{"off", "on"};
 // states, off and on; the key of others cycles through their states.
 struct ViewSwitch {
   SwitchId id;
-  const char* show = "";    // name in `--show`; empty: none of its overlays
-  const char* report = "";  // key in the editor's report, and id of its action; empty: not in it
-  const char* label = "";   // in menus and panels; empty: in neither
-  char key = 0;             // capital letter of its key; 0: none
-  const char* tip = "";     // tooltip
-  bool in_menu = true;
-  bool in_view_panel = true;                        // false: in another panel
-  bool ends_group = false;                          // a separator after it in the menu
+  const char* show = "";      // name in `--show`; empty: none of its overlays
+  const char* report = "";    // key in the editor's report, and id of its action; empty: not in it
+  const char* label = "";     // in menus and panels; empty: in neither
+  char key = 0;               // capital letter of its key; 0: none
+  const char* tip = "";       // tooltip
+  bool in_view_panel = true;  // false: in another panel
   std::span<const char* const> states = kOffAndOn;  // display names, off first; `--show` sets the last
   size_t (*get)(const ViewOptions&) = nullptr;      // the state, an index of `states`
   void (*set)(ViewOptions&, size_t) = nullptr;

@@ -8,10 +8,8 @@ namespace kerf {
 namespace {
 
 const char* why_no_recut(Feature& laser) {
-  for (const ActionGroup& group : laser.actions()) {
-    for (const UserAction& action : group.actions) {
-      if (action.id == "laser.recut") return action.objection();
-    }
+  for (const UserAction& action : laser.actions()) {
+    if (action.id == "laser.recut") return action.objection();
   }
   return "There is no such action.";
 }

@@ -164,10 +164,8 @@ struct Bench {
     workspace.pointer = area.at + 0.5 * area.size;
   }
   void run(const std::string& action) {
-    for (const ActionGroup& group : feature->actions()) {
-      for (const UserAction& a : group.actions) {
-        if (a.id == action) a.run();
-      }
+    for (const UserAction& a : feature->actions()) {
+      if (a.id == action) a.run();
     }
   }
   bool key(int key) { return feature->handle_event({InputEvent::Kind::kKey, {}, key}, false); }

@@ -39,7 +39,7 @@ TEST(ViewSwitches, names_and_keys_are_given_once) {
 
 TEST(ViewSwitches, what_people_can_flip_has_a_label_and_says_what_it_does) {
   for (const ViewSwitch& s : view_switches()) {
-    const bool offered = s.in_menu || s.in_view_panel || s.key != 0;
+    const bool offered = s.in_view_panel || s.key != 0;
     EXPECT_EQ(offered, s.label[0] != '\0') << s.report;
     EXPECT_EQ(offered, s.tip[0] != '\0') << s.report;
   }

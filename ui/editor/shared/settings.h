@@ -81,7 +81,7 @@ struct LoadedSettings {
 };
 
 // Reads the settings. A missing file and invalid values give defaults. Labels in a file of version 1 become
-// ids (see convert_labels). A file that is not JSON is renamed with ".bad" appended, so that it is not
+// ids. A file that is not JSON is renamed with ".bad" appended, so that it is not
 // overwritten.
 LoadedSettings read_settings(const std::filesystem::path& file);
 

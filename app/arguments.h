@@ -51,14 +51,6 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, T& x, const 
   return option->check([range](const std::string& text) { return check_number(text, range, kWhole); });
 }
 
-}  // namespace kerf
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
-
-namespace kerf {
-
 // Command line options for rendering an image.
 struct PictureArguments {
   std::string size = "1280x720", eye, target, section, show;

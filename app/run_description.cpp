@@ -49,7 +49,6 @@ nlohmann::ordered_json with_run_description(const nlohmann::ordered_json& report
                                   {"angle", "degree"},
                                   {"time", "ms"}}}};
   all.update(report);
-  if (!all.contains("notes")) all["notes"] = nlohmann::ordered_json::array();
   return all;
 }
 

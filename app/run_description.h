@@ -12,8 +12,7 @@ namespace kerf {
 void record_command(std::vector<std::string> words);
 void record_inputs(std::vector<std::string> files);
 
-// Returns a report that begins with the version, the command line, the inputs and the units of all numbers,
-// and has a list of notes, perhaps empty.
+// Returns the report with the version, the command line, the inputs and the units of all numbers in front.
 nlohmann::ordered_json with_run_description(const nlohmann::ordered_json& report);
 
 }  // namespace kerf

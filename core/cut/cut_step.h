@@ -92,7 +92,7 @@ struct UnfinishedRim {
 // Scheme by which a face is split.
 enum class Scheme {
   kOneToFour,    // into four, with green pairs for conformity (see OneToFour)
-  kLongestEdge,  // into two at its longest edge (see longest_edge.h)
+  kLongestEdge,  // into two at its longest edge (see refinement.h)
 };
 
 // Boundary that a stroke leaves.

@@ -178,7 +178,7 @@ nlohmann::ordered_json removed_json(const CutJob& job, bool any_solid) {
 
 void add_solid(nlohmann::ordered_json& report, const CutJob& job, bool any_solid) {
   if (any_solid) report["walls"] = {{"faces", job.solid.wall_faces}, {"area", job.solid.wall_area}};
-  if (!job.notes.empty()) report["notes"] = job.notes;
+  report["notes"] = job.notes;
 }
 
 void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Sizes of the tree: few files, each with one concept, in few folders.
 
-file_counts.py ROOT prints the counts, and `too many: ...` with exit code 1 if one exceeds its limit.
+file_counts.py ROOT prints the counts, and a line for each one beyond its limit, with exit code 1.
 """
 import os
 import re
 import statistics
 import sys
 
-MOST_FILES, LEAST_MEDIAN, LONGEST, MOST_FOLDERS, DEEPEST = 650, 120, 700, 48, 3
+MAX_FILES, MIN_MEDIAN, MAX_LINES, MAX_FOLDERS, MAX_DEPTH = 650, 120, 700, 48, 3
 
 
 def line_counts(root):
@@ -31,13 +31,13 @@ def main(root):
     print(f'{len(counts)} files, median {median:g} lines, longest {lines} ({longest}), {len(folders)} folders, '
           f'{sum(counts.values())} lines')
     wrong = [text for text, bad in (
-        (f'files: {len(counts)}, at most {MOST_FILES}', len(counts) > MOST_FILES),
-        (f'short files: median {median:g}, at least {LEAST_MEDIAN}', median < LEAST_MEDIAN),
-        (f'lines in {longest}: {lines}, at most {LONGEST}', lines > LONGEST),
-        (f'folders: {len(folders)}, at most {MOST_FOLDERS}', len(folders) > MOST_FOLDERS),
-        (f'levels of folders: {depth}, at most {DEEPEST}', depth > DEEPEST)) if bad]
+        (f'files: {len(counts)}, at most {MAX_FILES}', len(counts) > MAX_FILES),
+        (f'short files: median {median:g}, at least {MIN_MEDIAN}', median < MIN_MEDIAN),
+        (f'lines in {longest}: {lines}, at most {MAX_LINES}', lines > MAX_LINES),
+        (f'folders: {len(folders)}, at most {MAX_FOLDERS}', len(folders) > MAX_FOLDERS),
+        (f'levels of folders: {depth}, at most {MAX_DEPTH}', depth > MAX_DEPTH)) if bad]
     for text in wrong:
-        print('too many', text)
+        print('beyond the limit:', text)
     return 1 if wrong else 0
 
 

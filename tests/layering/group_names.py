@@ -9,7 +9,7 @@ import os
 import re
 import sys
 
-FEWEST = 6  # sources of a folder that has groups of its own; others join the folder above
+MIN_MEMBERS = 6  # sources of a folder with groups of its own; smaller folders join the one above
 TYPE = re.compile(r'(?:struct|class|enum class|union) (\w+)(?!.*;$)')
 ALIAS = re.compile(r'using (\w+) =')
 CONSTANT = re.compile(r'(?:static |inline )?(?:constexpr|const|constinit) [^(=;]*?\b(\w+)(?:\[[^\]]*\])?\s*(?:=|\{|\()')
@@ -23,7 +23,7 @@ def groups(root):
         for folder, _, files in os.walk(os.path.join(root, top)):
             members = [os.path.join(folder, name) for name in sorted(files) if name.endswith('.cpp')]
             if members:
-                owner = folder if len(members) >= FEWEST else os.path.dirname(folder)
+                owner = folder if len(members) >= MIN_MEMBERS else os.path.dirname(folder)
                 folders.setdefault(owner, []).extend(members)
     return folders.values()
 

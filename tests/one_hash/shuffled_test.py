@@ -88,7 +88,7 @@ def compare_cuts(rng, shuffled, folder):
         run([*arguments, "--out", out], how)
         with open(os.path.join(out, "report.json")) as file:
             report = json.load(file)
-        del report["timing_ms"]
+        del report["timing_ms"], report["command"]  # which names the output folder
         reports.append(report)
     pieces = [piece["file"] for piece in reports[0]["pieces"]]
     equal = filecmp.cmpfiles(os.path.join(folder, "plain"), os.path.join(folder, "shuffled"), pieces, shallow=False)[0]

@@ -402,11 +402,7 @@ void GameScreen::took(const FrameTime& time) {
   frame_seconds_.push_back(time.whole);
 }
 
-}  // namespace kerf
-
 // Before a match: the menu, the tutorial, and loading of the selected mode.
-
-namespace kerf {
 
 void GameScreen::go_to_start() {
   show_choice();

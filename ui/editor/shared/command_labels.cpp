@@ -47,7 +47,7 @@ std::string left_sentence(const StageRecord& record) {
          " left for this stage.";
 }
 
-// Labels of commands that need neither lengths nor a piece, and of those that name a piece.
+// The label of each kind of command.
 struct CommandLabel {
   const std::string& piece;
   FileUnit unit;

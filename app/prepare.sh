@@ -105,26 +105,22 @@ single_option() {
 # ccache treats paths below the checkout as relative, so clones share its results, and gets the included headers from
 # the compiler.
 compile() {
-  local all_steps all_groups
-  all_steps=$(ninja -C "$folder" -t commands "$target" | wc -l)
-  all_groups=$(ninja -C "$folder" -t commands "$target" | grep -c '/groups/.* -c ') || true
   CCACHE_BASEDIR=$root CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros \
     NINJA_STATUS='[%f/%t %e] ' ninja -C "$folder" "$target" 2>&1 | show_progress ||
     fail "could not build $target in $folder"
 }
 
-# show_progress: prints the output of ninja without target names. A terminal gets a progress line with the estimated
-# time left; a log gets one after 2 seconds and then every 15, so a short build prints nothing. The filter survives an
-# interrupt, because ninja would otherwise die on the broken pipe before it ends its compilers.
+# show_progress: prints the output of ninja without target names. A terminal gets a progress line; a log gets one after
+# 2 seconds and then every 15, so a short build prints nothing. The filter survives an interrupt, because ninja would
+# otherwise die on the broken pipe before it ends its compilers.
 show_progress() {
   trap '' INT
-  local line next_line=2 groups=0
+  local line next_line=2
   while IFS= read -r line; do
     case $line in
       'ninja: Entering directory'* | 'ninja: no work to do'* | *'Re-checking globbed'*) continue ;;
     esac
     if [[ $line =~ ^\[([0-9]+)/([0-9]+)\ ([0-9]+) ]]; then
-      [[ $line != */groups/* ]] || groups=$((groups + 1))
       show_step "${BASH_REMATCH[@]:1}"
     else
       [[ ! -t 2 ]] || printf '\r\033[K' >&2
@@ -134,22 +130,12 @@ show_progress() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
-# show_step DONE ALL SECONDS: estimates the time left from the work done. A group of sources counts as ten other steps,
-# the share of groups is that of a full build, and one step per processor is half done.
+# show_step DONE ALL SECONDS: gives no estimate of the time left, because the steps differ by a factor of a hundred.
 show_step() {
-  local ended=$1 all=$2 seconds=$3 groups_of_all work done text bar left
+  local ended=$1 all=$2 seconds=$3 text bar
   [[ -t 2 ]] || ((seconds >= next_line)) || return 0
   next_line=$((seconds + 15))
-  text="building, $ended of $all steps"
-  if ((ended > 0 && ended < all && seconds >= 5)); then
-    groups_of_all=$((all_groups * all / all_steps))
-    ((groups_of_all >= groups)) || groups_of_all=$groups
-    work=$((2 * all + 18 * groups_of_all))
-    done=$((2 * ended + 18 * groups + (groups < groups_of_all ? 10 : 1) * $(nproc)))
-    ((done < work)) || done=$((work - 1))
-    left=$((seconds * (work - done) / done))
-    text+=$(printf ', about %d:%02d left' $((left / 60)) $((left % 60)))
-  fi
+  printf -v text 'building, %d of %d steps, %d:%02d' "$ended" "$all" $((seconds / 60)) $((seconds % 60))
   if [[ -t 2 ]]; then
     printf -v bar '%*s' $((30 * ended / all)) ''
     printf '\r\033[K[%-30s] %s' "${bar// /#}" "$text" >&2

@@ -96,6 +96,10 @@ Result<BuiltMesh> load_mesh(const std::filesystem::path& file) {
   return load_showing_progress<BuiltMesh>(file, load_mesh);
 }
 
+Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file) {
+  return load_showing_progress<BuiltMesh>(file, load_mesh_with_corners);
+}
+
 Result<OpenedFile> load_file(const std::filesystem::path& file) {
   auto opened = load_showing_progress<OpenedFile>(file, open_file);
   if (opened && !opened->journal.damage.empty()) warn(opened->journal.damage);

@@ -82,6 +82,7 @@ Result<Loaded> load_showing_progress(const std::filesystem::path& file,
 // Reads a mesh file and builds its mesh, showing a ProgressLine. Fails with an error that names the file, or
 // with stopped() after Ctrl-C.
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file);
+Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file);
 
 // Opens any file that Kerf reads, showing a ProgressLine, and warns of a damaged journal. Fails like
 // load_mesh.

@@ -44,7 +44,7 @@ class CutRun {
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = read_material(); !s) return s;
     const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all,
-                              options_.solid};
+                              options_.solid, options_.provenance};
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
     if (const auto s = begin_journal(); !s) return s;
@@ -131,6 +131,12 @@ class CutRun {
     for (const std::string& file : {options_.path, options_.settings}) inputs.add(file);
     if (options_.material) inputs.add(assets_folder() / "materials.json");
     if (const Status free = folder.check("--out", inputs); !free) return free;
+    if (!options_.provenance.empty()) {
+      if (folder.may_write(options_.provenance))
+        return bad_input("--provenance: " + options_.provenance +
+                         " is a name of a piece or of the report; use another name");
+      if (const Status free = inputs.check("--provenance", options_.provenance); !free) return free;
+    }
     if (options_.journal.empty()) return Done{};
     if (folder.may_write(options_.journal))
       return bad_input("--journal: " + options_.journal +
@@ -144,7 +150,7 @@ class CutRun {
       if (interrupted()) return stopped();
       Result<BuiltMesh> built = [&] {
         const Stopwatch watch(job_.load_s);
-        return load_mesh(body.mesh);
+        return options_.provenance.empty() ? load_mesh(body.mesh) : load_mesh_with_corners(body.mesh);
       }();
       if (!built) return built.error();
       tell(built->report);

@@ -202,6 +202,9 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   Offer offer{command};
   visit_options(o, offer);
   command.add_option("--journal", o.journal, "The file for the journal (.kerf) of the cut, for kerf replay");
+  command.add_option("--provenance", o.provenance,
+                     "The file (.npz) for the source face of each face of the pieces and the barycentric "
+                     "coordinates of its corners there");
   command.add_option("--settings", o.settings, "A JSON file with the same keys; the command line wins");
 }
 

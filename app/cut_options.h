@@ -18,7 +18,7 @@ namespace kerf {
 // Options of `kerf cut`. The default of an empty option depends on the meshes and the path file.
 struct CutOptions {
   std::vector<std::string> meshes;
-  std::string path, out, settings, journal;
+  std::string path, out, settings, journal, provenance;
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
   std::optional<std::string> range, pattern, scheme, rim, model, material, format, assist;

@@ -1,20 +1,29 @@
 #include "app/cut_output.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "app/console.h"
 #include "app/run_description.h"
+#include "app/surface_files.h"
 #include "core/base/number_format.h"
 #include "core/base/parallel.h"
 #include "core/base/platform.h"
 #include "core/cut/stopwatch.h"
+#include "core/document/npz_file.h"
+#include "core/document/piece_looks.h"
 #include "core/document/save.h"
 #include "core/document/text/json.h"
+#include "core/mesh/files/surface_conversion.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
+#include "core/world/body_mass.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {
@@ -131,7 +140,28 @@ class EarlierResult {
 struct Part {
   Extract extract;
   const Body* body = nullptr;
+  std::vector<FaceId> faces;
+  std::string source;  // name for the node or object, from its part in the file; empty if that has none
 };
+
+// Names parts after their sources in their order: "fender", "fender.001" and so on.
+void name_parts(const World& world, std::vector<Part>& parts) {
+  std::set<std::string> taken;
+  std::map<std::string, size_t> counts;
+  for (Part& part : parts) {
+    const BodyId from = part.body->loaded_as;
+    if (!world.contains(from)) continue;
+    const std::string name = part_name_of(*part.body, world.body(from).named_parts, part.faces);
+    if (name.empty()) continue;
+    size_t& count = counts[name];
+    do {
+      char ending[24] = "";
+      if (count > 0) std::snprintf(ending, sizeof ending, ".%03zu", count);
+      part.source = name + ending;
+      ++count;
+    } while (!taken.insert(part.source).second);
+  }
+}
 
 // Returns the pieces of a world, largest area first. Copies them on several threads.
 std::vector<Part> parts_of(const World& world, bool split_all) {
@@ -146,10 +176,12 @@ std::vector<Part> parts_of(const World& world, bool split_all) {
   }
   std::vector<Part> parts(groups.size());
   for_each_range(groups.size(), 1, [&](size_t i, size_t) {
-    parts[i] = {extract_faces(*groups[i].body, groups[i].faces), groups[i].body};
+    parts[i] = {
+        extract_faces(*groups[i].body, groups[i].faces), groups[i].body, std::move(groups[i].faces), {}};
   });
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.extract.area > b.extract.area; });
+  name_parts(world, parts);
   return parts;
 }
 
@@ -168,8 +200,104 @@ std::vector<Vec3> seen_from(const Vec3& origin, std::vector<Vec3> positions) {
   return positions;
 }
 
+// Origins of the faces of all pieces.
+struct Provenance {
+  std::vector<int64_t> meshes, faces, pieces;
+  std::vector<double> barycentrics;
+
+  void add(const Part& part, int64_t piece, std::span<const uint32_t> order) {
+    const std::vector<FaceSource> sources = sources_of(*part.body, part.faces);
+    for (size_t i = 0; i < sources.size(); ++i) {
+      const FaceSource& source = sources[order.empty() ? i : order[i]];
+      meshes.push_back(source.face < 0 ? -1 : int64_t{part.body->loaded_as.slot});
+      faces.push_back(source.face);
+      pieces.push_back(piece);
+      for (const Vec3& weights : source.barycentrics) {
+        for (int k = 0; k < 3; ++k) barycentrics.push_back(weights[k]);
+      }
+    }
+  }
+
+  Status write(const std::string& path) const {
+    NpzFile file;
+    const std::array<size_t, 3> shape{faces.size(), 3, 3};
+    const std::span<const size_t> whole(shape), one(shape.data(), 1);
+    file.add("source_face", faces, one);
+    file.add("source_barycentrics", barycentrics, whole);
+    file.add("source_mesh", meshes, one);
+    file.add("piece", pieces, one);
+    const auto bytes = file.take();
+    if (!bytes) return failed(path + ": " + bytes.error().message);
+    return write_file_atomically(path, *bytes);
+  }
+};
+
+bool is_gltf(MeshFormat format) { return format == MeshFormat::kGlb || format == MeshFormat::kGltf; }
+
+// Counts of the losses of looks by a format, by what is lost.
+class LostLooks {
+ public:
+  void add(const Part& part, MeshFormat format) {
+    const MeshFormatRow& row = format_row(format);
+    const Body& body = *part.body;
+    const Looks* looks = body.looks.get();
+    std::vector<std::string> lost;
+    const size_t uv_sets = looks ? looks->uv_sets() : 0;
+    if (uv_sets > 0 && !row.uvs_and_normals) lost.emplace_back("UVs");
+    if (uv_sets > 1 && format == MeshFormat::kObj) lost.emplace_back("second UVs");
+    if (looks && looks->has_normals() && !row.uvs_and_normals) lost.emplace_back("normals");
+    const bool names = std::ranges::any_of(
+        body.material_names, [](const std::string& n) { return !n.empty() && n != kCutMaterial; });
+    if (names && !row.materials) lost.emplace_back("materials");
+    const bool textures = looks && looks->surfaces() && !looks->surfaces()->images.empty();
+    if (textures && !row.materials) lost.emplace_back("textures");
+    if (!part.extract.colours.empty() && format == MeshFormat::kStl) lost.emplace_back("vertex colours");
+    if (!lost.empty()) faces_ += part.extract.triangles.size();
+    for (const std::string& what : lost) {
+      if (std::ranges::find(kinds_, what) == kinds_.end()) kinds_.push_back(what);
+    }
+    if (!looks || !looks->surfaces() || !row.materials) return;
+    for (const uint16_t m :
+         std::set<uint16_t>(part.extract.materials.begin(), part.extract.materials.end())) {
+      if (m >= looks->surfaces()->materials.size()) continue;
+      const SurfaceMaterial& material = looks->surfaces()->materials[m];
+      const auto members = is_gltf(format) ? lost_in_gltf(material) : lost_in_mtl(material);
+      if (members.empty()) continue;
+      materials_.insert(&material);
+      members_.insert(members.begin(), members.end());
+    }
+  }
+
+  void add_notes(MeshFormat format, std::vector<std::string>& notes) const {
+    const std::string title =
+        std::string(format_row(format).title) + (format == MeshFormat::kPly ? " as written by Kerf" : "");
+    if (faces_ > 0) {
+      notes.push_back(title + " holds no " + list(kinds_, " or ") + ": " + count_text(faces_, "face") +
+                      (faces_ == 1 ? " loses its" : " lose theirs"));
+    }
+    if (!members_.empty()) {
+      notes.push_back(title + " holds no " + list({members_.begin(), members_.end()}, " or ") + ": " +
+                      count_text(materials_.size(), "material") +
+                      (materials_.size() == 1 ? " loses its" : " lose theirs"));
+    }
+  }
+
+ private:
+  static std::string list(const std::vector<std::string>& items, const std::string& last) {
+    std::string text;
+    for (size_t i = 0; i < items.size(); ++i)
+      text += (i == 0 ? "" : i + 1 == items.size() ? last : ", ") + items[i];
+    return text;
+  }
+
+  std::vector<std::string> kinds_;
+  size_t faces_ = 0;
+  std::set<std::string> members_;
+  std::set<const SurfaceMaterial*> materials_;
+};
+
 Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder,
-                                 const Vec3& origin, bool moved) {
+                                 const SurfaceFiles& surfaces, const Vec3& origin, bool moved) {
   char name[40];
   std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
   const Extract& e = part.extract;
@@ -177,7 +305,16 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   const std::string stem = file.stem().string();
   const MeshFormat format = *mesh_format(folder.format);
   const std::vector<Vec3> positions = seen_from(origin, e.positions);
-  const MeshView view{positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
+  MeshView view{positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
+  CornerLooks looks;
+  if (format_row(format).uvs_and_normals) looks = looks_of(*part.body, part.faces, is_gltf(format));
+  if (looks.any()) view.looks = &looks;
+  if (part.body->looks) view.surfaces = part.body->looks->surfaces().get();
+  if (format == MeshFormat::kObj && !surfaces.library().empty()) {
+    view.mtl = surfaces.library();
+    view.material_names = surfaces.names(*part.body);
+  }
+  if (!part.source.empty()) view.name = view.object = part.source;
   if (const auto s = write_mesh(view, file, format); !s) return s.error();
   WrittenPiece piece;
   piece.precision = precision_loss(view, format);
@@ -194,23 +331,43 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   return piece;
 }
 
-// Writes several pieces at a time. Appends those that were written, and fails if some are missing.
-Status write_pieces(const World& world, const PiecesFolder& folder, const Vec3& origin,
-                    std::vector<WrittenPiece>& written) {
+Status write_provenance(const std::vector<Part>& parts, const PiecesFolder& folder) {
+  Provenance provenance;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const Extract& e = parts[i].extract;
+    std::vector<uint32_t> order;
+    if (is_gltf(*mesh_format(folder.format)))
+      order = gltf_order({e.positions, e.triangles, e.materials, parts[i].body->material_names});
+    provenance.add(parts[i], static_cast<int64_t>(i), order);
+  }
+  return provenance.write(folder.provenance);
+}
+
+// Writes several pieces at a time. Appends those that were written, and notes on lost looks. Fails if some
+// are missing.
+Status write_pieces(const World& world, const PiecesFolder& folder, const SurfaceFiles& surfaces,
+                    const Vec3& origin, std::vector<WrittenPiece>& written, std::vector<std::string>& notes) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
   const bool moved = any_has_moved(world);
   std::vector<std::optional<Result<WrittenPiece>>> results(parts.size());
   ProgressLine line("writing");
   const Progress progress = line.progress();
-  for_each_range(parts.size(), 1, &progress,
-                 [&](size_t i, size_t) { results[i] = write_piece(parts[i], i, folder, origin, moved); });
+  for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) {
+    results[i] = write_piece(parts[i], i, folder, surfaces, origin, moved);
+  });
   Status status = Done{};
   for (const auto& result : results) {
     if (result && *result) written.push_back(**result);
     if (result && !*result && status) status = result->error();
   }
-  if (!status || written.size() == parts.size()) return status;
-  return failed("stopped before all pieces were written, so there is no report");
+  if (!status) return status;
+  if (written.size() < parts.size())
+    return failed("stopped before all pieces were written, so there is no report");
+  const MeshFormat format = *mesh_format(folder.format);
+  LostLooks lost;
+  for (const Part& part : parts) lost.add(part, format);
+  lost.add_notes(format, notes);
+  return folder.provenance.empty() ? Status(Done{}) : write_provenance(parts, folder);
 }
 
 }  // namespace
@@ -243,10 +400,16 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
   EarlierResult earlier(path);
   if (const Status begun = earlier.begin(); !begun) return begun.error();
   std::vector<WrittenPiece> written;
+  SurfaceFiles surfaces(world);
+  std::vector<std::string> lost;  // notes
   const Status saved = [&] {
     const Stopwatch watch(job.save_s);
-    return write_pieces(world, *this, job.origin, written);
+    if (format == "obj") {
+      if (const Status described = surfaces.write(path); !described) return described;
+    }
+    return write_pieces(world, *this, surfaces, job.origin, written, lost);
   }();
+  if (!saved) surfaces.remove();
   if (!saved) earlier.remove_new(written);
   if (!saved) return saved.error();
   PrecisionLoss precision;
@@ -255,6 +418,7 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
       precision, *mesh_format(format),
       job.origin == Vec3(0) ? "write OBJ, PLY or OFF, or cut with --recentre" : "write OBJ, PLY or OFF");
   if (note) job.notes.push_back(*note);
+  job.notes.insert(job.notes.end(), lost.begin(), lost.end());
   nlohmann::ordered_json how = settings_json(settings, format, split_all);
   if (solid) how["solid"] = true;
   const auto report = with_run_description(cut_report(job, world, how, written));

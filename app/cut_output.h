@@ -19,8 +19,9 @@ std::string missed_text(const CutJob& job, const std::string& file);
 struct PiecesFolder {
   std::string path;
   std::string format = "obj";
-  bool split_all = false;  // every connected component is a piece
-  bool solid = false;      // all bodies were made solid; listed in the settings of the report
+  bool split_all = false;    // every connected component is a piece
+  bool solid = false;        // all bodies were made solid; listed in the settings of the report
+  std::string provenance{};  // file for the origins of the faces; empty: none
 
   // Fails with bad input if a file that write() may replace or remove is an input. Errors name `option`.
   Status check(const std::string& option, const InputFiles& inputs) const;
@@ -29,8 +30,9 @@ struct PiecesFolder {
   // Creates the folder. Fails if it cannot be created or used.
   Status make() const;
   // Writes the pieces as piece-0000 and so on, largest area first, relative to the origin of the job, then
-  // report.json with its statistics. Adds a note to the job if the format loses too much precision. Returns
-  // the pieces. Shows a ProgressLine. Every file is written completely or not at all.
+  // report.json with its statistics. Adds notes to the job on losses of precision and of looks by the format.
+  // Returns the pieces. Shows a ProgressLine. Every file is written completely or not at all. OBJ pieces
+  // share a material library, with its images beside it (see SurfaceFiles).
   //
   // The folder holds one run. The earlier report becomes report.json~ before the first piece is written, so a
   // failure or Ctrl-C leaves no report. Once the new files are complete, removes files named piece-NNNN.*

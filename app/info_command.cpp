@@ -8,6 +8,7 @@
 #include "core/document/material_table.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/measures.h"
 #include "core/mesh/mesh_file.h"
 
@@ -26,7 +27,21 @@ nlohmann::ordered_json to_json(const Repairs& r) {
           {"isolated_vertices_dropped", r.isolated_vertices_dropped}};
 }
 
-nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m, bool closed) {
+// Lists what the file holds in addition to its triangles.
+nlohmann::ordered_json looks_json(const BuiltMesh& built) {
+  const Looks* looks = built.looks.get();
+  nlohmann::ordered_json json{
+      {"uv_sets", looks ? looks->uv_sets() : 0},         {"normals", looks && looks->has_normals()},
+      {"vertex_colours", !built.mesh.colours().blank()}, {"materials", built.material_names},
+      {"images", nlohmann::ordered_json::array()},       {"parts", built.parts.size()}};
+  if (!looks || !looks->surfaces()) return json;
+  for (const SurfaceImage& image : looks->surfaces()->images)
+    json["images"].push_back({{"name", image.name}, {"bytes", image.bytes.size()}});
+  return json;
+}
+
+nlohmann::ordered_json to_json(const std::string& file, const BuiltMesh& built, bool closed) {
+  const MeshReport& m = built.report;
   return {{"file", file},
           {"format", m.format},
           {"faces_in_file", m.faces_in_file},
@@ -39,6 +54,7 @@ nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m, boo
           {"closed", closed},
           {"area", m.area},
           {"bounds", {{"min", vector_json(m.min)}, {"max", vector_json(m.max)}}},
+          {"looks", looks_json(built)},
           {"repairs", to_json(m.repairs)},
           {"notes", load_notes(m)}};
 }
@@ -51,9 +67,8 @@ Status run_info(const std::string& file) {
   if (!built) return built.error();
   for (const std::string& warning : built->report.warnings) warn(warning);
   const bool closed = enclosed_volume(built->mesh, 0.5 * (built->report.min + built->report.max)).closed;
-  std::cout
-      << to_json(file, built->report, closed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-      << '\n';
+  std::cout << to_json(file, *built, closed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+            << '\n';
   return flush_output();
 }
 

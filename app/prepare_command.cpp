@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/standard_streams.h"
+#include "core/base/number_format.h"
 #include "core/document/input_files.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/remesh/openmesh_tools.h"
@@ -76,6 +77,9 @@ class PrepareRun {
     auto built = load_mesh(options_.mesh);
     if (!built) return built.error();
     tell(built->report);
+    if (built->looks)
+      warn(options_.mesh + ": the new mesh keeps no UVs, normals or textures: " +
+           count_text(built->report.faces, "face") + " lose theirs");
     names_ = std::move(built->material_names);
     mesh_ = std::move(built->mesh);
     const size_t before = mesh_.live_faces();

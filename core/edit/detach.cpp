@@ -71,6 +71,7 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.components = components_of(copy.mesh, body, faces);
   keep_walls(copy);
   copy.material_names = body.material_names;
+  copy.looks = body.looks;
   copy.loaded = body.loaded;
   copy.loaded_as = body.loaded_as;
   copy.loaded_faces = loaded_faces_of(copy.mesh, body, faces);

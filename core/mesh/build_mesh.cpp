@@ -9,6 +9,7 @@
 #include "core/base/number_format.h"
 #include "core/base/parallel.h"
 #include "core/mesh/half_edges_internal.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/orientation.h"
 #include "core/mesh/pair_sides.h"
 #include "core/mesh/soup_topology.h"
@@ -43,7 +44,9 @@ class Builder {
       if (!part.report(0)) return cancelled();
       if (const Status done = (this->*stage.run)(part); !done) return done.error();
     }
-    return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names, std::move(parts_)};
+    auto looks = Looks::make(soup_, sources_, turned_, report_.warnings);
+    return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names, std::move(parts_),
+                     std::move(looks)};
   }
 
  private:
@@ -64,6 +67,7 @@ class Builder {
     triangles_ = std::move(usable->triangles);
     materials_ = std::move(usable->materials);
     parts_ = std::move(usable->parts);
+    sources_ = std::move(usable->sources);
     if (!triangles_.empty()) return Done{};
     return bad_input("no face is usable: every face is degenerate, not finite or invalid");
   }
@@ -86,8 +90,11 @@ class Builder {
     turn(inward);
     record_overlaps(overlapping_patches(soup_.positions, triangles_, *patches).size());
     patch_of_ = std::move(patches->patch_of);
-    for (size_t t = 0; t < triangles_.size(); ++t)
-      report_.repairs.reoriented_faces += (*disagreeing)[t] != inward[t];
+    turned_.resize(triangles_.size());
+    for (size_t t = 0; t < triangles_.size(); ++t) {
+      turned_[t] = (*disagreeing)[t] != inward[t];
+      report_.repairs.reoriented_faces += turned_[t];
+    }
     return Done{};
   }
 
@@ -316,6 +323,8 @@ class Builder {
   std::vector<Soup::Triangle> triangles_;  // corners are welded positions, and vertices after find_vertices()
   std::vector<uint16_t> materials_;        // by triangle, or empty if all are 0
   std::vector<MeshPart> parts_;            // of triangles_
+  std::vector<uint32_t> sources_;          // by triangle: its index in the soup; empty if they are the same
+  std::vector<bool> turned_;               // by triangle: turned from its orientation in the file
   SoupEdges edges_;
   std::vector<uint32_t> patch_of_;  // by triangle
   std::vector<uint32_t> partner_;   // by side: the side that its edge links it with, or kNoSide

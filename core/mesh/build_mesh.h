@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "core/mesh/mesh.h"
 
 namespace kerf {
+
+class Looks;
 
 // Changes made while building the mesh. Every triangle of the file is counted: triangles_in_file = faces +
 // degenerate_faces_dropped + non_finite_faces_dropped + invalid_faces_dropped.
@@ -44,6 +47,7 @@ struct BuiltMesh {
   MeshReport report;
   std::vector<std::string> material_names;  // by FaceData::material; empty if the file names none
   std::vector<MeshPart> parts;              // of the soup, as ranges of faces; empty ones are dropped
+  std::shared_ptr<const Looks> looks;       // null if the file has none
 };
 
 // Builds a conforming half-edge mesh from a soup:

@@ -108,16 +108,17 @@ Result<Soup> parse(std::string_view bytes, const std::string& name, const std::f
   }
   const std::optional<MeshFormat> format = by_content ? by_content : mesh_format(path.extension().string());
   if (!format) return not_a_mesh(name, {});
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   switch (*format) {
     case MeshFormat::kObj:
-      return read_obj(bytes, name, progress);
+      return read_obj(bytes, name, progress, folder);
     case MeshFormat::kPly:
       return read_ply(bytes, name, progress);
     case MeshFormat::kStl:
       return read_stl(bytes, name, progress);
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
-      return read_gltf(bytes, name, progress, path.has_parent_path() ? path.parent_path() : ".");
+      return read_gltf(bytes, name, progress, folder);
     case MeshFormat::kOff:
       break;
   }
@@ -143,11 +144,15 @@ Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progre
   }
 }
 
-Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress) {
+namespace {
+
+Result<BuiltMesh> load_and_build(const std::filesystem::path& file, const Progress* progress,
+                                 bool keeps_corners) {
   constexpr double kReading = 0.2;  // of the time; the rest is building
   const Progress reading = share_of(progress, 0, kReading), building = share_of(progress, kReading, 1);
-  const auto soup = read_mesh(file, &reading);
+  auto soup = read_mesh(file, &reading);
   if (!soup) return soup.error();
+  soup->keeps_corners = keeps_corners;
   const std::string name = one_line(file.string());
   try {
     auto built = build_mesh(*soup, &building);
@@ -157,6 +162,16 @@ Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* p
   } catch (const std::bad_alloc&) {
     return failed(name + ": not enough memory to build its mesh.");
   }
+}
+
+}  // namespace
+
+Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress) {
+  return load_and_build(file, progress, false);
+}
+
+Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file, const Progress* progress) {
+  return load_and_build(file, progress, true);
 }
 
 namespace {
@@ -227,6 +242,12 @@ std::string obstacle_to_gltf(const MeshView& mesh) {
     return "glTF cannot store coordinates beyond 1.7e38";
   if (mesh.positions.size() + mesh.triangles.size() > (size_t{1} << 28))
     return "glTF cannot store more than 268435456 vertices and triangles";
+  size_t bytes = 0;  // at most
+  if (mesh.looks) bytes += 3 * mesh.triangles.size() * (48 + 8 * mesh.looks->uv_sets.size());
+  if (mesh.surfaces) {
+    for (const SurfaceImage& image : mesh.surfaces->images) bytes += image.bytes.size();
+  }
+  if (bytes >= size_t{1} << 32) return "glTF cannot store more than 4 GiB of UVs, normals and images";
   return {};
 }
 

@@ -23,6 +23,8 @@ Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progre
 // Reads a mesh file with read_mesh and builds its mesh with build_mesh. The message of every failure but
 // cancelled() names the file. `progress` may be null.
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress);
+// Likewise; the mesh has looks even if the file has none (see Soup::keeps_corners).
+Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file, const Progress* progress);
 
 // Returns notes for the user about the faces of a file, the most important first: dropped faces, changed
 // faces, consequences for cuts, and then the reader's warnings. Empty for a file without faults. Omits

@@ -96,6 +96,7 @@ class Choice {
     }
     usable_.triangles.resize(counts_.back().usable);
     if (!soup_.materials.empty()) usable_.materials.resize(counts_.back().usable);
+    if (counts_.back().usable < soup_.triangles.size()) usable_.sources.resize(counts_.back().usable);
     const auto copy = [&](size_t t, size_t end) {
       copy_usable(t, end, counts_[t / kTrianglesOfRange].usable);
     };
@@ -143,6 +144,7 @@ class Choice {
       if (!is_usable(t)) continue;
       usable_.triangles[to] = corners(t);
       if (!soup_.materials.empty()) usable_.materials[to] = soup_.materials[t];
+      if (!usable_.sources.empty()) usable_.sources[to] = static_cast<uint32_t>(t);
       ++to;
     }
   }

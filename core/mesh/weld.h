@@ -23,6 +23,7 @@ Result<std::vector<uint32_t>> weld_positions(std::span<const Vec3> positions, co
 struct UsableTriangles {
   std::vector<Soup::Triangle> triangles;  // of welded positions
   std::vector<uint16_t> materials;        // one per triangle, or empty like the soup's
+  std::vector<uint32_t> sources;          // by triangle: its index in the soup; empty if all are usable
   std::vector<MeshPart> parts;            // of these triangles; empty ones are dropped
   size_t degenerate = 0;                  // dropped: two corners at the same position
   size_t non_finite = 0;                  // dropped: a corner that is not finite

@@ -46,6 +46,7 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
   if (const Status s = unpack(std::move(components), body.components); !s) return s.error();
   body.material_names = std::move(built.material_names);
   body.named_parts = std::move(built.parts);
+  body.looks = std::move(built.looks);
   body.loaded = std::move(built.report);
   body.pieces.push_back({{body.loaded.faces, body.loaded.area}, moments_of(body.mesh, body.middle())});
   return body;

@@ -74,8 +74,9 @@ struct Body {
   LoadedComponents components;
   SeparationState separation;
   std::vector<std::string> material_names;
-  std::vector<MeshPart> named_parts;  // of base faces; empty for a detached body
-  MeshReport loaded;                  // content of the file
+  std::vector<MeshPart> named_parts;   // of base faces; empty for a detached body
+  std::shared_ptr<const Looks> looks;  // of loaded faces; null if the file has none, and after remeshing
+  MeshReport loaded;                   // content of the file
   // Origin of the faces: the body with which they were loaded, and the base face there by base face of this
   // body. The list is empty if both are equal, i.e. unless the body was detached from another.
   BodyId loaded_as;

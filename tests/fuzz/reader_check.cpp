@@ -11,6 +11,7 @@
 
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/files/encode.h"
+#include "core/mesh/files/readers.h"
 
 namespace kerf::fuzz {
 namespace {
@@ -31,6 +32,16 @@ void check_error(const Error& error) {
   require(error.message.find_first_of("\r\n") == std::string::npos, "an error of several lines");
 }
 
+template <typename T>
+void check_channel(const LookChannel<T>& channel, const Soup& soup) {
+  require(channel.corners.empty() || channel.corners.size() == soup.triangles.size(),
+          "UVs or normals that are not one a corner");
+  for (const auto& corners : channel.corners) {
+    for (const uint32_t v : corners)
+      require(v == channel.kNone || v < channel.values.size(), "a UV or a normal that is not there");
+  }
+}
+
 void check_soup(const Soup& soup) {
   require(!soup.triangles.empty(), "a soup without a face");
   require(soup.triangles_in_file == soup.triangles.size() + soup.invalid_faces_dropped,
@@ -42,6 +53,8 @@ void check_soup(const Soup& soup) {
           "materials that are not one a face");
   require(soup.colours.empty() || soup.colours.size() == soup.positions.size(),
           "colours that are not one a position");
+  for (const auto& set : soup.looks.uv_sets) check_channel(set, soup);
+  check_channel(soup.looks.normals, soup);
   for (const uint16_t m : soup.materials)
     require(m < soup.material_names.size(), "a material that is not there");
 }
@@ -180,6 +193,21 @@ void check_round_trip(Reader read, MeshFormat format, const BuiltMesh& built) {
   check_read_back(*back, w, built);
 }
 
+// UVs, normals and materials can be written and read again.
+void check_looks(const Soup& soup) {
+  if (!soup.looks.any() && !soup.surfaces) return;
+  const auto fits = [](const Vec3& p) { return is_finite(p) && fits_float(2.0 * p); };
+  if (!std::all_of(soup.positions.begin(), soup.positions.end(), fits)) return;
+  const MeshView view{soup.positions, soup.triangles,     soup.materials, soup.material_names, {}, {}, {},
+                      &soup.looks,    soup.surfaces.get()};
+  const auto glb = read_gltf(encoded(view, MeshFormat::kGlb), kName);
+  require(glb.ok(), "a glTF file with looks is refused: " + (glb ? "" : glb.error().message));
+  check_soup(*glb);
+  const auto obj = read_obj(encoded(view, MeshFormat::kObj), kName);
+  require(obj.ok(), "an OBJ file with looks is refused: " + (obj ? "" : obj.error().message));
+  check_soup(*obj);
+}
+
 }  // namespace
 
 void check_reader(Reader read, MeshFormat format, const uint8_t* data, size_t size) {
@@ -192,6 +220,7 @@ void check_reader(Reader read, MeshFormat format, const uint8_t* data, size_t si
   check_report(built->report, *soup);
   check_faces(*built, *soup);
   check_round_trip(read, format, *built);
+  check_looks(*soup);
 }
 
 }  // namespace kerf::fuzz

@@ -102,6 +102,29 @@ bool emit_lines(size_t items, size_t likely, const ByteSink& sink, Line line) {
 }
 constexpr size_t kPositionLine = 64, kTriangleLine = 28;
 
+// Appends the numbers of a line, each after a blank, and a line feed.
+template <typename V>
+void append_floats_line(const char* keyword, const V& numbers, std::string& text) {
+  text += keyword;
+  for (int k = 0; k < V::length(); ++k) {
+    text += ' ';
+    append_number(numbers[k], text);
+  }
+  text += '\n';
+}
+
+// Appends a corner of a face with the numbers of its UV and its normal, if any: 7, 7/7, 7//7 or 7/7/7.
+void append_obj_corner(uint32_t vertex, uint32_t uv, uint32_t normal, std::string& text) {
+  constexpr uint32_t kNone = LookChannel<Vec3>::kNone;
+  append_number(uint64_t{vertex} + 1, text);
+  if (uv == kNone && normal == kNone) return;
+  text += '/';
+  if (uv != kNone) append_number(uint64_t{uv} + 1, text);
+  if (normal == kNone) return;
+  text += '/';
+  append_number(uint64_t{normal} + 1, text);
+}
+
 // OBJ cannot return to the unnamed material, so it gets a name.
 void append_material(const char* keyword, const std::string& name, std::string& text) {
   text += keyword;
@@ -114,6 +137,11 @@ void append_material(const char* keyword, const std::string& name, std::string& 
 void encode_obj(const MeshView& mesh, const ByteSink& sink) {
   assert(mesh.materials.empty() || mesh.materials.size() == mesh.triangles.size());
   const size_t colour_numbers = mesh.colours.empty() ? 0 : mesh.any_translucent() ? 4 : 3;
+  const LookChannel<glm::vec2>* uvs =
+      mesh.looks && !mesh.looks->uv_sets.empty() ? &mesh.looks->uv_sets[0] : nullptr;
+  const LookChannel<glm::vec3>* normals =
+      mesh.looks && mesh.looks->normals.any() ? &mesh.looks->normals : nullptr;
+  constexpr uint32_t kNoValue = LookChannel<glm::vec2>::kNone;
   const auto append_position = [&](size_t i, std::string& text) {
     text += "v ";
     append_three(mesh.positions[i], text);
@@ -127,10 +155,28 @@ void encode_obj(const MeshView& mesh, const ByteSink& sink) {
     const auto& [a, b, c] = mesh.triangles[i];
     assert(std::max({a, b, c}) < mesh.positions.size());
     text += "f ";
-    append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
+    if (!mesh.looks) {
+      append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
+      return;
+    }
+    for (size_t k = 0; k < 3; ++k) {
+      append_obj_corner(mesh.triangles[i][k], uvs ? uvs->corners[i][k] : kNoValue,
+                        normals ? normals->corners[i][k] : kNoValue, text);
+      text += k < 2 ? ' ' : '\n';
+    }
+  };
+  const auto append_uv = [&](size_t i, std::string& text) {
+    const glm::vec2& uv = uvs->values[i];
+    append_floats_line("vt", glm::vec2(uv.x, mesh.looks->v_points_down ? 1 - uv.y : uv.y), text);
+  };
+  const auto append_normal = [&](size_t i, std::string& text) {
+    append_floats_line("vn", normals->values[i], text);
   };
   if (!mesh.mtl.empty() && !sink("mtllib " + std::string(mesh.mtl) + '\n')) return;
-  if (emit_lines(mesh.positions.size(), kPositionLine, sink, append_position))
+  if (!mesh.object.empty() && !sink("o " + std::string(mesh.object) + '\n')) return;
+  if (emit_lines(mesh.positions.size(), kPositionLine, sink, append_position) &&
+      (!uvs || emit_lines(uvs->values.size(), kTriangleLine, sink, append_uv)) &&
+      (!normals || emit_lines(normals->values.size(), kPositionLine, sink, append_normal)))
     emit_lines(mesh.triangles.size(), kTriangleLine, sink, append_triangle);
 }
 
@@ -177,7 +223,9 @@ void append_floats(const Vec3& v, std::string& bytes) {
   for (int i = 0; i < 3; ++i) append_little(static_cast<float>(v[i]), bytes);
 }
 
-// Returns the unit normal, zero for a degenerate triangle. Scaling the edges avoids overflow and underflow.
+}  // namespace
+
+// Scaling the edges avoids overflow and underflow.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;
   const double size =
@@ -187,6 +235,8 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double length = glm::length(normal);
   return length > 0 ? normal / length : Vec3(0);
 }
+
+namespace {
 
 std::string colour_properties(size_t count) {
   std::string lines;

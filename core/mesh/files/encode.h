@@ -6,10 +6,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/base/platform.h"
 #include "core/mesh/files/mesh_format.h"
+#include "core/mesh/files/surfaces.h"
 #include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
@@ -22,7 +24,10 @@ struct MeshView {
   std::span<const std::string> material_names;         // by material; covers every material of a triangle
   std::string_view mtl{};   // name of the MTL file in the same folder, on one line; empty: none. Only for OBJ
   std::string_view name{};  // of the node in glTF; empty: none
-  std::span<const VertexColour> colours{};  // one per position, or empty. Not for STL
+  std::span<const VertexColour> colours{};   // one per position, or empty. Not for STL
+  const CornerLooks* looks = nullptr;        // of the triangles; null: none. For OBJ and glTF
+  const SurfaceLibrary* surfaces = nullptr;  // describes the materials; null: none. For glTF
+  std::string_view object{};                 // name of the object in OBJ, on one line; empty: none
 
   // Returns true if the opacities of the colours must be written.
   bool any_translucent() const;
@@ -39,9 +44,9 @@ void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink);
 // Likewise as one string.
 std::string encoded(const MeshView& mesh, MeshFormat format);
 
-// OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has an MTL file, and
-// a usemtl at each change of the material. Colours follow the coordinates as three fractions, four if any is
-// not opaque.
+// OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has an MTL file, the
+// first set of UVs and the normals, and a usemtl at each change of the material. Colours follow the
+// coordinates as three fractions, four if any is not opaque.
 void encode_obj(const MeshView& mesh, const ByteSink& sink);
 // OFF with numbers likewise, or COFF with colours and opacities of eight bits; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);
@@ -54,13 +59,20 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 
 // Binary glTF 2.0: one node with the name, with a primitive for each material in use; the triangles of the
 // primitives follow one another. Positions are rounded to single precision relative to the middle of the
-// mesh, and colours to 16 bits of linear light. Preconditions: the extent is within the range of float, and
-// the file has fewer than 2^32 bytes.
+// mesh, and colours to 16 bits of linear light. Vertices with different UVs or normals are separate; if there
+// are looks, every vertex has a UV and a normal, zero and that of the face by default. Materials have the
+// surfaces, whose images are embedded byte for byte. Preconditions: the extent is within the range of float,
+// and the file has fewer than 2^32 bytes.
 void encode_glb(const MeshView& mesh, const ByteSink& sink);
 // Text glTF with the numbers in base 64. Same preconditions.
 void encode_gltf(const MeshView& mesh, const ByteSink& sink);
+// Returns the triangles of a mesh in their order in glTF, by material.
+std::vector<uint32_t> gltf_order(const MeshView& mesh);
 // Returns the middle of the bounding box, relative to which glTF stores positions; zero without any.
 Vec3 gltf_middle(std::span<const Vec3> positions);
+
+// Returns the unit normal of a triangle, zero if it is degenerate.
+Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c);
 
 // A material of an OBJ file, as described by its library (MTL).
 struct MaterialLook {

@@ -1,11 +1,17 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <type_traits>
 #include <vector>
 
+#include "core/base/containers.h"
 #include "core/base/json.h"
+#include "core/base/random.h"
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/encode.h"
 #include "core/mesh/files/gltf_file_internal.h"
+#include "core/mesh/files/surface_conversion.h"
 
 namespace kerf {
 
@@ -69,99 +75,255 @@ std::vector<Group> by_material(const MeshView& mesh) {
 
 OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-OrderedJson describe(const MeshView& mesh, const Floats& floats, const std::vector<Group>& groups,
-                     size_t bytes) {
-  const size_t position_bytes = mesh.positions.size() * 3 * sizeof(float),
-               vertex_bytes = position_bytes + mesh.colours.size() * kColourBytes;
-  OrderedJson primitives = OrderedJson::array(), materials = OrderedJson::array(),
-              accessors = OrderedJson::array();
-  accessors.push_back({{"bufferView", 0},
-                       {"componentType", kGltfFloat},
-                       {"count", mesh.positions.size()},
-                       {"type", "VEC3"},
-                       {"min", list_of(floats.low)},
-                       {"max", list_of(floats.high)}});
-  OrderedJson attributes{{"POSITION", 0}};
-  if (!mesh.colours.empty()) {
-    attributes["COLOR_0"] = accessors.size();
-    accessors.push_back({{"bufferView", 2},
-                         {"componentType", kGltfShort},
-                         {"normalized", true},
-                         {"count", mesh.colours.size()},
-                         {"type", "VEC4"}});
-  }
-  size_t offset = 0;
-  for (const Group& group : groups) {
-    OrderedJson primitive{{"attributes", attributes}, {"indices", accessors.size()}};
-    accessors.push_back({{"bufferView", 1},
-                         {"byteOffset", offset},
-                         {"componentType", kGltfInt},
-                         {"count", 3 * group.triangles.size()},
-                         {"type", "SCALAR"}});
-    offset += 3 * sizeof(uint32_t) * group.triangles.size();
-    if (group.material < mesh.material_names.size() && !mesh.material_names[group.material].empty()) {
-      primitive["material"] = materials.size();
-      materials.push_back({{"name", mesh.material_names[group.material]}});
-    }
-    primitives.push_back(std::move(primitive));
-  }
-  OrderedJson node{{"mesh", 0}, {"translation", {floats.middle.x, floats.middle.y, floats.middle.z}}};
-  if (!mesh.name.empty()) node["name"] = std::string(mesh.name);
-  OrderedJson json{{"asset", {{"version", "2.0"}, {"generator", "Kerf"}}}, {"scene", 0}};
-  json["scenes"] = OrderedJson::array({OrderedJson{{"nodes", OrderedJson::array({0})}}});
-  json["nodes"] = OrderedJson::array({std::move(node)});
-  json["meshes"] = OrderedJson::array({OrderedJson{{"primitives", std::move(primitives)}}});
-  if (!materials.empty()) json["materials"] = std::move(materials);
-  json["accessors"] = std::move(accessors);
-  json["bufferViews"] = OrderedJson::array(
-      {OrderedJson{{"buffer", 0}, {"byteLength", position_bytes}, {"target", kVertexTarget}},
-       OrderedJson{{"buffer", 0},
-                   {"byteOffset", vertex_bytes},
-                   {"byteLength", bytes - vertex_bytes},
-                   {"target", kIndexTarget}}});
-  if (!mesh.colours.empty()) {
-    json["bufferViews"].push_back({{"buffer", 0},
-                                   {"byteOffset", position_bytes},
-                                   {"byteLength", vertex_bytes - position_bytes},
-                                   {"target", kVertexTarget}});
-  }
-  json["buffers"] = OrderedJson::array({OrderedJson{{"byteLength", bytes}}});
-  return json;
-}
+// The vertices of a glTF file: positions that differ in a UV or a normal are separate.
+struct GltfVertices {
+  std::vector<std::array<uint32_t, 3>> own_triangles;  // of the vertices; empty if those of the mesh are
+  std::vector<uint32_t> positions;                     // by vertex; empty: vertices are positions
+  std::vector<std::vector<glm::vec2>> uv_sets;         // each by vertex
+  std::vector<glm::vec3> normals;                      // by vertex
 
-// Writes the bytes of the buffer: positions, colours, then the indices of each group.
-bool emit_buffer(const MeshView& mesh, const Floats& floats, const std::vector<Group>& groups,
-                 const ByteSink& sink) {
-  const auto append_positions = [&](size_t i, size_t end, std::string& part) {
-    for (; i < end; ++i) {
-      const glm::vec3 p = floats.of(mesh.positions[i]);
-      for (int k = 0; k < 3; ++k) append_little(p[k], part);
+  explicit GltfVertices(const MeshView& mesh) {
+    if (!mesh.looks || !mesh.looks->any()) return;
+    looks_ = mesh.looks;
+    uv_sets.resize(std::max<size_t>(looks_->uv_sets.size(), 1));
+    KeyTable table;
+    own_triangles.reserve(mesh.triangles.size());
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      auto& own = own_triangles.emplace_back();
+      for (size_t i = 0; i < 3; ++i) own[i] = vertex(mesh, t, i, table);
     }
-  };
-  const auto append_colours = [&](size_t i, size_t end, std::string& part) {
-    for (; i < end; ++i) {
-      const VertexColour& c = mesh.colours[i];
-      for (size_t k = 0; k < VertexColour::kOpacity; ++k)
-        append_little(colour_part(linear_light(c.part[k])), part);
-      append_little(c.part[VertexColour::kOpacity], part);
+  }
+
+  std::span<const std::array<uint32_t, 3>> triangles(const MeshView& mesh) const {
+    return positions.empty() ? mesh.triangles : std::span<const std::array<uint32_t, 3>>(own_triangles);
+  }
+  size_t count(const MeshView& mesh) const {
+    return positions.empty() ? mesh.positions.size() : positions.size();
+  }
+  uint32_t position(size_t vertex) const {
+    return positions.empty() ? static_cast<uint32_t>(vertex) : positions[vertex];
+  }
+
+ private:
+  uint32_t vertex(const MeshView& mesh, size_t t, size_t i, KeyTable& table) {
+    constexpr uint32_t kNone = LookChannel<glm::vec3>::kNone;
+    const auto next = static_cast<uint32_t>(positions.size());
+    positions.push_back(mesh.triangles[t][i]);
+    for (size_t set = 0; set < uv_sets.size(); ++set) {
+      const bool known = set < looks_->uv_sets.size() && looks_->uv_sets[set].corners[t][i] != kNone;
+      const glm::vec2 uv =
+          known ? looks_->uv_sets[set].values[looks_->uv_sets[set].corners[t][i]] : glm::vec2(0);
+      uv_sets[set].push_back({uv.x, known && !looks_->v_points_down ? 1 - uv.y : uv.y});
     }
-  };
-  if (!emit_ranges(mesh.positions.size(), sink, append_positions) ||
-      !emit_ranges(mesh.colours.size(), sink, append_colours))
-    return false;
-  return std::all_of(groups.begin(), groups.end(), [&](const Group& group) {
-    return emit_ranges(group.triangles.size(), sink, [&](size_t i, size_t end, std::string& part) {
+    const bool has_normal = looks_->normals.any() && looks_->normals.corners[t][i] != kNone;
+    normals.push_back(has_normal ? looks_->normals.values[looks_->normals.corners[t][i]] : plane(mesh, t));
+    const uint32_t found = table.find_or_add(
+        hash(next), next, [&](uint32_t other) { return same(other, next); },
+        [&](uint32_t other) { return hash(other); });
+    if (found == next) return next;
+    positions.pop_back();
+    for (auto& set : uv_sets) set.pop_back();
+    normals.pop_back();
+    return found;
+  }
+
+  static glm::vec3 plane(const MeshView& mesh, size_t t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vec3 across = unit_normal(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    return across == Vec3(0) ? glm::vec3(0, 1, 0) : glm::vec3(across);
+  }
+  bool same(uint32_t a, uint32_t b) const {
+    return positions[a] == positions[b] && normals[a] == normals[b] &&
+           std::all_of(uv_sets.begin(), uv_sets.end(), [&](const auto& set) { return set[a] == set[b]; });
+  }
+  uint64_t hash(uint32_t v) const {
+    uint64_t key = mix64(positions[v]);
+    for (const auto& set : uv_sets) {
+      for (int k = 0; k < 2; ++k) key = hash_combine(key, number_bits(set[v][k]));
+    }
+    for (int k = 0; k < 3; ++k) key = hash_combine(key, number_bits(normals[v][k]));
+    return key;
+  }
+
+  const CornerLooks* looks_ = nullptr;
+};
+
+// A glTF file to be written: its vertices, materials and the layout of its buffer.
+class GltfDocument {
+ public:
+  explicit GltfDocument(const MeshView& mesh)
+      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh), groups_(by_material(mesh)) {
+    std::vector<uint16_t> named;
+    for (const Group& group : groups_) {
+      const bool has_name =
+          group.material < mesh.material_names.size() && !mesh.material_names[group.material].empty();
+      const bool described = mesh.surfaces && group.material < mesh.surfaces->materials.size() &&
+                             (!mesh.surfaces->materials[group.material].gltf.empty() ||
+                              !mesh.surfaces->materials[group.material].mtl.empty());
+      material_of_group_.push_back(has_name || described ? static_cast<int>(named.size()) : -1);
+      if (has_name || described) named.push_back(group.material);
+    }
+    surfaces_ = gltf_surfaces(mesh.surfaces, named, mesh.material_names);
+    lay_out();
+  }
+
+  size_t bytes() const { return bytes_; }
+
+  OrderedJson describe() const {
+    const size_t count = vertices_.count(mesh_);
+    OrderedJson primitives = OrderedJson::array(), accessors = OrderedJson::array();
+    accessors.push_back({{"bufferView", 0},
+                         {"componentType", kGltfFloat},
+                         {"count", count},
+                         {"type", "VEC3"},
+                         {"min", list_of(floats_.low)},
+                         {"max", list_of(floats_.high)}});
+    OrderedJson attributes{{"POSITION", 0}};
+    size_t view = 2;
+    if (!mesh_.colours.empty()) {
+      attributes["COLOR_0"] = accessors.size();
+      accessors.push_back({{"bufferView", view++},
+                           {"componentType", kGltfShort},
+                           {"normalized", true},
+                           {"count", count},
+                           {"type", "VEC4"}});
+    }
+    const auto add_floats = [&](const std::string& name, const char* type) {
+      attributes[name] = accessors.size();
+      accessors.push_back(
+          {{"bufferView", view++}, {"componentType", kGltfFloat}, {"count", count}, {"type", type}});
+    };
+    if (!vertices_.normals.empty()) add_floats("NORMAL", "VEC3");
+    for (size_t set = 0; set < vertices_.uv_sets.size(); ++set)
+      add_floats("TEXCOORD_" + std::to_string(set), "VEC2");
+    size_t offset = 0;
+    for (size_t g = 0; g < groups_.size(); ++g) {
+      OrderedJson primitive{{"attributes", attributes}, {"indices", accessors.size()}};
+      accessors.push_back({{"bufferView", 1},
+                           {"byteOffset", offset},
+                           {"componentType", kGltfInt},
+                           {"count", 3 * groups_[g].triangles.size()},
+                           {"type", "SCALAR"}});
+      offset += 3 * sizeof(uint32_t) * groups_[g].triangles.size();
+      if (material_of_group_[g] >= 0) primitive["material"] = material_of_group_[g];
+      primitives.push_back(std::move(primitive));
+    }
+    const Vec3& middle = floats_.middle;
+    OrderedJson node{{"mesh", 0}, {"translation", {middle.x, middle.y, middle.z}}};
+    if (!mesh_.name.empty()) node["name"] = std::string(mesh_.name);
+    OrderedJson json{{"asset", {{"version", "2.0"}, {"generator", "Kerf"}}}, {"scene", 0}};
+    if (!surfaces_.used_extensions.empty()) json["extensionsUsed"] = surfaces_.used_extensions;
+    if (!surfaces_.required_extensions.empty()) json["extensionsRequired"] = surfaces_.required_extensions;
+    json["scenes"] = OrderedJson::array({OrderedJson{{"nodes", OrderedJson::array({0})}}});
+    json["nodes"] = OrderedJson::array({std::move(node)});
+    json["meshes"] = OrderedJson::array({OrderedJson{{"primitives", std::move(primitives)}}});
+    if (!surfaces_.materials.empty()) json["materials"] = surfaces_.materials;
+    if (!surfaces_.textures.empty()) json["textures"] = surfaces_.textures;
+    if (!surfaces_.samplers.empty()) json["samplers"] = surfaces_.samplers;
+    json["accessors"] = std::move(accessors);
+    json["bufferViews"] = OrderedJson::array();
+    for (const Part& part : parts_) {
+      OrderedJson own{{"buffer", 0}};
+      if (part.offset > 0) own["byteOffset"] = part.offset;
+      own["byteLength"] = part.bytes;
+      if (part.target != 0) own["target"] = part.target;
+      json["bufferViews"].push_back(std::move(own));
+    }
+    if (!surfaces_.images.empty()) {
+      json["images"] = surfaces_.images;
+      for (size_t i = 0; i < surfaces_.images.size(); ++i)
+        json["images"][i]["bufferView"] = parts_.size() - surfaces_.images.size() + i;
+    }
+    json["buffers"] = OrderedJson::array({OrderedJson{{"byteLength", bytes_}}});
+    return json;
+  }
+
+  // Writes the bytes of the buffer: positions, colours, normals, UVs, the indices of each group, images.
+  bool emit_buffer(const ByteSink& sink) const {
+    const size_t count = vertices_.count(mesh_);
+    const auto append_positions = [&](size_t i, size_t end, std::string& part) {
       for (; i < end; ++i) {
-        for (const uint32_t v : mesh.triangles[group.triangles[i]]) append_little(v, part);
+        const glm::vec3 p = floats_.of(mesh_.positions[vertices_.position(i)]);
+        for (int k = 0; k < 3; ++k) append_little(p[k], part);
       }
-    });
-  });
-}
+    };
+    const auto append_colours = [&](size_t i, size_t end, std::string& part) {
+      for (; i < end; ++i) {
+        const VertexColour& c = mesh_.colours[vertices_.position(i)];
+        for (size_t k = 0; k < VertexColour::kOpacity; ++k)
+          append_little(colour_part(linear_light(c.part[k])), part);
+        append_little(c.part[VertexColour::kOpacity], part);
+      }
+    };
+    const auto emit_vectors = [&](const auto& values) {
+      return emit_ranges(values.size(), sink, [&](size_t i, size_t end, std::string& part) {
+        for (; i < end; ++i) {
+          for (int k = 0; k < std::decay_t<decltype(values[0])>::length(); ++k)
+            append_little(values[i][k], part);
+        }
+      });
+    };
+    if (!emit_ranges(count, sink, append_positions)) return false;
+    if (!mesh_.colours.empty() && !emit_ranges(count, sink, append_colours)) return false;
+    if (!emit_vectors(vertices_.normals)) return false;
+    for (const auto& set : vertices_.uv_sets) {
+      if (!emit_vectors(set)) return false;
+    }
+    const auto triangles = vertices_.triangles(mesh_);
+    for (const Group& group : groups_) {
+      const bool done =
+          emit_ranges(group.triangles.size(), sink, [&](size_t i, size_t end, std::string& part) {
+            for (; i < end; ++i) {
+              for (const uint32_t v : triangles[group.triangles[i]]) append_little(v, part);
+            }
+          });
+      if (!done) return false;
+    }
+    for (const uint32_t i : surfaces_.library_images) {
+      const std::string& image = mesh_.surfaces->images[i].bytes;
+      if (!sink(image) || !sink(std::string(padding(image.size()), '\0'))) return false;
+    }
+    return true;
+  }
 
-size_t buffer_size(const MeshView& mesh) {
-  return 3 * (sizeof(float) * mesh.positions.size() + sizeof(uint32_t) * mesh.triangles.size()) +
-         kColourBytes * mesh.colours.size();
-}
+ private:
+  // A buffer view.
+  struct Part {
+    size_t offset, bytes;
+    int target;  // 0: none
+  };
+
+  static size_t padding(size_t bytes) { return (4 - bytes % 4) % 4; }
+
+  void lay_out() {
+    const size_t count = vertices_.count(mesh_);
+    std::vector<size_t> sizes{count * 3 * sizeof(float)};
+    if (!mesh_.colours.empty()) sizes.push_back(count * kColourBytes);
+    if (!vertices_.normals.empty()) sizes.push_back(count * 3 * sizeof(float));
+    for (size_t set = 0; set < vertices_.uv_sets.size(); ++set) sizes.push_back(count * 2 * sizeof(float));
+    for (const size_t size : sizes) {
+      parts_.push_back({bytes_, size, kVertexTarget});
+      bytes_ += size;
+    }
+    const size_t index_bytes = 3 * sizeof(uint32_t) * mesh_.triangles.size();
+    parts_.insert(parts_.begin() + 1, {bytes_, index_bytes, kIndexTarget});
+    bytes_ += index_bytes;
+    for (const uint32_t i : surfaces_.library_images) {
+      const size_t size = mesh_.surfaces->images[i].bytes.size();
+      parts_.push_back({bytes_, size, 0});
+      bytes_ += size + padding(size);
+    }
+  }
+
+  const MeshView& mesh_;
+  Floats floats_;
+  GltfVertices vertices_;
+  std::vector<Group> groups_;
+  std::vector<int> material_of_group_;  // -1: none
+  GltfSurfaces surfaces_;
+  std::vector<Part> parts_;  // positions, indices, other values of vertices, images
+  size_t bytes_ = 0;
+};
 
 std::string gltf_text(const OrderedJson& json) {
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
@@ -169,36 +331,41 @@ std::string gltf_text(const OrderedJson& json) {
 
 }  // namespace
 
+std::vector<uint32_t> gltf_order(const MeshView& mesh) {
+  std::vector<uint32_t> order;
+  for (const Group& group : by_material(mesh))
+    order.insert(order.end(), group.triangles.begin(), group.triangles.end());
+  return order;
+}
+
 Vec3 gltf_middle(std::span<const Vec3> positions) {
   return positions.empty() ? Vec3(0) : box_of(positions).middle();
 }
 
 void encode_glb(const MeshView& mesh, const ByteSink& sink) {
-  const Floats floats(mesh.positions);
-  const std::vector<Group> groups = by_material(mesh);
-  const size_t bytes = buffer_size(mesh);
-  std::string text = gltf_text(describe(mesh, floats, groups, bytes));
+  const GltfDocument document(mesh);
+  std::string text = gltf_text(document.describe());
   text.append((4 - text.size() % 4) % 4, ' ');
   std::string head;
-  for (const uint32_t word : {kGlbMagic, kGlbVersion, static_cast<uint32_t>(28 + text.size() + bytes),
-                              static_cast<uint32_t>(text.size()), kGlbJson}) {
+  for (const uint32_t word :
+       {kGlbMagic, kGlbVersion, static_cast<uint32_t>(28 + text.size() + document.bytes()),
+        static_cast<uint32_t>(text.size()), kGlbJson}) {
     append_little(word, head);
   }
   head += text;
-  append_little(static_cast<uint32_t>(bytes), head);
+  append_little(static_cast<uint32_t>(document.bytes()), head);
   append_little(kGlbBinary, head);
-  if (sink(head)) emit_buffer(mesh, floats, groups, sink);
+  if (sink(head)) document.emit_buffer(sink);
 }
 
 void encode_gltf(const MeshView& mesh, const ByteSink& sink) {
-  const Floats floats(mesh.positions);
-  const std::vector<Group> groups = by_material(mesh);
+  const GltfDocument document(mesh);
   std::string buffer;
-  emit_buffer(mesh, floats, groups, [&](std::string_view part) {
+  document.emit_buffer([&](std::string_view part) {
     buffer += part;
     return true;
   });
-  OrderedJson json = describe(mesh, floats, groups, buffer.size());
+  OrderedJson json = document.describe();
   json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + to_base64(buffer);
   sink(gltf_text(json) + "\n");
 }

@@ -79,7 +79,8 @@ bool changes_looks_only(std::string_view extension) {
                      [&](std::string_view prefix) { return extension.starts_with(prefix); });
 }
 
-// Returns the path of a URI with percent-encoding decoded; nullopt if it is malformed or has a zero byte.
+}  // namespace
+
 std::optional<std::string> decoded_path(std::string_view uri) {
   std::string path;
   for (size_t i = 0; i < uri.size(); ++i) {
@@ -99,6 +100,8 @@ std::optional<std::string> decoded_path(std::string_view uri) {
   }
   return path;
 }
+
+namespace {
 
 // Returns true if a path stays in the folder from which it starts.
 bool stays_inside(const fs::path& path) {
@@ -215,6 +218,12 @@ std::optional<Error> GltfFile::check_extensions() const {
     return wrong("/extensionsRequired", in_quotes(name) + " is not supported; export the file without it");
   }
   return std::nullopt;
+}
+
+const nlohmann::json* GltfFile::find_element(const char* list, uint64_t i) const {
+  const auto at = json_.find(list);
+  if (at == json_.end() || !at->is_array() || i >= at->size() || !(*at)[i].is_object()) return nullptr;
+  return &(*at)[i];
 }
 
 size_t GltfFile::count(const char* list) const {
@@ -406,6 +415,44 @@ VertexColour GltfAccessor::colour(size_t i) const {
     colour.part[k] = k == VertexColour::kOpacity ? colour_part(fraction) : part_of_linear(fraction);
   }
   return colour;
+}
+
+Result<GltfAccessor> GltfAccessor::vectors(const GltfFile& file, uint32_t accessor, size_t parts) {
+  const nlohmann::json& json = file.element("accessors", accessor);
+  const auto kind = file.whole(json, "componentType", 0, accessor_place(accessor));
+  if (!kind) return kind.error();
+  const bool is_byte = *kind == kGltfByte || *kind == kGltfSignedByte;
+  const bool is_short = *kind == kGltfShort || *kind == kGltfSignedShort;
+  if (*kind != kGltfFloat && !is_byte && !is_short)
+    return file.wrong(accessor_place(accessor) + "/componentType", "must be 5120 to 5123 or 5126");
+  auto vectors = rows(file, accessor, parts == 2 ? "VEC2" : "VEC3",
+                      parts * (is_byte    ? 1
+                               : is_short ? 2
+                                          : sizeof(float)));
+  if (vectors) vectors->parts_ = parts;
+  if (vectors) vectors->is_signed_ = *kind == kGltfSignedByte || *kind == kGltfSignedShort;
+  return vectors;
+}
+
+Vec3 GltfAccessor::vector(size_t i) const {
+  assert(i < size_ && parts_ > 0 && parts_ <= 3);
+  const char* at = bytes_.data() + i * stride_;
+  const size_t bytes = width_ / parts_;
+  Vec3 v(0);
+  for (size_t k = 0; k < parts_; ++k, at += bytes) {
+    double& number = v[static_cast<int>(k)];
+    if (bytes == sizeof(float)) {
+      number = load<float>(at, std::endian::little);
+    } else if (is_signed_) {
+      number =
+          bytes == 1 ? static_cast<int8_t>(*at) / 127.0 : load<int16_t>(at, std::endian::little) / 32767.0;
+      number = std::max(number, -1.0);
+    } else {
+      number =
+          bytes == 1 ? static_cast<uint8_t>(*at) / 255.0 : load<uint16_t>(at, std::endian::little) / 65535.0;
+    }
+  }
+  return v;
 }
 
 Vec3 GltfAccessor::position(size_t i) const {

@@ -20,12 +20,16 @@ inline constexpr uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2, kGlbJson = 0x
 
 // The component types of accessors: unsigned integers and float.
 inline constexpr uint64_t kGltfByte = 5121, kGltfShort = 5123, kGltfInt = 5125, kGltfFloat = 5126;
+inline constexpr uint64_t kGltfSignedByte = 5120, kGltfSignedShort = 5122;
 
 // Encodes bytes in base 64 (RFC 4648), with padding.
 std::string to_base64(std::string_view bytes);
 
 // Decodes such a text, whose padding may be missing; nullopt if it is malformed.
 std::optional<std::string> from_base64(std::string_view text);
+
+// Returns the path of a URI with percent-encoding decoded; nullopt if it is malformed or has a zero byte.
+std::optional<std::string> decoded_path(std::string_view uri);
 
 // The JSON of a glTF 2.0 file and the bytes of its buffers, with validating access.
 class GltfFile {
@@ -40,6 +44,8 @@ class GltfFile {
                                const std::filesystem::path& folder);
 
   const nlohmann::json& root() const { return json_; }
+  // Returns an element of a list of the root that may be malformed; null if there is no such object.
+  const nlohmann::json* find_element(const char* list, uint64_t i) const;
   // Returns the length of a list of the root, 0 if it is missing.
   size_t count(const char* list) const;
   // Returns an element. Precondition: i < count(list).
@@ -89,6 +95,9 @@ class GltfAccessor {
   // Indices: one unsigned whole number each. Fails likewise.
   static Result<GltfAccessor> indices(const GltfFile& file, uint32_t accessor);
 
+  // Vectors of two or three floats, or of normalised whole numbers. Fails likewise.
+  static Result<GltfAccessor> vectors(const GltfFile& file, uint32_t accessor, size_t parts);
+
   // Colours: three or four floats or normalised whole numbers each. Fails likewise.
   static Result<GltfAccessor> colours(const GltfFile& file, uint32_t accessor);
 
@@ -96,6 +105,7 @@ class GltfAccessor {
   // Precondition of each: i < size(), and the accessor is of this kind.
   Vec3 position(size_t i) const;
   VertexColour colour(size_t i) const;  // converted from linear light to sRGB
+  Vec3 vector(size_t i) const;          // with zero for a missing part
   uint32_t index(size_t i) const;
 
  private:
@@ -103,7 +113,8 @@ class GltfAccessor {
 
   std::string_view bytes_;
   size_t size_ = 0, stride_ = 0, width_ = 0;
-  size_t parts_ = 0;  // of a colour
+  size_t parts_ = 0;        // of a colour or a vector
+  bool is_signed_ = false;  // of a vector of whole numbers
 };
 
 }  // namespace kerf

@@ -7,9 +7,11 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "core/mesh/files/gltf_file_internal.h"
+#include "core/mesh/files/gltf_surfaces_internal.h"
 #include "core/mesh/files/scanner.h"
 #include "core/mesh/files/soup.h"
 
@@ -26,8 +28,9 @@ std::string node_place(uint32_t node) { return "/nodes/" + std::to_string(node);
 
 class GltfReader {
  public:
-  GltfReader(const GltfFile& file, const std::string& name, const Progress* progress)
-      : file_(file), name_(name), progress_(progress), seen_(file.count("nodes"), false) {}
+  GltfReader(const GltfFile& file, const std::string& name, const Progress* progress,
+             const std::filesystem::path& folder)
+      : file_(file), name_(name), progress_(progress), folder_(folder), seen_(file.count("nodes"), false) {}
 
   Result<Soup> read() {
     if (auto problem = push_roots()) return *problem;
@@ -42,6 +45,8 @@ class GltfReader {
     soup->colours = std::move(colours_);
     soup->material_names = std::move(material_names_);
     if (soup->material_names.size() == 1 && soup->material_names[0].empty()) soup->material_names.clear();
+    take_looks(*soup);
+    soup->surfaces = read_gltf_surfaces(file_, materials_, folder_, warnings_);
     soup->warnings = std::move(warnings_);
     return soup;
   }
@@ -196,9 +201,13 @@ class GltfReader {
     const auto accessor = file_.index(*attributes, "POSITION", "accessors", where + "/attributes");
     if (!accessor) return accessor.error();
     if (!*accessor) return std::nullopt;  // a mesh without positions is not drawn
-    const auto colours = file_.index(*attributes, "COLOR_0", "accessors", where + "/attributes");
-    if (!colours) return colours.error();
-    const auto first = place_vertices({**accessor, *colours}, to_scene);
+    VertexAccessors accessors{**accessor};
+    for (const char* name : kLookAttributes) {
+      const auto own = file_.index(*attributes, name, "accessors", where + "/attributes");
+      if (!own) return own.error();
+      accessors.push_back(*own ? int64_t{**own} : -1);
+    }
+    const auto first = place_vertices(accessors, to_scene);
     if (!first) return first.error();
     const auto material = material_of(primitive, where);
     if (!material) return material.error();
@@ -206,28 +215,84 @@ class GltfReader {
     return read_triangles(primitive, where, *mode, {*first, *material, mirrors});
   }
 
-  // The positions of an accessor; primitives of a mesh with the same colours may share them.
+  static constexpr std::array<const char*, 6> kLookAttributes{"COLOR_0",    "NORMAL",     "TEXCOORD_0",
+                                                              "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3"};
+  static constexpr size_t kUvSets = 4;
+
+  // The positions of an accessor; primitives of a mesh with the same attributes share them.
   struct Placed {
     size_t first, count;
   };
-  using VertexAccessors = std::pair<uint32_t, std::optional<uint32_t>>;  // of positions and of colours
+  using VertexAccessors = std::vector<int64_t>;  // of positions, then of kLookAttributes; -1: none
   Result<Placed> place_vertices(const VertexAccessors& accessors, const Matrix& to_scene) {
     if (const auto known = placed_.find(accessors); known != placed_.end()) return known->second;
-    const auto rows = GltfAccessor::positions(file_, accessors.first);
+    const auto of_positions = static_cast<uint32_t>(accessors[0]);
+    const auto rows = GltfAccessor::positions(file_, of_positions);
     if (!rows) return rows.error();
     if (rows->size() > kMaxPositions - positions_.size())
-      return file_.wrong("/accessors/" + std::to_string(accessors.first),
+      return file_.wrong("/accessors/" + std::to_string(of_positions),
                          "exceeds the maximum number of positions per glTF file");
     const Placed placed{positions_.size(), rows->size()};
     for (size_t i = 0; i < rows->size(); ++i) {
       if (i % kBetweenReports == 0 && progress_ && !progress_->report(0)) return cancelled();
       positions_.push_back(Vec3(to_scene * glm::dvec4(rows->position(i), 1)));
     }
-    if (accessors.second) {
-      if (auto problem = place_colours(*accessors.second, placed)) return *problem;
+    if (accessors[1] >= 0) {
+      if (auto problem = place_colours(static_cast<uint32_t>(accessors[1]), placed)) return *problem;
+    }
+    const glm::dmat3 turn(to_scene);
+    // Inverse transposed but for its length, which exists for flattened parts, too. Mirroring turns it
+    // around.
+    const glm::dmat3 cofactors(glm::cross(turn[1], turn[2]), glm::cross(turn[2], turn[0]),
+                               glm::cross(turn[0], turn[1]));
+    const double side = glm::determinant(turn) < 0 ? -1 : 1;
+    place_vectors(accessors[2], 3, placed, normals_, [&](const Vec3& n) {
+      const Vec3 turned = side * (cofactors * n);
+      const double length = glm::length(turned);
+      return glm::vec3(length > 0 ? turned / length : n);
+    });
+    for (size_t set = 0; set < kUvSets; ++set) {
+      place_vectors(accessors[3 + set], 2, placed, uv_sets_[set],
+                    [](const Vec3& uv) { return glm::vec2(uv); });
     }
     placed_.emplace(accessors, placed);
     return placed;
+  }
+
+  // Converts the vectors of an accessor, or warns if they are unreadable. Vertices without any are NaN.
+  template <typename T, typename Convert>
+  void place_vectors(int64_t accessor, size_t parts, const Placed& positions, std::vector<T>& to,
+                     const Convert& convert) {
+    if (accessor < 0) return;
+    const auto rows = GltfAccessor::vectors(file_, static_cast<uint32_t>(accessor), parts);
+    if (!rows || rows->size() != positions.count) {
+      record_once(unreadable_, "Unreadable normals or UVs were ignored.");
+      return;
+    }
+    to.resize(positions.first, T(std::numeric_limits<float>::quiet_NaN()));
+    for (size_t i = 0; i < rows->size(); ++i) to.push_back(convert(rows->vector(i)));
+  }
+
+  // Gives the triangles the normals and UVs of their vertices.
+  void take_looks(Soup& soup) {
+    const auto take = [&](auto& values, auto& channel) {
+      using T = std::decay_t<decltype(values[0])>;
+      channel.values = std::move(values);
+      channel.corners = soup.triangles;
+      const auto is_missing = [&](uint32_t v) {
+        return v >= channel.values.size() || std::isnan(channel.values[v].x);
+      };
+      for (auto& corners : channel.corners) {
+        if (std::any_of(corners.begin(), corners.end(), is_missing)) corners.fill(LookChannel<T>::kNone);
+      }
+    };
+    if (!normals_.empty()) take(normals_, soup.looks.normals);
+    // Materials refer to sets by number, so that empty ones before the last stay.
+    size_t sets = kUvSets;
+    while (sets > 0 && uv_sets_[sets - 1].empty()) --sets;
+    soup.looks.uv_sets.resize(sets);
+    for (size_t set = 0; set < sets; ++set) take(uv_sets_[set], soup.looks.uv_sets[set]);
+    soup.looks.v_points_down = true;
   }
 
   Problem place_colours(uint32_t accessor, const Placed& positions) {
@@ -258,7 +323,10 @@ class GltfReader {
     if (added) {
       constexpr size_t kMost = std::numeric_limits<uint16_t>::max();
       known->second = static_cast<uint16_t>(std::min(material_names_.size(), kMost));
-      if (material_names_.size() <= kMost) material_names_.push_back(name);
+      if (material_names_.size() <= kMost) {
+        material_names_.push_back(name);
+        materials_.push_back(*index);
+      }
     }
     return known->second;
   }
@@ -303,6 +371,7 @@ class GltfReader {
   const GltfFile& file_;
   const std::string& name_;
   const Progress* progress_;
+  const std::filesystem::path& folder_;
   std::vector<bool> seen_;  // by node
   std::vector<Open> open_;
   std::vector<Vec3> positions_;
@@ -311,7 +380,10 @@ class GltfReader {
   std::map<VertexAccessors, Placed> placed_;      // of the current mesh
   std::map<int64_t, uint16_t> material_numbers_;  // by material of the file, or -1
   std::vector<std::string> material_names_, warnings_;
-  bool skinned_ = false, morphed_ = false, lines_ = false, uncoloured_ = false;
+  std::vector<std::optional<uint32_t>> materials_;  // by number: of the file
+  std::vector<glm::vec3> normals_;                  // by position, up to the last one with a normal
+  std::array<std::vector<glm::vec2>, kUvSets> uv_sets_;
+  bool skinned_ = false, morphed_ = false, lines_ = false, uncoloured_ = false, unreadable_ = false;
 };
 
 }  // namespace
@@ -320,7 +392,7 @@ Result<Soup> read_gltf(std::string_view bytes, const std::string& file_name, con
                        const std::filesystem::path& folder) {
   const auto file = GltfFile::open(bytes, file_name, folder);
   if (!file) return file.error();
-  auto soup = GltfReader(*file, file_name, progress).read();
+  auto soup = GltfReader(*file, file_name, progress, folder).read();
   if (soup) soup->format = GltfFile::is_binary(bytes) ? "glb" : "gltf";
   return soup;
 }

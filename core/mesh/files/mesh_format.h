@@ -19,16 +19,17 @@ struct MeshFormatRow {
   std::string_view a_file;  // "an OBJ mesh"
   std::string_view mime_type;
   bool single_precision;  // of the positions
-  bool materials;
+  bool materials;         // and textures
+  bool uvs_and_normals;
 };
 // All supported formats, in the order of MeshFormat.
 inline constexpr std::array kMeshFormats{
-    MeshFormatRow{MeshFormat::kObj, "obj", "OBJ", "an OBJ mesh", "model/obj", false, true},
-    MeshFormatRow{MeshFormat::kPly, "ply", "PLY", "a PLY mesh", "application/x-ply", false, false},
-    MeshFormatRow{MeshFormat::kStl, "stl", "STL", "an STL mesh", "model/stl", true, false},
-    MeshFormatRow{MeshFormat::kOff, "off", "OFF", "an OFF mesh", "application/x-off", false, false},
-    MeshFormatRow{MeshFormat::kGlb, "glb", "glTF", "a glTF file", "model/gltf-binary", true, true},
-    MeshFormatRow{MeshFormat::kGltf, "gltf", "glTF", "a glTF file", "model/gltf+json", true, true}};
+    MeshFormatRow{MeshFormat::kObj, "obj", "OBJ", "an OBJ mesh", "model/obj", false, true, true},
+    MeshFormatRow{MeshFormat::kPly, "ply", "PLY", "a PLY mesh", "application/x-ply", false, false, false},
+    MeshFormatRow{MeshFormat::kStl, "stl", "STL", "an STL mesh", "model/stl", true, false, false},
+    MeshFormatRow{MeshFormat::kOff, "off", "OFF", "an OFF mesh", "application/x-off", false, false, false},
+    MeshFormatRow{MeshFormat::kGlb, "glb", "glTF", "a glTF file", "model/gltf-binary", true, true, true},
+    MeshFormatRow{MeshFormat::kGltf, "gltf", "glTF", "a glTF file", "model/gltf+json", true, true, true}};
 
 constexpr const MeshFormatRow& format_row(MeshFormat format) {
   return kMeshFormats[static_cast<size_t>(format)];

@@ -10,14 +10,18 @@
 
 namespace kerf {
 
-// Reads a Wavefront OBJ file: the statements v, f and usemtl, with indices that count from the first vertex
-// or, if negative, back from the last one. Objects and groups become parts. Normals, texture coordinates and
-// material libraries are ignored; points, lines and free-form geometry are ignored with a warning. As in
-// common readers, '#' begins a comment at the start of a line and after numbers, but is part of the names of
-// o, g and usemtl, which extend to the end of the line. Vertex colours range to 1 or to 255 (see
-// ColourNumbers). A face that refers to a missing vertex is dropped and counted. A word in place of a number
-// is an error. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
-// null.
+// Reads a Wavefront OBJ file: the statements v, vt, vn, f, usemtl and mtllib, with indices that count from
+// the first vertex or, if negative, back from the last one. Objects and groups become parts. Material
+// libraries and their images are read from `folder`, the folder of the file, and below; if it is empty, no
+// other files are read. Points, lines and free-form geometry are ignored with a warning, and so are UVs and
+// normals that are malformed or missing. As in common readers, '#' begins a comment at the start of a line
+// and after numbers, but is part of the names of o, g and usemtl, which extend to the end of the line. Vertex
+// colours range to 1 or to 255 (see ColourNumbers). A face that refers to a missing vertex is dropped and
+// counted. A word in place of a number is an error. Linear in the number of bytes, except for large polygons
+// (see Triangulator). `progress` may be null.
+Result<Soup> read_obj(std::string_view bytes, const std::string& file_name, const Progress* progress,
+                      const std::filesystem::path& folder);
+// Likewise without other files.
 Result<Soup> read_obj(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
@@ -58,11 +62,13 @@ Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
 
 // Reads the triangles of the default scene of a glTF 2.0 file, binary or text (Khronos Group, 2.0.1, 2021):
 // all its nodes with their transforms, each a part with the name of the node; also strips and fans. Materials
-// are identified by name. Ignores images, normals and animations; with a warning, skips points and lines and
-// reads meshes with a skin or morph targets in their rest pose. Rejects sparse and quantised positions, Draco
-// and meshopt by name. Buffers are data URIs or files in `folder`, the folder of the file, and below; if it
-// is empty, no other files are read. An index that is out of range makes an invalid face. Linear in the
-// number of bytes and of triangles of all nodes, at most 10^8. `progress` may be null.
+// have names; they and their textures and samplers are kept as JSON, their images as bytes (see
+// SurfaceLibrary). Reads normals and up to four sets of UVs. Ignores animations; with a warning, skips points
+// and lines and reads meshes with a skin or morph targets in their rest pose. Rejects sparse and quantised
+// positions, Draco and meshopt by name. Buffers and images are data URIs or files in `folder`, the folder of
+// the file, and below; if it is empty, no other files are read. An index that is out of range makes an
+// invalid face. Linear in the number of bytes and of triangles of all nodes, at most 10^8. `progress` may be
+// null.
 Result<Soup> read_gltf(std::string_view bytes, const std::string& file_name,
                        const Progress* progress = nullptr, const std::filesystem::path& folder = {});
 

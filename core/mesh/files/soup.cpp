@@ -78,7 +78,8 @@ void drop_invalid(Soup& soup) {
 
 }  // namespace
 
-void PolygonList::triangulate(std::span<const Vec3> positions, Soup& soup) const {
+void PolygonList::triangulate(std::span<const Vec3> positions, Soup& soup,
+                              std::vector<Soup::Triangle>* corners) const {
   soup.triangles.reserve(size());
   Triangulator triangulator;
   std::vector<uint32_t> before;  // by polygon: the number of triangles before it
@@ -87,13 +88,15 @@ void PolygonList::triangulate(std::span<const Vec3> positions, Soup& soup) const
     const std::span<const uint32_t> polygon(corners_.data() + begin, corners_.data() + ends_[i]);
     assert(begin <= ends_[i]);
     if (!parts_.empty()) before.push_back(static_cast<uint32_t>(soup.triangles.size()));
-    begin = ends_[i];
+    const uint32_t first = std::exchange(begin, ends_[i]);
     if (polygon.size() < 3) continue;
     const bool valid =
         std::all_of(polygon.begin(), polygon.end(), [&](uint32_t v) { return v < positions.size(); });
     soup.triangles_in_file += polygon.size() - 2;
     if (valid) {
+      const size_t before_it = soup.triangles.size();
       triangulator.append(positions, polygon, soup.triangles);
+      if (corners) triangulator.append_corners(soup.triangles.size() - before_it, first, *corners);
     } else {
       soup.invalid_faces_dropped += polygon.size() - 2;
     }
@@ -103,11 +106,13 @@ void PolygonList::triangulate(std::span<const Vec3> positions, Soup& soup) const
   soup.parts = parts_of_triangles(before);
 }
 
-Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string& file_name) {
+Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string& file_name,
+                                  std::vector<Soup::Triangle>* corners) {
+  assert(!corners || triangles_.empty());
   Soup soup;
   soup.faces_in_file = size();
   if (triangles_.empty()) {
-    triangulate(positions, soup);
+    triangulate(positions, soup, corners);
     soup.positions = std::move(positions);
   } else {
     soup.triangles_in_file = size();

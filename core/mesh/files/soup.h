@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/geometry.h"
 #include "core/base/result.h"
+#include "core/mesh/files/surfaces.h"
 #include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
@@ -30,6 +32,9 @@ struct Soup {
   std::vector<uint16_t> materials;          // one per triangle: index into material_names; empty if all are 0
   std::vector<std::string> material_names;  // as in the file ("usemtl")
   std::vector<MeshPart> parts;  // of triangles, none empty; ranges may overlap and names may repeat
+  CornerLooks looks;            // UVs and normals of the triangles
+  std::shared_ptr<const SurfaceLibrary> surfaces;  // null if the file describes no material
+  bool keeps_corners = false;  // build_mesh keeps the corners of the triangles even if there are no looks
 
   std::string format;                 // "obj", "off", "stl", "ply", "glb", "gltf"
   size_t faces_in_file = 0;           // polygons
@@ -57,7 +62,10 @@ class PolygonList {
   size_t size() const { return triangles_.size() + ends_.size(); }
 
   // Triangulates valid polygons; drops and counts invalid ones. Fails if none remains. Empties the list.
-  Result<Soup> to_soup(std::vector<Vec3> positions, const std::string& file_name);
+  // Stores in `corners`, unless it is null, which corner each corner of a triangle is, by the order of
+  // add_corner(). Precondition: there are no triangles of add_triangles() if `corners` is not null.
+  Result<Soup> to_soup(std::vector<Vec3> positions, const std::string& file_name,
+                       std::vector<Soup::Triangle>* corners = nullptr);
 
  private:
   static constexpr uint32_t kNoVertex = 0xffffffffu;
@@ -66,7 +74,7 @@ class PolygonList {
   std::vector<MeshPart> parts_of_triangles(const std::vector<uint32_t>& before) const;
 
   void put_triangles_in_list();
-  void triangulate(std::span<const Vec3> positions, Soup& soup) const;
+  void triangulate(std::span<const Vec3> positions, Soup& soup, std::vector<Soup::Triangle>* corners) const;
 
   std::vector<Soup::Triangle> triangles_;  // of add_triangles(), as long as there is no other polygon
   std::vector<uint32_t> corners_;

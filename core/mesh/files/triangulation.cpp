@@ -264,39 +264,46 @@ bool is_strictly_convex(std::span<const Vec2> points) {
   return changes <= 2;
 }
 
-void append_fan(std::span<const uint32_t> polygon, std::vector<Soup::Triangle>& triangles) {
-  for (size_t i = 1; i + 1 < polygon.size(); ++i)
-    triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
-}
-
 }  // namespace
 
-void Triangulator::append_quadrangle(std::span<const uint32_t> q,
-                                     std::vector<Soup::Triangle>& triangles) const {
-  KERF_ASSERT(q.size() == 4 && flat_.size() == 4);
-  const double from_first = std::min(turn_at(flat_, 1), turn_at(flat_, 3));
-  const double from_second = std::min(turn_at(flat_, 0), turn_at(flat_, 2));
-  if (from_first > 0 || from_first >= from_second) return append_fan(q, triangles);
-  triangles.push_back({q[1], q[2], q[3]});
-  triangles.push_back({q[1], q[3], q[0]});
+void Triangulator::split_into_fan(size_t corners) {
+  for (uint32_t i = 1; i + 1 < corners; ++i) ears_.push_back({0, i, i + 1});
 }
 
-void Triangulator::append(std::span<const Vec3> positions, std::span<const uint32_t> polygon,
-                          std::vector<Soup::Triangle>& triangles) {
-  if (polygon.size() <= 3) return append_fan(polygon, triangles);
+void Triangulator::split_quadrangle() {
+  KERF_ASSERT(flat_.size() == 4);
+  const double from_first = std::min(turn_at(flat_, 1), turn_at(flat_, 3));
+  const double from_second = std::min(turn_at(flat_, 0), turn_at(flat_, 2));
+  if (from_first > 0 || from_first >= from_second) return split_into_fan(4);
+  ears_.push_back({1, 2, 3});
+  ears_.push_back({1, 3, 0});
+}
+
+void Triangulator::split(std::span<const Vec3> positions, std::span<const uint32_t> polygon) {
+  ears_.clear();
+  if (polygon.size() <= 3) return split_into_fan(polygon.size());
   corners_.clear();
   for (const uint32_t v : polygon) {
     assert(v < positions.size());
     corners_.push_back(positions[v]);
   }
-  if (!all_finite(corners_)) return append_fan(polygon, triangles);
+  if (!all_finite(corners_)) return split_into_fan(polygon.size());
   scale_to_one(corners_);
   flatten(corners_, newell_normal(corners_), flat_);
-  if (polygon.size() == 4) return append_quadrangle(polygon, triangles);
-  if (is_strictly_convex(flat_)) return append_fan(polygon, triangles);
-  ears_.clear();
+  if (polygon.size() == 4) return split_quadrangle();
+  if (is_strictly_convex(flat_)) return split_into_fan(polygon.size());
   clipper_.clip(flat_, ears_);
+}
+
+void Triangulator::append(std::span<const Vec3> positions, std::span<const uint32_t> polygon,
+                          std::vector<Soup::Triangle>& triangles) {
+  split(positions, polygon);
   for (const auto& ear : ears_) triangles.push_back({polygon[ear[0]], polygon[ear[1]], polygon[ear[2]]});
+}
+
+void Triangulator::append_corners(size_t count, uint32_t first, std::vector<Soup::Triangle>& corners) const {
+  KERF_ASSERT(count == ears_.size());
+  for (const auto& ear : ears_) corners.push_back({first + ear[0], first + ear[1], first + ear[2]});
 }
 
 }  // namespace kerf

@@ -150,12 +150,18 @@ class Triangulator {
   void append(std::span<const Vec3> positions, std::span<const uint32_t> polygon,
               std::vector<Soup::Triangle>& triangles);
 
+  // Appends the `count` triangles of the last append() as numbers of corners: corner i of the polygon has the
+  // number first + i.
+  void append_corners(size_t count, uint32_t first, std::vector<Soup::Triangle>& corners) const;
+
  private:
-  void append_quadrangle(std::span<const uint32_t> polygon, std::vector<Soup::Triangle>& triangles) const;
+  void split(std::span<const Vec3> positions, std::span<const uint32_t> polygon);
+  void split_into_fan(size_t corners);
+  void split_quadrangle();
 
   std::vector<Vec3> corners_;
   std::vector<Vec2> flat_;
-  std::vector<std::array<uint32_t, 3>> ears_;
+  std::vector<std::array<uint32_t, 3>> ears_;  // of the last polygon, as indices of its corners
   EarClipper clipper_;
 };
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// The material library and the images of OBJ pieces, in their folder. Existing files are never overwritten: a
+// file with the same bytes is used, and otherwise another name is chosen.
+class SurfaceFiles {
+ public:
+  // Collects the materials of the bodies. Different materials of one name get different names.
+  explicit SurfaceFiles(const World& world);
+
+  // Writes the library and the images that it refers to, if a body has materials that its file describes.
+  Status write(const std::filesystem::path& folder);
+  // Removes the files that write() created.
+  void remove() const;
+
+  // The name of the library; empty if there is none.
+  const std::string& library() const { return library_; }
+  // The names of the materials of a body, by number.
+  const std::vector<std::string>& names(const Body& body) const { return names_.at(&body); }
+
+ private:
+  struct Material {
+    std::string name;
+    std::vector<MtlLine> lines;  // with images of this list
+  };
+
+  void add(const Body& body);
+  uint32_t image(const SurfaceImage& image);
+  std::string text(const std::vector<std::string>& image_names) const;
+  Result<std::string> place(const std::filesystem::path& folder, const std::string& name,
+                            const std::string& bytes);
+
+  std::vector<Material> materials_;
+  std::vector<const SurfaceImage*> images_;
+  std::map<const Body*, std::vector<std::string>> names_;
+  bool any_ = false;  // a material is described
+  std::string library_;
+  std::vector<std::filesystem::path> created_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/mesh/files/surfaces.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// Returns the UVs and unit normals of faces of a body, evaluated from its looks, with normals in world axes;
+// nothing if it has none. Triangles and corners have the order of extract_faces(). If there are normals, or
+// `all_normals` asks for them, faces without any get smooth ones with creases. Walls of a body with UVs get
+// UVs in metres, undistorted and continuous in a plane. Precondition: the faces are live. O(n log n).
+CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, bool all_normals);
+
+// The origin of a face: the loaded face that contains it, by its number in the file, and the barycentric
+// coordinates of its corners there, in the order of the file. A wall has the number -1 and zeros.
+struct FaceSource {
+  int64_t face = -1;
+  std::array<Vec3, 3> barycentrics{Vec3(0), Vec3(0), Vec3(0)};
+};
+
+// Returns the origins of faces. Precondition: the faces are live, and the looks of the body, if any, keep
+// corners (see Soup::keeps_corners). Linear time.
+std::vector<FaceSource> sources_of(const Body& body, std::span<const FaceId> faces);
+
+// Returns the name of the part with the largest area of these faces, of several the smallest one; empty if
+// there is none. `parts` are of loaded faces. O(faces log faces + parts) if parts do not overlap.
+std::string part_name_of(const Body& body, std::span<const MeshPart> parts, std::span<const FaceId> faces);
+
+}  // namespace kerf

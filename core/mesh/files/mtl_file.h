@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh/files/surfaces.h"
+
+namespace kerf {
+
+// A material of an OBJ library. Images of its lines are indices of `references`.
+struct MtlEntry {
+  std::string name;
+  std::vector<MtlLine> lines;
+};
+struct MtlFile {
+  std::vector<MtlEntry> materials;      // in their order; names may repeat
+  std::vector<std::string> references;  // to images, as written
+};
+
+// Parses a material library (MTL). Every line after newmtl is kept verbatim, without surrounding blanks; a
+// reference to an image is the rest of a line after the keyword and its options. Accepts any bytes. Linear.
+MtlFile parse_mtl(std::string_view text);
+
+// Reads the libraries of an OBJ file from its folder (see read_side_file), and the images of the materials of
+// these names. Appends warnings about missing files. Returns null if no library is found.
+std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::path& folder,
+                                                        std::span<const std::string> libraries,
+                                                        std::span<const std::string> material_names,
+                                                        std::vector<std::string>& warnings);
+
+// Returns the MIME type of an image by its first bytes, else by the extension of its name; empty if unknown.
+std::string image_mime_type(std::string_view bytes, std::string_view name);
+
+}  // namespace kerf

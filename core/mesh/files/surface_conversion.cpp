@@ -1,0 +1,387 @@
+#include "core/mesh/files/surface_conversion.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "core/base/geometry.h"
+#include "core/mesh/files/scanner.h"
+
+namespace kerf {
+
+namespace {
+
+using SurfaceJson = nlohmann::ordered_json;
+
+double srgb_to_linear(double s) {
+  if (!(s > 0)) return 0;
+  return s <= 0.04045 ? s / 12.92 : std::pow((std::min(s, 1.0) + 0.055) / 1.055, 2.4);
+}
+double linear_to_srgb(double light) {
+  if (!(light > 0)) return 0;
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(std::min(light, 1.0), 1 / 2.4) - 0.055;
+}
+
+// A number of a material, rounded to hide the error of converting it there and back.
+std::string short_number(double x) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(x)).ptr;
+  return {digits.data(), end};
+}
+
+// The statements of a material in MTL that glTF can express.
+class MtlStatements {
+ public:
+  explicit MtlStatements(const SurfaceMaterial& material) : material_(material) {}
+
+  std::optional<double> number(std::string_view keyword) const {
+    const auto all = numbers(keyword);
+    return all.empty() ? std::nullopt : std::optional(all[0]);
+  }
+  std::optional<Vec3> colour(std::string_view keyword) const {
+    const auto all = numbers(keyword);
+    if (all.empty()) return std::nullopt;
+    if (all.size() < 3) return Vec3(all[0]);
+    return Vec3(all[0], all[1], all[2]);
+  }
+  std::optional<uint32_t> map(std::initializer_list<std::string_view> keywords) const {
+    for (const std::string_view keyword : keywords) {
+      for (const MtlLine& line : material_.mtl) {
+        if (line.image && is_of(line, keyword)) return line.image;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static bool is_of(const MtlLine& line, std::string_view keyword) {
+    const std::string_view text = line.text;
+    if (text.size() <= keyword.size() || (text[keyword.size()] != ' ' && text[keyword.size()] != '\t'))
+      return false;
+    const auto low = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    return std::equal(keyword.begin(), keyword.end(), text.begin(),
+                      [&](char a, char b) { return low(a) == low(b); });
+  }
+
+  std::vector<double> numbers(std::string_view keyword) const {
+    std::vector<double> found;
+    for (const MtlLine& line : material_.mtl) {
+      if (line.image || !is_of(line, keyword)) continue;
+      std::string_view rest = std::string_view(line.text).substr(keyword.size());
+      while (!rest.empty()) {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+        const size_t end = std::min(rest.find_first_of(" \t"), rest.size());
+        const auto number = parse_number(rest.substr(0, end));
+        if (!number || !std::isfinite(*number)) break;
+        found.push_back(*number);
+        rest.remove_prefix(end);
+      }
+      if (!found.empty()) break;
+    }
+    return found;
+  }
+
+  const SurfaceMaterial& material_;
+};
+
+// Collects the materials of one glTF file.
+class GltfCollection {
+ public:
+  explicit GltfCollection(const SurfaceLibrary& library) : library_(library) {}
+
+  SurfaceJson material(const SurfaceMaterial& material) {
+    return material.gltf.empty() ? from_mtl(material) : from_gltf(material);
+  }
+
+  void finish(GltfSurfaces& out) {
+    out.textures = std::move(textures_);
+    out.samplers = std::move(samplers_);
+    out.images = std::move(images_);
+    out.library_images = std::move(library_images_);
+    out.used_extensions.assign(extensions_.begin(), extensions_.end());
+    for (const std::string& name : library_.required_extensions) {
+      if (extensions_.contains(name)) out.required_extensions.push_back(name);
+    }
+  }
+
+ private:
+  static bool is_texture_key(std::string_view key) { return key.ends_with("exture"); }
+
+  // Renumbers the textures of a material and records its extensions. The depth of the JSON was checked on
+  // reading.
+  void renumber(SurfaceJson& json) {
+    if (json.is_array()) {
+      for (SurfaceJson& item : json) renumber(item);
+    }
+    if (!json.is_object()) return;
+    std::vector<std::string> lost;
+    for (auto& [key, value] : json.items()) {
+      if (key == "extensions" && value.is_object()) {
+        for (auto& extension : value.items()) extensions_.insert(extension.key());
+      }
+      if (is_texture_key(key) && value.is_object() && value.contains("index")) {
+        const auto own = texture(value["index"]);
+        if (!own) {
+          lost.push_back(key);
+          continue;
+        }
+        value["index"] = *own;
+      }
+      renumber(value);
+    }
+    for (const std::string& key : lost) json.erase(key);
+  }
+
+  std::optional<size_t> texture(const SurfaceJson& index) {
+    if (!index.is_number_unsigned() || index.get<uint64_t>() >= library_.textures.size()) return std::nullopt;
+    const auto from = index.get<size_t>();
+    if (const auto known = texture_numbers_.find(from); known != texture_numbers_.end()) return known->second;
+    SurfaceJson json = SurfaceJson::parse(library_.textures[from], nullptr, false);
+    if (!json.is_object() || !renumber_sources(json)) return std::nullopt;
+    if (json.contains("sampler")) {
+      const auto own = sampler(json["sampler"]);
+      if (own) json["sampler"] = *own;
+      if (!own) json.erase("sampler");
+    }
+    textures_.push_back(std::move(json));
+    texture_numbers_[from] = textures_.size() - 1;
+    return textures_.size() - 1;
+  }
+
+  // Renumbers the image of a texture, and those of its extensions. Returns false if it has no image.
+  bool renumber_sources(SurfaceJson& json) {
+    bool any = false;
+    const auto replace = [&](SurfaceJson& of) {
+      if (!of.is_object() || !of.contains("source")) return;
+      const SurfaceJson& source = of["source"];
+      const bool fits = source.is_number_unsigned() && source.get<uint64_t>() < library_.images.size();
+      const auto own = fits ? image(source.get<uint32_t>()) : std::nullopt;
+      any = any || own;
+      if (own) of["source"] = *own;
+      if (!own) of.erase("source");
+    };
+    replace(json);
+    if (json.contains("extensions") && json["extensions"].is_object()) {
+      for (auto& [name, extension] : json["extensions"].items()) {
+        extensions_.insert(name);
+        replace(extension);
+      }
+    }
+    return any;
+  }
+
+  std::optional<size_t> sampler(const SurfaceJson& index) {
+    if (!index.is_number_unsigned() || index.get<uint64_t>() >= library_.samplers.size()) return std::nullopt;
+    const auto from = index.get<size_t>();
+    const auto [known, added] = sampler_numbers_.try_emplace(from, samplers_.size());
+    if (added) samplers_.push_back(SurfaceJson::parse(library_.samplers[from], nullptr, false));
+    return known->second;
+  }
+
+  std::optional<size_t> image(uint32_t from) {
+    const SurfaceImage& image = library_.images[from];
+    if (image.bytes.empty()) return std::nullopt;
+    const auto [known, added] = image_numbers_.try_emplace(from, images_.size());
+    if (added) {
+      SurfaceJson json{{"name", image.name}};
+      if (!image.mime_type.empty()) json["mimeType"] = image.mime_type;
+      images_.push_back(std::move(json));
+      library_images_.push_back(from);
+    }
+    return known->second;
+  }
+
+  SurfaceJson from_gltf(const SurfaceMaterial& material) {
+    SurfaceJson json = SurfaceJson::parse(material.gltf, nullptr, false);
+    if (!json.is_object()) return SurfaceJson::object();
+    renumber(json);
+    return json;
+  }
+
+  std::optional<SurfaceJson> texture_of_image(std::optional<uint32_t> from) {
+    const auto own = from ? image(*from) : std::nullopt;
+    if (!own) return std::nullopt;
+    const auto [known, added] = textures_of_images_.try_emplace(*own, textures_.size());
+    if (added) textures_.push_back({{"source", *own}});
+    return SurfaceJson{{"index", known->second}};
+  }
+
+  // Kd is a colour in sRGB that multiplies its map. Ns becomes the roughness as in Blender.
+  SurfaceJson from_mtl(const SurfaceMaterial& material) {
+    const MtlStatements mtl(material);
+    SurfaceJson json = SurfaceJson::object(), pbr = SurfaceJson::object();
+    if (material.mtl.empty()) return json;
+    const Vec3 colour = mtl.colour("Kd").value_or(Vec3(1));
+    const double opacity = std::clamp(mtl.number("d").value_or(1 - mtl.number("Tr").value_or(0)), 0.0, 1.0);
+    pbr["baseColorFactor"] = {srgb_to_linear(colour.x), srgb_to_linear(colour.y), srgb_to_linear(colour.z),
+                              opacity};
+    if (auto map = texture_of_image(mtl.map({"map_Kd"}))) pbr["baseColorTexture"] = *map;
+    const double exponent = std::clamp(mtl.number("Ns").value_or(0), 0.0, 1000.0);
+    pbr["metallicFactor"] = std::clamp(mtl.number("Pm").value_or(0), 0.0, 1.0);
+    pbr["roughnessFactor"] = std::clamp(mtl.number("Pr").value_or(1 - std::sqrt(exponent / 1000)), 0.0, 1.0);
+    json["pbrMetallicRoughness"] = std::move(pbr);
+    if (auto map = texture_of_image(mtl.map({"norm", "map_Bump", "bump"}))) json["normalTexture"] = *map;
+    const auto emission = mtl.colour("Ke");
+    auto emissive = texture_of_image(mtl.map({"map_Ke"}));
+    if (emission && *emission != Vec3(0)) {
+      json["emissiveFactor"] = {srgb_to_linear(emission->x), srgb_to_linear(emission->y),
+                                srgb_to_linear(emission->z)};
+    } else if (emissive) {
+      json["emissiveFactor"] = {1, 1, 1};
+    }
+    if (emissive) json["emissiveTexture"] = *emissive;
+    if (opacity < 1) json["alphaMode"] = "BLEND";
+    return json;
+  }
+
+  const SurfaceLibrary& library_;
+  SurfaceJson textures_ = SurfaceJson::array(), samplers_ = SurfaceJson::array(),
+              images_ = SurfaceJson::array();
+  std::vector<uint32_t> library_images_;
+  std::map<size_t, size_t> texture_numbers_, sampler_numbers_, textures_of_images_;
+  std::map<uint32_t, size_t> image_numbers_;
+  std::set<std::string> extensions_;
+};
+
+// Reads members of a material in glTF.
+class GltfMembers {
+ public:
+  GltfMembers(const SurfaceLibrary& library, const nlohmann::json& json) : library_(library), json_(json) {}
+
+  std::vector<double> numbers(const nlohmann::json& of, const char* key) const {
+    std::vector<double> found;
+    if (!of.is_object() || !of.contains(key)) return found;
+    const nlohmann::json& value = of[key];
+    if (value.is_number()) return {value.get<double>()};
+    for (const nlohmann::json& item : value) {
+      if (item.is_number()) found.push_back(item.get<double>());
+    }
+    return found;
+  }
+  std::optional<uint32_t> image(const nlohmann::json& of, const char* key) const {
+    if (!of.is_object() || !of.contains(key) || !of[key].is_object()) return std::nullopt;
+    const auto index = whole(of[key], "index");
+    if (!index || *index >= library_.textures.size()) return std::nullopt;
+    const auto texture = nlohmann::json::parse(library_.textures[*index], nullptr, false);
+    auto source = whole(texture, "source");
+    if (!source && texture.is_object() && texture.contains("extensions")) {
+      for (const nlohmann::json& extension : texture["extensions"]) {
+        if (!source) source = whole(extension, "source");
+      }
+    }
+    if (!source || *source >= library_.images.size()) return std::nullopt;
+    return static_cast<uint32_t>(*source);
+  }
+  const nlohmann::json& object(const char* key) const {
+    static const nlohmann::json kNothing = nlohmann::json::object();
+    return json_.contains(key) ? json_[key] : kNothing;
+  }
+
+ private:
+  static std::optional<uint64_t> whole(const nlohmann::json& of, const char* key) {
+    if (!of.is_object() || !of.contains(key) || !of[key].is_number_unsigned()) return std::nullopt;
+    return of[key].get<uint64_t>();
+  }
+
+  const SurfaceLibrary& library_;
+  const nlohmann::json& json_;
+};
+
+std::string colour_line(const char* keyword, const std::vector<double>& linear) {
+  std::string line = keyword;
+  for (size_t k = 0; k < 3; ++k)
+    line += " " + short_number(linear_to_srgb(k < linear.size() ? linear[k] : 1));
+  return line;
+}
+
+}  // namespace
+
+std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material) {
+  if (material.gltf.empty()) return material.mtl;
+  std::vector<MtlLine> lines;
+  const auto json = nlohmann::json::parse(material.gltf, nullptr, false);
+  if (!json.is_object()) return lines;
+  const GltfMembers members(library, json);
+  const nlohmann::json& pbr = members.object("pbrMetallicRoughness");
+  const auto base = members.numbers(pbr, "baseColorFactor");
+  const auto metallic = members.numbers(pbr, "metallicFactor"),
+             rough = members.numbers(pbr, "roughnessFactor");
+  const double roughness = rough.empty() ? 1 : std::clamp(rough[0], 0.0, 1.0);
+  lines.push_back({colour_line("Kd", base)});
+  lines.push_back({"Ns " + short_number(1000 * (1 - roughness) * (1 - roughness))});
+  lines.push_back({"d " + short_number(base.size() > 3 ? base[3] : 1)});
+  lines.push_back({"Pr " + short_number(roughness)});
+  lines.push_back({"Pm " + short_number(metallic.empty() ? 1 : metallic[0])});
+  if (const auto emission = members.numbers(json, "emissiveFactor"); !emission.empty())
+    lines.push_back({colour_line("Ke", emission)});
+  const auto add_map = [&](const char* keyword, std::optional<uint32_t> image) {
+    if (image) lines.push_back({std::string(keyword) + " ", image});
+  };
+  add_map("map_Kd", members.image(pbr, "baseColorTexture"));
+  add_map("map_Ke", members.image(json, "emissiveTexture"));
+  add_map("norm", members.image(json, "normalTexture"));
+  return lines;
+}
+
+GltfSurfaces gltf_surfaces(const SurfaceLibrary* library, std::span<const uint16_t> materials,
+                           std::span<const std::string> names) {
+  GltfSurfaces out;
+  const SurfaceLibrary none;
+  GltfCollection collection(library ? *library : none);
+  out.materials = SurfaceJson::array();
+  for (const uint16_t m : materials) {
+    const bool known = library && m < library->materials.size();
+    SurfaceJson material = known ? collection.material(library->materials[m]) : SurfaceJson::object();
+    SurfaceJson named = SurfaceJson::object();
+    if (m < names.size() && !names[m].empty()) named["name"] = names[m];
+    for (auto& [key, value] : material.items()) {
+      if (key != "name") named[key] = std::move(value);
+    }
+    out.materials.push_back(std::move(named));
+  }
+  collection.finish(out);
+  return out;
+}
+
+std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
+  std::set<std::string> lost;
+  const auto json = nlohmann::json::parse(material.gltf, nullptr, false);
+  if (!json.is_object()) return {};
+  const auto add = [&](const nlohmann::json& of, const std::set<std::string>& kept) {
+    for (const auto& [key, value] : of.items()) {
+      if (key == "extensions" && value.is_object()) {
+        for (const auto& extension : value.items()) lost.insert(extension.key());
+      } else if (!kept.contains(key)) {
+        lost.insert(key);
+      }
+    }
+  };
+  add(json,
+      {"name", "pbrMetallicRoughness", "normalTexture", "emissiveTexture", "emissiveFactor", "alphaMode"});
+  if (json.contains("pbrMetallicRoughness") && json["pbrMetallicRoughness"].is_object()) {
+    add(json["pbrMetallicRoughness"],
+        {"baseColorFactor", "baseColorTexture", "metallicFactor", "roughnessFactor"});
+  }
+  return {lost.begin(), lost.end()};
+}
+
+std::vector<std::string> lost_in_gltf(const SurfaceMaterial& material) {
+  if (!material.gltf.empty()) return {};
+  std::set<std::string> lost;
+  for (const MtlLine& line : material.mtl) {
+    const std::string keyword = line.text.substr(0, line.text.find_first_of(" \t"));
+    std::string low = keyword;
+    for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    constexpr std::array<std::string_view, 5> kMaps{"map_kd", "norm", "map_bump", "bump", "map_ke"};
+    if (line.image && std::find(kMaps.begin(), kMaps.end(), low) == kMaps.end()) lost.insert(keyword);
+  }
+  return {lost.begin(), lost.end()};
+}
+
+}  // namespace kerf

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/mesh/files/surfaces.h"
+
+namespace kerf {
+
+// Returns the lines of a material in MTL: as in the file, or converted from glTF: Kd, Ke, d, Pr, Pm, Ns and
+// the maps of the base colour, the emission and the normals. Colours are converted from linear light to sRGB.
+std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material);
+
+// Materials of a glTF file, with what they refer to.
+struct GltfSurfaces {
+  nlohmann::ordered_json materials, textures, samplers, images;  // arrays; images have no data yet
+  std::vector<uint32_t> library_images;                          // by image: its index in the library
+  std::vector<std::string> used_extensions, required_extensions;
+};
+
+// Returns the given materials of a library (null: none) by their numbers, with names: those of glTF verbatim,
+// with indices of textures renumbered, and those of MTL converted. Missing images are left out.
+GltfSurfaces gltf_surfaces(const SurfaceLibrary* library, std::span<const uint16_t> materials,
+                           std::span<const std::string> names);
+
+// Return the members or statements of a material that these functions do not convert, ascending:
+// "occlusionTexture", "map_Ns". Empty if the material is already in MTL, or in glTF.
+std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material);
+std::vector<std::string> lost_in_gltf(const SurfaceMaterial& material);
+
+}  // namespace kerf

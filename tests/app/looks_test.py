@@ -1,0 +1,216 @@
+"""UVs, normals, materials, images and names come out of a cut, or a note says what did not. `looks_test.py KERF`."""
+import ast
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+KERF = os.path.abspath(sys.argv.pop(1))
+IMAGE = b"\x89PNG\r\n\x1a\n an image that nobody decodes"
+LIBRARY = "newmtl red paint\nKd 0.8 0.1 0.1\nodd line\nmap_Kd -s 1 1 1 paint.png\nnewmtl bare\nNs 90\n"
+
+
+def plate(cells, material):
+    """A sheet in y = 0 whose UVs are (2x, 1 - z), in two materials."""
+    lines = ["mtllib plate.mtl", "o left fender"]
+    points = [(i / cells, j / cells) for j in range(cells + 1) for i in range(cells + 1)]
+    lines += [f"v {x!r} 0 {z!r}" for x, z in points] + [f"vt {2 * x!r} {1 - z!r}" for x, z in points] + ["vn 0 1 0"]
+    faces = []
+    for j in range(cells):
+        for i in range(cells):
+            a = j * (cells + 1) + i + 1
+            b = a + cells + 1
+            faces += [(a, b, b + 1), (a, b + 1, a + 1)]
+    for k, face in enumerate(faces):
+        if k in (0, len(faces) // 2):
+            lines.append(f"usemtl {material if k else 'bare'}")
+        lines.append("f " + " ".join(f"{v}/{v}/1" for v in face))
+    return "\n".join(lines) + "\n", points, faces
+
+
+def numbers(words):
+    return tuple(float(word) for word in words)
+
+
+def read_obj(text):
+    """Faces as lists of (position, UV, normal), with the material of each."""
+    values = {"v": [], "vt": [], "vn": []}
+    faces = []
+    material = None
+    for line in text.splitlines():
+        words = line.split()
+        if words[0] in values:
+            values[words[0]].append(numbers(words[1:4]))
+        elif words[0] == "usemtl":
+            material = line[7:]
+        elif words[0] == "f":
+            corners = [[int(i) - 1 for i in word.split("/")] for word in words[1:]]
+            faces.append((material, [(values["v"][v], values["vt"][t], values["vn"][n]) for v, t, n in corners]))
+    return faces
+
+
+def read_npz(file):
+    arrays = {}
+    with zipfile.ZipFile(file) as archive:
+        assert archive.testzip() is None
+        for name in archive.namelist():
+            data = archive.read(name)
+            length = struct.unpack("<H", data[8:10])[0]
+            head = ast.literal_eval(data[10:10 + length].decode())
+            kind = {"<f8": "d", "<i8": "q"}[head["descr"]]
+            content = data[10 + length:]
+            arrays[name[:-4]] = head["shape"], struct.unpack(f"<{len(content) // 8}{kind}", content)
+    return arrays
+
+
+class Looks(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        text, self.points, self.faces = plate(6, "red paint")
+        self.write("plate.obj", text)
+        self.write("plate.mtl", LIBRARY)
+        self.write("paint.png", IMAGE)
+        self.write("cut.json", json.dumps({"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]}, "keys": [
+            {"t": 0, "origin": [-0.2, 1, 0.43], "direction": [0, -1, 0]},
+            {"t": 1, "origin": [1.2, 1, 0.61], "direction": [0, -1, 0]}]}]}))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def cut(self, *args, mesh="plate.obj", out="out"):
+        command = [KERF, "cut", mesh, "--path", "cut.json", "--out", out, "--target-edge", "0.03", *args]
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.messages = done.stderr
+        return json.loads(self.read(f"{out}/report.json"))
+
+    def assert_linear(self, text, up=True):
+        faces = read_obj(text)
+        self.assertTrue(faces)
+        for material, corners in faces:
+            self.assertIn(material, ("red paint", "bare"))
+            for position, uv, normal in corners:
+                self.assertAlmostEqual(uv[0], 2 * position[0], delta=1e-6)
+                self.assertAlmostEqual(uv[1], 1 - position[2] if up else position[2], delta=1e-6)
+                self.assertEqual(normal, (0, 1, 0))
+
+    def test_obj_keeps_all(self):
+        report = self.cut("--rim", "smooth")
+        self.assertEqual(len(report["pieces"]), 2)
+        self.assertEqual(report.get("notes", []), [])
+        for number, piece in enumerate(report["pieces"]):
+            text = self.read("out/" + piece["file"]).decode()
+            self.assert_linear(text)
+            self.assertTrue(text.startswith("mtllib pieces.mtl\no left fender" + ["", ".001"][number] + "\n"))
+        self.assertEqual(self.read("out/paint.png"), IMAGE)
+        library = self.read("out/pieces.mtl").decode()
+        self.assertIn("newmtl red paint\nKd 0.8 0.1 0.1\nodd line\nmap_Kd -s 1 1 1 paint.png\n", library)
+
+    def test_a_file_of_another_is_never_replaced(self):
+        os.mkdir(self.path("out"))
+        self.write("out/paint.png", b"mine")
+        self.write("out/pieces.mtl", b"mine")
+        for _ in range(2):  # the second run uses the files of the first
+            self.cut()
+            self.assertEqual(self.read("out/paint.png"), b"mine")
+            self.assertEqual(self.read("out/pieces.mtl"), b"mine")
+            self.assertEqual(self.read("out/paint-2.png"), IMAGE)
+            self.assertIn(b"paint-2.png", self.read("out/pieces-2.mtl"))
+            self.assertTrue(self.read("out/piece-0000.obj").startswith(b"mtllib pieces-2.mtl\n"))
+            self.assertFalse(os.path.exists(self.path("out/pieces-3.mtl")))
+
+    def test_glb_keeps_all_and_comes_back_as_obj(self):
+        report = self.cut("--format", "glb")
+        names = set()
+        for piece in report["pieces"]:
+            data = self.read("out/" + piece["file"])
+            self.assertIn(IMAGE, data)
+            length = struct.unpack("<I", data[12:16])[0]
+            gltf = json.loads(data[20:20 + length])
+            names |= {node["name"] for node in gltf["nodes"]}
+            for primitive in gltf["meshes"][0]["primitives"]:
+                self.assertLessEqual({"POSITION", "NORMAL", "TEXCOORD_0"}, set(primitive["attributes"]))
+        self.assertEqual(names, {"left fender", "left fender.001"})
+        self.cut(mesh="out/piece-0000.glb", out="back")
+        self.assert_linear(self.read("back/piece-0000.obj").decode())
+        self.assertEqual(self.read("back/paint.png"), IMAGE)
+        self.assertIn("Kd 0.8 0.1 0.1\n", self.read("back/pieces.mtl").decode())
+
+    def test_a_format_says_what_it_loses(self):
+        for form in ("stl", "off", "ply"):
+            report = self.cut("--format", form)
+            faces = sum(piece["faces"] for piece in report["pieces"])
+            note = report["notes"][-1]
+            self.assertRegex(note, f"no UVs, normals, materials or textures: {faces} faces lose theirs")
+            self.assertIn(note, self.messages)
+
+    def test_a_missing_image_is_named(self):
+        os.remove(self.path("paint.png"))
+        report = self.cut()
+        self.assertEqual(report["notes"], ["The image 'paint.png' is not in the folder of this file."])
+        self.assertIn("map_Kd -s 1 1 1 paint.png\n", self.read("out/pieces.mtl").decode())
+
+    def test_walls_of_solids_have_normals_and_uvs(self):
+        corners = [(x, y, z) for x in (0, 1) for y in (0, 0.3) for z in (0, 1)]
+        quads = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
+        self.write("box.obj", "mtllib plate.mtl\nusemtl red paint\nvt 0 0\n" +
+                   "".join(f"v {x} {y} {z}\n" for x, y, z in corners) +
+                   "".join("f " + " ".join(f"{v}/1" for v in quad) + "\n" for quad in quads))
+        report = self.cut("--solid", "--format", "glb", mesh="box.obj")
+        self.assertTrue(all(piece["closed"] for piece in report["pieces"]))
+        self.cut(mesh="out/piece-0000.glb", out="back")
+        walls = [face for material, face in read_obj(self.read("back/piece-0000.obj").decode()) if material == "cut"]
+        self.assertTrue(walls)
+        for face in walls:
+            self.assertTrue(all(abs(sum(k * k for k in normal) - 1) < 1e-3 for _, _, normal in face))
+            (p, s, _), (q, t, _), _ = face
+            self.assertAlmostEqual(sum((a - b) ** 2 for a, b in zip(p, q)), sum((a - b) ** 2 for a, b in zip(s, t)),
+                                   delta=1e-5)
+
+    def test_provenance_leads_back_to_the_source(self):
+        for form in ("obj", "glb"):
+            report = self.cut("--provenance", "from.npz", "--format", form, "--rim", "smooth")
+            arrays = read_npz(self.path("from.npz"))
+            total = sum(piece["faces"] for piece in report["pieces"])
+            self.assertEqual({name: shape for name, (shape, _) in arrays.items()},
+                             {"source_face": (total,), "source_barycentrics": (total, 3, 3), "source_mesh": (total,),
+                              "piece": (total,)})
+            if form == "glb":
+                continue
+            written = [face for piece in report["pieces"] for _, face in read_obj(self.read("out/" + piece["file"]).decode())]
+            weights = arrays["source_barycentrics"][1]
+            for f, face in enumerate(written):
+                source = self.faces[arrays["source_face"][1][f]]
+                for c, (position, _, _) in enumerate(face):
+                    w = weights[9 * f + 3 * c:9 * f + 3 * c + 3]
+                    for axis, k in ((0, 0), (2, 1)):
+                        value = sum(w[i] * self.points[source[i] - 1][k] for i in range(3))
+                        self.assertAlmostEqual(value, position[axis], delta=1e-9)
+        self.assertEqual(set(arrays["source_mesh"][1]), {0})
+        done = subprocess.run([KERF, "cut", "plate.obj", "--path", "cut.json", "--out", "out", "--provenance", "plate.mtl/x"],
+                              cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 1, done.stderr)
+
+    def test_info_lists_looks(self):
+        done = subprocess.run([KERF, "info", "plate.obj"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(json.loads(done.stdout)["looks"],
+                         {"uv_sets": 1, "normals": True, "vertex_colours": False, "materials": ["bare", "red paint"],
+                          "images": [{"name": "paint.png", "bytes": len(IMAGE)}], "parts": 1})
+
+
+if __name__ == "__main__":
+    unittest.main()

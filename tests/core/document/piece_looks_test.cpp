@@ -1,0 +1,301 @@
+#include "core/document/piece_looks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "core/document/document.h"
+#include "core/document/extract.h"
+#include "core/edit/detach.h"
+#include "core/mesh/looks.h"
+#include "core/mesh/mesh_file.h"
+#include "core/world/body_mass.h"
+#include "core/world/world.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+// UVs and normals that are linear in the position: in one set for all faces, in the other with a seam at
+// every other face.
+struct LinearLooks {
+  Vec3 low, size;
+
+  explicit LinearLooks(const Soup& soup) : low(soup.positions[0]), size(0) {
+    Vec3 high = low;
+    for (const Vec3& p : soup.positions) low = glm::min(low, p), high = glm::max(high, p);
+    size = glm::max(high - low, Vec3(1e-300));
+  }
+  glm::dvec2 uv(const Vec3& p) const {
+    const Vec3 s = (p - low) / size;
+    return {2 * s.x + 0.25 * s.y - 0.5, 1 - s.z + 0.5 * s.y};
+  }
+  Vec3 normal(const Vec3& p) const { return Vec3(1, 2, 3) + (p - low) / size; }
+};
+
+Soup with_looks(Soup soup) {
+  const LinearLooks linear(soup);
+  LookChannel<glm::vec2> plain, seams;
+  for (const Vec3& p : soup.positions) {
+    plain.values.emplace_back(linear.uv(p));
+    soup.looks.normals.values.emplace_back(linear.normal(p));
+  }
+  plain.corners = soup.looks.normals.corners = soup.triangles;
+  for (uint32_t t = 0; t < soup.triangles.size(); ++t) {
+    const uint32_t next = 3 * t;
+    seams.corners.push_back({next, next + 1, next + 2});
+    for (const uint32_t v : soup.triangles[t])
+      seams.values.emplace_back(t % 2 == 0 ? linear.uv(soup.positions[v]) : -linear.uv(soup.positions[v]));
+  }
+  soup.looks.uv_sets = {plain, seams};
+  soup.keeps_corners = true;
+  return soup;
+}
+
+std::vector<FaceId> live_faces(const Mesh& mesh) {
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (mesh.is_live(FaceId(f))) faces.emplace_back(f);
+  }
+  return faces;
+}
+
+double distance_from(const Body& body, FaceId loaded, const Vec3& p) {
+  const Triangle t = body.looks->triangle(loaded);
+  const Vec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = glm::length(n);
+  return length > 0 ? std::abs(glm::dot(n, p - t[0])) / length : 0;
+}
+
+// The largest errors of UVs and of unit normals over all bodies of a world.
+struct LooksError {
+  double uv = 0, normal = 0;
+  double first_uv = 0;  // of the set without seams
+  double off_plane =
+      0;  // largest excess of a UV over 1e-6 and three times the distance from the loaded plane
+  size_t faces = 0;
+};
+LooksError error_of(const World& world, const LinearLooks& linear) {
+  LooksError error;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    const std::vector<FaceId> faces = live_faces(body.mesh);
+    const CornerLooks looks = looks_of(body, faces, false);
+    EXPECT_EQ(looks.uv_sets.size(), 2u);
+    EXPECT_EQ(looks.normals.corners.size(), faces.size());
+    for (size_t i = 0; i < faces.size(); ++i) {
+      const auto corners = body.mesh.corners(faces[i]);
+      const FaceId source = body.loaded_face(body.mesh.data(faces[i]).base);
+      const bool is_odd = body.looks->number_in_file(source) % 2 != 0;
+      for (size_t k = 0; k < 3; ++k) {
+        const Vec3 p = body.mesh.position(corners[k]);
+        for (size_t set = 0; set < 2; ++set) {
+          const glm::dvec2 uv(looks.uv_sets[set].values[looks.uv_sets[set].corners[i][k]]);
+          const double sign = set == 1 && is_odd ? -1 : 1;
+          const double own = glm::length(uv - sign * linear.uv(p));
+          error.uv = std::max(error.uv, own);
+          if (set == 0) error.first_uv = std::max(error.first_uv, own);
+          error.off_plane = std::max(error.off_plane, own - 1e-6 - 3 * distance_from(body, source, p));
+        }
+        const Vec3 n(looks.normals.values[looks.normals.corners[i][k]]);
+        const Vec3 expected = body.placement.orientation * glm::normalize(linear.normal(p));
+        error.normal = std::max(error.normal, std::min(glm::length(n - expected), glm::length(n + expected)));
+      }
+    }
+    error.faces += faces.size();
+  }
+  return error;
+}
+
+void draw(Document& document, const RandomStroke& stroke, const CutSettings& settings) {
+  document.apply(BeginStroke{settings, stroke.moves.front().from});
+  document.apply(MoveBeam{stroke.moves.back().to});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(run_all(document).ok());
+}
+
+// Every split, removal and detached piece must evaluate the loaded triangle at the same point.
+TEST(PieceLooks, are_those_of_the_loaded_faces_after_every_cut) {
+  uint64_t seed = 0;
+  for (const NamedSoup& made : mesh_classes()) {
+    for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
+      Random random(++seed);
+      SCOPED_TRACE(made.name + ", seed " + std::to_string(seed));
+      const LinearLooks linear(made.soup);
+      Document document(world_of(with_looks(made.soup)));
+      const RandomStroke stroke = random_stroke(document.world(), random, 0.05, true);
+      CutSettings settings = stroke.settings;
+      settings.resolution.scheme = scheme;
+      settings.max_faces = 200'000;
+      draw(document, stroke, settings);
+      const LooksError error = error_of(document.world(), linear);
+      EXPECT_LT(error.uv, 1e-6);
+      EXPECT_LT(error.normal, 1e-6);
+      document.apply(Undo{});
+      ASSERT_TRUE(run_all(document).ok());
+      EXPECT_LT(error_of(document.world(), linear).uv, 1e-6);
+    }
+  }
+}
+
+// Vertices that slide onto the rim leave the planes of some of their loaded faces, where the sheet is bent.
+// There values continue over sides without a seam, or are those of the nearest point of the loaded plane.
+TEST(PieceLooks, stay_on_a_smooth_rim_of_a_bent_sheet) {
+  size_t exact = 0;
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const bool is_bent = seed % 2 != 0;
+    Random random(seed);
+    Soup sheet = grid(9, 1);
+    for (Vec3& p : sheet.positions) p.y = is_bent ? 0.1 * std::sin(3 * p.x) : 0;
+    const LinearLooks linear(sheet);
+    Document document(world_of(with_looks(sheet)));
+    const RandomStroke stroke = random_stroke(document.world(), random, 0.05, true);
+    CutSettings settings = stroke.settings;
+    settings.resolution.rim = Rim::kSmooth;
+    draw(document, stroke, settings);
+    const LooksError error = error_of(document.world(), linear);
+    EXPECT_LE(error.off_plane, 0);
+    EXPECT_LT(is_bent ? 0 : error.uv, 1e-6);
+    exact += is_bent && error.first_uv < 1e-6;
+  }
+  EXPECT_GE(exact, 5u);
+}
+
+TEST(PieceLooks, follow_detached_and_turned_bodies) {
+  const Soup two = both(sphere(8, 12, 1), moved(sphere(8, 12, 1), {4, 0, 0}, 1));
+  const LinearLooks linear(two);
+  World world = world_of(with_looks(two));
+  Body& body = world.body(world.ids()[0]);
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (body.mesh.position(body.mesh.corners(FaceId(f))[0]).x > 2) body.mesh.edit_data(FaceId(f)).piece = 1;
+  }
+  const std::vector<FaceId> faces = body.faces_of(1);
+  ASSERT_FALSE(faces.empty());
+  const Body copy = [&] {
+    Body detached =
+        make_body("part", BuiltMesh{extract_mesh(body.mesh, faces), body.loaded, {}, {}, body.looks});
+    for (uint32_t f = 0; f < faces.size(); ++f)
+      detached.loaded_faces.push_back(body.mesh.data(faces[f]).base);
+    detached.placement.orientation = glm::normalize(glm::dquat(1, 0.5, -0.25, 0.125));
+    return detached;
+  }();
+  World other;
+  other.add(copy);
+  const LooksError error = error_of(other, linear);
+  EXPECT_EQ(error.faces, faces.size());
+  EXPECT_LT(error.uv, 1e-6);
+  EXPECT_LT(error.normal, 1e-6);
+}
+
+TEST(PieceLooks, change_neither_the_cut_nor_its_hash_and_cost_nothing_for_born_faces) {
+  Random random(3);
+  const Soup plain = sphere(24, 32, 1);
+  Document without(world_of(plain)), with(world_of(with_looks(plain)));
+  const Looks* loaded = with.world().body(with.world().ids()[0]).looks.get();
+  const RandomStroke stroke = random_stroke(without.world(), random, 0.1, false);
+  for (Document* document : {&without, &with}) draw(*document, stroke, stroke.settings);
+  EXPECT_EQ(state_hash(without.world()), state_hash(with.world()));
+  EXPECT_EQ(without.world().body(without.world().ids()[0]).looks, nullptr);
+  EXPECT_EQ(with.world().body(with.world().ids()[0]).looks.get(), loaded);
+}
+
+TEST(PieceLooks, take_at_most_sixty_bytes_a_loaded_face) {
+  Soup soup = with_looks(sphere(64, 96, 1));
+  soup.looks.uv_sets.resize(1);
+  const BuiltMesh built = build(soup);
+  EXPECT_LE(built.looks->bytes(), 60 * size_t{built.report.faces});
+}
+
+// A face that the mesh turned keeps a normal that was right, and turns one that agreed with the file.
+TEST(PieceLooks, turn_normals_with_turned_faces) {
+  for (const bool outward : {true, false}) {
+    Soup soup = sphere(8, 12, 1);
+    Random random(5);
+    std::vector<bool> reversed;
+    for (Soup::Triangle& t : soup.triangles) {
+      reversed.push_back(random.below(2) == 0);
+      if (reversed.back()) std::swap(t[0], t[1]);
+    }
+    for (uint32_t t = 0; t < soup.triangles.size(); ++t) {
+      for (const uint32_t v : soup.triangles[t]) {
+        const double sign = outward || !reversed[t] ? 1 : -1;
+        soup.looks.normals.values.emplace_back(sign * glm::normalize(soup.positions[v]));
+      }
+      soup.looks.normals.corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    World world = world_of(soup);
+    const Body& body = world.body(world.ids()[0]);
+    const std::vector<FaceId> faces = live_faces(body.mesh);
+    const CornerLooks looks = looks_of(body, faces, false);
+    for (size_t i = 0; i < faces.size(); ++i) {
+      for (size_t k = 0; k < 3; ++k) {
+        const Vec3 p = body.mesh.position(body.mesh.corners(faces[i])[k]);
+        EXPECT_GT(glm::dot(Vec3(looks.normals.values[looks.normals.corners[i][k]]), p), 0.9);
+      }
+    }
+  }
+}
+
+TEST(PieceLooks, are_the_same_on_both_sides_of_a_loaded_edge) {
+  Random random(7);
+  Document document(world_of(with_looks(sphere(12, 16, 1))));
+  const RandomStroke stroke = random_stroke(document.world(), random, 0.05, true);
+  draw(document, stroke, stroke.settings);
+  const Body& body = document.world().body(document.world().ids()[0]);
+  const std::vector<FaceId> faces = live_faces(body.mesh);
+  const CornerLooks looks = looks_of(body, faces, false);
+  std::map<uint32_t, glm::vec2> first;
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const auto corners = body.mesh.corners(faces[i]);
+    for (size_t k = 0; k < 3; ++k) {
+      const glm::vec2 uv = looks.uv_sets[0].values[looks.uv_sets[0].corners[i][k]];
+      EXPECT_EQ(first.try_emplace(corners[k].index, uv).first->second, uv);
+    }
+  }
+}
+
+TEST(PieceLooks, name_the_source_of_every_face) {
+  Random random(9);
+  Soup soup = both(grid(5, 1), moved(sphere(8, 12, 1), {4, 0, 0}, 1));
+  soup.triangles.insert(soup.triangles.begin() + 3, Soup::Triangle{0, 0, 1});  // dropped
+  soup.keeps_corners = true;
+  Document document(world_of(soup));
+  const RandomStroke stroke = random_stroke(document.world(), random, 0.1, true);
+  draw(document, stroke, stroke.settings);
+  const Body& body = document.world().body(document.world().ids()[0]);
+  const std::vector<FaceId> faces = live_faces(body.mesh);
+  const std::vector<FaceSource> sources = sources_of(body, faces);
+  ASSERT_EQ(sources.size(), faces.size());
+  for (size_t i = 0; i < faces.size(); ++i) {
+    ASSERT_GE(sources[i].face, 0);
+    const Soup::Triangle& from = soup.triangles[static_cast<size_t>(sources[i].face)];
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3& w = sources[i].barycentrics[k];
+      Vec3 p(0);
+      for (int c = 0; c < 3; ++c) p += w[c] * soup.positions[from[static_cast<size_t>(c)]];
+      EXPECT_LT(glm::length(p - body.mesh.position(body.mesh.corners(faces[i])[k])), 1e-9);
+    }
+  }
+}
+
+TEST(PieceLooks, name_the_part_with_the_largest_area) {
+  World world = world_of(sphere(8, 12, 1));
+  const Body& body = world.body(world.ids()[0]);
+  const std::vector<FaceId> faces = live_faces(body.mesh);
+  const auto all = static_cast<uint32_t>(faces.size());
+  const std::vector<MeshPart> parts{{"all", 0, all}, {"front", 0, all / 4}, {"back", all / 4, all}};
+  EXPECT_EQ(part_name_of(body, parts, faces), "all");
+  EXPECT_EQ(part_name_of(body, parts, std::span(faces).first(all / 4)), "front");
+  EXPECT_EQ(part_name_of(body, parts, std::span(faces).last(all / 4)), "back");
+  EXPECT_EQ(part_name_of(body, {}, faces), "");
+}
+
+}  // namespace
+}  // namespace kerf::test

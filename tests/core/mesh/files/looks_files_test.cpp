@@ -1,0 +1,248 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/base/json.h"
+#include "core/base/random.h"
+#include "core/mesh/files/encode.h"
+#include "core/mesh/files/mtl_file.h"
+#include "core/mesh/files/readers.h"
+#include "core/mesh/files/surface_conversion.h"
+#include "core/mesh/mesh_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+const std::string kPng = "\x89PNG\r\n\x1a\n a painted image";
+
+template <typename T>
+std::vector<T> values_of(const LookChannel<T>& channel) {
+  std::vector<T> all;
+  for (const auto& corners : channel.corners) {
+    for (const uint32_t v : corners)
+      all.push_back(v == channel.kNone ? T(std::numeric_limits<float>::quiet_NaN()) : channel.values[v]);
+  }
+  return all;
+}
+
+template <typename T>
+void expect_near(const LookChannel<T>& a, const LookChannel<T>& b, float error) {
+  const auto one = values_of(a), other = values_of(b);
+  ASSERT_EQ(one.size(), other.size());
+  for (size_t i = 0; i < one.size(); ++i) {
+    for (int k = 0; k < T::length(); ++k) ASSERT_NEAR(one[i][k], other[i][k], error) << i;
+  }
+}
+
+TEST(LooksOfObj, have_values_at_the_corners) {
+  const auto soup = read_obj(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
+      "f 1/1/1 2/2/1 3/3/1 4/4/1\nf -4/-1/-1 -2/3 -1//1\n",
+      "a.obj");
+  ASSERT_TRUE(soup.ok());
+  ASSERT_EQ(soup->looks.uv_sets.size(), 1u);
+  EXPECT_FALSE(soup->looks.v_points_down);
+  const auto& uvs = soup->looks.uv_sets[0];
+  ASSERT_EQ(uvs.corners.size(), 3u);
+  for (size_t t = 0; t < 2; ++t) {
+    for (size_t i = 0; i < 3; ++i) {
+      const Vec3& p = soup->positions[soup->triangles[t][i]];
+      EXPECT_EQ(uvs.values[uvs.corners[t][i]], glm::vec2(glm::dvec2(p.x, p.y)));
+    }
+  }
+  EXPECT_EQ(uvs.corners[2], (std::array<uint32_t, 3>{3, 2, uvs.kNone}));
+  EXPECT_EQ(soup->looks.normals.corners[2], (std::array<uint32_t, 3>{0, uvs.kNone, 0}));
+  EXPECT_TRUE(soup->warnings.empty());
+}
+
+TEST(LooksOfObj, survive_damage_with_a_warning) {
+  const auto soup = read_obj(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt one two\nvt 0\nvn 1 2\nf 1/1/1 2/2/1 3/9/1\nf 3/-7/1 2//2 1/2/\n",
+      "a.obj");
+  ASSERT_TRUE(soup.ok());
+  ASSERT_EQ(soup->warnings.size(), 1u);
+  EXPECT_EQ(soup->warnings[0], "3 corners refer to missing UVs or normals; their faces lose them.");
+  const auto built = build_mesh(*soup);
+  ASSERT_TRUE(built.ok());
+  EXPECT_EQ(built->looks, nullptr);
+}
+
+TEST(LooksOfObj, are_none_without_attributes) {
+  const auto soup = read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nvt 0 0\n", "a.obj");
+  ASSERT_TRUE(soup.ok());
+  EXPECT_FALSE(soup->looks.any());
+  EXPECT_EQ(build_mesh(*soup)->looks, nullptr);
+}
+
+TEST(MtlFile, keeps_unknown_lines_and_finds_images) {
+  const MtlFile file = parse_mtl(
+      "# a comment\nKd 1 1 1\nnewmtl red paint\n  Kd 0.8 0.1 0.1\r\nwhat is this\nmap_Kd -s 2 2 1 -clamp on "
+      "my "
+      "paint.png\nmap_Bump -bm 0.5 bump.png\nmap_aat on\nnewmtl bare\nnorm -1.png\n");
+  ASSERT_EQ(file.materials.size(), 2u);
+  EXPECT_EQ(file.materials[0].name, "red paint");
+  ASSERT_EQ(file.materials[0].lines.size(), 5u);
+  EXPECT_EQ(file.materials[0].lines[1].text, "what is this");
+  EXPECT_EQ(file.materials[0].lines[2].text, "map_Kd -s 2 2 1 -clamp on ");
+  EXPECT_EQ(file.materials[0].lines[4].text, "map_aat on");
+  EXPECT_EQ(file.references, (std::vector<std::string>{"my paint.png", "bump.png", "-1.png"}));
+}
+
+// The folder of a mesh with a library, an image in it, one outside and one that is missing.
+struct PaintedFolder {
+  TemporaryFolder folder;
+
+  PaintedFolder() {
+    std::filesystem::create_directories(folder / "mesh");
+    write_text(folder / "secret.png", "secret");
+    write_text(folder / "mesh/paint.png", kPng);
+    write_text(folder / "mesh/a b.mtl",
+               "newmtl red\nKd 0.8 0.1 0.1\nmap_Kd C:\\textures\\paint.png\nmap_Ks ../secret.png\nKs 1 1 1\n"
+               "newmtl unused\nmap_Kd none.png\n");
+    write_text(folder / "mesh/a.obj",
+               "mtllib a b.mtl\no left fender\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\n"
+               "usemtl red\nf 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 3/3/1 2/2/1 1/1/1\n");
+  }
+  Soup read() const { return *read_mesh(folder / "mesh/a.obj"); }
+};
+
+TEST(LooksOfObj, include_images_in_the_folder_only) {
+  const PaintedFolder painted;
+  const Soup soup = painted.read();
+  ASSERT_NE(soup.surfaces, nullptr);
+  ASSERT_EQ(soup.surfaces->images.size(), 2u);
+  EXPECT_EQ(soup.surfaces->images[0].bytes, kPng);
+  EXPECT_EQ(soup.surfaces->images[0].mime_type, "image/png");
+  EXPECT_EQ(soup.surfaces->images[1].bytes, "");
+  EXPECT_EQ(soup.warnings,
+            (std::vector<std::string>{"The image '../secret.png' is not in the folder of this file.",
+                                      "1 material is not in a material library."}));
+}
+
+TEST(LooksOfGltf, come_back_from_obj) {
+  const PaintedFolder painted;
+  const Soup soup = painted.read();
+  const MeshView view{
+      soup.positions, soup.triangles,     soup.materials, soup.material_names, {}, "left fender", {},
+      &soup.looks,    soup.surfaces.get()};
+  for (const MeshFormat format : {MeshFormat::kGlb, MeshFormat::kGltf}) {
+    const std::string bytes = encoded(view, format);
+    EXPECT_EQ(bytes.find(kPng) != std::string::npos, format == MeshFormat::kGlb);
+    EXPECT_EQ(bytes.find("secret.png"), std::string::npos);
+    const auto back = read_gltf(bytes, "a");
+    ASSERT_TRUE(back.ok()) << back.error().message;
+    EXPECT_EQ(back->warnings, std::vector<std::string>{});
+    EXPECT_EQ(back->material_names, soup.material_names);
+    EXPECT_EQ(back->parts[0].name, "left fender");
+    ASSERT_EQ(back->looks.uv_sets.size(), 1u);
+    auto uvs = back->looks.uv_sets[0];
+    for (glm::vec2& uv : uvs.values) uv.y = 1 - uv.y;
+    expect_near(uvs, soup.looks.uv_sets[0], 1e-6f);
+    expect_near(back->looks.normals, soup.looks.normals, 1e-6f);
+    ASSERT_EQ(back->surfaces->images.size(), 1u);
+    EXPECT_EQ(back->surfaces->images[0].bytes, kPng);
+    const auto lines = mtl_lines(*back->surfaces, back->surfaces->materials[0]);
+    const auto has = [&](const std::string& text) {
+      return std::any_of(lines.begin(), lines.end(), [&](const MtlLine& line) { return line.text == text; });
+    };
+    EXPECT_TRUE(has("Kd 0.8 0.1 0.1"));
+    EXPECT_TRUE(has("map_Kd "));
+  }
+}
+
+// A second round trip through a format changes nothing.
+TEST(LooksOfGltf, are_exact_from_gltf_to_gltf) {
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Soup soup;
+    for (int i = 0; i < 20; ++i)
+      soup.positions.emplace_back(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    CornerLooks& looks = soup.looks;
+    looks.uv_sets.resize(2);
+    looks.v_points_down = true;
+    for (int i = 0; i < 30; ++i) {
+      for (auto& set : looks.uv_sets)
+        set.values.emplace_back(glm::dvec2(random.uniform(-9, 9), random.uniform(0, 1)));
+      looks.normals.values.emplace_back(
+          glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1))));
+    }
+    const auto corners = [&](uint64_t count) {
+      return std::array<uint32_t, 3>{static_cast<uint32_t>(random.below(count)),
+                                     static_cast<uint32_t>(random.below(count)),
+                                     static_cast<uint32_t>(random.below(count))};
+    };
+    for (int t = 0; t < 40; ++t) {
+      soup.triangles.push_back(corners(20));
+      for (auto& set : looks.uv_sets) set.corners.push_back(corners(30));
+      looks.normals.corners.push_back(corners(30));
+    }
+    const MeshView view{soup.positions, soup.triangles, {}, {}, {}, {}, {}, &looks};
+    const auto back = read_gltf(encoded(view, MeshFormat::kGlb), "a");
+    ASSERT_TRUE(back.ok()) << back.error().message;
+    ASSERT_EQ(back->looks.uv_sets.size(), 2u);
+    for (size_t set = 0; set < 2; ++set) expect_near(back->looks.uv_sets[set], looks.uv_sets[set], 0);
+    expect_near(back->looks.normals, looks.normals, 1e-6f);
+    const auto obj = read_obj(
+        encoded({soup.positions, soup.triangles, {}, {}, {}, {}, {}, &looks}, MeshFormat::kObj), "a.obj");
+    ASSERT_TRUE(obj.ok()) << obj.error().message;
+    EXPECT_EQ(obj->triangles, soup.triangles);
+    auto uvs = obj->looks.uv_sets[0];
+    for (glm::vec2& uv : uvs.values) uv.y = 1 - uv.y;
+    expect_near(uvs, looks.uv_sets[0], 1e-6f);
+    expect_near(obj->looks.normals, looks.normals, 0);
+  }
+}
+
+TEST(GltfSurfaces, keep_extensions_and_renumber_textures) {
+  SurfaceLibrary library;
+  library.images = {{"unused", "", "image/png", "u"}, {"a", "", "image/png", "a"}, {"gone", "", "", ""}};
+  library.samplers = {R"({"wrapS":1})", R"({"wrapS":2})"};
+  library.textures = {R"({"source":0})",
+                      R"({"source":1,"sampler":1,"extensions":{"EXT_texture_webp":{"source":1}}})",
+                      R"({"source":2})"};
+  library.required_extensions = {"KHR_materials_odd", "KHR_not_used"};
+  library.materials = {
+      {{}, R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})"},
+      {{},
+       R"({"name":"other","normalTexture":{"index":1,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}},)"
+       R"("occlusionTexture":{"index":2},"emissiveTexture":{"index":77},)"
+       R"("extensions":{"KHR_materials_odd":{"oddTexture":{"index":1},"odd":[1,{"x":3}]}}})"}};
+  const std::vector<uint16_t> used{1};
+  const std::vector<std::string> names{"first", "second"};
+  const GltfSurfaces out = gltf_surfaces(&library, used, names);
+  EXPECT_EQ(
+      out.materials.dump(),
+      R"([{"name":"second","normalTexture":{"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}},)"
+      R"("extensions":{"KHR_materials_odd":{"oddTexture":{"index":0},"odd":[1,{"x":3}]}}}])");
+  EXPECT_EQ(out.textures.dump(),
+            R"([{"source":0,"sampler":0,"extensions":{"EXT_texture_webp":{"source":0}}}])");
+  EXPECT_EQ(out.samplers.dump(), R"([{"wrapS":2}])");
+  EXPECT_EQ(out.library_images, std::vector<uint32_t>{1});
+  EXPECT_EQ(out.used_extensions,
+            (std::vector<std::string>{"EXT_texture_webp", "KHR_materials_odd", "KHR_texture_transform"}));
+  EXPECT_EQ(out.required_extensions, std::vector<std::string>{"KHR_materials_odd"});
+}
+
+TEST(LooksOfGltf, survive_damaged_attributes_and_deep_materials) {
+  const Soup plain = *read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "a.obj");
+  const MeshView view{plain.positions, plain.triangles, {}, {}};
+  auto file = nlohmann::json::parse(encoded(view, MeshFormat::kGltf));
+  file["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 1;  // the indices
+  std::string deep = "1";
+  for (int i = 0; i < 5000; ++i) deep = "[" + deep + "]";
+  std::string text = file.dump();
+  text.insert(1, R"("materials":[{"extras":)" + deep + R"(}],"images":[7,{"uri":"../x.png"}],"textures":7,)");
+  text.replace(text.find(R"("indices")"), 9, R"("material":0,"indices")");
+  const auto soup = read_gltf(text, "a.gltf");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  EXPECT_FALSE(soup->looks.any());
+  ASSERT_EQ(soup->warnings.size(), 4u);
+  EXPECT_EQ(soup->warnings[0], "Unreadable normals or UVs were ignored.");
+}
+
+}  // namespace
+}  // namespace kerf::test

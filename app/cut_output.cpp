@@ -307,7 +307,10 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   const std::vector<Vec3> positions = seen_from(origin, e.positions);
   MeshView view{positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
   CornerLooks looks;
-  if (format_row(format).uvs_and_normals) looks = looks_of(*part.body, part.faces, is_gltf(format));
+  if (format_row(format).uvs_and_normals) {
+    const auto normals = is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth;
+    looks = looks_of(*part.body, part.faces, normals);
+  }
   if (looks.any()) view.looks = &looks;
   if (part.body->looks) view.surfaces = part.body->looks->surfaces().get();
   if (format == MeshFormat::kObj && !surfaces.library().empty()) {

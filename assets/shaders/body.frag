@@ -20,6 +20,31 @@ uniform sampler2D heat_ramps;  // see heat_ramps.h
 
 uniform float terminator;  // sine of the angle between smooth normals and facets
 
+#ifdef TEXTURED
+in vec2 uv;
+flat in int surface;
+
+uniform int has_images;  // 0 until they are decoded
+uniform sampler2DArray colour_images, number_images;
+
+// See SurfaceEntry.
+struct Surface {
+  vec4 base, emission, traits, layers;
+};
+layout(std140) uniform Surfaces { Surface surfaces[256]; };
+
+// What the material and its maps are at this place.
+vec4 coat;  // colour, gloss
+float metal = 0.0, open_to_sky = 1.0;
+vec3 emitted = vec3(0.0);
+bool is_double_sided = false;
+#else
+#define coat paint
+const float metal = 0.0, open_to_sky = 1.0;
+const vec3 emitted = vec3(0.0);
+const bool is_double_sided = false;
+#endif
+
 out vec4 pixel;  // linear light; alpha: how much of it may bloom
 
 // What heat makes of a surface.
@@ -81,10 +106,12 @@ vec3 mapped_colour(vec3 n, vec3 v) {
 Hot heat_of_surface() { return Hot(vec3(0.0), vec3(0.0), 0.0); }
 #endif
 
-float gloss_left(Hot hot) { return paint.a * (1.0 - 1.067 * hot.burnt); }
-vec3 skin_left(Hot hot) { return mix(paint.rgb, hot.tint, hot.burnt); }
+float gloss_left(Hot hot) { return coat.a * (1.0 - 1.067 * hot.burnt); }
+vec3 skin_left(Hot hot) { return mix(coat.rgb, hot.tint, hot.burnt) * (1.0 - 0.6 * metal); }
 // The back of a sheet is primed in a grey that has a little of the paint.
-vec3 primer(Hot hot) { return mix(mix(vec3(0.15), paint.rgb, 0.25), hot.tint, hot.burnt); }
+vec3 primer(Hot hot) { return mix(mix(vec3(0.15), coat.rgb, 0.25), hot.tint, hot.burnt); }
+// Metals tint what they mirror.
+vec3 mirror_tint() { return mix(vec3(1.0), 1.5 * coat.rgb, metal); }
 
 // How light that falls on a surface fades out where the smooth normal turns away from it, before the facets do.
 float lit(float facing) {
@@ -98,7 +125,7 @@ vec3 outside(vec3 n, vec3 v, Hot hot) {
   vec3 l = to_light(at);
   float gloss = gloss_left(hot), facing = lit(dot(n, l)), sharp = exp2(3.0 + 6.5 * gloss);
   float shine = pow(max(dot(n, normalize(l + v)), 0.0), sharp) * (sharp + 8.0) * 0.010 * gloss * smoothstep(0.0, 0.1, facing);
-  return (skin_left(hot) * facing * 0.62 + shine) * arriving(at);
+  return (skin_left(hot) * facing * 0.62 + shine * mirror_tint()) * arriving(at);
 }
 
 vec3 inside(vec3 n, Hot hot) { return primer(hot) * lit(dot(n, to_light(at))) * 0.62 * arriving(at); }
@@ -112,16 +139,17 @@ vec3 outside(vec3 n, vec3 v, Hot hot) {
   float gloss = gloss_left(hot);
   float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   float fresnel = mix(0.035, 0.05, gloss) + (0.25 + 0.55 * gloss) * gloss * edge * edge * edge * edge;
-  vec3 mirrored = surroundings(reflect(-v, n)) * fresnel * (0.25 + 1.9 * gloss) * open;
+  fresnel += 0.35 * metal;
+  vec3 mirrored = surroundings(reflect(-v, n)) * mirror_tint() * fresnel * (0.25 + 1.9 * gloss) * open;
   vec3 rim = kRimColour * edge * edge * edge * max(dot(n, normalize(kRimDirection)), 0.0) * (0.25 + 0.75 * gloss);
-  return skin_left(hot) * sky + mirrored + rim;
+  return (skin_left(hot) * sky + mirrored) * open_to_sky + rim;
 }
 
 vec3 inside(vec3 n, Hot hot) { return primer(hot) * mix(ground_light.rgb, sky_light.rgb, 0.5 + 0.5 * n.y); }
 
 vec3 own_light(vec3 n, Hot hot) {
-  vec3 skin = gl_FrontFacing ? paint.rgb : primer(hot);
-  return (0.25 * skin + 0.05) * spot_light(at, n) + hot.light * (gl_FrontFacing ? 1.0 : 0.8);
+  vec3 skin = gl_FrontFacing || is_double_sided ? coat.rgb : primer(hot);
+  return emitted + (0.25 * skin + 0.05) * spot_light(at, n) + hot.light * (gl_FrontFacing ? 1.0 : 0.8);
 }
 
 #endif
@@ -149,9 +177,60 @@ vec3 shading_normal() {
   return size > 0.0 ? across / size : smooth_one;
 }
 
+#ifdef TEXTURED
+vec4 number_map(float layer, vec4 otherwise) {
+  return layer > 0.5 && has_images != 0 ? texture(number_images, vec3(uv, layer - 1.0)) : otherwise;
+}
+vec4 colour_map(float layer) {
+  return layer > 0.5 && has_images != 0 ? texture(colour_images, vec3(uv, layer - 1.0)) : vec4(1.0);
+}
+
+// Turns a normal of a map from the frame of the UVs (C. Schueler: Normal mapping without precomputed tangents,
+// 2013).
+vec3 bent(vec3 n, vec3 by) {
+  vec3 p = cross(dFdy(at), n), q = cross(n, dFdx(at));
+  vec2 uv_x = dFdx(uv), uv_y = dFdy(uv);
+  vec3 t = p * uv_x.x + q * uv_y.x, b = p * uv_x.y + q * uv_y.y;
+  float size = max(dot(t, t), dot(b, b));
+  return size > 0.0 ? normalize((t * by.x - b * by.y) * inversesqrt(size) + n * by.z) : n;
+}
+
+// A pattern of 16 thresholds stands for partial opacity.
+float threshold_here() {
+  const float kOrder[16] = float[16](0.0, 8.0, 2.0, 10.0, 12.0, 4.0, 14.0, 6.0, 3.0, 11.0, 1.0, 9.0, 15.0, 7.0, 13.0, 5.0);
+  ivec2 place = ivec2(gl_FragCoord.xy) & 3;
+  return (kOrder[4 * place.y + place.x] + 0.5) / 16.0;
+}
+
+// Evaluates the maps and returns the normal. Discards what is transparent.
+vec3 read_surface(vec3 n) {
+  coat = paint;
+  if (surface < 0 || surfaces[surface].emission.w == 0.0) return n;
+  Surface s = surfaces[surface];
+  vec2 first = mod(s.layers.xy, 256.0), second = floor(s.layers.xy / 256.0);
+  float emission = mod(s.layers.z, 256.0);
+  is_double_sided = s.layers.z > 255.5;
+  vec4 base = s.base * colour_map(first.x);
+  vec4 rough = number_map(first.y, vec4(1.0));
+  vec4 normals = number_map(second.x, vec4(0.5, 0.5, 1.0, 1.0));
+  open_to_sky = mix(1.0, number_map(second.y, vec4(1.0)).r, s.traits.w);
+  emitted = s.emission.rgb * colour_map(emission).rgb;
+  metal = s.traits.x * rough.b;
+  coat = vec4(base.rgb, 1.0 - s.traits.y * rough.g);
+  float needed = s.layers.w < -1.5 ? threshold_here() : s.layers.w;
+  vec3 by = normals.xyz * 2.0 - 1.0;
+  vec3 turned_normal = second.x > 0.5 ? bent(n, vec3(by.xy * s.traits.z, by.z)) : n;
+  if (base.a < needed) discard;
+  return turned_normal;
+}
+#endif
+
 void main() {
   vec3 v = -normalize(at);
   vec3 n = shading_normal();
+#ifdef TEXTURED
+  n = read_surface(n);
+#endif
 #ifdef RIM
   if (is_mapped()) {
 #if defined(DIRECT) || defined(GLOW)
@@ -166,7 +245,7 @@ void main() {
 #ifdef GLOW
   vec3 colour = hot.light * (gl_FrontFacing ? 1.0 : 0.8);
 #else
-  vec3 colour = gl_FrontFacing ? outside(n, v, hot) : inside(n, hot);
+  vec3 colour = gl_FrontFacing || is_double_sided ? outside(n, v, hot) : inside(n, hot);
 #ifndef DIRECT
   colour += own_light(n, hot);
 #endif

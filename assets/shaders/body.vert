@@ -8,6 +8,12 @@ layout(location = 6) in vec3 warming;    // its gradient, in units of kGradientU
 layout(location = 7) in float hottest;   // the same of the highest temperature that was
 layout(location = 8) in vec3 heating;
 layout(location = 9) in float scalar;    // the number of the face (see scalar_field.h)
+#ifdef TEXTURED
+layout(location = 10) in vec2 corner_uv;
+
+out vec2 uv;
+flat out int surface;  // index in "Surfaces"; -1: the paint alone
+#endif
 
 const uint kPieceColours = 32u;
 layout(std140) uniform Paints {
@@ -80,6 +86,10 @@ void main() {
 
   uint number = shown_number(piece, look);
   paint = paints[traits.y];
+#ifdef TEXTURED
+  uv = corner_uv;
+  surface = number < kStayed && body_look.y < 0.5 ? int(traits.y) : -1;
+#endif
   if (number >= kStayed) {
     paint = vec4(number == kStayed ? kStayedColour : kCameOffColour, 0.25);
   } else if (body_look.y > 1.5) {

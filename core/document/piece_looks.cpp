@@ -53,11 +53,12 @@ std::array<glm::vec2, 3> plane_uvs(const Triangle& t) {
 
 class Evaluation {
  public:
-  Evaluation(const Body& body, std::span<const FaceId> faces, bool all_normals)
+  Evaluation(const Body& body, std::span<const FaceId> faces, LookNormals normals)
       : body_(body),
         looks_(*body.looks),
         faces_(faces),
-        wants_normals_(looks_.has_normals() || (all_normals && looks_.has_corners())) {}
+        normals_(normals),
+        wants_normals_(looks_.has_normals() || (normals == LookNormals::kAll && looks_.has_corners())) {}
 
   CornerLooks run() {
     out_.uv_sets.resize(looks_.uv_sets());
@@ -68,7 +69,7 @@ class Evaluation {
       for (size_t i = 0; i < 3; ++i) t[i] = body_.mesh.position(corners[i]);
       add_face(f, corners, t);
     });
-    if (bare_ > 0 && wants_normals_) smooth_bare_faces();
+    if (bare_ > 0 && wants_normals_ && normals_ != LookNormals::kLoaded) smooth_bare_faces();
     return std::move(out_);
   }
 
@@ -101,7 +102,7 @@ class Evaluation {
     for (size_t i = 0; i < 3; ++i) {
       const Vec3 n = sign * looks_.normal(points[i]);
       const double length = glm::length(n);
-      normals[i] = in_world(length > 0 ? n / length : unit_normal_of(t));
+      normals[i] = in_axes(length > 0 ? n / length : unit_normal_of(t));
     }
     add(out_.normals, normals);
   }
@@ -131,9 +132,10 @@ class Evaluation {
     });
   }
 
-  glm::vec3 in_world(const Vec3& n) const {
-    const Vec3 turned =
-        body_.placement.orientation == glm::dquat(1, 0, 0, 0) ? n : body_.placement.orientation * n;
+  glm::vec3 in_axes(const Vec3& n) const {
+    const bool turns =
+        normals_ != LookNormals::kLoaded && body_.placement.orientation != glm::dquat(1, 0, 0, 0);
+    const Vec3 turned = turns ? body_.placement.orientation * n : n;
     return glm::vec3(turned == Vec3(0) ? Vec3(0, 1, 0) : turned);
   }
 
@@ -181,7 +183,7 @@ class Evaluation {
         }
         const double length = glm::length(sum);
         out_.normals.corners[bare[b]][i] = static_cast<uint32_t>(out_.normals.values.size());
-        out_.normals.values.push_back(in_world(length > 0 ? sum / length : planes[b]));
+        out_.normals.values.push_back(in_axes(length > 0 ? sum / length : planes[b]));
       }
     }
   }
@@ -193,6 +195,7 @@ class Evaluation {
   const Body& body_;
   const Looks& looks_;
   std::span<const FaceId> faces_;
+  LookNormals normals_;
   bool wants_normals_;
   CornerLooks out_;
   std::vector<Triangle> triangles_;  // of the faces, if normals are wanted
@@ -202,9 +205,9 @@ class Evaluation {
 
 }  // namespace
 
-CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, bool all_normals) {
+CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, LookNormals normals) {
   if (!body.looks || faces.empty()) return {};
-  return Evaluation(body, faces, all_normals).run();
+  return Evaluation(body, faces, normals).run();
 }
 
 std::vector<FaceSource> sources_of(const Body& body, std::span<const FaceId> faces) {

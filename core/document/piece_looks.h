@@ -11,11 +11,17 @@
 
 namespace kerf {
 
-// Returns the UVs and unit normals of faces of a body, evaluated from its looks, with normals in world axes;
-// nothing if it has none. Triangles and corners have the order of extract_faces(). If there are normals, or
-// `all_normals` asks for them, faces without any get smooth ones with creases. Walls of a body with UVs get
-// UVs in metres, undistorted and continuous in a plane. Precondition: the faces are live. O(n log n).
-CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, bool all_normals);
+// Which normals looks_of() returns.
+enum class LookNormals : uint8_t {
+  kLoaded,  // of faces that have them in the file, in the axes of the body
+  kSmooth,  // likewise in world axes; if there are any, faces without get smooth ones with creases
+  kAll,     // likewise even if there are none
+};
+
+// Returns the UVs and unit normals of faces of a body, evaluated from its looks; nothing if it has none.
+// Triangles and corners have the order of extract_faces(). Walls of a body with UVs get UVs in metres,
+// undistorted and continuous in a plane. Precondition: the faces are live. O(n log n).
+CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, LookNormals normals);
 
 // The origin of a face: the loaded face that contains it, by its number in the file, and the barycentric
 // coordinates of its corners there, in the order of the file. A wall has the number -1 and zeros.

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "ui/render/png.h"
+#include "ui/render/image.h"
 
 namespace kerf::test {
 

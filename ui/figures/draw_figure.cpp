@@ -14,9 +14,9 @@
 #include "ui/game/hud.h"
 #include "ui/game/match_picture.h"
 #include "ui/gl/context.h"
+#include "ui/render/image.h"
 #include "ui/render/offscreen_renderer.h"
 #include "ui/render/picture.h"
-#include "ui/render/png.h"
 #include "ui/window/gui.h"
 #include "ui/window/theme.h"
 

@@ -19,15 +19,9 @@ bool casts_shadows(const ViewOptions& options) {
   return options.show.shadows == Shadows::kAll || options.show.shadow_compare;
 }
 
-// Draws the kept side of the section plane of the bodies.
-void draw_section(const Subject& subject, const gl::Program& program) {
-  const SectionClip clip(subject.options);
-  draw_bodies(subject, program);
-}
-
 }  // namespace
 
-LitScene::BodyPrograms::BodyPrograms(Shaders& shaders) {
+LitScene::BodyPrograms::BodyPrograms(Shaders& shaders, Maps maps) {
   const auto load = [&](std::vector<std::string> defines) {
     return shaders.load({{"frame.glsl", "placed.glsl", "body.vert"},
                          {"frame.glsl", "light.glsl", "direct.glsl", "body.frag"},
@@ -35,6 +29,7 @@ LitScene::BodyPrograms::BodyPrograms(Shaders& shaders) {
   };
   for (size_t i = 0; i < ambient.size(); ++i) {
     std::vector<std::string> defines;
+    if (maps == Maps::kTextured) defines.emplace_back("TEXTURED");
     for (auto [bit, name] : {std::pair{kWire, "WIRE"}, std::pair{kRim, "RIM"}, std::pair{kSpot, "SPOT"}}) {
       if (i & bit) defines.emplace_back(name);
     }
@@ -42,7 +37,7 @@ LitScene::BodyPrograms::BodyPrograms(Shaders& shaders) {
     defines.emplace_back("DIRECT");
     if (i < direct.size()) direct[i] = load(defines);
   }
-  for (size_t i = 0; i < glow.size(); ++i) {
+  for (size_t i = 0; i < glow.size() && maps == Maps::kNone; ++i) {
     std::vector<std::string> defines{"RIM", "GLOW"};
     if (i & kWire) defines.emplace_back("WIRE");
     glow[i] = load(std::move(defines));
@@ -50,20 +45,47 @@ LitScene::BodyPrograms::BodyPrograms(Shaders& shaders) {
 }
 
 LitScene::LitScene(Shaders& shaders)
-    : body_(shaders),
+    : body_(shaders, Maps::kNone),
       sky_(shaders.load({{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}})),
       darken_(shaders.load({{"screen.vert"}, {"solid.frag"}})),
       ground_(shaders),
       shadows_(shaders),
       tone_(shaders) {}
 
+void LitScene::load_textured_programs(const Subject& subject) {
+  const bool any =
+      std::ranges::any_of(subject.bodies, [](const auto& entry) { return entry.second.is_textured(); });
+  if (!any || textured_ || lacks_textured_) return;
+  Shaders shaders;
+  textured_.emplace(shaders, Maps::kTextured);
+  lacks_textured_ = !shaders.status();
+  if (lacks_textured_) textured_.reset();
+}
+
+// Draws the kept side of the section plane of the bodies. use(programs) starts to use one of them and returns
+// it.
+template <typename Use>
+void LitScene::draw_section(const Subject& subject, const Use& use) const {
+  const SectionClip clip(subject.options);
+  for (const BodyPrograms* programs : {&body_, textured_ ? &*textured_ : nullptr}) {
+    if (!programs) continue;
+    const gl::Program& program = use(*programs);
+    ramps_.bind(program);
+    for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
+      const bool by_maps = textured_ && picture.is_textured();
+      if (by_maps == (programs != &body_)) picture.draw(program, subject.space, body.placement);
+    });
+  }
+}
+
 void LitScene::draw_without_lights(const Subject& subject) const {
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   gl::ScopedState state({.culled = subject.culled()});
-  const gl::Program& body = body_.ambient[variant_ + (spot_ ? kSpot : 0)];
-  body.use();
-  ramps_.bind(body);
-  draw_section(subject, body);
+  draw_section(subject, [&](const BodyPrograms& programs) -> const gl::Program& {
+    const gl::Program& body = programs.ambient[variant_ + (spot_ ? kSpot : 0)];
+    body.use();
+    return body;
+  });
   state.set({});
   ground_.draw(subject.space, spot_);
   state.set({.depth = GL_LEQUAL});
@@ -81,12 +103,13 @@ void LitScene::add_direct(const Subject& subject, size_t light, std::optional<gl
                    .blend = gl::kAdd,
                    .stencil = where};
   gl::ScopedState state(adding);
-  const gl::Program& body = body_.direct[variant_];
-  body.use();
-  ramps_.bind(body);
-  body.set("light", place);
-  body.set("light_colour", colour);
-  draw_section(subject, body);
+  draw_section(subject, [&](const BodyPrograms& programs) -> const gl::Program& {
+    const gl::Program& body = programs.direct[variant_];
+    body.use();
+    body.set("light", place);
+    body.set("light_colour", colour);
+    return body;
+  });
   const bool projected =
       subject.options.show.shadows == Shadows::kGround && !casts_shadows(subject.options) &&
       ground_.project_shadow(subject.space, place,
@@ -121,7 +144,8 @@ void LitScene::restore_glow(const Subject& subject) const {
   const gl::Program& glow = body_.glow[variant_ & kWire];
   glow.use();
   ramps_.bind(glow);
-  draw_section(subject, glow);
+  const SectionClip clip(subject.options);
+  draw_bodies(subject, glow);
 }
 
 void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod method) {
@@ -148,6 +172,7 @@ void LitScene::add_light(const Subject& subject, size_t light) {
 
 void LitScene::draw(const Subject& subject, const Shining& shining, const gl::Framebuffer& canvas) {
   KERF_ASSERT(is_frame_bound());
+  load_textured_programs(subject);
   variant_ = (shows_edges(subject.options) ? kWire : 0) + (shining.rims ? kRim : 0);
   spot_ = shining.spot;
   gl::Framebuffer::Shape shape = canvas.shape();

@@ -35,13 +35,17 @@ class LitScene {
   // Variants of the programs with and without wire, glowing rims and spot, so that unneeded terms are not
   // computed.
   static constexpr size_t kWire = 1, kRim = 2, kSpot = 4;
+  enum class Maps { kNone, kTextured };
   struct BodyPrograms {
-    explicit BodyPrograms(Shaders& shaders);
+    BodyPrograms(Shaders& shaders, Maps maps);
     std::array<gl::Program, 8> ambient;
     std::array<gl::Program, 4> direct;  // without spot
-    std::array<gl::Program, 2> glow;    // of rims, without spot
+    std::array<gl::Program, 2> glow;    // of rims, without spot and maps
   };
 
+  void load_textured_programs(const Subject& subject);
+  template <typename Use>
+  void draw_section(const Subject& subject, const Use& use) const;
   void draw_without_lights(const Subject& subject) const;
   void add_light(const Subject& subject, size_t light);
   void add_shadowed(const Subject& subject, size_t light, ShadowMethod method);
@@ -50,6 +54,8 @@ class LitScene {
   void restore_glow(const Subject& subject) const;
 
   BodyPrograms body_;
+  std::optional<BodyPrograms> textured_;  // loaded for the first body with maps
+  bool lacks_textured_ = false;           // they failed to load, so that maps are left out
   gl::Program sky_, darken_;
   GroundPass ground_;
   ShadowPass shadows_;

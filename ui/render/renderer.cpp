@@ -46,12 +46,13 @@ void Renderer::send_faces(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (!world.contains(id)) continue;
     if (picture.faces().is_sending()) contact_old_ = true;
-    uploaded_ += picture.faces().update(world.body(id).mesh, most_faces_sent_);
+    uploaded_ += picture.faces().update(world.body(id), most_faces_sent_);
   }
 }
 
 void Renderer::catch_up(const World& world) {
   send_faces(world);
+  for (const auto& textures : textures_) textures->update(most_faces_sent_ == DirtySlots::kAll);
   find_finest();
   follow_heat(world);
 }
@@ -76,6 +77,10 @@ bool Renderer::is_sending() const {
                      [](const auto& entry) { return entry.second.faces().is_sending(); });
 }
 
+bool Renderer::is_loading_images() const {
+  return std::ranges::any_of(textures_, [](const auto& textures) { return textures->is_loading(); });
+}
+
 double Renderer::sent_share() const {
   size_t all = 0, unsent = 0;
   for (const auto& [id, picture] : bodies_) {
@@ -87,6 +92,7 @@ double Renderer::sent_share() const {
 
 PictureMemory Renderer::memory() const {
   PictureMemory memory = passes_.scene.shadows().memory();
+  for (const auto& textures : textures_) memory.graphics += textures->bytes();
   for (const auto& [id, picture] : bodies_) memory += picture.faces().memory();
   return memory;
 }
@@ -386,6 +392,7 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   glow_width_ = kGlowWidth * diagonal;
   loaded_.clear();
   smooth_.clear();
+  textures_.clear();
   for (const auto& [id, body] : prepared) loaded_.emplace(id, LoadedShading{body.frame, body.bases});
   for (const BodyId id : world.ids()) {
     PreparedBody ahead = prepare_shading(world.body(id), loaded_);
@@ -409,7 +416,15 @@ void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
   PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(body, loaded_);
   if (body.loaded_faces.empty()) loaded_.try_emplace(body.loaded_as, LoadedShading{ahead.frame, ahead.bases});
   if (ahead.caster) passes_.scene.shadows().adopt(id, std::move(ahead.caster));
-  bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead), glow_width_));
+  bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead), textures_of(body), glow_width_));
+}
+
+std::shared_ptr<const SurfaceTextures> Renderer::textures_of(const Body& body) {
+  if (!body.looks || !body.looks->surfaces()) return nullptr;
+  for (const auto& textures : textures_) {
+    if (textures->library() == body.looks->surfaces()) return textures;
+  }
+  return textures_.emplace_back(std::make_shared<SurfaceTextures>(body.looks->surfaces()));
 }
 
 void Renderer::take_casters(PreparedBodies prepared) {

@@ -89,14 +89,17 @@ class Renderer {
   // The work for shadows since the renderer was created.
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
 
-  // Limits the number of faces of a newly shown body uploaded per frame; later frames upload the rest.
-  // Without a limit every frame is complete. Precondition: faces > 0.
+  // Limits the number of faces of a newly shown body uploaded per frame; later frames upload the rest, and
+  // images of materials when they are decoded. Without a limit every frame is complete. Precondition: faces >
+  // 0.
   void limit_sending(uint32_t faces) {
     KERF_ASSERT(faces > 0);
     most_faces_sent_ = faces;
   }
   // Returns true if faces are left for later frames to upload.
   bool is_sending() const;
+  // Returns true if images of materials are still being decoded.
+  bool is_loading_images() const;
   // The fraction of uploaded faces, from 0 to 1.
   double sent_share() const;
 
@@ -132,6 +135,7 @@ class Renderer {
 
   void place_ground(const World& world);
   void add(BodyId id, const Body& body, PreparedBodies& prepared);
+  std::shared_ptr<const SurfaceTextures> textures_of(const Body& body);
   void drop(BodyId id);
   void carry_on(BodyId from, BodyId to);
   void look_from(const World& world, const CameraView& view);
@@ -165,7 +169,8 @@ class Renderer {
   LoadedShadings loaded_;
   std::map<BodyId, std::shared_ptr<const BaseFaces>> smooth_;  // by Body::loaded_as, while they are shown
   std::map<std::string, Paint> paints_;
-  Vec3 middle_{0};  // of the world when it was first shown
+  std::vector<std::shared_ptr<SurfaceTextures>> textures_;  // one for each file that describes materials
+  Vec3 middle_{0};                                          // of the world when it was first shown
   FrameSpace space_;
   FrameUniforms frame_;
   double near_ = 0;        // m, of the last frame

@@ -93,7 +93,8 @@ class MtlStatements {
 // Collects the materials of one glTF file.
 class GltfCollection {
  public:
-  explicit GltfCollection(const SurfaceLibrary& library) : library_(library) {}
+  GltfCollection(const SurfaceLibrary& library, MissingImages missing)
+      : library_(library), missing_(missing) {}
 
   SurfaceJson material(const SurfaceMaterial& material) {
     return material.gltf.empty() ? from_mtl(material) : from_gltf(material);
@@ -186,7 +187,7 @@ class GltfCollection {
 
   std::optional<size_t> image(uint32_t from) {
     const SurfaceImage& image = library_.images[from];
-    if (image.bytes.empty()) return std::nullopt;
+    if (image.bytes.empty() && missing_ == MissingImages::kLeaveOut) return std::nullopt;
     const auto [known, added] = image_numbers_.try_emplace(from, images_.size());
     if (added) {
       SurfaceJson json{{"name", image.name}};
@@ -241,6 +242,7 @@ class GltfCollection {
   }
 
   const SurfaceLibrary& library_;
+  MissingImages missing_;
   SurfaceJson textures_ = SurfaceJson::array(), samplers_ = SurfaceJson::array(),
               images_ = SurfaceJson::array();
   std::vector<uint32_t> library_images_;
@@ -330,10 +332,10 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
 }
 
 GltfSurfaces gltf_surfaces(const SurfaceLibrary* library, std::span<const uint16_t> materials,
-                           std::span<const std::string> names) {
+                           std::span<const std::string> names, MissingImages missing) {
   GltfSurfaces out;
   const SurfaceLibrary none;
-  GltfCollection collection(library ? *library : none);
+  GltfCollection collection(library ? *library : none, missing);
   out.materials = SurfaceJson::array();
   for (const uint16_t m : materials) {
     const bool known = library && m < library->materials.size();

@@ -22,9 +22,11 @@ struct GltfSurfaces {
 };
 
 // Returns the given materials of a library (null: none) by their numbers, with names: those of glTF verbatim,
-// with indices of textures renumbered, and those of MTL converted. Missing images are left out.
+// with indices of textures renumbered, and those of MTL converted. Files leave out images without bytes.
+enum class MissingImages : uint8_t { kLeaveOut, kKeep };
 GltfSurfaces gltf_surfaces(const SurfaceLibrary* library, std::span<const uint16_t> materials,
-                           std::span<const std::string> names);
+                           std::span<const std::string> names,
+                           MissingImages missing = MissingImages::kLeaveOut);
 
 // Return the members or statements of a material that these functions do not convert, ascending:
 // "occlusionTexture", "map_Ns". Empty if the material is already in MTL, or in glTF.

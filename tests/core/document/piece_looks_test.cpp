@@ -86,7 +86,7 @@ LooksError error_of(const World& world, const LinearLooks& linear) {
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     const std::vector<FaceId> faces = live_faces(body.mesh);
-    const CornerLooks looks = looks_of(body, faces, false);
+    const CornerLooks looks = looks_of(body, faces, LookNormals::kSmooth);
     EXPECT_EQ(looks.uv_sets.size(), 2u);
     EXPECT_EQ(looks.normals.corners.size(), faces.size());
     for (size_t i = 0; i < faces.size(); ++i) {
@@ -233,7 +233,7 @@ TEST(PieceLooks, turn_normals_with_turned_faces) {
     World world = world_of(soup);
     const Body& body = world.body(world.ids()[0]);
     const std::vector<FaceId> faces = live_faces(body.mesh);
-    const CornerLooks looks = looks_of(body, faces, false);
+    const CornerLooks looks = looks_of(body, faces, LookNormals::kSmooth);
     for (size_t i = 0; i < faces.size(); ++i) {
       for (size_t k = 0; k < 3; ++k) {
         const Vec3 p = body.mesh.position(body.mesh.corners(faces[i])[k]);
@@ -250,7 +250,7 @@ TEST(PieceLooks, are_the_same_on_both_sides_of_a_loaded_edge) {
   draw(document, stroke, stroke.settings);
   const Body& body = document.world().body(document.world().ids()[0]);
   const std::vector<FaceId> faces = live_faces(body.mesh);
-  const CornerLooks looks = looks_of(body, faces, false);
+  const CornerLooks looks = looks_of(body, faces, LookNormals::kSmooth);
   std::map<uint32_t, glm::vec2> first;
   for (size_t i = 0; i < faces.size(); ++i) {
     const auto corners = body.mesh.corners(faces[i]);

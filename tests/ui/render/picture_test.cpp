@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "tests/support/made_meshes.h"
-#include "ui/render/png.h"
+#include "ui/render/image.h"
 
 namespace kerf {
 namespace {

@@ -397,7 +397,8 @@ void EditorScreen::took(const FrameTime& time) {
   statistics.frames.add(1000 * time.whole);
   statistics.between_pictures.add(1000 * beside);
   if (busy_frame_) return;
-  if (picture_.first().is_sending()) workspace_.view.picture_old = true;
+  const Renderer& renderer = picture_.first();
+  if (renderer.is_sending() || renderer.is_loading_images()) workspace_.view.picture_old = true;
   if (workspace_.cut_seconds > 0) {
     statistics.cutting_frames.add(1000 * time.whole);
     statistics.between_cutting_pictures.add(1000 * beside);

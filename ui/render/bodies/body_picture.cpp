@@ -17,6 +17,7 @@ gl::Program Shaders::load(const gl::ProgramFiles& files) {
   }
   program->bind_block("Frame", kFrameBlock);
   program->bind_block("Paints", kPaintBlock);
+  program->bind_block("Surfaces", kSurfaceBlock);
   return std::move(*program);
 }
 
@@ -32,12 +33,17 @@ bool is_frame_bound() {
 }
 
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
-                                   const std::map<std::string, Paint>& paints) {
+                                   const std::map<std::string, Paint>& paints,
+                                   std::span<const std::optional<SurfaceLook>> looks) {
   const Paint plain;
   std::vector<glm::vec4> table(kPaints, glm::vec4(glm::vec3(plain.colour), plain.gloss));
   for (size_t m = 0; m < std::min(kPaints, materials.size()); ++m) {
     const auto found = paints.find(materials[m]);
-    if (found != paints.end()) table[m] = glm::vec4(glm::vec3(found->second.colour), found->second.gloss);
+    if (found != paints.end()) {
+      table[m] = glm::vec4(glm::vec3(found->second.colour), found->second.gloss);
+    } else if (m < looks.size() && looks[m]) {
+      table[m] = glm::vec4(glm::vec3(looks[m]->base), 1 - looks[m]->roughness);
+    }
   }
   return table;
 }
@@ -51,9 +57,12 @@ std::vector<glm::dvec3> piece_colours(const std::vector<std::string>& materials,
 }
 
 BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared,
-                         double glow_width)
-    : faces_(body.mesh, prepared.frame, std::move(prepared.bases), glow_width) {
-  std::vector<glm::vec4> table = paint_table(body.material_names, paints);
+                         std::shared_ptr<const SurfaceTextures> textures, double glow_width)
+    : faces_(body.mesh, prepared.frame, std::move(prepared.bases), glow_width),
+      textures_(std::move(textures)) {
+  std::span<const std::optional<SurfaceLook>> looks;
+  if (textures_) looks = textures_->looks();
+  std::vector<glm::vec4> table = paint_table(body.material_names, paints, looks);
   for (const glm::dvec3& colour : piece_colours(body.material_names, paints))
     table.emplace_back(glm::vec3(colour), 0);
   gl::fill_buffer(GL_UNIFORM_BUFFER, paints_, table.size() * sizeof(glm::vec4), table.data(), GL_STATIC_DRAW);
@@ -67,6 +76,7 @@ void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,
   program.set("heated", faces_.heat().any() ? 1 : 0);
   glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
   looks_.bind(program);
+  if (is_textured()) textures_->bind(program);
 }
 
 void BodyPicture::draw(const gl::Program& program, const FrameSpace& space,

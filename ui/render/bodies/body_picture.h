@@ -3,6 +3,9 @@
 #include <epoxy/gl.h>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +16,7 @@
 #include "ui/render/bodies/face_buffer.h"
 #include "ui/render/bodies/piece_looks.h"
 #include "ui/render/bodies/prepared_body.h"
+#include "ui/render/bodies/surface_textures.h"
 #include "ui/render/view/frame_space.h"
 #include "ui/render/view/view_options.h"
 
@@ -37,6 +41,7 @@ class Shaders {
 // Binding points of the shaders' uniform blocks.
 inline constexpr GLuint kFrameBlock = 0;
 inline constexpr GLuint kPaintBlock = 1;
+inline constexpr GLuint kSurfaceBlock = 2;
 
 // Returns true if a buffer is bound as the uniform block of the frame; for preconditions.
 bool is_frame_bound();
@@ -44,15 +49,19 @@ bool is_frame_bound();
 // One body on the GPU: its faces, its paints and the looks of its pieces.
 class BodyPicture {
  public:
-  // `glow_width` [m] is that of RimDistance. Precondition: `prepared` was made for this body.
+  // `textures` are those of the materials of its file, or null. `glow_width` [m] is that of RimDistance.
+  // Precondition: `prepared` was made for this body.
   BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared,
-              double glow_width);
+              std::shared_ptr<const SurfaceTextures> textures, double glow_width);
 
   FaceBuffer& faces() { return faces_; }
   const FaceBuffer& faces() const { return faces_; }
 
   PieceLooks& looks() { return looks_; }
   const PieceLooks& looks() const { return looks_; }
+
+  // Returns true if programs with TEXTURED draw it.
+  bool is_textured() const { return textures_ && faces_.has_uvs(); }
 
   // Sets placements and paints in `program`, which is in use and draws faces.
   void bind(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;
@@ -62,6 +71,7 @@ class BodyPicture {
   PieceLooks looks_;
   FaceBuffer faces_;
   gl::Buffer paints_;
+  std::shared_ptr<const SurfaceTextures> textures_;
 };
 
 // Returns the colours (linear light) of the pieces of a body, by number from 1 on, cyclically: each is as
@@ -69,10 +79,11 @@ class BodyPicture {
 std::vector<glm::dvec3> piece_colours(const std::vector<std::string>& materials,
                                       const std::map<std::string, Paint>& paints);
 
-// Returns colour and gloss of up to 256 materials by index. A material without a paint looks like blue-grey
-// painted metal.
+// Returns colour and gloss of up to 256 materials by index: of their paints, otherwise as their file
+// describes them. Any other material looks like blue-grey painted metal.
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
-                                   const std::map<std::string, Paint>& paints);
+                                   const std::map<std::string, Paint>& paints,
+                                   std::span<const std::optional<SurfaceLook>> looks = {});
 
 // While it exists, programs that write gl_ClipDistance[0] draw only the kept side of the options' section
 // plane. Programs that do not write it must not draw meanwhile. No-op without a plane.

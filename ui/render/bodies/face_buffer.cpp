@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/document/piece_looks.h"
+#include "core/mesh/looks.h"
 #include "ui/gl/buffers.h"
 
 namespace kerf {
@@ -13,7 +15,7 @@ namespace {
 
 using Indices = std::array<uint32_t, 3>;
 
-constexpr GLuint kScalarAttribute = 9;
+constexpr GLuint kScalarAttribute = 9, kUvAttribute = 10;
 constexpr size_t kMinRoom = 64;  // slots
 
 FaceCorners corners_of(const FaceVertices& face) {
@@ -35,6 +37,7 @@ void FaceBuffer::Chunk::make_room(uint32_t slots) {
     const std::vector<Heat> cold(slots);
     gl::enlarge_buffer(*heat, room * sizeof(Heat), slots * sizeof(Heat), cold.data());
   }
+  if (uvs) gl::enlarge_buffer(*uvs, room * sizeof(Uvs), slots * sizeof(Uvs));
   room = slots;
   live.make_room(slots);
   glBindVertexArray(layout.name());
@@ -48,6 +51,7 @@ void FaceBuffer::Chunk::make_room(uint32_t slots) {
   gl::read_whole(2, {1, GL_UNSIGNED_SHORT}, sizeof(uint16_t));
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
   if (heat) read_heat();
+  if (uvs) read_uvs();
   glBindVertexArray(0);
 }
 
@@ -71,6 +75,20 @@ void FaceBuffer::Chunk::read_heat() const {
     gl::read_floats(attribute, {1, GL_UNSIGNED_SHORT, at, true}, sizeof(HeatMark));
     gl::read_floats(attribute + 1, {3, GL_HALF_FLOAT, gradient}, sizeof(HeatMark));
   }
+}
+
+void FaceBuffer::Chunk::make_uvs() {
+  if (uvs) return;
+  glBindVertexArray(layout.name());
+  gl::fill_buffer(GL_ARRAY_BUFFER, uvs.emplace(), room * sizeof(Uvs));
+  read_uvs();
+  glBindVertexArray(0);
+}
+
+// Precondition: the layout is bound.
+void FaceBuffer::Chunk::read_uvs() const {
+  glBindBuffer(GL_ARRAY_BUFFER, uvs->name());
+  gl::read_floats(kUvAttribute, {2}, sizeof(glm::vec2));
 }
 
 void FaceBuffer::Chunk::make_scalars() {
@@ -126,17 +144,20 @@ PictureMemory FaceBuffer::memory() const {
   for (const Chunk& chunk : chunks_)
     memory.graphics += chunk.live.bytes() +
                        chunk.room * (sizeof(FaceVertices) + sizeof(Labels) + sizeof(Indices) +
-                                     (chunk.heat ? sizeof(Heat) : 0) + (chunk.scalars ? sizeof(Scalars) : 0));
+                                     (chunk.heat ? sizeof(Heat) : 0) + (chunk.scalars ? sizeof(Scalars) : 0) +
+                                     (chunk.uvs ? sizeof(Uvs) : 0));
   return memory;
 }
 
-size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
+size_t FaceBuffer::update(const Body& body, uint32_t most) {
   if (dirty_.empty() && relabelled_.empty()) return 0;
+  const Mesh& mesh = body.mesh;
+  has_uvs_ = has_uvs_ || (body.looks && body.looks->uv_sets() > 0);
   DirtySlots born = take_born(mesh, most);
   find_rims(mesh, born);
   size_t bytes = 0;
   for (const SlotRange range : born.take(kGap, kChunkFaces)) {
-    bytes += update_slots(mesh, range) + update_labels(mesh, range);
+    bytes += update_slots(body, range) + update_uvs(range) + update_labels(mesh, range);
   }
   for (const SlotRange range : relabelled_.take(kGap, kChunkFaces)) bytes += update_labels(mesh, range);
   for (Chunk& chunk : chunks_) bytes += update_list(chunk);
@@ -236,14 +257,48 @@ void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
   ++faces_of_[known];
 }
 
-size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
+size_t FaceBuffer::update_slots(const Body& body, const SlotRange& range) {
+  const Mesh& mesh = body.mesh;
   staging_.clear();
   for (uint32_t f = range.begin; f < range.end; ++f) {
     staging_.push_back(face_vertices(mesh, *bases_, frame_, FaceId(f), rim_of(mesh, FaceId(f))));
     if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
+  stage_looks(body, range);
   gl::put_items<FaceVertices>(GL_ARRAY_BUFFER, chunk_of(range).vertices, range.begin % kChunkFaces, staging_);
   return staging_.size() * sizeof(FaceVertices);
+}
+
+// Gives the staged faces the normals of the file, unless all are smoothed, and stages their UVs.
+void FaceBuffer::stage_looks(const Body& body, const SlotRange& range) {
+  if (has_uvs_) staged_uvs_.assign(range.end - range.begin, {});
+  if (!body.looks || !body.looks->has_corners()) return;
+  std::vector<FaceId> live;
+  for (uint32_t f = range.begin; f < range.end; ++f) {
+    if (halvings_[f] != kDead) live.emplace_back(f);
+  }
+  const CornerLooks looks = looks_of(body, live, LookNormals::kLoaded);
+  const auto has_value = [](const auto& channel, size_t i) {
+    return channel.any() && channel.corners[i][0] != LookChannel<glm::vec2>::kNone;
+  };
+  for (size_t i = 0; i < live.size(); ++i) {
+    const size_t slot = live[i].index - range.begin;
+    for (size_t c = 0; c < 3; ++c) {
+      if (!smooth_ && has_value(looks.normals, i))
+        staging_[slot][c].normal = pack_normal(looks.normals.values[looks.normals.corners[i][c]]);
+      if (!has_uvs_ || looks.uv_sets.empty() || !has_value(looks.uv_sets[0], i)) continue;
+      const glm::vec2 uv = looks.uv_sets[0].values[looks.uv_sets[0].corners[i][c]];
+      staged_uvs_[slot][c] = {uv.x, looks.v_points_down ? uv.y : 1 - uv.y};
+    }
+  }
+}
+
+size_t FaceBuffer::update_uvs(const SlotRange& range) {
+  if (!has_uvs_) return 0;
+  Chunk& chunk = chunk_of(range);
+  chunk.make_uvs();
+  gl::put_items<Uvs>(GL_ARRAY_BUFFER, *chunk.uvs, range.begin % kChunkFaces, staged_uvs_);
+  return staged_uvs_.size() * sizeof(Uvs);
 }
 
 size_t FaceBuffer::update_labels(const Mesh& mesh, const SlotRange& range) {

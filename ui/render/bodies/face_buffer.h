@@ -46,9 +46,9 @@ class FaceBuffer {
     if (heat_.any()) reheated_.mark_all(mesh.face_slots());
   }
 
-  // Uploads the changes of the current mesh. If every slot changed, uploads at most `most` of them; later
-  // calls upload the others. Returns the number of bytes uploaded.
-  size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
+  // Uploads the changes of the body's current mesh. If every slot changed, uploads at most `most` of them;
+  // later calls upload the others. Returns the number of bytes uploaded.
+  size_t update(const Body& body, uint32_t most = DirtySlots::kAll);
   // Uploads the changes of the body's heat. Precondition: its mesh is that of the last update.
   // `time_passed`: heat may have flowed since the last call. Returns the number of bytes uploaded.
   size_t update_heat(const Body& body, bool time_passed);
@@ -58,6 +58,8 @@ class FaceBuffer {
   const CornerHeat& heat() const { return heat_; }
   // Returns true if slots are left for later calls.
   bool is_sending() const { return dirty_.has_all(); }
+  // Returns true if faces have UVs.
+  bool has_uvs() const { return has_uvs_; }
   // The number of slots, and how many of them are left for later calls.
   size_t slots() const { return corners_.size(); }
   size_t unsent() const { return dirty_.left(); }
@@ -101,6 +103,7 @@ class FaceBuffer {
   using Labels = std::array<uint16_t, 3>;  // of a face, one per corner
   using Heat = std::array<HeatMark, 3>;
   using Scalars = std::array<float, 3>;  // of a face, one per corner
+  using Uvs = std::array<glm::vec2, 3>;  // v = 0 is the top row of an image
 
   struct Chunk {
     gl::Buffer vertices, labels, indices;
@@ -108,11 +111,14 @@ class FaceBuffer {
     LiveList live;
     std::optional<gl::Buffer> heat;     // of chunks with faces that were ever hot
     std::optional<gl::Buffer> scalars;  // while a scalar field is shown
+    std::optional<gl::Buffer> uvs;      // if faces have UVs
     uint32_t room = 0;                  // slots
     // Reserves `slots` slots, more than before. Frees the scalars.
     void make_room(uint32_t slots);
     void make_heat();
     void read_heat() const;
+    void make_uvs();
+    void read_uvs() const;
     void make_scalars();
     void free_scalars();
     void draw() const;
@@ -125,14 +131,16 @@ class FaceBuffer {
   void record_corners(const Mesh& mesh, uint32_t slot);
   void find_rims(const Mesh& mesh, DirtySlots& born);
   std::array<float, 3> rim_of(const Mesh& mesh, FaceId f) const;
-  size_t update_slots(const Mesh& mesh, const SlotRange& range);
+  size_t update_slots(const Body& body, const SlotRange& range);
+  size_t update_uvs(const SlotRange& range);
+  void stage_looks(const Body& body, const SlotRange& range);
   size_t update_labels(const Mesh& mesh, const SlotRange& range);
   size_t update_heat_of(const Mesh& mesh, const SlotRange& range);
   size_t update_list(Chunk& chunk);
 
   FloatFrame frame_;
   std::shared_ptr<const BaseFaces> first_bases_, bases_;
-  bool smooth_ = false;
+  bool smooth_ = false, has_uvs_ = false;
   RemovedFaces removed_;
   RimDistance rims_;
   CornerHeat heat_;
@@ -143,6 +151,7 @@ class FaceBuffer {
   DirtySlots dirty_, relabelled_, reheated_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;
+  std::vector<Uvs> staged_uvs_;
   std::vector<Labels> staged_labels_;
   std::vector<VertexId> moved_corners_;     // of faces changed since the last search for rims
   std::vector<VertexId> reheated_corners_;  // of faces changed since the last update of heat

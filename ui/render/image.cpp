@@ -1,24 +1,32 @@
-#include "ui/render/png.h"
+#include "ui/render/image.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"
 
 #define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_MAX_DIMENSIONS (1 << 14)
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_RESIZE_STATIC
+#define STB_IMAGE_RESIZE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include <stb_image.h>
+#include <stb_image_resize.h>
 #include <stb_image_write.h>
 #pragma GCC diagnostic pop
 
@@ -114,6 +122,30 @@ std::optional<Pixels> read_png(const std::filesystem::path& file) {
   pixels.rgb.assign(data, data + 3 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
   stbi_image_free(data);
   return pixels;
+}
+
+std::optional<TexturePixels> decode_texture(std::string_view bytes) {
+  if (bytes.size() > static_cast<size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  TexturePixels pixels;
+  int channels = 0;
+  uint8_t* data =
+      stbi_load_from_memory(reinterpret_cast<const uint8_t*>(bytes.data()), static_cast<int>(bytes.size()),
+                            &pixels.width, &pixels.height, &channels, 4);
+  if (data == nullptr) return std::nullopt;
+  pixels.rgba.assign(data, data + 4 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
+  stbi_image_free(data);
+  return pixels;
+}
+
+TexturePixels resized(const TexturePixels& from, int side, bool colours) {
+  KERF_ASSERT(from.width > 0 && from.height > 0 && side > 0);
+  if (from.width == side && from.height == side) return from;
+  TexturePixels to{side, side,
+                   std::vector<uint8_t>(4 * static_cast<size_t>(side) * static_cast<size_t>(side))};
+  stbir_resize_uint8_generic(from.rgba.data(), from.width, from.height, 0, to.rgba.data(), side, side, 0, 4,
+                             3, 0, STBIR_EDGE_WRAP, STBIR_FILTER_DEFAULT,
+                             colours ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR, nullptr);
+  return to;
 }
 
 }  // namespace kerf

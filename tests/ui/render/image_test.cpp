@@ -1,4 +1,4 @@
-#include "ui/render/png.h"
+#include "ui/render/image.h"
 
 #include <gtest/gtest.h>
 

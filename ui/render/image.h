@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -34,5 +35,20 @@ Status write_png(const Pixels& pixels, const std::filesystem::path& file);
 
 // Reads a PNG. Returns nullopt if the file is missing or damaged.
 std::optional<Pixels> read_png(const std::filesystem::path& file);
+
+// Rows of RGBA from the top, 8 bits each.
+struct TexturePixels {
+  int width = 0, height = 0;
+  std::vector<uint8_t> rgba;
+};
+
+// Decodes a PNG, JPEG, BMP or TGA image. Returns nullopt if it is damaged, of another format, or larger than
+// kMaxTextureSide on a side.
+inline constexpr int kMaxTextureSide = 1 << 14;
+std::optional<TexturePixels> decode_texture(std::string_view bytes);
+
+// Returns an image resized to a square, for `colours` with the mean of their light. Precondition: the image
+// is not empty, and side > 0.
+TexturePixels resized(const TexturePixels& from, int side, bool colours);
 
 }  // namespace kerf

@@ -1,0 +1,104 @@
+#include "core/mesh/files/surface_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/mesh/files/surface_conversion.h"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Json& member(const Json& of, const char* key) {
+  static const Json kNothing = Json::object();
+  return of.is_object() && of.contains(key) ? of[key] : kNothing;
+}
+
+double number(const Json& of, const char* key, double otherwise) {
+  const Json& value = member(of, key);
+  if (!value.is_number()) return otherwise;
+  const auto x = value.get<double>();
+  return std::isfinite(x) ? x : otherwise;
+}
+
+// Reads up to `count` numbers over the defaults in `to`.
+template <typename V>
+void read_vector(const Json& of, const char* key, V& to) {
+  const Json& value = member(of, key);
+  if (!value.is_array()) return;
+  for (int k = 0; k < V::length() && k < static_cast<int>(value.size()); ++k) {
+    const Json& x = value[static_cast<size_t>(k)];
+    if (x.is_number() && std::isfinite(x.get<double>())) to[k] = std::max(x.get<double>(), 0.0);
+  }
+}
+
+std::optional<size_t> index(const Json& of, const char* key, size_t count) {
+  const Json& value = member(of, key);
+  if (!value.is_number_unsigned() || value.get<uint64_t>() >= count) return std::nullopt;
+  return value.get<size_t>();
+}
+
+class LookReader {
+ public:
+  explicit LookReader(const GltfSurfaces& surfaces) : surfaces_(surfaces) {}
+
+  SurfaceLook read(const Json& material) const {
+    SurfaceLook look;
+    const Json& pbr = member(material, "pbrMetallicRoughness");
+    read_vector(pbr, "baseColorFactor", look.base);
+    read_vector(material, "emissiveFactor", look.emission);
+    look.metallic = std::clamp(number(pbr, "metallicFactor", 1), 0.0, 1.0);
+    look.roughness = std::clamp(number(pbr, "roughnessFactor", 1), 0.0, 1.0);
+    look.cutoff = number(material, "alphaCutoff", 0.5);
+    const Json& alpha = member(material, "alphaMode");
+    if (alpha == "MASK") look.alpha = SurfaceLook::Alpha::kMask;
+    if (alpha == "BLEND") look.alpha = SurfaceLook::Alpha::kBlend;
+    look.double_sided = member(material, "doubleSided") == true;
+    look.normal_scale = number(member(material, "normalTexture"), "scale", 1);
+    look.occlusion_strength = number(member(material, "occlusionTexture"), "strength", 1);
+    const auto set = [&](SurfaceMap map, const Json& of, const char* key) {
+      look.maps[static_cast<size_t>(map)] = image(member(of, key));
+    };
+    set(SurfaceMap::kBase, pbr, "baseColorTexture");
+    set(SurfaceMap::kNormal, material, "normalTexture");
+    set(SurfaceMap::kMetallicRoughness, pbr, "metallicRoughnessTexture");
+    set(SurfaceMap::kOcclusion, material, "occlusionTexture");
+    set(SurfaceMap::kEmission, material, "emissiveTexture");
+    return look;
+  }
+
+ private:
+  std::optional<uint32_t> image(const Json& use) const {
+    if (number(use, "texCoord", 0) != 0) return std::nullopt;
+    const auto texture = index(use, "index", surfaces_.textures.size());
+    if (!texture) return std::nullopt;
+    const Json& json = surfaces_.textures[*texture];
+    auto source = index(json, "source", surfaces_.library_images.size());
+    for (const Json& extension : member(json, "extensions")) {
+      if (!source) source = index(extension, "source", surfaces_.library_images.size());
+    }
+    if (!source) return std::nullopt;
+    return surfaces_.library_images[*source];
+  }
+
+  const GltfSurfaces& surfaces_;
+};
+
+}  // namespace
+
+std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library) {
+  std::vector<uint16_t> materials(std::min<size_t>(library.materials.size(), 0xffff));
+  std::iota(materials.begin(), materials.end(), uint16_t{0});
+  const GltfSurfaces surfaces = gltf_surfaces(&library, materials, {}, MissingImages::kKeep);
+  std::vector<std::optional<SurfaceLook>> looks(materials.size());
+  for (size_t m = 0; m < materials.size(); ++m) {
+    if (library.materials[m].mtl.empty() && library.materials[m].gltf.empty()) continue;
+    looks[m] = LookReader(surfaces).read(surfaces.materials[m]);
+  }
+  return looks;
+}
+
+}  // namespace kerf

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/mesh/files/surfaces.h"
+
+namespace kerf {
+
+// The maps of a surface, as glTF 2.0 defines their channels.
+enum class SurfaceMap : uint8_t { kBase, kNormal, kMetallicRoughness, kOcclusion, kEmission };
+inline constexpr size_t kSurfaceMaps = 5;
+
+// How a material of a file is drawn, in the terms of glTF 2.0: factors in linear light, times the maps.
+struct SurfaceLook {
+  enum class Alpha : uint8_t { kOpaque, kMask, kBlend };
+
+  glm::dvec4 base{1};  // colour and opacity
+  Vec3 emission{0};
+  double metallic = 1, roughness = 1;
+  double normal_scale = 1, occlusion_strength = 1;
+  Alpha alpha = Alpha::kOpaque;
+  double cutoff = 0.5;  // opacity below which a mask is transparent
+  bool double_sided = false;
+  std::array<std::optional<uint32_t>, kSurfaceMaps> maps{};  // by SurfaceMap: index of SurfaceLibrary::images
+};
+
+// Returns the looks of the materials of a library; nullopt for those that the file only names. Converts MTL
+// like mtl_lines() does. Ignores maps that use another set of UVs than the first, and transforms of textures.
+std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library);
+
+}  // namespace kerf

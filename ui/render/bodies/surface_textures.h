@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh/files/surface_look.h"
+#include "ui/gl/buffers.h"
+#include "ui/gl/program.h"
+
+namespace kerf {
+
+// The materials of a mesh file on the GPU, with their images in two arrays of equal layers: colours, which
+// the sampler converts to linear light, and numbers. A thread decodes the images; until they are uploaded,
+// materials have their factors only. An image that is missing or damaged is a checkerboard.
+class SurfaceTextures {
+ public:
+  // The most memory of all layers. If images are larger, all are scaled down.
+  static constexpr size_t kMaxBytes = size_t{1} << 30;
+
+  // Begins to decode the images.
+  explicit SurfaceTextures(std::shared_ptr<const SurfaceLibrary> library);
+  ~SurfaceTextures();
+  SurfaceTextures(const SurfaceTextures&) = delete;
+  SurfaceTextures& operator=(const SurfaceTextures&) = delete;
+
+  const std::shared_ptr<const SurfaceLibrary>& library() const { return library_; }
+  // By material number; nullopt if the file only names it.
+  const std::vector<std::optional<SurfaceLook>>& looks() const { return looks_; }
+
+  // Uploads the images once they are decoded; waits for that if asked to. Returns true if it uploaded them.
+  bool update(bool waits);
+  bool is_loading() const { return decoding_ != nullptr; }
+
+  // Binds the block "Surfaces" and the samplers of `program`. Precondition: it is in use.
+  void bind(const gl::Program& program) const;
+
+  size_t bytes() const { return bytes_; }  // of the layers
+
+ private:
+  struct Decoding;
+  struct Layer {
+    uint32_t image = 0;
+    bool colours = false;  // in linear light
+  };
+
+  int layer_of(const SurfaceLook& look, SurfaceMap map);
+  void fill_block();
+
+  std::shared_ptr<const SurfaceLibrary> library_;
+  std::vector<std::optional<SurfaceLook>> looks_;
+  std::vector<Layer> layers_;
+  std::unique_ptr<Decoding> decoding_;  // null once the images are uploaded
+  gl::Buffer block_;
+  std::optional<gl::Texture> colours_, numbers_;
+  size_t bytes_ = 0;
+};
+
+}  // namespace kerf

@@ -11,14 +11,15 @@
 
 #include "app/console.h"
 #include "app/run_description.h"
-#include "app/surface_files.h"
 #include "core/base/number_format.h"
 #include "core/base/parallel.h"
 #include "core/base/platform.h"
 #include "core/cut/stopwatch.h"
+#include "core/document/lost_looks.h"
 #include "core/document/npz_file.h"
 #include "core/document/piece_looks.h"
 #include "core/document/save.h"
+#include "core/document/surface_files.h"
 #include "core/document/text/json.h"
 #include "core/mesh/files/surface_conversion.h"
 #include "core/mesh/looks.h"
@@ -232,70 +233,6 @@ struct Provenance {
   }
 };
 
-bool is_gltf(MeshFormat format) { return format == MeshFormat::kGlb || format == MeshFormat::kGltf; }
-
-// Counts of the losses of looks by a format, by what is lost.
-class LostLooks {
- public:
-  void add(const Part& part, MeshFormat format) {
-    const MeshFormatRow& row = format_row(format);
-    const Body& body = *part.body;
-    const Looks* looks = body.looks.get();
-    std::vector<std::string> lost;
-    const size_t uv_sets = looks ? looks->uv_sets() : 0;
-    if (uv_sets > 0 && !row.uvs_and_normals) lost.emplace_back("UVs");
-    if (uv_sets > 1 && format == MeshFormat::kObj) lost.emplace_back("second UVs");
-    if (looks && looks->has_normals() && !row.uvs_and_normals) lost.emplace_back("normals");
-    const bool names = std::ranges::any_of(
-        body.material_names, [](const std::string& n) { return !n.empty() && n != kCutMaterial; });
-    if (names && !row.materials) lost.emplace_back("materials");
-    const bool textures = looks && looks->surfaces() && !looks->surfaces()->images.empty();
-    if (textures && !row.materials) lost.emplace_back("textures");
-    if (!part.extract.colours.empty() && format == MeshFormat::kStl) lost.emplace_back("vertex colours");
-    if (!lost.empty()) faces_ += part.extract.triangles.size();
-    for (const std::string& what : lost) {
-      if (std::ranges::find(kinds_, what) == kinds_.end()) kinds_.push_back(what);
-    }
-    if (!looks || !looks->surfaces() || !row.materials) return;
-    for (const uint16_t m :
-         std::set<uint16_t>(part.extract.materials.begin(), part.extract.materials.end())) {
-      if (m >= looks->surfaces()->materials.size()) continue;
-      const SurfaceMaterial& material = looks->surfaces()->materials[m];
-      const auto members = is_gltf(format) ? lost_in_gltf(material) : lost_in_mtl(material);
-      if (members.empty()) continue;
-      materials_.insert(&material);
-      members_.insert(members.begin(), members.end());
-    }
-  }
-
-  void add_notes(MeshFormat format, std::vector<std::string>& notes) const {
-    const std::string title =
-        std::string(format_row(format).title) + (format == MeshFormat::kPly ? " as written by Kerf" : "");
-    if (faces_ > 0) {
-      notes.push_back(title + " holds no " + list(kinds_, " or ") + ": " + count_text(faces_, "face") +
-                      (faces_ == 1 ? " loses its" : " lose theirs"));
-    }
-    if (!members_.empty()) {
-      notes.push_back(title + " holds no " + list({members_.begin(), members_.end()}, " or ") + ": " +
-                      count_text(materials_.size(), "material") +
-                      (materials_.size() == 1 ? " loses its" : " lose theirs"));
-    }
-  }
-
- private:
-  static std::string list(const std::vector<std::string>& items, const std::string& last) {
-    std::string text;
-    for (size_t i = 0; i < items.size(); ++i)
-      text += (i == 0 ? "" : i + 1 == items.size() ? last : ", ") + items[i];
-    return text;
-  }
-
-  std::vector<std::string> kinds_;
-  size_t faces_ = 0;
-  std::set<std::string> members_;
-  std::set<const SurfaceMaterial*> materials_;
-};
-
 Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder,
                                  const SurfaceFiles& surfaces, const Vec3& origin, bool moved) {
   char name[40];
@@ -368,7 +305,7 @@ Status write_pieces(const World& world, const PiecesFolder& folder, const Surfac
     return failed("stopped before all pieces were written, so there is no report");
   const MeshFormat format = *mesh_format(folder.format);
   LostLooks lost;
-  for (const Part& part : parts) lost.add(part, format);
+  for (const Part& part : parts) lost.add(*part.body, part.extract, format);
   lost.add_notes(format, notes);
   return folder.provenance.empty() ? Status(Done{}) : write_provenance(parts, folder);
 }

@@ -35,6 +35,11 @@ constexpr const MeshFormatRow& format_row(MeshFormat format) {
   return kMeshFormats[static_cast<size_t>(format)];
 }
 
+// Returns true for both kinds of glTF files.
+constexpr bool is_gltf(MeshFormat format) {
+  return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
+}
+
 // Return the extensions, each after `before`, and the titles, as lists in a sentence: ".obj, .ply, .stl,
 // .off, .glb or .gltf" and "OBJ, PLY, STL, OFF or glTF".
 std::string list_mesh_endings(std::string_view before = ".", std::string_view last = " or ");

@@ -7,7 +7,11 @@
 #include "core/base/assert.h"
 #include "core/base/platform.h"
 #include "core/document/extract.h"
+#include "core/document/lost_looks.h"
+#include "core/document/piece_looks.h"
+#include "core/document/surface_files.h"
 #include "core/mesh/files/encode.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
 #include "ui/editor/shared/piece_set.h"
 
@@ -61,22 +65,74 @@ std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
   return faces;
 }
 
-Result<PrecisionLoss> write_piece(const World& world, const PieceFile& to,
-                                  const std::map<std::string, Paint>& paints, MeshFormat format) {
-  const Body& body = world.body(to.piece.body);
-  const Extract extract = extract_faces(body, faces_of(body, to.piece.label));
-  const std::string mtl = to.mtl.filename().string();
-  if (!mtl.empty()) {
-    const Status written =
-        write_file_atomically(to.mtl, materials_text(extract, body.material_names, paints));
-    if (!written) return written.error();
-  }
-  const std::string name = to.mesh.stem().string();
-  const MeshView view{extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name,
-                      extract.colours};
-  if (const Status written = write_mesh(view, to.mesh, format); !written) return written.error();
-  return precision_loss(view, format);
+const SurfaceLibrary* surfaces_of(const Body& body) {
+  return body.looks ? body.looks->surfaces().get() : nullptr;
 }
+
+// Writes pieces in one format, and collects what that loses.
+class PieceWriter {
+ public:
+  PieceWriter(const World& world, const std::map<std::string, Paint>& paints, MeshFormat format)
+      : world_(world), paints_(paints), format_(format) {}
+
+  // Writes the materials that the mesh files describe, for OBJ.
+  Status write_surfaces(std::span<const PieceFile> files, const fs::path& folder) {
+    std::set<BodyId> bodies;
+    for (const PieceFile& to : files) {
+      const Body& body = world_.body(to.piece.body);
+      if (surfaces_of(body) && bodies.insert(to.piece.body).second) surfaces_.add(body);
+    }
+    return format_ == MeshFormat::kObj ? surfaces_.write(folder) : Status(Done{});
+  }
+
+  // Precondition: write_surfaces() has succeeded.
+  Status write(const PieceFile& to) {
+    const Body& body = world_.body(to.piece.body);
+    const std::vector<FaceId> faces = faces_of(body, to.piece.label);
+    const Extract extract = extract_faces(body, faces);
+    const std::string name = to.mesh.stem().string(), mtl = to.mtl.filename().string();
+    if (!mtl.empty()) {
+      const Status written =
+          write_file_atomically(to.mtl, materials_text(extract, body.material_names, paints_));
+      if (!written) return written;
+    }
+    MeshView view{extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name,
+                  extract.colours};
+    CornerLooks looks;
+    if (format_row(format_).uvs_and_normals)
+      looks = looks_of(body, faces, is_gltf(format_) ? LookNormals::kAll : LookNormals::kSmooth);
+    if (looks.any()) view.looks = &looks;
+    view.surfaces = surfaces_of(body);
+    if (view.surfaces && !surfaces_.library().empty()) {
+      view.mtl = surfaces_.library();
+      view.material_names = surfaces_.names(body);
+    }
+    if (const Status written = write_mesh(view, to.mesh, format_); !written) return written;
+    precision_ += precision_loss(view, format_);
+    lost_.add(body, extract, format_);
+    return Done{};
+  }
+
+  // Returns sentences for the user, each without its full stop; nullopt if nothing was lost.
+  std::optional<std::string> note() const {
+    std::vector<std::string> notes;
+    lost_.add_notes(format_, notes);
+    if (const auto note = precision_note(precision_, format_, "export OBJ, PLY or OFF"))
+      notes.push_back(*note);
+    if (notes.empty()) return std::nullopt;
+    std::string text;
+    for (const std::string& note : notes) text += (text.empty() ? "" : ". ") + note;
+    return text;
+  }
+
+ private:
+  const World& world_;
+  const std::map<std::string, Paint>& paints_;
+  MeshFormat format_;
+  SurfaceFiles surfaces_;
+  PrecisionLoss precision_;
+  LostLooks lost_;
+};
 
 }  // namespace
 
@@ -105,7 +161,8 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
     if (!by_name && chosen > 1) mesh = with_suffix(file, "-" + std::to_string(files.size() + 1));
     const fs::path wanted = mesh;
     for (int i = 2; !taken.insert(mesh).second; ++i) mesh = with_suffix(wanted, "-" + std::to_string(i));
-    const bool has_mtl = is_obj && has_materials(world.body(row.id.body));
+    const Body& body = world.body(row.id.body);
+    const bool has_mtl = is_obj && has_materials(body) && !surfaces_of(body);
     files.push_back({row.id, mesh, has_mtl ? fs::path(mesh).replace_extension(".mtl") : fs::path()});
   }
   return files;
@@ -117,13 +174,11 @@ Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
   if (!format) return bad_input("The name must end in " + list_mesh_endings());
   std::vector<PieceFile> files = files_to_export(world, looks, file);
   if (files.empty()) return bad_input("No piece is selected");
-  PrecisionLoss precision;
-  for (const PieceFile& to : files) {
-    const auto written = write_piece(world, to, paints, *format);
-    if (!written) return written.error();
-    precision += *written;
-  }
-  return ExportedPieces{std::move(files), precision_note(precision, *format, "export OBJ, PLY or OFF")};
+  PieceWriter writer(world, paints, *format);
+  Status written = writer.write_surfaces(files, file.parent_path());
+  for (size_t i = 0; i < files.size() && written; ++i) written = writer.write(files[i]);
+  if (!written) return written.error();
+  return ExportedPieces{std::move(files), writer.note()};
 }
 
 // Returns the name of the selected piece, or with "*" for several.

@@ -16,7 +16,7 @@ namespace kerf {
 struct PieceFile {
   PieceId piece;
   std::filesystem::path mesh;
-  std::filesystem::path mtl;  // for an OBJ file whose faces have materials; else empty
+  std::filesystem::path mtl;  // with paints, for an OBJ file whose materials no file describes; else empty
 };
 
 // Turns the name of a piece into a file name without extension: blanks and characters not allowed in file
@@ -29,15 +29,16 @@ std::string file_name_of(const std::string& piece);
 std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks,
                                        const std::filesystem::path& file);
 
-// The files of an export, and the precision lost by their format.
+// The files of an export, and what their format lost.
 struct ExportedPieces {
   std::vector<PieceFile> files;
-  std::optional<std::string> note;  // for the user; see precision_note
+  std::optional<std::string> note;  // for the user; see LostLooks and precision_note
 };
 
-// Writes the selected pieces, in world space, to the files of files_to_export; MTL files hold the paints.
-// Returns bad input if no piece is selected or the extension is not that of a mesh. Files written before a
-// failure remain.
+// Writes the selected pieces, in world space and with their looks, to the files of files_to_export. Materials
+// that a mesh file describes are written with their images beside OBJ files (see SurfaceFiles). Returns bad
+// input if no piece is selected or the extension is not that of a mesh. Files written before a failure
+// remain.
 Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
                                      const std::map<std::string, Paint>& paints,
                                      const std::filesystem::path& file);

@@ -14,8 +14,11 @@ namespace kerf {
 // file with the same bytes is used, and otherwise another name is chosen.
 class SurfaceFiles {
  public:
-  // Collects the materials of the bodies. Different materials of one name get different names.
+  SurfaceFiles() = default;
+  // Collects the materials of all bodies. Different materials of one name get different names.
   explicit SurfaceFiles(const World& world);
+  // Adds a body that was not added before.
+  void add(const Body& body);
 
   // Writes the library and the images that it refers to, if a body has materials that its file describes.
   Status write(const std::filesystem::path& folder);
@@ -33,7 +36,6 @@ class SurfaceFiles {
     std::vector<MtlLine> lines;  // with images of this list
   };
 
-  void add(const Body& body);
   uint32_t image(const SurfaceImage& image);
   std::string text(const std::vector<std::string>& image_names) const;
   Result<std::string> place(const std::filesystem::path& folder, const std::string& name,

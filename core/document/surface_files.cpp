@@ -1,4 +1,4 @@
-#include "app/surface_files.h"
+#include "core/document/surface_files.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/document/extract.h"
+#include "core/mesh/files/mesh_format.h"
+
+namespace kerf {
+
+// Counts the losses of looks by a format, by what is lost.
+class LostLooks {
+ public:
+  void add(const Body& body, const Extract& extract, MeshFormat format);
+  // Appends a sentence for the user about the losses of faces, and one about those of materials.
+  void add_notes(MeshFormat format, std::vector<std::string>& notes) const;
+
+ private:
+  std::vector<std::string> kinds_;
+  size_t faces_ = 0;
+  std::set<std::string> members_;
+  std::set<const SurfaceMaterial*> materials_;
+};
+
+}  // namespace kerf

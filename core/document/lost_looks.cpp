@@ -5,6 +5,7 @@
 #include "core/base/number_format.h"
 #include "core/mesh/files/surface_conversion.h"
 #include "core/mesh/looks.h"
+#include "core/world/body_mass.h"
 
 namespace kerf {
 
@@ -25,7 +26,7 @@ void LostLooks::add(const Body& body, const Extract& extract, MeshFormat format)
   std::vector<std::string> lost;
   const size_t uv_sets = looks ? looks->uv_sets() : 0;
   if (uv_sets > 0 && !row.uvs_and_normals) lost.emplace_back("UVs");
-  if (uv_sets > 1 && format == MeshFormat::kObj) lost.emplace_back("second UVs");
+  if (uv_sets > 1 && row.uvs_and_normals && !is_gltf(format)) lost.emplace_back("second UVs");
   if (looks && looks->has_normals() && !row.uvs_and_normals) lost.emplace_back("normals");
   const bool names = std::ranges::any_of(
       body.material_names, [](const std::string& n) { return !n.empty() && n != kCutMaterial; });

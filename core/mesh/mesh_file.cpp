@@ -113,7 +113,7 @@ Result<Soup> parse(std::string_view bytes, const std::string& name, const std::f
     case MeshFormat::kObj:
       return read_obj(bytes, name, progress, folder);
     case MeshFormat::kPly:
-      return read_ply(bytes, name, progress);
+      return read_ply(bytes, name, progress, folder);
     case MeshFormat::kStl:
       return read_stl(bytes, name, progress);
     case MeshFormat::kGlb:

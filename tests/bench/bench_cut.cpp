@@ -22,7 +22,7 @@ constexpr double kRadii = 500, kEdges = 1000;     // the longest side of the mes
 constexpr uint32_t kHole = 20000, kOneStep = 50;  // faces
 
 Body body_of(const Subject& s) {
-  BuiltMesh built{.mesh = s.mesh, .report = {}, .material_names = {}, .parts = {}};
+  BuiltMesh built{.mesh = s.mesh, .report = {}, .material_names = {}, .parts = {}, .looks = {}};
   std::vector<uint32_t> component;
   built.report.faces = s.mesh.live_faces();
   built.report.components = label_components(s.mesh, component);

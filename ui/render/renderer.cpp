@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
 #include "core/heat/black_body.h"
+#include "core/mesh/looks.h"
 #include "ui/gl/buffers.h"
 #include "ui/gl/draw_state.h"
 #include "ui/render/passes/heat_colours.h"

@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/files/bytes.h"
+#include "core/mesh/files/split_vertices_internal.h"
 
 namespace kerf {
 
@@ -250,29 +251,37 @@ std::string colour_properties(size_t count) {
 void encode_ply(const MeshView& mesh, const ByteSink& sink) {
   assert(mesh.positions.size() <= size_t{1} << 31);
   const size_t colour_bytes = mesh.colours.empty() ? 0 : mesh.any_translucent() ? 4 : 3;
+  const SplitVertices vertices(mesh, false);
+  const bool has_uvs = mesh.looks && !mesh.looks->uv_sets.empty(), has_normals = !vertices.normals.empty();
+  const size_t look_floats = (has_normals ? 3 : 0) + (has_uvs ? 2 : 0);
   const std::string head =
-      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
-      "\nproperty double x\nproperty double y\nproperty double z\n" + colour_properties(colour_bytes) +
+      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertices.count(mesh)) +
+      "\nproperty double x\nproperty double y\nproperty double z\n" +
+      (has_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
+      (has_uvs ? "property float s\nproperty float t\n" : "") + colour_properties(colour_bytes) +
       "element face " + std::to_string(mesh.triangles.size()) +
       "\nproperty list uchar int vertex_indices\nend_header\n";
   const auto append_vertices = [&](size_t i, size_t end, std::string& part) {
-    part.resize((end - i) * (3 * sizeof(double) + colour_bytes));
+    part.resize((end - i) * (3 * sizeof(double) + look_floats * sizeof(float) + colour_bytes));
     for (char* to = part.data(); i < end; ++i) {
-      for (int k = 0; k < 3; ++k) to = store_little(mesh.positions[i][k], to);
-      for (size_t k = 0; k < colour_bytes; ++k) to = store_little(eight_bits(mesh.colours[i].part[k]), to);
+      const uint32_t p = vertices.position(i);
+      for (int k = 0; k < 3; ++k) to = store_little(mesh.positions[p][k], to);
+      for (int k = 0; has_normals && k < 3; ++k) to = store_little(vertices.normals[i][k], to);
+      for (int k = 0; has_uvs && k < 2; ++k) to = store_little(vertices.uv_sets[0][i][k], to);
+      for (size_t k = 0; k < colour_bytes; ++k) to = store_little(eight_bits(mesh.colours[p].part[k]), to);
     }
   };
   const auto append_faces = [&](size_t i, size_t end, std::string& part) {
     part.resize((end - i) * (1 + 3 * sizeof(int32_t)));
     for (char* to = part.data(); i < end; ++i) {
       to = store_little(uint8_t{3}, to);
-      for (const uint32_t v : mesh.triangles[i]) {
-        assert(v < mesh.positions.size());
+      for (const uint32_t v : vertices.triangles(mesh)[i]) {
+        assert(v < vertices.count(mesh));
         to = store_little(v, to);
       }
     }
   };
-  if (sink(head) && emit_ranges(mesh.positions.size(), sink, append_vertices))
+  if (sink(head) && emit_ranges(vertices.count(mesh), sink, append_vertices))
     emit_ranges(mesh.triangles.size(), sink, append_faces);
 }
 

@@ -25,7 +25,7 @@ struct MeshView {
   std::string_view mtl{};   // name of the MTL file in the same folder, on one line; empty: none. Only for OBJ
   std::string_view name{};  // of the node in glTF; empty: none
   std::span<const VertexColour> colours{};   // one per position, or empty. Not for STL
-  const CornerLooks* looks = nullptr;        // of the triangles; null: none. For OBJ and glTF
+  const CornerLooks* looks = nullptr;        // of the triangles; null: none. For OBJ, PLY, glTF
   const SurfaceLibrary* surfaces = nullptr;  // describes the materials; null: none. For glTF
   std::string_view object{};                 // name of the object in OBJ, on one line; empty: none
 
@@ -50,8 +50,9 @@ std::string encoded(const MeshView& mesh, MeshFormat format);
 void encode_obj(const MeshView& mesh, const ByteSink& sink);
 // OFF with numbers likewise, or COFF with colours and opacities of eight bits; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);
-// Little-endian binary PLY with positions in double precision and colours of eight bits, with opacity if any
-// is not opaque; without materials. Precondition: there are at most 2^31 positions.
+// Little-endian binary PLY with positions in double precision, colours of eight bits, with opacity if any is
+// not opaque, and the normals and the first set of UVs; without materials. With looks, vertices are separate
+// as in glTF. Precondition: there are at most 2^31 positions.
 void encode_ply(const MeshView& mesh, const ByteSink& sink);
 // Binary STL with positions rounded to single precision and unit normals computed from the corners; without
 // materials. Preconditions: positions are within the range of float, and there are fewer than 2^32 triangles.

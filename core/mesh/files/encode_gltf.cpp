@@ -11,6 +11,7 @@
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/encode.h"
 #include "core/mesh/files/gltf_file_internal.h"
+#include "core/mesh/files/split_vertices_internal.h"
 #include "core/mesh/files/surface_conversion.h"
 
 namespace kerf {
@@ -75,84 +76,11 @@ std::vector<Group> by_material(const MeshView& mesh) {
 
 OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-// The vertices of a glTF file: positions that differ in a UV or a normal are separate.
-struct GltfVertices {
-  std::vector<std::array<uint32_t, 3>> own_triangles;  // of the vertices; empty if those of the mesh are
-  std::vector<uint32_t> positions;                     // by vertex; empty: vertices are positions
-  std::vector<std::vector<glm::vec2>> uv_sets;         // each by vertex
-  std::vector<glm::vec3> normals;                      // by vertex
-
-  explicit GltfVertices(const MeshView& mesh) {
-    if (!mesh.looks || !mesh.looks->any()) return;
-    looks_ = mesh.looks;
-    uv_sets.resize(std::max<size_t>(looks_->uv_sets.size(), 1));
-    KeyTable table;
-    own_triangles.reserve(mesh.triangles.size());
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-      auto& own = own_triangles.emplace_back();
-      for (size_t i = 0; i < 3; ++i) own[i] = vertex(mesh, t, i, table);
-    }
-  }
-
-  std::span<const std::array<uint32_t, 3>> triangles(const MeshView& mesh) const {
-    return positions.empty() ? mesh.triangles : std::span<const std::array<uint32_t, 3>>(own_triangles);
-  }
-  size_t count(const MeshView& mesh) const {
-    return positions.empty() ? mesh.positions.size() : positions.size();
-  }
-  uint32_t position(size_t vertex) const {
-    return positions.empty() ? static_cast<uint32_t>(vertex) : positions[vertex];
-  }
-
- private:
-  uint32_t vertex(const MeshView& mesh, size_t t, size_t i, KeyTable& table) {
-    constexpr uint32_t kNone = LookChannel<glm::vec3>::kNone;
-    const auto next = static_cast<uint32_t>(positions.size());
-    positions.push_back(mesh.triangles[t][i]);
-    for (size_t set = 0; set < uv_sets.size(); ++set) {
-      const bool known = set < looks_->uv_sets.size() && looks_->uv_sets[set].corners[t][i] != kNone;
-      const glm::vec2 uv =
-          known ? looks_->uv_sets[set].values[looks_->uv_sets[set].corners[t][i]] : glm::vec2(0);
-      uv_sets[set].push_back({uv.x, known && !looks_->v_points_down ? 1 - uv.y : uv.y});
-    }
-    const bool has_normal = looks_->normals.any() && looks_->normals.corners[t][i] != kNone;
-    normals.push_back(has_normal ? looks_->normals.values[looks_->normals.corners[t][i]] : plane(mesh, t));
-    const uint32_t found = table.find_or_add(
-        hash(next), next, [&](uint32_t other) { return same(other, next); },
-        [&](uint32_t other) { return hash(other); });
-    if (found == next) return next;
-    positions.pop_back();
-    for (auto& set : uv_sets) set.pop_back();
-    normals.pop_back();
-    return found;
-  }
-
-  static glm::vec3 plane(const MeshView& mesh, size_t t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 across = unit_normal(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    return across == Vec3(0) ? glm::vec3(0, 1, 0) : glm::vec3(across);
-  }
-  bool same(uint32_t a, uint32_t b) const {
-    return positions[a] == positions[b] && normals[a] == normals[b] &&
-           std::all_of(uv_sets.begin(), uv_sets.end(), [&](const auto& set) { return set[a] == set[b]; });
-  }
-  uint64_t hash(uint32_t v) const {
-    uint64_t key = mix64(positions[v]);
-    for (const auto& set : uv_sets) {
-      for (int k = 0; k < 2; ++k) key = hash_combine(key, number_bits(set[v][k]));
-    }
-    for (int k = 0; k < 3; ++k) key = hash_combine(key, number_bits(normals[v][k]));
-    return key;
-  }
-
-  const CornerLooks* looks_ = nullptr;
-};
-
 // A glTF file to be written: its vertices, materials and the layout of its buffer.
 class GltfDocument {
  public:
   explicit GltfDocument(const MeshView& mesh)
-      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh), groups_(by_material(mesh)) {
+      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh, true), groups_(by_material(mesh)) {
     std::vector<uint16_t> named;
     for (const Group& group : groups_) {
       const bool has_name =
@@ -317,7 +245,7 @@ class GltfDocument {
 
   const MeshView& mesh_;
   Floats floats_;
-  GltfVertices vertices_;
+  SplitVertices vertices_;
   std::vector<Group> groups_;
   std::vector<int> material_of_group_;  // -1: none
   GltfSurfaces surfaces_;

@@ -125,14 +125,7 @@ class MtlImages {
     const auto [known, added] =
         numbers_.try_emplace(reference, static_cast<uint32_t>(library_.images.size()));
     if (!added) return known->second;
-    SurfaceImage image;
-    image.name = one_line(side_file_name(reference));
-    image.reference = reference;
-    auto bytes = read_side_file(folder_, reference, kMaxImageBytes);
-    if (bytes) image.bytes = std::move(*bytes);
-    if (!bytes) warnings_.push_back("The image " + in_quotes(reference) + " " + bytes.error().message + ".");
-    image.mime_type = image_mime_type(image.bytes, image.name);
-    library_.images.push_back(std::move(image));
+    library_.images.push_back(read_image(folder_, reference, warnings_));
     return known->second;
   }
 
@@ -215,6 +208,18 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
                                                       : " materials are not in a material library."));
   }
   return surfaces;
+}
+
+SurfaceImage read_image(const std::filesystem::path& folder, const std::string& reference,
+                        std::vector<std::string>& warnings) {
+  SurfaceImage image;
+  image.name = one_line(side_file_name(reference));
+  image.reference = reference;
+  auto bytes = read_side_file(folder, reference, kMaxImageBytes);
+  if (bytes) image.bytes = std::move(*bytes);
+  if (!bytes) warnings.push_back("The image " + in_quotes(reference) + " " + bytes.error().message + ".");
+  image.mime_type = image_mime_type(image.bytes, image.name);
+  return image;
 }
 
 }  // namespace kerf

@@ -32,6 +32,11 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
                                                         std::span<const std::string> material_names,
                                                         std::vector<std::string>& warnings);
 
+// Reads an image that a file in this folder refers to (see read_side_file). If it cannot be read, its bytes
+// are empty, and a warning is appended.
+SurfaceImage read_image(const std::filesystem::path& folder, const std::string& reference,
+                        std::vector<std::string>& warnings);
+
 // Returns the MIME type of an image by its first bytes, else by the extension of its name; empty if unknown.
 std::string image_mime_type(std::string_view bytes, std::string_view name);
 

@@ -81,8 +81,13 @@ class HeaderReader {
     if (keyword == "format") return read_format();
     if (keyword == "element") return read_element();
     if (keyword == "property") return read_property();
+    if (keyword == "comment" && header_.texture_file.empty()) read_comment();
     if (keyword == "comment" || keyword == "obj_info") return std::nullopt;
     return pass_over_stray_line();
+  }
+
+  void read_comment() {
+    if (scanner_.word() == "TextureFile") header_.texture_file = scanner_.rest_of_line();
   }
 
   Problem read_format() {
@@ -260,10 +265,35 @@ bool has_eight_bits(const PlyElement& element, const std::array<size_t, 4>& colo
   });
 }
 
+std::vector<size_t> starts_in_row(const PlyElement& element) {
+  std::vector<size_t> starts{0};  // of the properties
+  for (const PlyProperty& p : element.properties) starts.push_back(starts.back() + byte_size(p.type));
+  return starts;
+}
+
+bool has_floats(const PlyElement& element, std::span<const size_t> properties) {
+  return std::ranges::all_of(properties, [&](size_t i) {
+    return i == kNoProperty || element.properties[i].type == PlyType::kFloat32;
+  });
+}
+
+template <typename V, size_t count>
+void load_floats(const PlyElement& element, const std::array<size_t, count>& properties, size_t row_bytes,
+                 std::string_view bytes, std::vector<V>& values) {
+  if (properties[0] == kNoProperty) return;
+  const std::vector<size_t> starts = starts_in_row(element);
+  values.resize(element.count);
+  for_each_range(values.size(), kRows, [&](size_t i, size_t end) {
+    for (const char* at = bytes.data() + i * row_bytes; i < end; ++i, at += row_bytes) {
+      for (size_t k = 0; k < count; ++k)
+        values[i][static_cast<int>(k)] = load<float>(at + starts[properties[k]], kLittle);
+    }
+  });
+}
+
 void load_colours(const PlyElement& element, const std::array<size_t, 4>& properties, size_t row_bytes,
                   std::string_view bytes, std::vector<VertexColour>& colours) {
-  std::vector<size_t> starts{0};  // of the properties in a row
-  for (const PlyProperty& p : element.properties) starts.push_back(starts.back() + byte_size(p.type));
+  const std::vector<size_t> starts = starts_in_row(element);
   for_each_range(colours.size(), kRows, [&](size_t i, size_t end) {
     for (const char* at = bytes.data() + i * row_bytes; i < end; ++i, at += row_bytes) {
       for (size_t k = 0; k < properties.size(); ++k) {
@@ -320,12 +350,45 @@ std::optional<std::array<size_t, 4>> colour_properties_of(const PlyElement& elem
   return whole ? std::optional(found) : std::nullopt;
 }
 
+namespace {
+
+// Returns the indices of scalars of these names; kNoProperty for all if one is missing.
+template <size_t count>
+std::array<size_t, count> scalars_named(const PlyElement& element,
+                                        const std::array<std::string_view, count>& names) {
+  std::array<size_t, count> found;
+  for (size_t k = 0; k < count; ++k) {
+    const auto at = std::ranges::find_if(element.properties, [&](const PlyProperty& property) {
+      return is_scalar(property) && property.name == names[k];
+    });
+    found[k] = static_cast<size_t>(at - element.properties.begin());
+    if (at != element.properties.end()) continue;
+    found.fill(kNoProperty);
+    break;
+  }
+  return found;
+}
+
+}  // namespace
+
+PlyLookProperties look_properties_of(const PlyElement& element) {
+  PlyLookProperties looks{scalars_named<3>(element, {"nx", "ny", "nz"}), {kNoProperty, kNoProperty}};
+  constexpr std::array<std::array<std::string_view, 2>, 3> kUvs{
+      {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
+  for (const auto& names : kUvs) {
+    if (looks.uv[0] == kNoProperty) looks.uv = scalars_named<2>(element, names);
+  }
+  return looks;
+}
+
 std::optional<PlyVertexRows> read_vertex_rows(const PlyElement& element, std::string_view bytes) {
   const auto row = position_row(element);
   if (!row || !fits(element, row->bytes, bytes)) return std::nullopt;
   const auto colours = colour_properties_of(element);
   if (colours && !has_eight_bits(element, *colours)) return std::nullopt;
-  PlyVertexRows rows{{std::vector<Vec3>(element.count), {}}, element.count * row->bytes};
+  const PlyLookProperties looks = look_properties_of(element);
+  if (!has_floats(element, looks.normal) || !has_floats(element, looks.uv)) return std::nullopt;
+  PlyVertexRows rows{{std::vector<Vec3>(element.count), {}, {}, {}}, element.count * row->bytes};
   if (row->type == PlyType::kFloat32)
     load_positions<float>(*row, bytes, rows.values.positions);
   else
@@ -334,6 +397,8 @@ std::optional<PlyVertexRows> read_vertex_rows(const PlyElement& element, std::st
     rows.values.colours.resize(element.count);
     load_colours(element, *colours, row->bytes, bytes, rows.values.colours);
   }
+  load_floats(element, looks.normal, row->bytes, bytes, rows.values.normals);
+  load_floats(element, looks.uv, row->bytes, bytes, rows.values.uvs);
   return rows;
 }
 

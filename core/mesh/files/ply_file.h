@@ -37,6 +37,7 @@ enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
   std::vector<PlyElement> elements;   // in the order of the data, with distinct names
+  std::string texture_file;           // of the first comment "TextureFile"; empty if there is none
   std::vector<std::string> warnings;  // a sentence each, for the load report
 };
 
@@ -61,11 +62,21 @@ struct PlyRows {
 inline constexpr size_t kNoProperty = ~size_t{0};
 std::optional<std::array<size_t, 4>> colour_properties_of(const PlyElement& element);
 
-// Positions from little-endian rows of scalars; `bytes` starts at the first row. x, y and z must be all
-// floats or all doubles, and colours numbers of eight bits. Multithreaded.
+// Likewise for the normal, "nx", "ny" and "nz", and for the UVs, "s" and "t", "u" and "v" or "texture_u" and
+// "texture_v". Either is kNoProperty if one of its names is missing.
+struct PlyLookProperties {
+  std::array<size_t, 3> normal{kNoProperty, kNoProperty, kNoProperty};
+  std::array<size_t, 2> uv{kNoProperty, kNoProperty};
+};
+PlyLookProperties look_properties_of(const PlyElement& element);
+
+// Positions and looks from little-endian rows of scalars; `bytes` starts at the first row. x, y and z must be
+// all floats or all doubles, colours numbers of eight bits, and normals and UVs floats. Multithreaded.
 struct PlyVertices {
   std::vector<Vec3> positions;
-  std::vector<VertexColour> colours;  // one per position, or empty if there are none
+  std::vector<VertexColour> colours;  // one per position, or empty if there are none, as are the next two
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> uvs;
 };
 struct PlyVertexRows {
   PlyVertices values;

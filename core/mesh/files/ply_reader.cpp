@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/mesh/files/bytes.h"
+#include "core/mesh/files/mtl_file.h"
 #include "core/mesh/files/readers.h"
 #include "core/mesh/files/scanner.h"
 #include "core/mesh/files/soup.h"
@@ -121,7 +125,23 @@ namespace {
 using Problem = std::optional<Error>;
 
 // The role of a property in the mesh.
-enum class Role { kX, kY, kZ, kRed, kGreen, kBlue, kOpacity, kCorners, kNone };
+enum class Role {
+  kX,
+  kY,
+  kZ,
+  kRed,
+  kGreen,
+  kBlue,
+  kOpacity,
+  kNormalX,
+  kNormalY,
+  kNormalZ,
+  kU,
+  kV,
+  kCorners,
+  kCornerUvs,
+  kNone
+};
 
 struct ElementPlan {
   std::vector<Role> roles;  // one per property
@@ -131,6 +151,8 @@ struct ElementPlan {
   bool colours = false;     // an element gives a colour with its position
   bool fractions =
       false;  // the colour is not in whole numbers, so that its type does not determine the maximum
+  bool normals = false, uvs = false;  // an element gives these with its position
+  bool corner_uvs = false;            // an element gives UVs with its polygon
 };
 
 bool is_corner_list(const PlyProperty& property) {
@@ -139,7 +161,11 @@ bool is_corner_list(const PlyProperty& property) {
 }
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
-  if (element.name != "vertex") return is_corner_list(property) ? Role::kCorners : Role::kNone;
+  if (element.name != "vertex") {
+    if (is_corner_list(property)) return Role::kCorners;
+    const bool has_uvs = element.name == "face" && property.name == "texcoord" && property.count_type;
+    return has_uvs ? Role::kCornerUvs : Role::kNone;
+  }
   if (property.count_type) return Role::kNone;
   if (property.name == "x") return Role::kX;
   if (property.name == "y") return Role::kY;
@@ -164,6 +190,16 @@ ElementPlan plan_for(const PlyElement& element) {
     plan.roles[(*colours)[k]] = static_cast<Role>(static_cast<size_t>(Role::kRed) + k);
     plan.fractions = plan.fractions || !is_integer(element.properties[(*colours)[k]].type);
   }
+  const auto set = [&](std::span<const size_t> properties, Role first) {
+    if (!plan.positions || properties[0] == kNoProperty) return false;
+    for (size_t k = 0; k < properties.size(); ++k)
+      plan.roles[properties[k]] = static_cast<Role>(static_cast<size_t>(first) + k);
+    return true;
+  };
+  const PlyLookProperties looks = look_properties_of(element);
+  plan.normals = set(looks.normal, Role::kNormalX);
+  plan.uvs = set(looks.uv, Role::kU);
+  plan.corner_uvs = std::ranges::count(plan.roles, Role::kCornerUvs) > 0;
   return plan;
 }
 
@@ -201,6 +237,7 @@ class BodyReader {
   PlyVertices vertices;
   ColourNumbers numbers;  // colours that are not in whole numbers
   PolygonList polygons;
+  std::vector<glm::vec2> corner_uvs;  // by corner of the polygons; empty if they have none
 
  private:
   Problem read_elements(const PlyElement& element, const ElementPlan& plan) {
@@ -216,6 +253,9 @@ class BodyReader {
         numbers.set(vertices.positions.size() - 1, numbers_);
       else if (plan.colours)
         vertices.colours.push_back(colour_);
+      if (plan.normals) vertices.normals.push_back(normal_);
+      if (plan.uvs) vertices.uvs.push_back(uv_);
+      if (plan.corner_uvs) add_corner_uvs();
       if (plan.faces) add_face();
       if (plan.strips) add_strips();
     }
@@ -258,6 +298,10 @@ class BodyReader {
   void take_number(const PlyProperty& property, Role role, double number) {
     if (role <= Role::kZ) {
       position_[static_cast<int>(role)] = number;
+    } else if (role >= Role::kU) {
+      uv_[static_cast<int>(role) - static_cast<int>(Role::kU)] = static_cast<float>(number);
+    } else if (role >= Role::kNormalX) {
+      normal_[static_cast<int>(role) - static_cast<int>(Role::kNormalX)] = static_cast<float>(number);
     } else {
       const size_t part = static_cast<size_t>(role) - static_cast<size_t>(Role::kRed);
       numbers_[part] = number / largest_of(property.type);
@@ -271,6 +315,13 @@ class BodyReader {
     if (count < 0 || !values_.can_hold(property.type, static_cast<uint64_t>(count))) {
       return values_.error("the list " + in_quotes(property.name) + " declares " + std::to_string(count) +
                            " values, but only " + std::to_string(scanner_.left()) + " bytes follow");
+    }
+    if (role == Role::kCornerUvs) {
+      uvs_of_corners_.resize(static_cast<size_t>(count));
+      for (double& number : uvs_of_corners_) {
+        if (!values_.number(property.type, number)) return missing(property);
+      }
+      return std::nullopt;
     }
     if (role != Role::kCorners) {
       if (!values_.skip(property.type, static_cast<uint64_t>(count))) return missing(property);
@@ -286,6 +337,15 @@ class BodyReader {
   Error missing(const PlyProperty& property) const {
     return values_.missing(in_quotes(property.name) + " of " + in_quotes(element_->name) + " " +
                            std::to_string(number_) + " of " + std::to_string(element_->count));
+  }
+
+  // Corners without two numbers get a UV that is not finite, so that their face has none.
+  void add_corner_uvs() {
+    for (size_t i = 0; i < corners_.size(); ++i) {
+      const bool known = uvs_of_corners_.size() == 2 * corners_.size();
+      corner_uvs.push_back(known ? glm::vec2(uvs_of_corners_[2 * i], uvs_of_corners_[2 * i + 1])
+                                 : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+    }
   }
 
   void add_face() {
@@ -314,16 +374,43 @@ class BodyReader {
   Vec3 position_{0, 0, 0};
   VertexColour colour_;
   ColourNumbers::Parts numbers_{1, 1, 1, ColourNumbers::kFull};  // of colour_
+  glm::vec3 normal_{0};
+  glm::vec2 uv_{0};
   std::vector<int64_t> corners_;
+  std::vector<double> uvs_of_corners_;
 };
 
+// Returns the description of the only material of a file with a texture; null if the image is missing.
+std::shared_ptr<const SurfaceLibrary> surfaces_of(const PlyHeader& header,
+                                                  const std::filesystem::path& folder,
+                                                  std::vector<std::string>& warnings) {
+  if (header.texture_file.empty() || folder.empty()) return nullptr;
+  auto library = std::make_shared<SurfaceLibrary>();
+  library->materials.push_back({{{"map_Kd ", 0u}}, {}});
+  library->images.push_back(read_image(folder, header.texture_file, warnings));
+  return library;
+}
+
 template <typename Values>
-Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
-                       const std::string& file_name) {
+void take_looks(BodyReader<Values>& body, std::vector<Soup::Triangle> corners, Soup& soup) {
+  if (!body.corner_uvs.empty())
+    soup.looks.uv_sets.push_back({std::move(body.corner_uvs), std::move(corners)});
+  else if (!body.vertices.uvs.empty())
+    soup.looks.uv_sets.push_back({std::move(body.vertices.uvs), soup.triangles});
+  if (!body.vertices.normals.empty()) soup.looks.normals = {std::move(body.vertices.normals), soup.triangles};
+}
+
+template <typename Values>
+Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header, const std::string& file_name,
+                       const std::filesystem::path& folder) {
   BodyReader<Values> body(scanner, values);
   if (auto problem = body.read(header)) return *problem;
-  Result<Soup> soup = body.polygons.to_soup(std::move(body.vertices.positions), file_name);
+  std::vector<Soup::Triangle> corners;
+  Result<Soup> soup = body.polygons.to_soup(std::move(body.vertices.positions), file_name,
+                                            body.corner_uvs.empty() ? nullptr : &corners);
   if (!soup) return soup;
+  take_looks(body, std::move(corners), *soup);
+  soup->surfaces = surfaces_of(header, folder, soup->warnings);
   soup->colours = std::move(body.vertices.colours);
   if (soup->colours.empty()) soup->colours = body.numbers.take(soup->positions.size(), soup->warnings);
   soup->format = "ply";
@@ -336,16 +423,17 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
 
 }  // namespace
 
-Result<Soup> read_ply(std::string_view bytes, const std::string& file_name, const Progress* progress) {
+Result<Soup> read_ply(std::string_view bytes, const std::string& file_name, const Progress* progress,
+                      const std::filesystem::path& folder) {
   Scanner scanner(bytes, file_name, {}, progress);
   const Result<PlyHeader> header = read_ply_header(scanner);
   if (!header) return header.error();
   if (header->encoding == PlyEncoding::kText) {
     if (auto binary = scanner.refuse_binary("PLY")) return *binary;
-    return read_body(scanner, PlyTextValues(scanner), *header, file_name);
+    return read_body(scanner, PlyTextValues(scanner), *header, file_name, folder);
   }
   const auto order = header->encoding == PlyEncoding::kLittleEndian ? std::endian::little : std::endian::big;
-  return read_body(scanner, PlyBinaryValues(scanner, order), *header, file_name);
+  return read_body(scanner, PlyBinaryValues(scanner, order), *header, file_name, folder);
 }
 
 }  // namespace kerf

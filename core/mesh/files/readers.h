@@ -52,13 +52,15 @@ Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
 // Reads a PLY file, as text or binary in either byte order, with elements and properties of any type in any
-// order. The properties x, y and z of "vertex" give positions. The list vertex_indices (or vertex_index) of
-// "face" gives a polygon; that of "tristrips" gives triangle strips, each ended by an index of -1, whose
-// triangles count as faces. Everything else is ignored. A face that refers to a missing vertex is dropped and
+// order. The properties x, y and z of "vertex" give positions; see also PlyLookProperties. The list
+// vertex_indices (or vertex_index) of "face" gives a polygon, and "texcoord" the UVs of its corners; that of
+// "tristrips" gives triangle strips, each ended by an index of -1, whose triangles count as faces. The image
+// of a comment "TextureFile" is read from `folder`, the folder of the file, or below; if it is empty, no
+// other file is read. Everything else is ignored. A face that refers to a missing vertex is dropped and
 // counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
 // null.
 Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
-                      const Progress* progress = nullptr);
+                      const Progress* progress = nullptr, const std::filesystem::path& folder = {});
 
 // Reads the triangles of the default scene of a glTF 2.0 file, binary or text (Khronos Group, 2.0.1, 2021):
 // all its nodes with their transforms, each a part with the name of the node; also strips and fans. Materials

@@ -1,0 +1,158 @@
+#include "ui/render/bodies/surface_textures.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/platform.h"
+#include "core/mesh/files/readers.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/render/stage.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr int kSize = 200;
+constexpr double kHalf = 1;  // m, of the square
+
+// An image of four quadrants: red, green; blue, white.
+std::string four_colours(const TemporaryFolder& folder) {
+  constexpr int kSide = 64;
+  Pixels pixels{kSide, kSide, {}};
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const bool right = x >= kSide / 2, below = y >= kSide / 2;
+      const uint8_t white = right && below ? 255 : 0;
+      pixels.rgb.insert(pixels.rgb.end(), {static_cast<uint8_t>(!right && !below ? 255 : white),
+                                           static_cast<uint8_t>(right && !below ? 255 : white),
+                                           static_cast<uint8_t>(!right && below ? 255 : white)});
+    }
+  }
+  const auto file = folder.path() / "image.png";
+  EXPECT_TRUE(write_png(pixels, file).ok());
+  return *read_text_file(file);
+}
+
+// A square in y = 0 that the image covers, the top of the image at z = -1.
+World painted_square(const std::string& image, const std::string& material) {
+  auto soup = read_obj(
+      "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl skin\n"
+      "f 1/1 2/2 3/3 4/4\n",
+      "square.obj");
+  EXPECT_TRUE(soup.ok());
+  auto library = std::make_shared<SurfaceLibrary>();
+  library->materials.resize(2);
+  library->materials[0].gltf = library->materials[1].gltf = material;
+  library->images.push_back({"image.png", "", "image/png", image});
+  library->textures.emplace_back(R"({"source": 0})");
+  soup->surfaces = library;
+  World world;
+  world.add(make_body("square", build(*soup)));
+  return world;
+}
+
+CameraView from_above() { return look_at({0, 4, 0.01}, {0, 0, 0}, 1); }
+
+ViewOptions plain_options() {
+  ViewOptions options;
+  options.show.shadows = Shadows::kNone;
+  return options;
+}
+
+std::array<int, 3> pixel(const Pixels& pixels, double x, double z) {
+  // The square fills a part of the view that follows from its bounds in the picture.
+  const auto column = static_cast<int>((0.5 + 0.15 * x / kHalf) * pixels.width);
+  const auto row = static_cast<int>((0.5 + 0.15 * z / kHalf) * pixels.height);
+  const auto at = 3 * static_cast<size_t>(row * pixels.width + column);
+  return {pixels.rgb[at], pixels.rgb[at + 1], pixels.rgb[at + 2]};
+}
+
+// The channels of a pixel that are clearly brighter than its darkest one, as bits; 7 for grey.
+int strong_channels(const Pixels& pixels, double x, double z) {
+  const auto rgb = pixel(pixels, x, z);
+  const int darkest = std::min({rgb[0], rgb[1], rgb[2]});
+  int bits = 0;
+  for (int k = 0; k < 3; ++k) bits |= rgb[static_cast<size_t>(k)] > darkest + 40 ? 1 << k : 0;
+  return bits == 0 ? 7 : bits;
+}
+
+void expect_four_colours(const Pixels& pixels) {
+  EXPECT_EQ(strong_channels(pixels, -0.7, -0.7), 1);
+  EXPECT_EQ(strong_channels(pixels, 0.7, -0.7), 2);
+  EXPECT_EQ(strong_channels(pixels, -0.7, 0.7), 4);
+  EXPECT_EQ(strong_channels(pixels, 0.7, 0.7), 7);
+}
+
+constexpr const char* kTextured =
+    R"({"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}})";
+
+TEST(SurfaceTextures, show_the_image_where_the_uvs_place_it_also_after_a_cut) {
+  const TemporaryFolder folder;
+  Stage stage(painted_square(four_colours(folder), kTextured));
+  expect_four_colours(stage.draw(from_above(), plain_options(), kSize, kSize));
+  stage.cut({{-2, 1, 0.1}, {0, -1, 0}}, {{2, 1, 0.2}, {0, -1, 0}}, 0.05);
+  EXPECT_GT(stage.world().live_faces(), 20u);
+  expect_four_colours(stage.draw(from_above(), plain_options(), kSize, kSize));
+}
+
+TEST(SurfaceTextures, are_left_out_where_faces_are_coloured_by_piece) {
+  const TemporaryFolder folder;
+  Stage stage(painted_square(four_colours(folder), kTextured));
+  ViewOptions options = plain_options();
+  options.show.pieces = true;
+  const Pixels pixels = stage.draw(from_above(), options, kSize, kSize);
+  EXPECT_EQ(strong_channels(pixels, -0.7, -0.7), strong_channels(pixels, 0.7, -0.7));
+}
+
+TEST(SurfaceTextures, show_a_checkerboard_for_a_damaged_image) {
+  Stage stage(painted_square("no image", kTextured));
+  const Pixels pixels = stage.draw(from_above(), plain_options(), kSize, kSize);
+  int darkest = 255, brightest = 0;
+  for (double x = -0.9; x < 0.9; x += 0.02) {
+    const auto rgb = pixel(pixels, x, 0.3);
+    darkest = std::min(darkest, rgb[1]);
+    brightest = std::max(brightest, rgb[1]);
+  }
+  EXPECT_GT(brightest, darkest + 20);
+}
+
+TEST(SurfaceTextures, of_a_mask_leave_transparent_parts_out) {
+  const TemporaryFolder folder;
+  Stage opaque(painted_square(four_colours(folder), R"({"pbrMetallicRoughness": {"metallicFactor": 0}})"));
+  Stage clear(painted_square(four_colours(folder), R"({"alphaMode": "MASK", "alphaCutoff": 0.5,
+      "pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 1, 1, 0.2]}})"));
+  const auto there = pixel(opaque.draw(from_above(), plain_options(), kSize, kSize), 0.5, 0.5);
+  const auto away = pixel(clear.draw(from_above(), plain_options(), kSize, kSize), 0.5, 0.5);
+  EXPECT_NE(there, away);
+}
+
+TEST(DecodeTexture, refuses_anything_but_an_image) {
+  for (const std::string bytes : {"", "P6 1 1 255\nabc", "\x89PNG\r\n\x1a\n", "BM"})
+    EXPECT_FALSE(decode_texture(bytes).has_value()) << bytes;
+}
+
+TEST(SurfaceLooks, read_both_kinds_of_descriptions) {
+  SurfaceLibrary library;
+  library.materials.resize(3);
+  library.materials[0].mtl = {{"Kd 1 0 0"}, {"d 0.5"}, {"map_Kd ", 0u}};
+  library.materials[1].gltf = R"({"alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
+      "emissiveFactor": [0, 2, 0], "normalTexture": {"index": 0, "scale": 0.5},
+      "occlusionTexture": {"index": 7}, "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}}})";
+  library.images.resize(1);  // missing
+  library.textures.emplace_back(R"({"source": 0})");
+  const auto looks = surface_looks(library);
+  ASSERT_EQ(looks.size(), 3u);
+  ASSERT_TRUE(looks[0] && looks[1] && !looks[2]);
+  EXPECT_EQ(looks[0]->base, glm::dvec4(1, 0, 0, 0.5));
+  EXPECT_EQ(looks[0]->alpha, SurfaceLook::Alpha::kBlend);
+  EXPECT_EQ(looks[0]->maps[static_cast<size_t>(SurfaceMap::kBase)], 0u);
+  EXPECT_EQ(looks[1]->cutoff, 0.25);
+  EXPECT_TRUE(looks[1]->double_sided);
+  EXPECT_EQ(looks[1]->emission, Vec3(0, 2, 0));
+  EXPECT_EQ(looks[1]->normal_scale, 0.5);
+  EXPECT_EQ(looks[1]->maps[static_cast<size_t>(SurfaceMap::kNormal)], 0u);
+  EXPECT_FALSE(looks[1]->maps[static_cast<size_t>(SurfaceMap::kOcclusion)]);
+  EXPECT_FALSE(looks[1]->maps[static_cast<size_t>(SurfaceMap::kBase)]);
+}
+
+}  // namespace
+}  // namespace kerf::test

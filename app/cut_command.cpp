@@ -163,6 +163,7 @@ class CutRun {
       if (options_.thickness) body.sheet.thickness = *options_.thickness;
       if (options_.density) body.sheet.density = *options_.density;
       if (options_.solid) body.solid = Solidity::kSolid;
+      if (options_.cut_material) body.cut_material = *options_.cut_material;
       const auto added = add_scene_body(body, make_body(body.name, std::move(*built)), world);
       if (!added) return added.error();
     }

@@ -9,6 +9,7 @@
 #include "core/document/text/json.h"
 #include "core/document/text/nearest_name.h"
 #include "core/document/text/world_fields.h"
+#include "core/mesh/files/scanner.h"
 
 namespace kerf {
 
@@ -35,6 +36,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.choice("rim", o.rim, {"faces", "smooth"}, "Rim of the cut: faces or smooth (faces)");
   v.flag("solid", o.solid,
          "The meshes are solids: walls along the kerf close the pieces (implies --rim smooth)");
+  v.text("cut-material", o.cut_material,
+         "Material of the cut faces of solids: one of the mesh, or a new one (cut)");
   v.flag("turn-shells", o.turn_shells,
          "Turn closed parts inside others that face the same way, which makes them cavities");
   v.number("target-edge", o.target_edge, kPositive,
@@ -247,6 +250,8 @@ Result<Interval> parse_range(const std::string& text) {
 namespace {
 
 Status check_solid(const CutOptions& o) {
+  if (o.cut_material && (o.cut_material->empty() || *o.cut_material != one_line(*o.cut_material)))
+    return bad_input("--cut-material: must be a name of one line, and not empty");
   if (!o.solid) return Done{};
   if (o.pattern == "rays4")
     return bad_input("--solid: walls need the whole volume of the beam; remove --pattern rays4");

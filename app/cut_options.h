@@ -21,7 +21,7 @@ struct CutOptions {
   std::string path, out, settings, journal, provenance;
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
-  std::optional<std::string> range, pattern, scheme, rim, model, material, format, assist;
+  std::optional<std::string> range, pattern, scheme, rim, model, material, format, assist, cut_material;
   std::optional<int> depth;
   std::optional<int> steps;
   bool split_all = false;

@@ -164,15 +164,27 @@ class ObjFile:
     def triangle_count(self):
         return sum(len(faces) for _, groups in self._parts for faces in groups.values())
 
-    def text(self, title):
-        lines = ["# " + title]
-        lines += ["v " + " ".join(f"{x:.6f}" for x in point) for point in self._index_of]
+    def text(self, title, library=None, uv=None):
+        """With a library of materials, uv(point, normal) places the faces of "paint" in its image."""
+        points, uvs = list(self._index_of), {}
+        faces = []
         for name, groups in self._parts:
-            lines.append("o " + name)
-            for material, faces in groups.items():
-                lines += ["g " + name + "_" + material, "usemtl " + material]
-                lines += ["f {} {} {}".format(*face) for face in faces]
-        return "\n".join(lines) + "\n"
+            faces.append("o " + name)
+            for material, triangles_of in groups.items():
+                faces += ["g " + name + "_" + material, "usemtl " + material]
+                for face in triangles_of:
+                    corners = [str(index) for index in face]
+                    if uv and material == "paint":
+                        a, b, c = (points[index - 1] for index in face)
+                        normal = cross(minus(b, a), minus(c, a))
+                        placed = ["{:.5f} {:.5f}".format(*uv(point, normal)) for point in (a, b, c)]
+                        corners = [f"{index}/{uvs.setdefault(at, len(uvs) + 1)}"
+                                   for index, at in zip(face, placed)]
+                    faces.append("f " + " ".join(corners))
+        lines = ["# " + title] + (["mtllib " + library] if library else [])
+        lines += ["v " + " ".join(f"{x:.6f}" for x in point) for point in points]
+        lines += ["vt " + at for at in uvs]
+        return "\n".join(lines + faces) + "\n"
 
     def _index(self, point):
         key = tuple(round(x, 6) + 0.0 for x in point)

@@ -1,4 +1,5 @@
-"""Writes car.obj beside this script: a small hatchback of thin sheets.
+"""Writes car.obj beside this script, a small hatchback of thin sheets, and rally_car.obj, the same in a
+paint with a number, stripes and rust (car_paint.py).
 
     python3 assets/meshes/make_car.py
 
@@ -11,8 +12,17 @@ from pathlib import Path
 
 from car_body import body
 from car_cabin import fittings, seats
+from car_paint import image, png, uv
 from car_sheet import ObjFile
 from car_wheels import axles, wheels
+
+
+MATERIALS = """# Kerf rally car, made by make_car.py
+newmtl paint
+Kd 1 1 1
+Ns 640
+map_Kd rally_car.png
+"""
 
 
 def main():
@@ -21,9 +31,13 @@ def main():
     for parts in (wheels(), axles(), seats(), fittings()):
         for name, sheet in parts:
             car.add(name, sheet)
-    target = Path(__file__).resolve().parent / "car.obj"
-    target.write_text(car.text("Kerf car, made by make_car.py"), newline="\n")
-    print(f"{target}: {car.triangle_count()} triangles")
+    folder = Path(__file__).resolve().parent
+    (folder / "car.obj").write_text(car.text("Kerf car, made by make_car.py"), newline="\n")
+    painted = car.text("Kerf rally car, made by make_car.py", "rally_car.mtl", uv)
+    (folder / "rally_car.obj").write_text(painted, newline="\n")
+    (folder / "rally_car.mtl").write_text(MATERIALS, newline="\n")
+    (folder / "rally_car.png").write_bytes(png(image()))
+    print(f"{folder}: {car.triangle_count()} triangles")
 
 
 if __name__ == "__main__":

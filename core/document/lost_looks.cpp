@@ -5,7 +5,6 @@
 #include "core/base/number_format.h"
 #include "core/mesh/files/surface_conversion.h"
 #include "core/mesh/looks.h"
-#include "core/world/body_mass.h"
 
 namespace kerf {
 
@@ -29,7 +28,7 @@ void LostLooks::add(const Body& body, const Extract& extract, MeshFormat format)
   if (uv_sets > 1 && row.uvs_and_normals && !is_gltf(format)) lost.emplace_back("second UVs");
   if (looks && looks->has_normals() && !row.uvs_and_normals) lost.emplace_back("normals");
   const bool names = std::ranges::any_of(
-      body.material_names, [](const std::string& n) { return !n.empty() && n != kCutMaterial; });
+      body.material_names, [&](const std::string& n) { return !n.empty() && n != body.cut_material; });
   if (names && !row.materials) lost.emplace_back("materials");
   const bool textures = looks && looks->surfaces() && !looks->surfaces()->images.empty();
   if (textures && !row.materials) lost.emplace_back("textures");

@@ -27,14 +27,6 @@ double corner_weight(const Triangle& t, size_t i) {
   return lengths > 0 ? glm::length(glm::cross(u, w)) / lengths : 0;
 }
 
-// Returns the loaded face that contains a face; invalid for walls and faces that were not loaded.
-FaceId loaded_source(const Body& body, FaceId f) {
-  if (body.walls.contain(body.mesh, f)) return {};
-  const FaceId base = body.mesh.data(f).base;
-  if (!body.loaded_faces.empty() && base.index >= body.loaded_faces.size()) return {};
-  return body.loaded_face(base);
-}
-
 // UVs in metres in the plane of a face, the same for all faces of a plane.
 std::array<glm::vec2, 3> plane_uvs(const Triangle& t) {
   const Vec3 n = unit_normal_of(t);
@@ -75,7 +67,7 @@ class Evaluation {
 
  private:
   void add_face(FaceId f, const std::array<VertexId, 3>& corners, const Triangle& t) {
-    const FaceId source = loaded_source(body_, f);
+    const FaceId source = body_.loaded_source(f);
     const bool known = source.valid() && looks_.contains(source);
     std::array<Looks::Point, 3> points;
     for (size_t i = 0; i < 3 && known; ++i) points[i] = locate(source, corners[i], t[i]);
@@ -127,7 +119,7 @@ class Evaluation {
   }
   bool continue_over(std::span<const FaceId> faces, Looks::Point& point, const Vec3& at) const {
     return std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
-      const FaceId source = loaded_source(body_, f);
+      const FaceId source = body_.loaded_source(f);
       return source.valid() && looks_.contains(source) && looks_.continue_beside(point, source, at);
     });
   }
@@ -215,7 +207,7 @@ std::vector<FaceSource> sources_of(const Body& body, std::span<const FaceId> fac
   sources.reserve(faces.size());
   for_each_corners(body.mesh, faces, [&](FaceId f, const std::array<VertexId, 3>& corners) {
     FaceSource& source = sources.emplace_back();
-    const FaceId loaded = loaded_source(body, f);
+    const FaceId loaded = body.loaded_source(f);
     if (!loaded.valid() || !body.looks || !body.looks->contains(loaded)) return;
     source.face = body.looks->number_in_file(loaded);
     for (size_t i = 0; i < 3; ++i)
@@ -229,7 +221,7 @@ std::string part_name_of(const Body& body, std::span<const MeshPart> parts, std:
   // The innermost part of each loaded face that is in use, found once.
   std::map<uint32_t, double> areas;  // by loaded face
   for_each_corners(body.mesh, faces, [&](FaceId f, const std::array<VertexId, 3>& corners) {
-    const FaceId loaded = loaded_source(body, f);
+    const FaceId loaded = body.loaded_source(f);
     if (!loaded.valid()) return;
     areas[loaded.index] += triangle_area(
         {body.mesh.position(corners[0]), body.mesh.position(corners[1]), body.mesh.position(corners[2])});

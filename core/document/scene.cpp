@@ -144,6 +144,7 @@ Result<SceneDescription> read_description(const std::filesystem::path& file) {
 Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world) {
   body.placement = description.placement;
   body.sheet = description.sheet;
+  body.cut_material = description.cut_material;
   if (is_solid(description.solid, body)) make_solid(body, true);
   const BodyId id = world.add(std::move(body));
   Joints joints = world.joints();

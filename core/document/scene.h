@@ -64,6 +64,7 @@ struct SceneBody {
   std::optional<uint64_t> hash;  // of the mesh file's bytes, see file_hash
   Sheet sheet;
   Solidity solid = Solidity::kSheet;
+  std::string cut_material = "cut";  // of the walls of a solid body; may be one of the mesh
   std::vector<SceneJoint> joints;
 };
 
@@ -77,7 +78,8 @@ inline constexpr std::array kEditorKeys{"emitter", "path", "rulers", "shown"};
 //
 //   {"version": 1,
 //    "bodies": [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z],
-//                "thickness": 0.0008, "density": 7850, "solid": true, false or "auto", "joints": [..]}],
+//                "thickness": 0.0008, "density": 7850, "solid": true, false or "auto", "cut_material": "cut",
+//                "joints": [..]}],
 //    "paints": {"tyre": {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]},
 //    "lights": [{"direction": [..] or "position": [..], "colour": "#fff2d8", "intensity": 2}],
 //    "show": ["silhouette"], "strokes": [...]}

@@ -199,6 +199,8 @@ void describe(Fields& f, SceneBody& body) {
   f.coded("hash", body.hash, parse_hash, hash_text, kHashRule);
   scene_sheet_fields(f, body.sheet);
   solid_field(f, body.solid);
+  if (f.present("cut_material", body.cut_material != SceneBody().cut_material))
+    f.filled_text("cut_material", body.cut_material);
   f.list("joints", "joints", body.joints, kOptional);
 }
 

@@ -61,6 +61,7 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.sheet = body.sheet;
   copy.pinned = body.pinned;
   copy.solid = body.solid;
+  copy.cut_material = body.cut_material;
   copy.mesh = extract_mesh(body.mesh, faces);
   copy.heat = body.heat;
   copy.walls = body.walls;

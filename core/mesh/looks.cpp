@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -286,6 +287,35 @@ bool Looks::continues(const Channel<T>& channel, FaceId a, FaceId b) const {
   }
   return shared > 0;
 }
+
+template <typename T>
+std::vector<uint32_t> Looks::charts(const Channel<T>& channel) const {
+  const size_t faces = channel.corners ? channel.corners->size() : 0;
+  std::vector<uint32_t> lowest(faces);
+  std::iota(lowest.begin(), lowest.end(), uint32_t{0});
+  const auto root = [&](uint32_t f) {
+    while (lowest[f] != f) f = lowest[f] = lowest[lowest[f]];
+    return f;
+  };
+  const auto key = [&](uint32_t side) {
+    return uint64_t{(*positions_.corners)[side / 3][side % 3]} << 32 | (*channel.corners)[side / 3][side % 3];
+  };
+  KeyTable first;  // sides, by their corner and its value
+  for (uint32_t f = 0; f < faces; ++f) {
+    for (uint32_t side = 3 * f; side < 3 * f + 3 && channel.contains(FaceId(f)); ++side) {
+      const uint32_t found = first.find_or_add(
+          mix64(key(side)), side, [&](uint32_t other) { return key(other) == key(side); },
+          [&](uint32_t other) { return mix64(key(other)); });
+      const uint32_t a = root(found / 3), b = root(f);
+      lowest[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (uint32_t f = 0; f < faces; ++f) lowest[f] = root(f);
+  return lowest;
+}
+
+template std::vector<uint32_t> Looks::charts<glm::vec2>(const Channel<glm::vec2>&) const;
+template std::vector<uint32_t> Looks::charts<glm::vec3>(const Channel<glm::vec3>&) const;
 
 template <typename V, typename T>
 V Looks::value(const Channel<T>& channel, const Point& point) const {

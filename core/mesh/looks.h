@@ -78,6 +78,11 @@ class Looks {
   glm::dvec2 uv(size_t set, const Point& point) const { return value<glm::dvec2>(uv_sets_[set], point); }
   Vec3 normal(const Point& point) const { return value<Vec3>(normals_, point); }
 
+  // Return a number for each loaded face: equal for faces that a chain of faces connects in which neighbours
+  // have a corner and its value in common, so that there is no seam between them.
+  std::vector<uint32_t> uv_charts(size_t set) const { return charts(uv_sets_[set]); }
+  std::vector<uint32_t> normal_charts() const { return charts(normals_); }
+
   // Materials by FaceData::material; null if the file describes none.
   const std::shared_ptr<const SurfaceLibrary>& surfaces() const { return surfaces_; }
 
@@ -106,6 +111,8 @@ class Looks {
   // Returns true if two loaded faces share corners, and the values of a channel there.
   template <typename T>
   bool continues(const Channel<T>& channel, FaceId a, FaceId b) const;
+  template <typename T>
+  std::vector<uint32_t> charts(const Channel<T>& channel) const;
   template <typename V, typename T>
   V value(const Channel<T>& channel, const Point& point) const;
 

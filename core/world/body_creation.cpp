@@ -7,6 +7,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_file.h"
 #include "core/world/body_mass.h"
+#include "core/world/remade_looks.h"
 
 namespace kerf {
 
@@ -176,6 +177,8 @@ Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& reme
   made->sheet = body.sheet;
   made->pinned = body.pinned;
   made->solid = body.solid;
+  made->cut_material = body.cut_material;
+  made->looks = remade_looks(body, copy, remeshed);
   label_faces(*made, body, copy, remeshed);
   hand_down_heat(*made, body, copy, remeshed);
   if (made->solid) update_mass_properties(*made);

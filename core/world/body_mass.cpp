@@ -215,15 +215,15 @@ void make_solid(Body& body, bool solid) {
   if (solid && !cut_material(body)) {
     if (body.material_names.empty()) body.material_names.emplace_back();
     if (body.material_names.size() <= std::numeric_limits<uint16_t>::max())
-      body.material_names.emplace_back(kCutMaterial);
+      body.material_names.push_back(body.cut_material);
   }
   update_mass_properties(body);
 }
 
 std::optional<uint16_t> cut_material(const Body& body) {
   const auto& names = body.material_names;
-  const auto at = std::find(names.begin(), names.end(), kCutMaterial);
-  if (at == names.end()) return std::nullopt;
+  const auto at = std::find(names.begin(), names.end(), body.cut_material);
+  if (at == names.end() || at - names.begin() > std::numeric_limits<uint16_t>::max()) return std::nullopt;
   return static_cast<uint16_t>(at - names.begin());
 }
 

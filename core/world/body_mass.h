@@ -24,13 +24,12 @@ const EnclosedPiece* enclosed_piece(const Body& body, uint32_t label);
 // solid body it also finds the closed pieces and their volumes (see Body::enclosed). O(faces + pieces).
 void update_mass_properties(Body& body);
 
-// Material name of the walls of a kerf, contained in Body::material_names of a solid body.
-inline constexpr const char* kCutMaterial = "cut";
-
-// Makes a body a solid or a sheet, and updates its mass properties. O(faces).
+// Makes a body a solid or a sheet, and updates its mass properties. Body::material_names of a solid body
+// contain Body::cut_material. O(faces).
 void make_solid(Body& body, bool solid);
 
-// Returns the index of kCutMaterial; nullopt if never solid, or with more materials than faces can index.
+// Returns the index of Body::cut_material; nullopt if there is none: the body was never solid, or has more
+// materials than faces can index.
 std::optional<uint16_t> cut_material(const Body& body);
 
 }  // namespace kerf

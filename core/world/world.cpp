@@ -76,6 +76,12 @@ std::string Body::own_name() const {
   return count == 1 ? name_of(only) : name;
 }
 
+FaceId Body::loaded_source(FaceId f) const {
+  if (walls.contain(mesh, f)) return {};
+  const FaceId base = mesh.data(f).base;
+  return loaded_faces.empty() || base.index < loaded_faces.size() ? loaded_face(base) : FaceId();
+}
+
 std::vector<FaceId> Body::faces_of(uint32_t piece, bool of_piece) const {
   std::vector<FaceId> faces;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {

@@ -59,6 +59,7 @@ struct Body {
   Sheet sheet;
   bool pinned = false;  // immovable
   bool solid = false;   // its faces enclose a volume; strokes with a smooth rim add walls to close it
+  std::string cut_material = "cut";  // name of the material of walls
   // Position of the body in state_hash: the slot to which it was added. On a detachment, the larger side
   // keeps it.
   uint32_t number = 0;
@@ -75,7 +76,7 @@ struct Body {
   SeparationState separation;
   std::vector<std::string> material_names;
   std::vector<MeshPart> named_parts;   // of base faces; empty for a detached body
-  std::shared_ptr<const Looks> looks;  // of loaded faces; null if the file has none, and after remeshing
+  std::shared_ptr<const Looks> looks;  // of loaded faces; null if the file has none
   MeshReport loaded;                   // content of the file
   // Origin of the faces: the body with which they were loaded, and the base face there by base face of this
   // body. The list is empty if both are equal, i.e. unless the body was detached from another.
@@ -93,6 +94,8 @@ struct Body {
   // Returns the live faces of a piece, or all others, ascending. O(faces).
   std::vector<FaceId> faces_of(uint32_t label, bool of_piece = true) const;
   FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
+  // Returns the loaded face that contains f; invalid for walls and other faces that were not loaded.
+  FaceId loaded_source(FaceId f) const;
 
   // Returns the base face that assigns f to a loaded part; that of an adjacent face if f is a wall.
   FaceId loaded_base(FaceId f) const {

@@ -194,6 +194,55 @@ TEST(PieceLooks, follow_detached_and_turned_bodies) {
   EXPECT_LT(error.normal, 1e-6);
 }
 
+// A flat sheet keeps functions that are linear in the position, and a jump between two halves.
+TEST(PieceLooks, are_those_of_the_surface_before_after_remeshing) {
+  const Soup flat = grid(16, 1);
+  const LinearLooks linear(flat);
+  Soup soup = with_looks(flat);
+  auto& halves = soup.looks.uv_sets[1];
+  halves = soup.looks.uv_sets[0];
+  const auto vertices = static_cast<uint32_t>(flat.positions.size());
+  for (const Vec3& p : flat.positions) halves.values.emplace_back(glm::vec2(5) + glm::vec2(linear.uv(p)));
+  const double middle = 0.5 * (linear.low.x + linear.low.x + linear.size.x);
+  for (auto& corners : halves.corners) {
+    double x = 0;
+    for (const uint32_t v : corners) x += flat.positions[v].x / 3;
+    for (uint32_t& v : corners) v += x > middle ? vertices : 0;
+  }
+  for (const Command& command : {Command(SimplifyPiece{{}, {.faces = 60}}), Command(SubdividePiece{})}) {
+    World world = world_of(soup);
+    const PieceId piece{world.ids()[0], 0};
+    Command own = command;
+    std::visit(
+        [&](auto& c) {
+          if constexpr (requires { c.piece; }) c.piece = piece;
+        },
+        own);
+    Document document(std::move(world));
+    const auto done = document.apply(own);
+    ASSERT_TRUE(done.ok()) << done.error().message;
+    const Body& body = document.world().body(document.world().ids()[0]);
+    EXPECT_NE(body.mesh.live_faces(), soup.triangles.size());
+    ASSERT_NE(body.looks, nullptr);
+    const std::vector<FaceId> faces = live_faces(body.mesh);
+    const CornerLooks looks = looks_of(body, faces, LookNormals::kLoaded);
+    size_t lower = 0, upper = 0;
+    for (size_t i = 0; i < faces.size(); ++i) {
+      const Triangle t = body.mesh.triangle(faces[i]);
+      for (size_t k = 0; k < 3; ++k) {
+        const glm::vec2 uv = looks.uv_sets[0].values[looks.uv_sets[0].corners[i][k]],
+                        half = looks.uv_sets[1].values[looks.uv_sets[1].corners[i][k]];
+        const glm::vec2 wanted(linear.uv(t[k]));
+        EXPECT_LT(glm::length(uv - wanted), 1e-5f);
+        (glm::length(half - wanted) < 1e-5f ? lower : upper) += 1;
+        EXPECT_LT(std::min(glm::length(half - wanted), glm::length(half - wanted - glm::vec2(5))), 1e-5f);
+      }
+    }
+    EXPECT_GT(lower, faces.size());
+    EXPECT_GT(upper, faces.size());
+  }
+}
+
 TEST(PieceLooks, change_neither_the_cut_nor_its_hash_and_cost_nothing_for_born_faces) {
   Random random(3);
   const Soup plain = sphere(24, 32, 1);

@@ -194,6 +194,33 @@ TEST(LooksOfGltf, are_exact_from_gltf_to_gltf) {
     for (glm::vec2& uv : uvs.values) uv.y = 1 - uv.y;
     expect_near(uvs, looks.uv_sets[0], 1e-6f);
     expect_near(obj->looks.normals, looks.normals, 0);
+    const auto ply = read_ply(
+        encoded({soup.positions, soup.triangles, {}, {}, {}, {}, {}, &looks}, MeshFormat::kPly), "a.ply");
+    ASSERT_TRUE(ply.ok()) << ply.error().message;
+    uvs = ply->looks.uv_sets[0];
+    for (glm::vec2& uv : uvs.values) uv.y = 1 - uv.y;
+    expect_near(uvs, looks.uv_sets[0], 1e-6f);
+    expect_near(ply->looks.normals, looks.normals, 0);
+  }
+}
+
+TEST(LooksOfPly, come_from_vertices_or_from_corners) {
+  const std::string head =
+      "ply\nformat ascii 1.0\ncomment TextureFile paint.png\nelement vertex 3\n"
+      "property float x\nproperty float y\nproperty float z\n";
+  const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
+  const auto by_vertex = read_ply(head + "property double texture_u\nproperty double texture_v\n" + face +
+                                      "end_header\n0 0 0 0.5 1\n1 0 0 0 1\n1 1 0 0.25 0\n3 0 1 2\n",
+                                  "a.ply");
+  const auto by_corner = read_ply(head + face +
+                                      "property list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n1 1 0\n"
+                                      "3 0 1 2 6 0.5 1 0 1 0.25 0\n",
+                                  "a.ply");
+  for (const auto* soup : {&by_vertex, &by_corner}) {
+    ASSERT_TRUE(soup->ok()) << soup->error().message;
+    ASSERT_EQ((*soup)->looks.uv_sets.size(), 1u);
+    EXPECT_EQ(values_of((*soup)->looks.uv_sets[0]), (std::vector<glm::vec2>{{0.5f, 1}, {0, 1}, {0.25f, 0}}));
+    EXPECT_EQ((*soup)->surfaces, nullptr);  // without a folder
   }
 }
 

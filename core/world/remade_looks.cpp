@@ -1,0 +1,102 @@
+#include "core/world/remade_looks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tolerances.h"
+#include "core/mesh/looks.h"
+#include "core/mesh/measures.h"
+
+namespace kerf {
+
+namespace {
+
+class Transfer {
+ public:
+  Transfer(const Body& body, const PieceCopy& copy, const Remeshed& remeshed)
+      : body_(body), looks_(*body.looks), remeshed_(remeshed) {
+    for (const FaceId origin : remeshed.origins)
+      sources_.push_back(body.loaded_source(copy.faces[origin.index]));
+    if (!looks_.has_corners()) return;
+    for (const Vec3& p : remeshed.positions) near_.push_back(near_points(p));
+  }
+
+  std::shared_ptr<const Looks> run() {
+    Soup soup;
+    soup.positions = remeshed_.positions;
+    soup.triangles = remeshed_.triangles;
+    soup.surfaces = looks_.surfaces();
+    soup.looks.v_points_down = looks_.v_points_down();
+    for (size_t set = 0; set < looks_.uv_sets(); ++set) {
+      soup.looks.uv_sets.push_back(channel<glm::vec2>(
+          looks_.uv_charts(set), [&](FaceId f) { return looks_.has_uvs(set, f); },
+          [&](size_t, const Looks::Point& point) { return glm::vec2(looks_.uv(set, point)); }));
+    }
+    if (looks_.has_normals()) {
+      soup.looks.normals = channel<glm::vec3>(
+          looks_.normal_charts(), [&](FaceId f) { return looks_.has_normal(f); },
+          [&](size_t t, const Looks::Point& point) { return normal(t, point); });
+    }
+    std::vector<std::string> warnings;  // none, because all values are finite
+    return Looks::make(soup, {}, std::vector<bool>(soup.triangles.size(), false), warnings);
+  }
+
+ private:
+  // The nearest points of the surface before and others almost as near, on the other side of a seam.
+  std::vector<SurfacePoint> near_points(const Vec3& at) const {
+    std::vector<SurfacePoint> points;
+    const auto nearest = body_.tree.nearest_point(body_.mesh, at);
+    if (!nearest) return points;
+    const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    body_.tree.points_within(body_.mesh, at, 2 * std::sqrt(nearest->distance2) + kSideRoundings * size,
+                             points);
+    return points;
+  }
+
+  // Evaluates a channel at all corners: value(triangle, point).
+  template <typename T, typename Has, typename Value>
+  LookChannel<T> channel(const std::vector<uint32_t>& charts, const Has& has, const Value& value) {
+    LookChannel<T> to;
+    for (size_t t = 0; t < sources_.size(); ++t) {
+      auto& corners = to.corners.emplace_back();
+      corners.fill(LookChannel<T>::kNone);
+      if (!sources_[t].valid() || !has(sources_[t])) continue;
+      for (size_t i = 0; i < 3; ++i) {
+        corners[i] = static_cast<uint32_t>(to.values.size());
+        to.values.push_back(value(t, point_in_chart(charts, remeshed_.triangles[t][i], sources_[t])));
+      }
+    }
+    return to;
+  }
+
+  Looks::Point point_in_chart(const std::vector<uint32_t>& charts, uint32_t vertex, FaceId own) const {
+    for (const SurfacePoint& near : near_[vertex]) {
+      const FaceId source = body_.loaded_source(near.face);
+      if (source.valid() && charts[source.index] == charts[own.index])
+        return {source, looks_.barycentrics(source, near.point)};
+    }
+    return {own, looks_.barycentrics(own, nearest_point(remeshed_.positions[vertex], looks_.triangle(own)))};
+  }
+
+  // The normal has the orientation of the new triangle.
+  glm::vec3 normal(size_t t, const Looks::Point& point) const {
+    const auto& [a, b, c] = remeshed_.triangles[t];
+    const auto& at = remeshed_.positions;
+    const Vec3 n = looks_.normal(point);
+    return glm::vec3(looks_.agrees(point.face, {at[a], at[b], at[c]}) ? n : -n);
+  }
+
+  const Body& body_;
+  const Looks& looks_;
+  const Remeshed& remeshed_;
+  std::vector<FaceId> sources_;                  // by triangle, loaded faces
+  std::vector<std::vector<SurfacePoint>> near_;  // by position
+};
+
+}  // namespace
+
+std::shared_ptr<const Looks> remade_looks(const Body& body, const PieceCopy& copy, const Remeshed& remeshed) {
+  return body.looks ? Transfer(body, copy, remeshed).run() : nullptr;
+}
+
+}  // namespace kerf

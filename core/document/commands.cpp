@@ -200,7 +200,7 @@ Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progre
   return remake_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
-        return simplify(mesh, target, heeded.kept, working, heeded.warm);
+        return simplify(mesh, target, {heeded.kept, heeded.is_seam}, working, heeded.warm);
       },
       progress);
 }
@@ -216,7 +216,7 @@ Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progr
   return remake_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
-        return subdivide(mesh, scheme, heeded.kept, working);
+        return subdivide(mesh, scheme, {heeded.kept, heeded.is_seam}, working);
       },
       progress);
 }
@@ -230,7 +230,7 @@ Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress
   return remake_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
-        return smooth(mesh, times, heeded.kept, working);
+        return smooth(mesh, times, {heeded.kept, heeded.is_seam}, working);
       },
       progress);
 }

@@ -5,6 +5,7 @@
 #include "core/edit/body_edit.h"
 #include "core/edit/detach.h"
 #include "core/joints/joined_parts.h"
+#include "core/mesh/looks.h"
 #include "core/world/body_creation.h"
 
 namespace kerf {
@@ -77,6 +78,15 @@ std::vector<FaceId> warm_faces(const FaceHeat& heat, const Mesh& mesh) {
   return faces;
 }
 
+std::function<bool(FaceId, FaceId)> seam_test(const Body& body, const PieceCopy& copy) {
+  if (!body.looks || body.looks->uv_sets() == 0) return {};
+  return [&](FaceId a, FaceId b) {
+    const FaceId one = body.loaded_source(copy.faces[a.index]),
+                 other = body.loaded_source(copy.faces[b.index]);
+    return one.valid() && other.valid() && body.looks->has_seam(one, other);
+  };
+}
+
 // Copies the joints; those within the piece are carried by its new faces.
 Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId own, const PieceCopy& copy,
                   const Remeshed& remeshed) {
@@ -129,7 +139,8 @@ Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generati
   ProgressShares shares(progress);
   const Progress working = shares.next(0.6), making = shares.next(0.4);
   const PieceCopy copy = copy_piece(body, piece.label);
-  const HeededFaces heeded{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh)};
+  const HeededFaces heeded{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh),
+                           seam_test(body, copy)};
   auto remeshed = remake(copy.mesh, heeded, &working);
   if (!remeshed) return remeshed.error();
   if (remeshed->triangles.empty()) return failed(piece_words(piece) + " would have no faces left");

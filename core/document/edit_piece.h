@@ -28,8 +28,9 @@ Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation
 
 // The faces of a mesh that a tool must respect, each list ascending.
 struct HeededFaces {
-  std::vector<FaceId> kept;  // must not change
-  std::vector<FaceId> warm;  // have energy or were hot
+  std::vector<FaceId> kept;                     // must not change
+  std::vector<FaceId> warm;                     // have energy or were hot
+  std::function<bool(FaceId, FaceId)> is_seam;  // see RemeshLimits
 };
 
 using Remake =

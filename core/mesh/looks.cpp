@@ -330,6 +330,12 @@ V Looks::value(const Channel<T>& channel, const Point& point) const {
 template glm::dvec2 Looks::value<glm::dvec2>(const Channel<glm::vec2>&, const Point&) const;
 template Vec3 Looks::value<Vec3>(const Channel<glm::vec3>&, const Point&) const;
 
+bool Looks::has_seam(FaceId a, FaceId b) const {
+  return a != b && std::ranges::any_of(uv_sets_, [&](const auto& set) {
+           return set.contains(a) && set.contains(b) && !continues(set, a, b);
+         });
+}
+
 size_t Looks::bytes() const {
   std::vector<const Corners*> counted;
   size_t bytes = 0;

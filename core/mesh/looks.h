@@ -83,6 +83,9 @@ class Looks {
   std::vector<uint32_t> uv_charts(size_t set) const { return charts(uv_sets_[set]); }
   std::vector<uint32_t> normal_charts() const { return charts(normals_); }
 
+  // Returns true if two loaded faces with UVs have different ones at a corner that they share.
+  bool has_seam(FaceId a, FaceId b) const;
+
   // Materials by FaceData::material; null if the file describes none.
   const std::shared_ptr<const SurfaceLibrary>& surfaces() const { return surfaces_; }
 

@@ -24,7 +24,7 @@ struct RayHit {
 };
 
 // A point of a face, and the square of its distance from the point of the query [m^2].
-struct SurfacePoint {
+struct PointOnFace {
   FaceId face;
   Vec3 point{0};
   double distance2 = 0;
@@ -80,9 +80,9 @@ class AabbTree {
   // Returns the point of the surface nearest to a given one, of several that of the first face; nullopt if
   // there is no face (best first, by the boxes: N. Roussopoulos, S. Kelley, F. Vincent: Nearest neighbor
   // queries, 1995). O(log n) near an evenly divided surface.
-  std::optional<SurfacePoint> nearest_point(const Mesh& mesh, const Vec3& at) const;
+  std::optional<PointOnFace> nearest_point(const Mesh& mesh, const Vec3& at) const;
   // Appends the nearest point of each face within a distance [m], nearest first, of several the first face.
-  void points_within(const Mesh& mesh, const Vec3& at, double distance, std::vector<SurfacePoint>& out) const;
+  void points_within(const Mesh& mesh, const Vec3& at, double distance, std::vector<PointOnFace>& out) const;
 
   // Replaces the leaves of one set of faces by those of another; a face may be in both. Replacements may be
   // reported late, after further edits of the mesh, in their original order. Preconditions: neither set is

@@ -54,23 +54,23 @@ void walk_near(const TreeStore& store, const Vec3& at, const double& limit2, con
   }
 }
 
-SurfacePoint point_of_face(const Mesh& mesh, FaceId f, const Vec3& at) {
+PointOnFace point_of_face(const Mesh& mesh, FaceId f, const Vec3& at) {
   const Vec3 point = kerf::nearest_point(at, mesh.triangle(f));
   const Vec3 apart = point - at;
   return {f, point, glm::dot(apart, apart)};
 }
 
-bool is_before(const SurfacePoint& a, const SurfacePoint& b) {
+bool is_before(const PointOnFace& a, const PointOnFace& b) {
   return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.face < b.face;
 }
 
 }  // namespace
 
-std::optional<SurfacePoint> AabbTree::nearest_point(const Mesh& mesh, const Vec3& at) const {
-  std::optional<SurfacePoint> nearest;
+std::optional<PointOnFace> AabbTree::nearest_point(const Mesh& mesh, const Vec3& at) const {
+  std::optional<PointOnFace> nearest;
   double limit2 = std::numeric_limits<double>::infinity();
   walk_near(store_, at, limit2, [&](FaceId f) {
-    const SurfacePoint point = point_of_face(mesh, f, at);
+    const PointOnFace point = point_of_face(mesh, f, at);
     if (nearest && !is_before(point, *nearest)) return;
     nearest = point;
     limit2 = point.distance2;
@@ -79,11 +79,11 @@ std::optional<SurfacePoint> AabbTree::nearest_point(const Mesh& mesh, const Vec3
 }
 
 void AabbTree::points_within(const Mesh& mesh, const Vec3& at, double distance,
-                             std::vector<SurfacePoint>& out) const {
+                             std::vector<PointOnFace>& out) const {
   const size_t first = out.size();
   const double limit2 = distance * distance;
   walk_near(store_, at, limit2, [&](FaceId f) {
-    const SurfacePoint point = point_of_face(mesh, f, at);
+    const PointOnFace point = point_of_face(mesh, f, at);
     if (point.distance2 <= limit2) out.push_back(point);
   });
   std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), is_before);

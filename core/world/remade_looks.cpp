@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/tolerances.h"
 #include "core/mesh/looks.h"
@@ -43,8 +44,8 @@ class Transfer {
 
  private:
   // The nearest points of the surface before and others almost as near, on the other side of a seam.
-  std::vector<SurfacePoint> near_points(const Vec3& at) const {
-    std::vector<SurfacePoint> points;
+  std::vector<PointOnFace> near_points(const Vec3& at) const {
+    std::vector<PointOnFace> points;
     const auto nearest = body_.tree.nearest_point(body_.mesh, at);
     if (!nearest) return points;
     const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
@@ -62,20 +63,26 @@ class Transfer {
       corners.fill(LookChannel<T>::kNone);
       if (!sources_[t].valid() || !has(sources_[t])) continue;
       for (size_t i = 0; i < 3; ++i) {
+        const uint32_t vertex = remeshed_.triangles[t][i];
         corners[i] = static_cast<uint32_t>(to.values.size());
-        to.values.push_back(value(t, point_in_chart(charts, remeshed_.triangles[t][i], sources_[t])));
+        const Vec3& at = remeshed_.positions[vertex];
+        const T predicted = value(t, {sources_[t], looks_.barycentrics(sources_[t], at)});
+        T best = value(t, {sources_[t], looks_.barycentrics(
+                                            sources_[t], nearest_point(at, looks_.triangle(sources_[t])))});
+        std::optional<double> distance2;
+        for (const PointOnFace& near : near_[vertex]) {
+          const FaceId source = body_.loaded_source(near.face);
+          if (!source.valid() || charts[source.index] != charts[sources_[t].index]) continue;
+          if (distance2 && near.distance2 > *distance2) break;
+          const T other = value(t, {source, looks_.barycentrics(source, near.point)});
+          // A seam within a chart, as on a cylinder, has two values at one point.
+          if (!distance2 || glm::distance(other, predicted) < glm::distance(best, predicted)) best = other;
+          distance2 = near.distance2;
+        }
+        to.values.push_back(best);
       }
     }
     return to;
-  }
-
-  Looks::Point point_in_chart(const std::vector<uint32_t>& charts, uint32_t vertex, FaceId own) const {
-    for (const SurfacePoint& near : near_[vertex]) {
-      const FaceId source = body_.loaded_source(near.face);
-      if (source.valid() && charts[source.index] == charts[own.index])
-        return {source, looks_.barycentrics(source, near.point)};
-    }
-    return {own, looks_.barycentrics(own, nearest_point(remeshed_.positions[vertex], looks_.triangle(own)))};
   }
 
   // The normal has the orientation of the new triangle.
@@ -90,7 +97,7 @@ class Transfer {
   const Looks& looks_;
   const Remeshed& remeshed_;
   std::vector<FaceId> sources_;                  // by triangle, loaded faces
-  std::vector<std::vector<SurfacePoint>> near_;  // by position
+  std::vector<std::vector<PointOnFace>> near_;  // by position
 };
 
 }  // namespace

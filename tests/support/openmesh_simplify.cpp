@@ -229,11 +229,11 @@ void collapse_edges(Work& work, double error) {
 }  // namespace
 
 Result<Remeshed> simplify_by_openmesh(const Mesh& mesh, const SimplifyTarget& target,
-                                      std::span<const FaceId> kept, const Progress* progress,
+                                      const RemeshLimits& limits, const Progress* progress,
                                       std::span<const FaceId> followed) {
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.15), decimating = shares.next(0.8), back = shares.next(0.05);
-  auto sheets = to_sheets(mesh, kept, &copying);
+  auto sheets = to_sheets(mesh, limits, &copying);
   if (!sheets) return sheets.error();
   FollowedFaces places(mesh, sheets->frame, sheets->faces, followed);
   Work work{.sheets = std::move(*sheets), .followed = std::move(places), .progress = &decimating};

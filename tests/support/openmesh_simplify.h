@@ -14,7 +14,7 @@ namespace kerf {
 // Preconditions: the mesh has live faces, `kept` and `followed` are live, and the error is positive.
 // O(n log n).
 Result<Remeshed> simplify_by_openmesh(const Mesh& mesh, const SimplifyTarget& target,
-                                      std::span<const FaceId> kept, const Progress* progress,
+                                      const RemeshLimits& limits, const Progress* progress,
                                       std::span<const FaceId> followed = {});
 
 }  // namespace kerf

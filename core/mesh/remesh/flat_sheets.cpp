@@ -18,7 +18,8 @@ class FlatCopier {
   FlatCopier(const Mesh& mesh, const Progress* progress)
       : mesh_(mesh), pace_(progress, mesh.live_faces()), fans_(3 * size_t{mesh.live_faces()}) {}
 
-  Result<FlatSheets> copy(std::span<const FaceId> kept) {
+  Result<FlatSheets> copy(const RemeshLimits& limits) {
+    limits_ = &limits;
     number_faces();
     for (uint32_t f = 0; f < out_.faces.size(); ++f) {
       if (!pace_.step()) return cancelled();
@@ -26,7 +27,7 @@ class FlatCopier {
     }
     add_vertices();
     lock_features();
-    for (const FaceId f : kept) {
+    for (const FaceId f : limits.kept) {
       for (const uint32_t v : out_.corners[number_[f.index]]) out_.locked[v] = true;
     }
     lock_shared_positions();
@@ -52,8 +53,10 @@ class FlatCopier {
     mesh_.append_edge_sides(out_.faces[f], from, to, sides_);
     const auto beside = std::find_if(sides_.begin(), sides_.end(),
                                      [&](const Mesh::Side& s) { return s.from == to && s.to == from; });
-    out_.feature[3 * size_t{f} + i] = sides_.size() != 1 || beside == sides_.end() ||
-                                      mesh_.data(beside->face).material != mesh_.data(out_.faces[f]).material;
+    out_.feature[3 * size_t{f} + i] =
+        sides_.size() != 1 || beside == sides_.end() ||
+        mesh_.data(beside->face).material != mesh_.data(out_.faces[f]).material ||
+        (limits_->is_seam && limits_->is_seam(out_.faces[f], beside->face));
     if (beside == sides_.end()) return;
     const uint32_t other = number_[beside->face.index];
     const auto& c = corners_[other];
@@ -111,6 +114,7 @@ class FlatCopier {
   }
 
   const Mesh& mesh_;
+  const RemeshLimits* limits_ = nullptr;
   Pace pace_;
   UnionFind fans_;                                // of corners
   std::vector<uint32_t> number_;                  // by face slot
@@ -121,8 +125,8 @@ class FlatCopier {
 
 }  // namespace
 
-Result<FlatSheets> to_flat_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress) {
-  return FlatCopier(mesh, progress).copy(kept);
+Result<FlatSheets> to_flat_sheets(const Mesh& mesh, const RemeshLimits& limits, const Progress* progress) {
+  return FlatCopier(mesh, progress).copy(limits);
 }
 
 FlatSurface::FlatSurface(std::vector<Vec3> points, std::vector<std::array<uint32_t, 3>> corners)

@@ -11,14 +11,15 @@
 #include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/remesh/remeshed.h"
 
 namespace kerf {
 
 // The live faces of a mesh in flat arrays, with one vertex for each fan of faces on a sheet (see Mesh), so
 // that no vertex joins two sheets. Faces and vertices are numbered in the order of their slots in the mesh.
 //
-// An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ. Locked
-// are the ends of features, vertices at a shared position, and the vertices of kept faces.
+// An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ, or on a
+// seam. Locked are the ends of features, vertices at a shared position, and the vertices of kept faces.
 struct FlatSheets {
   FloatFrame frame;                              // for OpenMesh and the quadrics
   std::vector<VertexId> vertices;                // by vertex; repeats a vertex of the mesh with several fans
@@ -33,8 +34,8 @@ struct FlatSheets {
 };
 
 // Copies the live faces of a mesh. Fails with cancelled() when stopped; `progress` may be null. Precondition:
-// the faces in `kept` are live. O(n log n).
-Result<FlatSheets> to_flat_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
+// the faces in `limits.kept` are live. O(n log n).
+Result<FlatSheets> to_flat_sheets(const Mesh& mesh, const RemeshLimits& limits, const Progress* progress);
 
 // Triangles over vertices in flat arrays, for removing vertices by half-edge collapses. Corner 3 f + i is
 // corner i of face f; the corners at one vertex are a ring of links in no particular order, so that joining

@@ -48,8 +48,8 @@ struct Sheets {
 // Copies the live faces of a mesh via to_flat_sheets. OpenMesh allows at most one edge between two vertices,
 // with two faces; a sheet that touches itself along a ring may need more, and a face without a free edge gets
 // locked vertices of its own. Fails with cancelled() when stopped; `progress` may be null. Precondition: the
-// faces in `kept` are live. O(n log n).
-Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
+// faces in `limits.kept` are live. O(n log n).
+Result<Sheets> to_sheets(const Mesh& mesh, const RemeshLimits& limits, const Progress* progress);
 
 // Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which maps each
 // face handle to the face of `mesh` from which it derives. Vertices that did not move since to_sheets get

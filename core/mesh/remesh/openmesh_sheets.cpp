@@ -116,10 +116,10 @@ Vec3 position_of(const Sheets& sheets, Kernel::VertexHandle v, const Mesh& mesh)
 
 }  // namespace
 
-Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress) {
+Result<Sheets> to_sheets(const Mesh& mesh, const RemeshLimits& limits, const Progress* progress) {
   ProgressShares shares(progress);
   const Progress copying = shares.next(1 / 3.0), adding = shares.next(2 / 3.0);
-  auto flat = to_flat_sheets(mesh, kept, &copying);
+  auto flat = to_flat_sheets(mesh, limits, &copying);
   if (!flat) return flat.error();
   return Copier(mesh, std::move(*flat), &adding).copy();
 }

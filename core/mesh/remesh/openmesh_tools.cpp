@@ -131,12 +131,12 @@ std::vector<FaceId> origins_of(const Sheets& sheets, size_t added_a_face) {
 
 }  // namespace
 
-Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const FaceId> kept,
+Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, const RemeshLimits& limits,
                            const Progress* progress) {
   KERF_ASSERT(mesh.live_faces() <= kMaxToSubdivide);
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.4), dividing = shares.next(0.3), back = shares.next(0.3);
-  auto sheets = to_sheets(mesh, kept, &copying);
+  auto sheets = to_sheets(mesh, limits, &copying);
   if (!sheets) return sheets.error();
   if (!dividing.report(0)) return cancelled();
   if (scheme == Subdivision::kSqrt3) {
@@ -148,11 +148,11 @@ Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const
   return from_sheets(*sheets, origins_of(*sheets, parts_of_face(scheme) - 1), mesh);
 }
 
-Result<Remeshed> smooth(const Mesh& mesh, size_t times, std::span<const FaceId> kept,
+Result<Remeshed> smooth(const Mesh& mesh, size_t times, const RemeshLimits& limits,
                         const Progress* progress) {
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.5), moving = shares.next(0.4), back = shares.next(0.1);
-  auto sheets = to_sheets(mesh, kept, &copying);
+  auto sheets = to_sheets(mesh, limits, &copying);
   if (!sheets) return sheets.error();
   {
     // It does not move locked vertices and those on boundaries.

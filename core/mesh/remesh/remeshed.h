@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,12 @@
 #include "core/mesh/mesh.h"
 
 namespace kerf {
+
+// What a mesh tool must preserve: some faces, and the edges between faces with a seam of UVs between them.
+struct RemeshLimits {
+  std::span<const FaceId> kept{};
+  std::function<bool(FaceId, FaceId)> is_seam{};  // of two faces at an edge; null: there are no seams
+};
 
 // The new place of a face: for each of its quarters the origin of the triangle on which it lies.
 struct FollowedFace {

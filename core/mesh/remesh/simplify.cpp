@@ -77,11 +77,11 @@ Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurfa
 
 }  // namespace
 
-Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
+Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, const RemeshLimits& limits,
                           const Progress* progress, std::span<const FaceId> followed) {
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.3), collapsing = shares.next(0.6), back = shares.next(0.1);
-  const auto sheets = to_flat_sheets(mesh, kept, &copying);
+  const auto sheets = to_flat_sheets(mesh, limits, &copying);
   if (!sheets) return sheets.error();
   Collapser collapser(mesh, *sheets, target.faces, followed, &collapsing);
   const bool done = std::isfinite(target.error)

@@ -30,14 +30,15 @@ inline constexpr double kShareForSamples = 0.6;
 // until the target is reached. Quadrics measure the planes of faces, not their extent; without that bound the
 // maximum distance between the surfaces was up to three times as large.
 //
-// Vertices keep their positions. Features (see FlatSheets), the faces in `kept`, components and topology are
-// preserved: sheets that touch are never joined. More faces than the target may therefore remain. The new
-// places of the faces in `followed` are in Remeshed::followed.
+// Vertices keep their positions. Features (see FlatSheets), the faces in `limits.kept`, components and
+// topology are preserved: sheets that touch are never joined. More faces than the target may therefore
+// remain. The new places of the faces in `followed` are in Remeshed::followed.
 //
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the target
 // only: of equal errors the vertex with the lowest number comes first. Preconditions: the mesh has live
-// faces, `kept` and `followed` are live, and the error is positive. O(n log n); 3 to 10 us per removed face.
-Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
+// faces, `limits.kept` and `followed` are live, and the error is positive. O(n log n); 3 to 10 us per removed
+// face.
+Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, const RemeshLimits& limits,
                           const Progress* progress, std::span<const FaceId> followed = {});
 
 }  // namespace kerf

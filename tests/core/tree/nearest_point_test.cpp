@@ -10,15 +10,15 @@
 namespace kerf::test {
 namespace {
 
-std::vector<SurfacePoint> brute_points(const Mesh& mesh, const Vec3& at) {
-  std::vector<SurfacePoint> points;
+std::vector<PointOnFace> brute_points(const Mesh& mesh, const Vec3& at) {
+  std::vector<PointOnFace> points;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!mesh.is_live(FaceId(f))) continue;
     const Vec3 point = nearest_point(at, mesh.triangle(FaceId(f)));
     points.push_back({FaceId(f), point, glm::dot(point - at, point - at)});
   }
   std::stable_sort(points.begin(), points.end(),
-                   [](const SurfacePoint& a, const SurfacePoint& b) { return a.distance2 < b.distance2; });
+                   [](const PointOnFace& a, const PointOnFace& b) { return a.distance2 < b.distance2; });
   return points;
 }
 
@@ -41,7 +41,7 @@ TEST(NearestPoint, is_that_of_a_search_over_all_faces) {
       EXPECT_EQ(found->face, all[0].face);
       EXPECT_EQ(found->distance2, all[0].distance2);
       const double reach = random.uniform(0, 0.3) * size;
-      std::vector<SurfacePoint> within;
+      std::vector<PointOnFace> within;
       tree.points_within(built.mesh, at, reach, within);
       size_t count = 0;
       while (count < all.size() && all[count].distance2 <= reach * reach) ++count;

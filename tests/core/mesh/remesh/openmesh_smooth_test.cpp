@@ -13,7 +13,7 @@ namespace kerf::test {
 namespace {
 
 Remeshed smoothed(const Mesh& mesh, size_t times, std::span<const FaceId> kept = {}) {
-  auto made = smooth(mesh, times, kept, nullptr);
+  auto made = smooth(mesh, times, {kept, {}}, nullptr);
   EXPECT_TRUE(made.ok());
   return std::move(*made);
 }

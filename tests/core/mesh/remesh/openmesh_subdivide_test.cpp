@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kSchemes{Subdivision::kLoop, Subdivision::kSqrt3, Subdivision::kMidpoint};
 
 Remeshed subdivided(const Mesh& mesh, Subdivision scheme, std::span<const FaceId> kept = {}) {
-  auto made = subdivide(mesh, scheme, kept, nullptr);
+  auto made = subdivide(mesh, scheme, {kept, {}}, nullptr);
   EXPECT_TRUE(made.ok());
   return std::move(*made);
 }

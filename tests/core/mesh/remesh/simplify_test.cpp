@@ -29,7 +29,7 @@ class Simplify : public testing::TestWithParam<Method> {
  protected:
   static Remeshed simplified(const Mesh& mesh, const SimplifyTarget& target,
                              std::span<const FaceId> kept = {}) {
-    auto made = GetParam()(mesh, target, kept, nullptr, {});
+    auto made = GetParam()(mesh, target, {kept, {}}, nullptr, {});
     EXPECT_TRUE(made.ok());
     return std::move(*made);
   }

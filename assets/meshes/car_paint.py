@@ -11,7 +11,7 @@ import zlib
 
 SIZE = 1024
 SIDES = 0.4                        # of the image's height, from its lower edge
-LENGTH, LOW, HIGH, HALF_WIDTH = 2.12, 0.12, 1.46, 0.9     # m, of the car
+LENGTH, LOW, HIGH, HALF_WIDTH = 2.12, 0.12, 1.46, 1.0     # m, of the car
 PETROL, CREAM, DARK, RUST = (61, 111, 134), (226, 217, 196), (28, 34, 38), (112, 62, 34)
 NUMBER, NUMBER_AT = "27", (0.04, 0.62)                    # its z and y, m
 DISC = 0.25                                               # m

@@ -22,6 +22,24 @@ newmtl paint
 Kd 1 1 1
 Ns 640
 map_Kd rally_car.png
+newmtl trim
+Kd 0.11 0.12 0.14
+newmtl light_front
+Kd 0.89 0.91 0.93
+newmtl light_rear
+Kd 0.49 0.11 0.14
+newmtl tyre
+Kd 0.09 0.09 0.11
+newmtl rim
+Kd 0.66 0.69 0.72
+newmtl chrome
+Kd 0.77 0.79 0.82
+newmtl axle
+Kd 0.29 0.31 0.34
+newmtl seat
+Kd 0.23 0.25 0.29
+newmtl interior
+Kd 0.16 0.17 0.20
 """
 
 

@@ -16,8 +16,9 @@ flat out int surface;  // index in "Surfaces"; -1: the paint alone
 #endif
 
 const uint kPieceColours = 32u;
+const float kDescribed = 2.0;  // added to the gloss of materials that their file describes
 layout(std140) uniform Paints {
-  vec4 paints[256];            // linear rgb, gloss
+  vec4 paints[256];            // linear rgb, gloss; see kDescribed
   vec4 pieces[kPieceColours];  // linear rgb; see piece_palette.h
 };
 
@@ -86,9 +87,11 @@ void main() {
 
   uint number = shown_number(piece, look);
   paint = paints[traits.y];
+  bool is_described = paint.a >= kDescribed;
+  if (is_described) paint.a -= kDescribed;
 #ifdef TEXTURED
   uv = corner_uv;
-  surface = number < kStayed && body_look.y < 0.5 ? int(traits.y) : -1;
+  surface = is_described && number < kStayed && body_look.y < 0.5 ? int(traits.y) : -1;
 #endif
   if (number >= kStayed) {
     paint = vec4(number == kStayed ? kStayedColour : kCameOffColour, 0.25);

@@ -42,7 +42,7 @@ std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
     if (found != paints.end()) {
       table[m] = glm::vec4(glm::vec3(found->second.colour), found->second.gloss);
     } else if (m < looks.size() && looks[m]) {
-      table[m] = glm::vec4(glm::vec3(looks[m]->base), 1 - looks[m]->roughness);
+      table[m] = glm::vec4(glm::vec3(looks[m]->base), kDescribed + 1 - looks[m]->roughness);
     }
   }
   return table;

@@ -80,7 +80,8 @@ std::vector<glm::dvec3> piece_colours(const std::vector<std::string>& materials,
                                       const std::map<std::string, Paint>& paints);
 
 // Returns colour and gloss of up to 256 materials by index: of their paints, otherwise as their file
-// describes them. Any other material looks like blue-grey painted metal.
+// describes them, with kDescribed added to the gloss. Any other material looks like blue-grey painted metal.
+inline constexpr float kDescribed = 2;  // as in body.vert
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
                                    const std::map<std::string, Paint>& paints,
                                    std::span<const std::optional<SurfaceLook>> looks = {});

@@ -9,11 +9,14 @@
 #include "app/console.h"
 #include "app/standard_streams.h"
 #include "core/base/number_format.h"
+#include "core/document/commands.h"
+#include "core/document/extract.h"
 #include "core/document/input_files.h"
+#include "core/document/lost_looks.h"
+#include "core/document/piece_looks.h"
+#include "core/document/surface_files.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
-#include "core/mesh/remesh/openmesh_tools.h"
-#include "core/mesh/remesh/remeshed.h"
-#include "core/mesh/remesh/simplify.h"
 
 namespace kerf {
 
@@ -77,95 +80,90 @@ class PrepareRun {
     auto built = load_mesh(options_.mesh);
     if (!built) return built.error();
     tell(built->report);
-    if (built->looks)
-      warn(options_.mesh + ": the new mesh keeps no UVs, normals or textures: " +
-           count_text(built->report.faces, "face") + " lose theirs");
-    names_ = std::move(built->material_names);
-    mesh_ = std::move(built->mesh);
-    const size_t before = mesh_.live_faces();
+    world_.add(make_body("", std::move(*built)));
+    const size_t before = world_.live_faces();
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
     if (const auto s = write(); !s) return s;
-    summarize(std::to_string(before) + " faces became " + std::to_string(made_.triangles.size()) + " in " +
+    summarize(std::to_string(before) + " faces became " + std::to_string(world_.live_faces()) + " in " +
               (options_.out == kStream ? "standard output" : options_.out));
     return Done{};
   }
 
  private:
+  const Body& body() const { return world_.body(world_.ids()[0]); }
+
   Status prepare() {
     if (options_.turn_shells) {
-      const auto s = step("turning shells", [&](const Progress* p) { return turn_shells(mesh_, p); });
-      if (!s) return s;
+      if (const auto s = step("turning shells", TurnShells()); !s) return s;
     }
     if (options_.faces || options_.error) {
       SimplifyTarget target;
       if (options_.faces) target.faces = static_cast<size_t>(*options_.faces);
       if (options_.error) target.error = *options_.error;
-      const auto s = step("simplifying", [&](const Progress* p) { return simplify(mesh_, target, {}, p); });
-      if (!s) return s;
+      if (const auto s = step("simplifying", SimplifyPiece{{}, target}); !s) return s;
       tell_what_stayed(target.faces);
     }
     if (options_.subdivide) {
-      const Subdivision scheme = *subdivision_named(*options_.subdivide);
-      if (mesh_.live_faces() > kMaxToSubdivide) return bad_input("--subdivide: the mesh has too many faces");
-      const auto s = step("subdividing", [&](const Progress* p) { return subdivide(mesh_, scheme, {}, p); });
+      if (world_.live_faces() > kMaxToSubdivide) return bad_input("--subdivide: the mesh has too many faces");
+      const auto s = step("subdividing", SubdividePiece{{}, *subdivision_named(*options_.subdivide)});
       if (!s) return s;
     }
     if (!options_.smooth) return Done{};
-    const auto times = static_cast<size_t>(*options_.smooth);
-    return step("smoothing", [&](const Progress* p) { return smooth(mesh_, times, {}, p); });
+    return step("smoothing", SmoothPiece{{}, static_cast<size_t>(*options_.smooth)});
   }
 
-  // Runs a tool that makes a new mesh for the next one.
+  // Runs a command on the only piece.
   template <typename Tool>
   Status step(const char* work, Tool tool) {
     ProgressLine line(work);
-    const Progress all = line.progress();
-    ProgressShares shares(&all);
-    const Progress working = shares.next(0.7), building = shares.next(0.3);
-    Result<Remeshed> made = tool(&working);
-    if (!made) return made.error();
-    if (made->triangles.empty()) return failed(options_.mesh + ": no face is left");
-    made_ = std::move(*made);
-    materials_ = materials_of(made_, mesh_);
-    colours_ = colours_of(made_, mesh_);
-    auto built = build_remeshed(made_, mesh_, &building);
-    if (!built) return built.error();
-    mesh_ = std::move(built->mesh);
-    return Done{};
+    const Progress progress = line.progress();
+    tool.piece = {world_.ids()[0], 0};
+    const Result<Delta> done = tool.run(world_, ++generation_, &progress);
+    return done ? Status(Done{}) : done.error();
   }
 
   void tell_what_stayed(size_t target) const {
-    if (target == 0 || made_.triangles.size() <= target) return;
-    std::cerr << "kerf: note: " << made_.triangles.size()
+    if (target == 0 || world_.live_faces() <= target) return;
+    std::cerr << "kerf: note: " << world_.live_faces()
               << " faces are left, because removing more would move boundaries or features or flip a "
                  "face\n";
   }
 
-  Status write() const {
+  Status write() {
     if (interrupted()) return stopped();
-    const MeshView view{made_.positions,
-                        made_.triangles,
-                        names_.empty() ? std::span<const uint16_t>() : std::span(materials_),
-                        names_,
-                        {},
-                        {},
-                        colours_};
+    const std::vector<FaceId> faces = body().faces_of(0);
+    const Extract e = extract_faces(body(), faces);
     const MeshFormat format = *mesh_format(options_.ending());
+    MeshView view{e.positions, e.triangles, e.materials, body().material_names, {}, {}, e.colours};
+    CornerLooks looks;
+    if (format_row(format).uvs_and_normals)
+      looks = looks_of(body(), faces, is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth);
+    if (looks.any()) view.looks = &looks;
+    if (body().looks) view.surfaces = body().looks->surfaces().get();
+    SurfaceFiles surfaces(world_);
+    if (format == MeshFormat::kObj && options_.out != kStream) {
+      const std::filesystem::path out = options_.out;
+      if (const auto s = surfaces.write(out.parent_path(), out.stem().string() + ".mtl"); !s) return s;
+      view.mtl = surfaces.library();
+      if (!view.mtl.empty()) view.material_names = surfaces.names(body());
+    }
     const auto write_to = [&](const std::filesystem::path& file) { return write_mesh(view, file, format); };
     const Status written =
         options_.out == kStream ? write_to_output(options_.ending(), write_to) : write_to(options_.out);
     if (!written) return written;
-    const auto note = precision_note(precision_loss(view, format), format, "write OBJ, PLY or OFF");
-    if (note) warn(options_.out + ": " + *note);
+    LostLooks lost;
+    lost.add(body(), e, format);
+    std::vector<std::string> notes;
+    lost.add_notes(format, notes);
+    if (const auto note = precision_note(precision_loss(view, format), format, "write OBJ, PLY or OFF"))
+      notes.push_back(*note);
+    for (const std::string& note : notes) warn(options_.out + ": " + note);
     return Done{};
   }
 
   PrepareOptions options_;
-  std::vector<std::string> names_;
-  Mesh mesh_;
-  Remeshed made_;
-  std::vector<uint16_t> materials_;    // of made_
-  std::vector<VertexColour> colours_;  // of made_
+  World world_;
+  uint32_t generation_ = 0;
 };
 
 }  // namespace

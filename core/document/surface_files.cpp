@@ -129,15 +129,15 @@ Result<std::string> SurfaceFiles::place(const std::filesystem::path& folder, con
   return failed((folder / name).string() + ": there are too many files of this name");
 }
 
-Status SurfaceFiles::write(const std::filesystem::path& folder) {
+Status SurfaceFiles::write(const std::filesystem::path& folder, const std::string& name) {
   if (!any_) return Done{};
   std::vector<std::string> image_names;
   for (const SurfaceImage* image : images_) {
-    const auto name = place(folder, image_file_name(*image), image->bytes);
-    if (!name) return name.error();
-    image_names.push_back(*name);
+    const auto own = place(folder, image_file_name(*image), image->bytes);
+    if (!own) return own.error();
+    image_names.push_back(*own);
   }
-  return unpack(place(folder, "pieces.mtl", text(image_names)), library_);
+  return unpack(place(folder, name, text(image_names)), library_);
 }
 
 void SurfaceFiles::remove() const {

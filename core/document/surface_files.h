@@ -20,8 +20,9 @@ class SurfaceFiles {
   // Adds a body that was not added before.
   void add(const Body& body);
 
-  // Writes the library and the images that it refers to, if a body has materials that its file describes.
-  Status write(const std::filesystem::path& folder);
+  // Writes the library, with this name if it is free, and the images that it refers to, if a body has
+  // materials that its file describes.
+  Status write(const std::filesystem::path& folder, const std::string& name = "pieces.mtl");
   // Removes the files that write() created.
   void remove() const;
 

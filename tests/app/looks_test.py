@@ -2,6 +2,7 @@
 import ast
 import json
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -102,7 +103,7 @@ class Looks(unittest.TestCase):
         faces = read_obj(text)
         self.assertTrue(faces)
         for material, corners in faces:
-            self.assertIn(material, ("red paint", "bare"))
+            self.assertIn(material, ("red paint", "bare", None))  # None: from PLY
             for position, uv, normal in corners:
                 self.assertAlmostEqual(uv[0], 2 * position[0], delta=1e-6)
                 self.assertAlmostEqual(uv[1], 1 - position[2] if up else position[2], delta=1e-6)
@@ -155,8 +156,34 @@ class Looks(unittest.TestCase):
             report = self.cut("--format", form)
             faces = sum(piece["faces"] for piece in report["pieces"])
             note = report["notes"][-1]
-            self.assertRegex(note, f"no UVs, normals, materials or textures: {faces} faces lose theirs")
+            lost = "materials or textures" if form == "ply" else "UVs, normals, materials or textures"
+            self.assertRegex(note, f"no {lost}: {faces} faces lose theirs")
             self.assertIn(note, self.messages)
+
+    def test_ply_keeps_uvs_and_normals(self):
+        self.cut("--format", "ply")
+        self.cut(mesh="out/piece-0000.ply", out="back")
+        self.assert_linear(self.read("back/piece-0000.obj").decode())
+
+    def test_prepare_keeps_looks(self):
+        subprocess.run([KERF, "prepare", "plate.obj", "--subdivide", "midpoint", "--simplify", "200", "--out", "made.obj"],
+                       cwd=self.folder, check=True, capture_output=True)
+        self.assert_linear(self.read("made.obj").decode())
+        self.assertIn(b"map_Kd", self.read("made.mtl"))
+
+    def test_walls_have_the_material_that_is_asked_for(self):
+        corners = [(x, y, z) for x in (0, 1) for y in (0, 0.3) for z in (0, 1)]
+        quads = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
+        self.write("box.obj", "mtllib plate.mtl\nusemtl bare\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in corners) +
+                   "".join("f " + " ".join(map(str, quad)) + "\n" for quad in quads))
+        for name in ("foam", "bare"):
+            self.cut("--solid", "--cut-material", name, "--journal", "cut.kerf", mesh="box.obj")
+            self.assertEqual(set(re.findall("usemtl (.*)", self.read("out/piece-0000.obj").decode())), {"bare", name})
+            self.assertIn(f'"cut_material":"{name}"', self.read("cut.kerf").decode().replace(" ", ""))
+        done = subprocess.run([KERF, "cut", "box.obj", "--path", "cut.json", "--out", "o", "--cut-material", ""],
+                              cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--cut-material", done.stderr)
 
     def test_a_missing_image_is_named(self):
         os.remove(self.path("paint.png"))

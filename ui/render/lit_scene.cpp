@@ -55,6 +55,7 @@ LitScene::LitScene(Shaders& shaders)
 void LitScene::load_textured_programs(const Subject& subject) {
   const bool any =
       std::ranges::any_of(subject.bodies, [](const auto& entry) { return entry.second.is_textured(); });
+  draws_maps_ = any && subject.options.textures;
   if (!any || textured_ || lacks_textured_) return;
   Shaders shaders;
   textured_.emplace(shaders, Maps::kTextured);
@@ -72,7 +73,7 @@ void LitScene::draw_section(const Subject& subject, const Use& use) const {
     const gl::Program& program = use(*programs);
     ramps_.bind(program);
     for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
-      const bool by_maps = textured_ && picture.is_textured();
+      const bool by_maps = textured_ && draws_maps_ && picture.is_textured();
       if (by_maps == (programs != &body_)) picture.draw(program, subject.space, body.placement);
     });
   }

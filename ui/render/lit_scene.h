@@ -55,6 +55,7 @@ class LitScene {
 
   BodyPrograms body_;
   std::optional<BodyPrograms> textured_;  // loaded for the first body with maps
+  bool draws_maps_ = false;               // in this frame
   bool lacks_textured_ = false;           // they failed to load, so that maps are left out
   gl::Program sky_, darken_;
   GroundPass ground_;

@@ -69,7 +69,7 @@ const std::vector<MenuLayout> kMenus{
     {"View",
      {"view.shadows", "view.silhouette", "view.shadow_volumes", "view.shadow_counts", "view.shadow_facing",
       "view.shadow_compare", "view.shadow_rays", kLine,
-      "view.rim_glow", "view.shading", "view.wire", "view.section", "view.boxes", "view.pieces",
+      "view.rim_glow", "view.shading", "view.textures", "view.wire", "view.section", "view.boxes", "view.pieces",
       "view.sizes", "view.heat", "view.normals", "view.face_numbers", "view.graph", "view.contacts",
       "view.colliders", "view.centres", "view.joints", kLine,
       "view.ghost", "view.sparks", "view.antialias", kLine,

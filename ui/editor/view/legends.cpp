@@ -134,6 +134,7 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
     case SwitchId::kRimGlow:
     case SwitchId::kWire:
     case SwitchId::kShading:
+    case SwitchId::kTextures:
     case SwitchId::kSection:
     case SwitchId::kNormals:
     case SwitchId::kGhost:

@@ -199,6 +199,7 @@ struct ViewOptions {
   bool cull_backs = false;  // culls back faces, as the paper did at first
   bool ghost = false;       // removed faces as a faint veil
   bool tint_pieces = true;  // cut-off pieces have their own colour; otherwise they keep their paint
+  bool textures = true;     // maps of materials
   bool legends = true;      // legends of overlay colours as strips
   Shading shading = Shading::kByAngle;
   double mark_scale = 1;                // of numbers and lines; 1 suits a screen

@@ -103,6 +103,11 @@ constexpr std::array kSwitches{
                                .tip = "By angle: edges of 35 degrees or more stay sharp. Smooth: no sharp "
                                       "edges, for noisy scans. Flat: no smoothing.",
                                .states = kShadingStates}),
+    of<&ViewOptions::textures>(
+        {.id = SwitchId::kTextures,
+         .report = "textures",
+         .label = "Textures",
+         .tip = "Draws the maps of materials as loaded; if off, their plain colours."}),
     of<&ShowOptions::wire>({.id = SwitchId::kWire,
                             .show = "wire",
                             .report = "wire",

@@ -20,6 +20,7 @@ enum class SwitchId {
   kTrace,
   kRimGlow,
   kShading,
+  kTextures,
   kWire,
   kSection,
   kBoxes,

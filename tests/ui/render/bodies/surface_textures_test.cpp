@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/platform.h"
+#include "core/document/text/json.h"
 #include "core/mesh/files/readers.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"

@@ -121,7 +121,7 @@ class Pipe(unittest.TestCase):
         self.assertIn(b'help: "cutt" is not a command; the nearest name is "cut"', self.kerf('help', 'cutt', status=2).stderr)
 
     def test_quiet_prints_no_summary(self):
-        for words in (('cut', SPHERE, '--path', 'path.json', '-o', 'out'), ('prepare', SPHERE, '--smooth', '1', '-o', 'x.ply')):
+        for words in (('cut', SPHERE, '--path', 'path.json', '-o', 'out'), ('prepare', SPHERE, '--smooth', '1', '-o', 'x.obj')):
             self.assertEqual(len(self.kerf(*words).stderr.splitlines()), 1)
             self.assertEqual(self.kerf(*words, '-q').stderr, b'')
 

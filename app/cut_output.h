@@ -32,7 +32,7 @@ struct PiecesFolder {
   // Writes the pieces as piece-0000 and so on, largest area first, relative to the origin of the job, then
   // report.json with its statistics. Adds notes to the job on losses of precision and of looks by the format.
   // Returns the pieces. Shows a ProgressLine. Every file is written completely or not at all. OBJ pieces
-  // share a material library, with its images beside it (see SurfaceFiles).
+  // share a material library, with its images in the same folder (see SurfaceFiles).
   //
   // The folder holds one run. The earlier report becomes report.json~ before the first piece is written, so a
   // failure or Ctrl-C leaves no report. Once the new files are complete, removes files named piece-NNNN.*

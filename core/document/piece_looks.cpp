@@ -107,7 +107,7 @@ class Evaluation {
     if (is_inside) return point;
     body_.mesh.star(corner, star_);
     const std::vector<FaceId> around = star_.faces;
-    if (continue_over(around, point, at) || point.beside.valid()) return point;
+    if (continue_over(around, point, at) || point.adjacent.valid()) return point;
     for (const FaceId f : around) {
       for (const VertexId v : body_.mesh.corners(f)) {
         if (v == corner) continue;
@@ -120,7 +120,7 @@ class Evaluation {
   bool continue_over(std::span<const FaceId> faces, Looks::Point& point, const Vec3& at) const {
     return std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
       const FaceId source = body_.loaded_source(f);
-      return source.valid() && looks_.contains(source) && looks_.continue_beside(point, source, at);
+      return source.valid() && looks_.contains(source) && looks_.continue_in(point, source, at);
     });
   }
 

@@ -11,7 +11,7 @@
 namespace kerf {
 
 // The material library and the images of OBJ pieces, in their folder. Existing files are never overwritten: a
-// file with the same bytes is used, and otherwise another name is chosen.
+// file with the same bytes is used, and otherwise the new file gets another name.
 class SurfaceFiles {
  public:
   SurfaceFiles() = default;

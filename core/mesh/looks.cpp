@@ -263,13 +263,13 @@ Looks::Point Looks::locate(FaceId loaded, const Vec3& at, bool& is_inside) const
   return point;
 }
 
-bool Looks::continue_beside(Point& point, FaceId beside, const Vec3& at) const {
-  if (beside == point.face || !lies_on_plane(beside, at)) return false;
-  const Vec3 weights = barycentrics(beside, at);
+bool Looks::continue_in(Point& point, FaceId adjacent, const Vec3& at) const {
+  if (adjacent == point.face || !lies_on_plane(adjacent, at)) return false;
+  const Vec3 weights = barycentrics(adjacent, at);
   const bool is_contained = std::min({weights.x, weights.y, weights.z}) >= -kOnLoadedSide;
-  if (!is_contained && (point.is_on_plane || point.beside.valid())) return false;
-  point.beside = beside;
-  point.beside_weights = weights;
+  if (!is_contained && (point.is_on_plane || point.adjacent.valid())) return false;
+  point.adjacent = adjacent;
+  point.adjacent_weights = weights;
   return is_contained;
 }
 
@@ -323,8 +323,8 @@ V Looks::value(const Channel<T>& channel, const Point& point) const {
     const auto [a, b, c] = channel.at(face);
     return weights.x * V(a) + weights.y * V(b) + weights.z * V(c);
   };
-  const bool continued = point.beside.valid() && continues(channel, point.face, point.beside);
-  return continued ? sum(point.beside, point.beside_weights) : sum(point.face, point.weights);
+  const bool continued = point.adjacent.valid() && continues(channel, point.face, point.adjacent);
+  return continued ? sum(point.adjacent, point.adjacent_weights) : sum(point.face, point.weights);
 }
 
 template glm::dvec2 Looks::value<glm::dvec2>(const Channel<glm::vec2>&, const Point&) const;

@@ -63,15 +63,15 @@ class Looks {
     bool is_on_plane = true;  // of `face`
     // Another loaded face whose values hold at the point, unless there is a seam between the two: it contains
     // the point, or the point is on its plane and not on that of `face`.
-    FaceId beside{};
-    Vec3 beside_weights{0};
+    FaceId adjacent{};
+    Vec3 adjacent_weights{0};
   };
   // Locates a point by its own loaded face. `is_inside` becomes false if it lies outside of the face, so that
-  // continue_beside() should be called with other loaded faces around it. Precondition: contains(loaded).
+  // continue_in() should be called with other loaded faces around it. Precondition: contains(loaded).
   Point locate(FaceId loaded, const Vec3& at, bool& is_inside) const;
   // Continues a point by another loaded face if that is better. Returns true if that face contains the point,
-  // which ends the search. Precondition: contains(beside).
-  bool continue_beside(Point& point, FaceId beside, const Vec3& at) const;
+  // which ends the search. Precondition: contains(adjacent).
+  bool continue_in(Point& point, FaceId adjacent, const Vec3& at) const;
 
   // Return the values at a point. The normal has the orientation of the loaded face in the file, and is not
   // normalised. Precondition: the face has the values.

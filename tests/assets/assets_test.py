@@ -40,7 +40,7 @@ class Programs(unittest.TestCase):
             self.assertEqual([program.wait() for program in running], [0] * len(PROGRAMS))
             for room in ("meshes", "vehicles", "arenas"):
                 written = [f for f in os.listdir(os.path.join(folder, room)) if not f.endswith(".py")]
-                kept = [f for f in os.listdir(os.path.join(ASSETS, room)) if f.endswith((".obj", ".json"))]
+                kept = [f for f in os.listdir(os.path.join(ASSETS, room)) if f.endswith((".obj", ".mtl", ".png", ".json"))]
                 self.assertEqual(sorted(written), sorted(kept))
                 same, *differ = filecmp.cmpfiles(os.path.join(folder, room), os.path.join(ASSETS, room), written, False)
                 self.assertEqual(differ, [[], []])

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 
 namespace kerf::test {
 

@@ -14,7 +14,7 @@
 #include "ui/game/hud.h"
 #include "ui/game/match_picture.h"
 #include "ui/gl/context.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 #include "ui/render/offscreen_renderer.h"
 #include "ui/render/picture.h"
 #include "ui/window/gui.h"

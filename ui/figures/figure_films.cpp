@@ -12,7 +12,7 @@
 #include "core/game/match/recording.h"
 #include "ui/game/game_camera.h"
 #include "ui/game/match_picture.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 #include "ui/render/offscreen_renderer.h"
 
 namespace kerf {

@@ -6,7 +6,7 @@
 #include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "ui/render/bodies/overlay_marks.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 
 namespace kerf {
 

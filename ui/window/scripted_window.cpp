@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 #include "ui/window/window.h"
 
 namespace kerf {

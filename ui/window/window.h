@@ -10,7 +10,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/result.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 #include "ui/window/layout.h"
 
 namespace kerf {

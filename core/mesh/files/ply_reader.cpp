@@ -124,6 +124,8 @@ namespace {
 
 using Problem = std::optional<Error>;
 
+const glm::vec2 kNoUv(std::numeric_limits<float>::quiet_NaN());
+
 // The role of a property in the mesh.
 enum class Role {
   kX,
@@ -339,18 +341,18 @@ class BodyReader {
                            std::to_string(number_) + " of " + std::to_string(element_->count));
   }
 
-  // Corners without two numbers get a UV that is not finite, so that their face has none.
+  // Corners of other faces before, and of a face without two numbers for each corner, have kNoUv.
   void add_corner_uvs() {
-    for (size_t i = 0; i < corners_.size(); ++i) {
-      const bool known = uvs_of_corners_.size() == 2 * corners_.size();
-      corner_uvs.push_back(known ? glm::vec2(uvs_of_corners_[2 * i], uvs_of_corners_[2 * i + 1])
-                                 : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
-    }
+    corner_uvs.resize(corners_before_, kNoUv);
+    const bool known = uvs_of_corners_.size() == 2 * corners_.size();
+    for (size_t i = 0; i < corners_.size(); ++i)
+      corner_uvs.push_back(known ? glm::vec2(uvs_of_corners_[2 * i], uvs_of_corners_[2 * i + 1]) : kNoUv);
   }
 
   void add_face() {
     for (const int64_t corner : corners_) polygons.add_corner(corner);
     polygons.close();
+    corners_before_ += corners_.size();
   }
 
   // Every second triangle of a strip is reversed, so that all face the same way.
@@ -364,6 +366,7 @@ class BodyReader {
       polygons.add_corner(corners_[turned ? i - 2 : i - 1]);
       polygons.add_corner(corners_[i]);
       polygons.close();
+      corners_before_ += 3;
     }
   }
 
@@ -378,6 +381,7 @@ class BodyReader {
   glm::vec2 uv_{0};
   std::vector<int64_t> corners_;
   std::vector<double> uvs_of_corners_;
+  size_t corners_before_ = 0;  // of polygons
 };
 
 // Returns the description of the only material of a file with a texture; null if the image is missing.
@@ -393,6 +397,12 @@ std::shared_ptr<const SurfaceLibrary> surfaces_of(const PlyHeader& header,
 
 template <typename Values>
 void take_looks(BodyReader<Values>& body, std::vector<Soup::Triangle> corners, Soup& soup) {
+  for (auto& triangle : corners) {
+    const bool known = std::ranges::all_of(triangle, [&](uint32_t c) {
+      return c < body.corner_uvs.size() && !std::isnan(body.corner_uvs[c].x);
+    });
+    if (!known) triangle.fill(LookChannel<glm::vec2>::kNone);
+  }
   if (!body.corner_uvs.empty())
     soup.looks.uv_sets.push_back({std::move(body.corner_uvs), std::move(corners)});
   else if (!body.vertices.uvs.empty())

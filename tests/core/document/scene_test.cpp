@@ -1,11 +1,12 @@
-#include "core/base/json.h"
 #include "core/document/scene.h"
+#include "core/base/json.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "core/document/save.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
@@ -21,7 +22,9 @@ TEST(Scene, reads_the_default_scene) {
   EXPECT_LE(scene->world.live_faces(), 6000u);
   const Body& car = scene->world.body(scene->world.ids()[0]);
   for (const std::string& material : car.material_names)
-    EXPECT_TRUE(scene->paints.count(material)) << material;
+    EXPECT_TRUE(scene->paints.contains(material) || material == "paint") << material;
+  ASSERT_TRUE(car.looks && car.looks->surfaces());
+  EXPECT_EQ(car.looks->surfaces()->images.size(), 1u);
   EXPECT_EQ(car.loaded.non_manifold_edges, 0u);
   EXPECT_EQ(car.loaded.repairs.degenerate_faces_dropped, 0u);
 }

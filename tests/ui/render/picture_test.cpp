@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "tests/support/made_meshes.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 
 namespace kerf {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "core/document/single_step.h"
 #include "ui/gl/context.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 #include "ui/render/renderer.h"
 
 namespace kerf::test {

@@ -36,7 +36,7 @@ struct ExportedPieces {
 };
 
 // Writes the selected pieces, in world space and with their looks, to the files of files_to_export. Materials
-// that a mesh file describes are written with their images beside OBJ files (see SurfaceFiles). Returns bad
+// that a mesh file describes are written with their images in the folder of OBJ files (see SurfaceFiles). Returns bad
 // input if no piece is selected or the extension is not that of a mesh. Files written before a failure
 // remain.
 Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,

@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "ui/gl/buffers.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 #include "ui/window/property_rows.h"
 
 namespace kerf {

@@ -10,7 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "ui/render/bodies/body_picture.h"
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 
 namespace kerf {
 

@@ -1,4 +1,4 @@
-#include "ui/render/image.h"
+#include "ui/gl/image.h"
 
 #include <epoxy/gl.h>
 

@@ -103,8 +103,8 @@ class MoveSearch {
   Result<bool> search(const Progress* progress) {
     while (document_.waiting() > 0) {
       if (progress && !progress->report(0)) return cancelled();
-      if (moves_ + 1 == number_ && document_.execution().next_move() &&
-          !document_.execution().next_searches())
+      if (moves_ + 1 == number_ && document_.queue().pending().next_move(document_.world()) &&
+          !document_.queue().next_searches())
         return record(progress);
       const Result<StepResult> some = document_.step(1, progress);
       if (!some) return some.error();
@@ -118,12 +118,12 @@ class MoveSearch {
 
  private:
   Result<bool> record(const Progress* progress) {
-    const BeamMove move = *document_.execution().next_move();
+    const BeamMove move = *document_.queue().pending().next_move(document_.world());
     Json stages = Json::array(), queries;
     StageRecord sweep;
     SingleStep single(document_);
     for (bool finished = false; !finished;) {
-      if (document_.execution().unfinished_move().stage == UnfinishedMove::Stage::kFindAgain)
+      if (document_.queue().pending().unfinished().stage == UnfinishedMove::Stage::kFindAgain)
         queries = queries_json(document_.world(), sweep);
       Result<StageRecord> some = single.next(progress);
       if (!some) return some.error();

@@ -9,8 +9,8 @@
 #include "core/api/api_internal.h"
 #include "core/base/geometry.h"
 #include "core/base/platform.h"
+#include "core/document/command_queue.h"
 #include "core/document/document.h"
-#include "core/document/execution.h"
 #include "core/document/material_table.h"
 #include "core/document/stroke_settings.h"
 

@@ -147,7 +147,7 @@ Status Beginning::save(const Document& document, const std::filesystem::path& fi
   if (const Status noted = record_hashes(scene); !noted) return noted;
   std::vector<StateMark> marks;
   // An opened journal may end within a stroke.
-  if (!document.execution().in_stroke() && document.waiting() == 0) marks.push_back(state_mark(document));
+  if (!document.queue().in_stroke() && document.waiting() == 0) marks.push_back(state_mark(document));
   return save_journal(file, scene, document.journal(), marks);
 }
 

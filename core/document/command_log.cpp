@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "core/document/history.h"
+#include "core/document/undo_stack.h"
 
 namespace kerf {
 

@@ -14,10 +14,7 @@ std::set<PieceId> new_specks(const World& world, const Delta& delta, double radi
   std::set<PieceId> found;
   for (const BodyDelta& b : delta.bodies) {
     for (const uint32_t label : b.new_pieces) {
-      PieceId piece{b.body, label};
-      for (const Detached& d : delta.detached) {
-        if (piece == PieceId{d.from, d.label}) piece.body = d.to;
-      }
+      const PieceId piece = id_after(delta, PieceId{b.body, label});
       if (has_faces(world, piece) && is_speck(world.body(piece.body).pieces[label].area, radius))
         found.insert(piece);
     }
@@ -26,14 +23,14 @@ std::set<PieceId> new_specks(const World& world, const Delta& delta, double radi
 }
 
 std::set<PieceId> specks(const Document& document) {
-  const History& history = document.history();
+  const UndoStack& history = document.history();
   std::set<PieceId> all;
   for (size_t i = 0; i < history.position(); ++i) {
     const HistoryStep& step = history.step(i);
-    for (const Detached& d : step.detached()) {
+    for (const Detached& d : step.body_changes().detached) {
       if (all.erase({d.from, d.label}) > 0) all.insert({d.to, d.label});
     }
-    if (!history.is_cut_again(i)) all.insert(step.specks().begin(), step.specks().end());
+    if (!history.is_cut_again(i)) all.insert(step.totals().specks.begin(), step.totals().specks.end());
   }
   std::erase_if(all, [&](const PieceId& id) { return !has_faces(document.world(), id); });
   return all;
@@ -80,20 +77,21 @@ void count_cut_names(const World& world, const BodyDelta& delta, std::map<std::s
 namespace {
 
 // Maps the id of a piece after a step to its id at the position of the history.
-PieceId at_position(const History& history, size_t step, PieceId piece) {
-  for (size_t i = step + 1; i < history.position(); ++i) piece = history.step(i).piece_after_step(piece);
+PieceId at_position(const UndoStack& history, size_t step, PieceId piece) {
+  for (size_t i = step + 1; i < history.position(); ++i)
+    piece = id_after(history.step(i).body_changes(), piece);
   return piece;
 }
 
 }  // namespace
 
 std::vector<PieceNode> piece_origins(const Document& document) {
-  const History& history = document.history();
+  const UndoStack& history = document.history();
   std::vector<PieceNode> all = piece_nodes(document.world());
   std::map<PieceId, PieceNode*> nodes;
   for (PieceNode& node : all) nodes[node.piece] = &node;
   for (size_t step = 0; step < history.position(); ++step) {
-    for (const auto& [piece, from] : history.step(step).came_off()) {
+    for (const auto& [piece, from] : history.step(step).totals().came_off) {
       const auto found = nodes.find(at_position(history, step, piece));
       if (found == nodes.end()) continue;
       found->second->came_off = at_position(history, step, {piece.body, from});
@@ -104,7 +102,7 @@ std::vector<PieceNode> piece_origins(const Document& document) {
 }
 
 std::optional<DrawnGraph> graph_around_last_cut(const Document& document) {
-  const CutGraph graph = cut_graph(document.world(), document.history().last_cut_faces());
+  const CutGraph graph = cut_graph(document.world(), last_cut_faces(document.history()));
   const std::optional<uint32_t> start = start_beside_cut(graph);
   if (!start) return std::nullopt;
   return draw_graph(graph, traverse_cut(graph, *start), GraphScope::kAroundCut);

@@ -50,34 +50,34 @@ void Document::begin_stroke(const BeginStroke& command) {
   end_stroke();
   begin_step(command);
   ++revision_;
-  execution_.enqueue(history().position() - 1, command);
+  queue_.enqueue(history().position() - 1, command);
   journal_.append(command);
 }
 
 void Document::move_stroke(const MoveBeam& command) {
-  if (!execution_.in_stroke()) return;
+  if (!queue_.in_stroke()) return;
   last().add(command);
-  execution_.enqueue(history().position() - 1, command);
+  queue_.enqueue(history().position() - 1, command);
   journal_.append(command);
 }
 
 void Document::end_stroke() {
-  if (!execution_.in_stroke()) return;
+  if (!queue_.in_stroke()) return;
   const size_t step = history().position() - 1;
   last().add(EndStroke{});
-  execution_.enqueue(step, EndStroke{});
+  queue_.enqueue(step, EndStroke{});
   journal_.append(EndStroke{});
-  execution_.finish(step);
+  queue_.finish(step);
 }
 
 void Document::begin_step(const Command& first) {
-  execution_.history().append(step_begun_by(first, world(), journal_.size() + 1));
+  queue_.history().append(step_begun_by(first, world(), journal_.size() + 1));
 }
 
 void Document::add_in_time(const Command& command) {
   const auto* time = std::get_if<AdvanceTime>(&command);
   if (time && time->ticks == 0) return;
-  execution_.history().drop_undone();
+  queue_.history().drop_undone();
   const bool first = history().position() == 0;
   if (history_step_kind(command, first ? std::nullopt : std::optional(last().kind()))) {
     begin_step(command);
@@ -85,7 +85,7 @@ void Document::add_in_time(const Command& command) {
     last().add(command);
     last().reopen();
   }
-  execution_.enqueue(history().position() - 1, command);
+  queue_.enqueue(history().position() - 1, command);
   journal_.append(command);
 }
 
@@ -94,13 +94,13 @@ Outcome Document::do_at_once(const Command& command, const Progress* progress) {
   Outcome all = finish(progress);
   if (!all.ok()) return all;
   HistoryStep step = step_begun_by(command, world(), journal_.size() + 1);
-  Result<Delta> own = execution_.run(step, history().position(), progress);
+  Result<Delta> own = queue_.run(step, history().position(), progress);
   if (!own) {
     all.fail(own.error());
   } else if (!own->empty()) {
-    journal_.append(step.first());
-    execution_.history().append(std::move(step));
-    execution_.history().trim();
+    journal_.append(step.commands().front());
+    queue_.history().append(std::move(step));
+    queue_.history().trim();
     all.delta.append(std::move(*own));
   }
   return all;
@@ -109,14 +109,17 @@ Outcome Document::do_at_once(const Command& command, const Progress* progress) {
 Outcome Document::redo_at_once(size_t at, const Progress* progress) {
   Outcome all = finish(progress);
   if (!all.ok()) return all;
-  History& steps = execution_.history();
+  UndoStack& steps = queue_.history();
   HistoryStep& step = steps.step(at);
   step.forget();
   steps.forget_behind(at);
-  Result<Delta> own = execution_.run(step, at, progress);
+  Result<Delta> own = queue_.run(step, at, progress);
   if (own) {
-    steps.forth();
-    execution_.enqueue_time_of_edit(at);
+    steps.set_position(at + 1);
+    for (size_t i = 1; i < step.commands().size(); ++i) {
+      queue_.enqueue(at, step.commands()[i]);
+      step.reopen();
+    }
     all.delta.append(std::move(*own));
   } else {
     all.fail(own.error());
@@ -133,16 +136,17 @@ Result<StepResult> Document::execute(size_t most, bool one_stage, const Progress
     stopped = progress && !progress->report(fraction);
     return !stopped;
   }};
-  Result<StepResult> some = execution_.step(most, one_stage, watched);
-  if (!some) give_up(execution_.next_step(), stopped || execution_.is_over_budget());
+  Result<StepResult> some = queue_.step(most, one_stage, watched);
+  if (!some) give_up(queue_.pending().front_step(), stopped || queue_.is_over_budget());
   return some;
 }
 
 void Document::give_up(size_t step, bool stopped) {
-  if (execution_.in_stroke() && stopped) end_stroke();
+  if (queue_.in_stroke() && stopped) end_stroke();
   ++revision_;
-  if (!execution_.give_up(step, stopped) || !stopped) return;
-  for (; history().position() > step; execution_.history().back()) journal_.append(Undo{});
+  if (!queue_.give_up(step, stopped) || !stopped) return;
+  for (size_t i = history().position(); i > step; --i) journal_.append(Undo{});
+  queue_.history().set_position(step);
 }
 
 Outcome Document::finish(const Progress* progress) {
@@ -165,10 +169,10 @@ Outcome Document::run_whole(std::span<const Command> commands, const Progress* p
   end_stroke();
   Outcome all = finish(nullptr);
   if (!all.ok()) return all;
-  execution_.close_and_trim();
+  queue_.close_and_trim();
   journal_.seal();
   const size_t position = history().position(), journal_size = journal_.size();
-  std::vector<std::unique_ptr<HistoryStep>> undone = execution_.history().take_undone();
+  UndoStack::Steps undone = queue_.history().take_undone();
   for (const Command& command : commands) apply(command);
   end_stroke();
   Outcome own = finish(progress);
@@ -182,13 +186,12 @@ Outcome Document::run_whole(std::span<const Command> commands, const Progress* p
 
 // Undone steps are executed again on redo: their images belong to a world that no other step has changed
 // since.
-Status Document::take_back_to(size_t position, size_t journal_size,
-                              std::vector<std::unique_ptr<HistoryStep>> undone) {
+Status Document::take_back_to(size_t position, size_t journal_size, UndoStack::Steps undone) {
   for (const auto& step : undone) step->forget();
   const Outcome back = travel(position);
   if (!back.ok()) return back.error();
   journal_.shrink(journal_size);
-  execution_.history().put_undone(std::move(undone));
+  queue_.history().put_undone(std::move(undone));
   return Done{};
 }
 
@@ -206,13 +209,19 @@ bool bodies_move_in(const std::vector<Command>& commands) {
   });
 }
 
-}  // namespace
-
-bool Document::can_recut() const {
-  const auto stroke = history().last_cut();
-  return !execution_.in_stroke() && stroke && is_last(*stroke) &&
-         history().holds_images(history().base_of(*stroke), history().position());
+// Returns true if before-images can restore the world at the start of a step.
+bool can_run_again(const UndoStack& steps, size_t step) {
+  return steps.holds_images(steps.base_of(step), step);
 }
+
+bool has_only_a_few_ticks(const CommandQueue& queue) {
+  constexpr size_t kFewTicks = 24;
+  const BeamQueue& pending = queue.pending();
+  return queue.only_cools() ||
+         (!pending.holds_beam() && pending.size() <= kFewTicks && !queue.next_searches());
+}
+
+}  // namespace
 
 // If the beam has already passed the place, as in a replay, the stroke is recut up to it.
 Outcome Document::stop(const StopStroke& command, const Progress* progress) {
@@ -220,12 +229,13 @@ Outcome Document::stop(const StopStroke& command, const Progress* progress) {
   Outcome outcome;
   const size_t now = history().position();
   if (now == 0 || !history().cuts(now - 1)) return outcome;
-  const std::optional<StopStroke> here = execution_.stop_here();
+  const std::optional<StopStroke> here = queue_.stop_here();
   last().add(command);
   if (here && std::tie(here->moves, here->ticks) <= std::tie(command.moves, command.ticks)) {
-    execution_.stop(command);
-  } else if (can_start_again()) {
-    outcome.delta = start_again();
+    queue_.enqueue(now - 1, command);
+    if (!last().waiting()) queue_.finish(now - 1);
+  } else if (can_restart_stroke(*this)) {
+    outcome.delta = restart_stroke();
   } else if (outcome = replay(now, progress); !outcome.ok()) {
     last().take_out_last();
     return outcome;
@@ -237,72 +247,51 @@ Outcome Document::stop(const StopStroke& command, const Progress* progress) {
 
 std::optional<World> Document::before_last_stroke() {
   const auto stroke = history().last_cut();
-  if (!stroke || !is_last(*stroke) || world().live_faces() > kMaxFacesToCopy) return std::nullopt;
-  return execution_.copy_before(history().base_of(*stroke));
+  if (!stroke || *stroke + 1 != history().position() || world().live_faces() > kMaxFacesToCopy)
+    return std::nullopt;
+  return queue_.copy_before(history().base_of(*stroke));
 }
 
 Outcome Document::recut(const Recut& command) {
   end_stroke();
   Outcome all;
-  if (can_recut() && bodies_move_in(history().commands_of(history().position() - 1))) all = finish(nullptr);
-  if (!all.ok() || !can_recut()) return all;
+  if (can_recut(*this) && bodies_move_in(history().commands_of(history().position() - 1)))
+    all = finish(nullptr);
+  if (!all.ok() || !can_recut(*this)) return all;
   begin_step(command);
   journal_.append(command);
   ++revision_;
-  all.delta.append(execution_.cut_again());
+  all.delta.append(queue_.run_again());
   return all;
 }
 
-bool Document::can_start_again() const {
-  const size_t now = history().position();
-  return now > 0 && history().cuts(now - 1) && history().holds_images(history().base_of(now - 1), now);
-}
-
-Delta Document::start_again() {
-  KERF_ASSERT(can_start_again());
-  Delta delta = execution_.undo(history().position() - 1);
+Delta Document::restart_stroke() {
+  KERF_ASSERT(can_restart_stroke(*this));
+  Delta delta = queue_.undo(history().position() - 1);
   last().forget();
-  delta.append(execution_.run_again());
+  delta.append(queue_.run_again());
   ++revision_;
   return delta;
-}
-
-std::optional<Document::Mark> Document::mark() {
-  if (history().position() == 0) return std::nullopt;
-  std::optional<Execution::Mark> reached = execution_.mark();
-  if (!reached) return std::nullopt;
-  return Mark{revision_, history().position(), std::move(*reached)};
-}
-
-bool Document::can_go_back_to(const Mark& mark) const {
-  return !execution_.in_stroke() && mark.revision == revision_ && mark.position == history().position() &&
-         history().last().can_go_back_to(mark.reached.step);
-}
-
-Delta Document::go_back_to(const Mark& mark) {
-  KERF_ASSERT(can_go_back_to(mark));
-  ++revision_;
-  return execution_.go_back_to(mark.reached);
 }
 
 // Executes a queue of only a few ticks first: a step that is done when it is undone can be redone by its
 // images.
 Outcome Document::undo(const Progress* progress) {
   end_stroke();
-  Outcome passed = execution_.only_a_few_ticks_wait() ? finish(nullptr) : Outcome();
-  History& steps = execution_.history();
+  Outcome passed = has_only_a_few_ticks(queue_) ? finish(nullptr) : Outcome();
+  UndoStack& steps = queue_.history();
   if (steps.position() == 0) return Outcome();
   const size_t at = steps.position() - 1;
   HistoryStep& step = steps.step(at);
   // A recut may have undone the step before it without keeping its images.
-  const bool again = at > 0 && steps.step(at - 1).waiting() && !execution_.waits_for(at - 1);
-  if (step.images() == Images::kLetGo || (again && !execution_.can_run_again(at - 1)))
+  const bool again = at > 0 && steps.step(at - 1).waiting() && !queue_.pending().holds(at - 1);
+  if (step.images() == Images::kLetGo || (again && !can_run_again(steps, at - 1)))
     return replay(at, progress);
   Delta delta = std::move(passed.delta);
-  delta.append(execution_.undo(at));
+  delta.append(queue_.undo(at));
   if (!step.done()) step.forget();
-  steps.back();
-  if (again) delta.append(execution_.run_again());
+  steps.set_position(at);
+  if (again) delta.append(queue_.run_again());
   steps.trim();
   journal_.append(Undo{});
   ++revision_;
@@ -311,36 +300,32 @@ Outcome Document::undo(const Progress* progress) {
 
 Outcome Document::redo(const Progress* progress) {
   end_stroke();
-  History& steps = execution_.history();
+  UndoStack& steps = queue_.history();
   if (steps.position() == steps.size()) return Outcome();
   const size_t at = steps.position();
   HistoryStep& step = steps.step(at);
   Outcome outcome;
-  if (step.images() == Images::kHeld && step.done() && execution_.queue_is_empty()) {
-    outcome.delta = execution_.redo(at);
-    steps.forth();
+  if (step.images() == Images::kHeld && step.done() && queue_.pending().empty()) {
+    outcome.delta = queue_.redo(at);
+    steps.set_position(at + 1);
   } else if (step.kind() == Kind::kEdit) {
     outcome = redo_at_once(at, progress);
     if (!outcome.ok()) return outcome;
   } else {
-    if (!execution_.can_run_again(at)) return replay(at + 1, progress);
+    if (!can_run_again(steps, at)) return replay(at + 1, progress);
     step.forget();
-    steps.forth();
-    outcome.delta = execution_.run_again();
+    steps.set_position(at + 1);
+    outcome.delta = queue_.run_again();
   }
   journal_.append(Redo{});
   ++revision_;
   return outcome;
 }
 
-bool Document::remembers_way_to(size_t position) const {
-  return history().holds_images(position, history().position());
-}
-
 Outcome Document::travel(size_t position, const Progress* progress) {
   end_stroke();
   position = std::min(position, history().size());
-  if (!remembers_way_to(position)) return replay(position, progress);
+  if (!history().holds_images(position, history().position())) return replay(position, progress);
   Outcome all;
   while (all.ok() && history().position() != position)
     all.append(history().position() > position ? undo(progress) : redo(progress));
@@ -362,7 +347,7 @@ Outcome Document::replay(size_t position, const Progress* progress) {
   }
   ++revision_;
   const size_t before = history().position(), written = journal_.size();
-  execution_.start_with(std::move(*origin));
+  queue_.start_with(std::move(*origin));
   outcome.delta.anew = true;
   if (const Status done = replay_steps(position, &running); !done) outcome.fail(done.error());
   journal_.shrink(written);
@@ -374,7 +359,7 @@ Outcome Document::replay(size_t position, const Progress* progress) {
 // Skips a stroke that is recut immediately, unless bodies move under it. Then the stroke is cut, and its
 // before-images are kept until the recut is done.
 Status Document::replay_steps(size_t position, const Progress* progress) {
-  History& steps = execution_.history();
+  UndoStack& steps = queue_.history();
   const size_t window = steps.window();
   while (steps.position() < position) {
     const size_t step = steps.position();
@@ -385,17 +370,45 @@ Status Document::replay_steps(size_t position, const Progress* progress) {
       done = redo_at_once(step, &running);
       if (done.ok()) done = finish(&running);
     } else {
-      steps.forth();
+      steps.set_position(step + 1);
       const bool again = step + 1 < position && steps.step(step + 1).kind() == Kind::kRecut;
       if (again && !bodies_move_in(steps.commands_of(step))) continue;
       if (again) steps.set_window(std::numeric_limits<size_t>::max());
-      execution_.run_again();
+      queue_.run_again();
       done = finish(&running);
       if (!again || !done.ok()) steps.set_window(window);
     }
     if (!done.ok()) return done.error();
   }
   return Done{};
+}
+
+std::optional<Document::SavePoint> Document::SavePoint::create(Document& document) {
+  if (document.history().position() == 0) return std::nullopt;
+  std::optional<CommandQueue::SavePoint> reached = document.queue_.save_point();
+  if (!reached) return std::nullopt;
+  return SavePoint(document, std::move(*reached));
+}
+
+bool Document::SavePoint::can_restore(const Document& document) const {
+  return !document.queue().in_stroke() && revision_ == document.revision() &&
+         position_ == document.history().position() && reached_.step.can_restore(document.history().last());
+}
+
+Delta Document::SavePoint::restore(Document& document) const {
+  KERF_ASSERT(can_restore(document));
+  ++document.revision_;
+  return document.queue_.restore(reached_);
+}
+
+bool can_recut(const Document& document) {
+  return !document.queue().in_stroke() && can_restart_stroke(document);
+}
+
+bool can_restart_stroke(const Document& document) {
+  const UndoStack& history = document.history();
+  const size_t now = history.position();
+  return now > 0 && history.cuts(now - 1) && history.holds_images(history.base_of(now - 1), now);
 }
 
 Status run_queue(Document& document, const QueueRun& how) {
@@ -414,11 +427,12 @@ Status run_queue(Document& document, const QueueRun& how) {
 Outcome stop_strokes(Document& document) {
   document.apply(EndStroke{});
   Outcome all;
-  const History& history = document.history();
-  while (all.ok() && document.execution().beam_waits() && history.position() > 0 && history.last().waiting())
+  const UndoStack& history = document.history();
+  while (all.ok() && document.queue().pending().holds_beam() && history.position() > 0 &&
+         history.last().waiting())
     all.append(document.apply(Undo{}));
   if (!all.ok()) return all;
-  if (const auto here = document.execution().stop_here()) all.append(document.apply(*here));
+  if (const auto here = document.queue().stop_here()) all.append(document.apply(*here));
   return all;
 }
 

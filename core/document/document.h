@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,7 +9,7 @@
 #include "core/base/assert.h"
 #include "core/base/result.h"
 #include "core/document/command_log.h"
-#include "core/document/execution.h"
+#include "core/document/command_queue.h"
 #include "core/world/rigid_body.h"
 #include "core/world/world.h"
 
@@ -48,7 +47,7 @@ class Outcome {
 // A world and the commands that produced it.
 //
 // The commands of a stroke, and AdvanceTime, append beam moves and ticks to a queue, of which step()
-// executes a bounded part (see Execution). All other commands execute immediately, after the whole queue.
+// executes a bounded part (see CommandQueue). All other commands execute immediately, after the whole queue.
 //
 // Time advances only by AdvanceTime commands. In the history, time belongs to the stroke before it: it is
 // undone with the stroke and advances again when the stroke is recut. After an edit, after Play, or at the
@@ -62,22 +61,22 @@ class Document {
  public:
   // Recreates the initial world of the document.
   using Origin = std::function<Result<World>(const Progress*)>;
+  class SavePoint;
 
   Document() = default;
-  explicit Document(World world, Origin origin = {})
-      : execution_(std::move(world)), origin_(std::move(origin)) {}
+  explicit Document(World world, Origin origin = {}) : queue_(std::move(world)), origin_(std::move(origin)) {}
 
-  const World& world() const { return execution_.world(); }
-  const Execution& execution() const { return execution_; }
-  const History& history() const { return execution_.history(); }
-  // Sets the memory limit of their before-images (see History::set_window).
-  void set_window(size_t bytes) { execution_.history().set_window(bytes); }
+  const World& world() const { return queue_.world(); }
+  const CommandQueue& queue() const { return queue_; }
+  const UndoStack& history() const { return queue_.history(); }
+  // Sets the memory limit of the before-images (see UndoStack::set_window).
+  void set_window(size_t bytes) { queue_.history().set_window(bytes); }
 
   // Limits the number of face slots, i.e. of live and removed faces, to what the memory of this machine
   // holds (see usual_face_budget); unlimited by default. A stroke that exceeds the limit fails as if
   // `progress` had stopped it: it is undone, in the journal too, so that the result of a replay does not
   // depend on the limit.
-  void set_face_budget(size_t slots) { execution_.set_face_budget(slots); }
+  void set_face_budget(size_t slots) { queue_.set_face_budget(slots); }
 
   // Applies the command and appends it to the journal. Every command except those of a stroke, AdvanceTime,
   // DragBody and ReleaseBody ends a running stroke. A move without a running stroke, and a command without
@@ -91,8 +90,8 @@ class Document {
   // The queue is executed first, which `progress` does not stop. The outcome lists all changes.
   Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);
 
-  // The length of the queue (see Execution::waiting).
-  size_t waiting() const { return execution_.waiting(); }
+  // The length of the queue (see CommandQueue::waiting).
+  size_t waiting() const { return queue_.waiting(); }
 
   // Executes a bounded part of the queue, one of:
   // - up to `most` moves of one stroke, limited to CutSettings::bite faces, so that the last move may be
@@ -117,28 +116,8 @@ class Document {
 
   // Undoes the last history step, a stroke or a recut, and queues its work again as if it had just been
   // applied; a stroke may still be running. The history and the journal are unchanged, and executing the
-  // queue leads to the same world, to the bit. Returns the changes. Precondition: can_start_again(), i.e.
-  // there is such a step and its before-images are kept.
-  bool can_start_again() const;
-  Delta start_again();
-
-  // A save point in the execution of the last history step.
-  struct Mark {
-    size_t revision = 0, position = 0;
-    Execution::Mark reached;
-  };
-  // Returns a save point of the current state; nullopt if no part of the step has been executed, a stroke
-  // is being drawn, or before-images are not recorded. Splits the before-images of the step in two, so that
-  // its undo needs more memory.
-  std::optional<Mark> mark();
-  // Restores a save point. The history and the journal are unchanged, and executing the queue again leads
-  // to the same world, to the bit. Returns the changes. Precondition: can_go_back_to(mark), i.e. since then
-  // the queue has only been executed. Costs as much as undoing that execution.
-  bool can_go_back_to(const Mark& mark) const;
-  Delta go_back_to(const Mark& mark);
-
-  // Returns true if the last history step before the position is a stroke that Recut can cut again.
-  bool can_recut() const;
+  // queue leads to the same world, to the bit. Returns the changes. Precondition: can_restart_stroke().
+  Delta restart_stroke();
 
   // Returns a copy of the world before the last stroke that was not undone; nullopt if its before-images
   // were discarded or the world has more faces than can be copied between two frames.
@@ -149,21 +128,15 @@ class Document {
   size_t revision() const { return revision_; }
 
   // Sets existing bodies to the states that a journal recorded, so that they continue as they did there.
-  // Belongs to the last history step and is not a command. Preconditions: the queue is empty, and there is
-  // such a step.
-  StepResult take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
-    return execution_.take_states(states, pairs);
-  }
-  // Like take_states(), but skips the queued ticks and spring changes without simulating bodies.
-  // Preconditions: nothing else is queued, no beam is on, and the last executed step was a tick of the same
-  // history step.
-  StepResult skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs) {
-    return execution_.skip_to(states, pairs);
+  // Skips the queued ticks and spring changes without simulating bodies. Belongs to the last history step
+  // and is not a command. Preconditions: there is such a step, and nothing is queued; or only ticks and
+  // spring changes of that step, no beam is on, and the last executed step was one of its ticks.
+  StepResult set_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+    return queue_.set_states(states, pairs);
   }
 
-  // Returns true if the before-images that lead to a position are kept. Otherwise travel() replays.
-  bool remembers_way_to(size_t position) const;
-  // Goes to a position of the history by undo and redo. The outcome lists all changes, also on failure.
+  // Goes to a position of the history by undo and redo, or by a replay if before-images on the way there
+  // were discarded (see UndoStack::holds_images). The outcome lists all changes, also on failure.
   Outcome travel(size_t position, const Progress* progress = nullptr);
 
   // All commands that were applied, including Undo and Redo.
@@ -193,15 +166,48 @@ class Document {
   Outcome redo(const Progress* progress);
   Outcome replay(size_t position, const Progress* progress);
   Status replay_steps(size_t position, const Progress* progress);
-  Status take_back_to(size_t position, size_t journal_size, std::vector<std::unique_ptr<HistoryStep>> undone);
-  bool is_last(size_t step) const { return step + 1 == history().position(); }
-  HistoryStep& last() { return execution_.history().last(); }
+  Status take_back_to(size_t position, size_t journal_size, UndoStack::Steps undone);
+  HistoryStep& last() { return queue_.history().last(); }
 
-  Execution execution_;
+  CommandQueue queue_;
   Origin origin_;
   CommandLog journal_;
   size_t revision_ = 0;
 };
+
+// A save point in the execution of the last history step of a document.
+class Document::SavePoint {
+ public:
+  // Returns a save point of the current state; nullopt if no part of the step has been executed, a stroke
+  // is being drawn, or before-images are not recorded. Splits the before-images of the step in two, so that
+  // its undo needs more memory.
+  static std::optional<SavePoint> create(Document& document);
+
+  // Returns true if since then the queue has only been executed.
+  bool can_restore(const Document& document) const;
+  // Restores the save point. The history and the journal are unchanged, and executing the queue again leads
+  // to the same world, to the bit. Returns the changes. Costs as much as undoing that execution.
+  // Precondition: can_restore(document).
+  Delta restore(Document& document) const;
+  // Keeps this save point valid after the restoration of a later one.
+  void follow(const Document& document) { revision_ = document.revision(); }
+
+ private:
+  SavePoint(const Document& document, CommandQueue::SavePoint reached)
+      : revision_(document.revision()),
+        position_(document.history().position()),
+        reached_(std::move(reached)) {}
+
+  size_t revision_, position_;
+  CommandQueue::SavePoint reached_;
+};
+
+// Returns true if the last history step before the position is a stroke that Recut can cut again.
+bool can_recut(const Document& document);
+
+// Returns true if the last history step before the position is a stroke or a recut, and the before-images
+// that lead to its start are kept.
+bool can_restart_stroke(const Document& document);
 
 struct QueueRun {
   size_t moves_a_step = 64;  // passed to Document::step

@@ -163,7 +163,7 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
 }
 
 StateMark state_mark(const Document& document) {
-  KERF_ASSERT(!document.execution().in_stroke() && document.waiting() == 0);
+  KERF_ASSERT(!document.queue().in_stroke() && document.waiting() == 0);
   const World& world = document.world();
   StateMark mark{document.journal().size(), state_hash(world), 0, {}, moved_bodies(world)};
   if (!mark.bodies.empty()) {
@@ -178,7 +178,7 @@ bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) 
   const size_t commands = document.journal().size();
   const size_t last = marks.empty() ? 0 : marks.back().commands;
   const bool marked = !marks.empty() && last == commands;
-  if (document.execution().in_stroke() || document.waiting() > 0 || marked) return false;
+  if (document.queue().in_stroke() || document.waiting() > 0 || marked) return false;
   if (!always && commands < last + kCommandsBetweenMarks) return false;
   document.seal_journal();
   marks.push_back(state_mark(document));

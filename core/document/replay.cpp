@@ -42,7 +42,7 @@ std::optional<size_t> last_mark(const Journal& journal, size_t first, size_t end
   std::optional<size_t> last;
   for (size_t i = 0; i < journal.marks.size() && journal.marks[i].commands <= end; ++i) {
     const StateMark& mark = journal.marks[i];
-    const bool whole_minute = mark.clock > 0 && mark.clock % Execution::kTicksToForget == 0;
+    const bool whole_minute = mark.clock > 0 && mark.clock % CommandQueue::kTicksToForget == 0;
     if (mark.commands > first && !mark.bodies.empty() && (mark.commands == end || whole_minute)) last = i;
   }
   return last;
@@ -148,7 +148,7 @@ Status Replay::skip(const QueueRun& how, const TimeSkip& skip) {
   while (document_.waiting() > 0 && document_.world().clock() == before) {
     if (const Status told = say(document_.step(1, how.progress)); !told) return told;
   }
-  const Status told = say(document_.skip_to(mark.bodies, mark.pairs));
+  const Status told = say(document_.set_states(mark.bodies, mark.pairs));
   skipped_ += skip.ticks;
   compare();
   return told;
@@ -187,7 +187,7 @@ void Replay::compare() {
 bool Replay::takes_bodies(const StateMark& mark) {
   if (mark.bodies.empty() || mark.machine == machine_kind()) return false;
   other_machine_ = mark.machine;
-  document_.take_states(mark.bodies, mark.pairs);
+  document_.set_states(mark.bodies, mark.pairs);
   return true;
 }
 

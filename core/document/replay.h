@@ -18,7 +18,7 @@ struct TimeSkip {
 
 // The runs of at least `least` ticks that can be skipped, in order. A run begins with Play or at the end of
 // the stroke before it, and ends at its last mark from which bodies continue to the bit: at the end of the
-// history step, or at a full minute (see Execution::kTicksToForget).
+// history step, or at a full minute (see CommandQueue::kTicksToForget).
 std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least);
 
 // Applies the commands of a journal to a document with the journal's scene, and compares the state of the

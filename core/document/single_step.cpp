@@ -44,22 +44,24 @@ Delta joined(std::vector<Delta> changes) {
 
 StageRecord SingleStep::describe() const {
   StageRecord record;
-  if (document_.execution().next_searches()) {
+  if (document_.queue().next_searches()) {
     record.kind = StageKind::kSeparate;
     return record;
   }
-  record.move = document_.execution().next_move();
+  const BeamQueue& pending = document_.queue().pending();
+  record.move = pending.next_move(document_.world());
   if (!record.move) {
-    record.kind = document_.execution().next_closes_rim() ? StageKind::kCloseRim : StageKind::kTime;
+    const bool rim = !pending.empty() && pending.front_kind() == BeamQueue::Kind::kRim;
+    record.kind = rim ? StageKind::kCloseRim : StageKind::kTime;
     return record;
   }
-  const UnfinishedMove& unfinished = document_.execution().unfinished_move();
+  const UnfinishedMove& unfinished = pending.unfinished();
   record.kind = kind_of(unfinished.stage);
   const std::vector<BodyId> bodies = cuttable(document_.world());
   if (unfinished.bodies >= bodies.size()) return record;
   record.body = bodies[unfinished.bodies];
   const Placement& placement = document_.world().body(record.body).placement;
-  record.beam = sweep_beam(document_.execution().next_settings().laser,
+  record.beam = sweep_beam(pending.front_stroke()->settings.laser,
                            {placement.to_body(record.move->from), placement.to_body(record.move->to)});
   return record;
 }
@@ -69,9 +71,9 @@ Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress)
   constexpr size_t kMaxParts = 64;
   Result<StepResult> all = document_.step_stage(progress);
   const auto goes_on = [&] {
-    if (kind == StageKind::kCloseRim) return document_.execution().rim_is_unfinished();
+    if (kind == StageKind::kCloseRim) return document_.queue().pending().unfinished_rim().begun();
     return (kind == StageKind::kRefine || kind == StageKind::kRemove) && all->moves == 0 &&
-           kind_of(document_.execution().unfinished_move().stage) == kind;
+           kind_of(document_.queue().pending().unfinished().stage) == kind;
   };
   for (size_t parts = 1; all && parts < kMaxParts && goes_on(); ++parts) {
     Result<StepResult> part = document_.step_stage(progress);
@@ -98,7 +100,7 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
   }
   ++stages_;
   record.done = std::move(*done);
-  const UnfinishedMove& after = document_.execution().unfinished_move();
+  const UnfinishedMove& after = document_.queue().pending().unfinished();
   if (record.kind == StageKind::kHit || record.kind == StageKind::kHitAgain) record.hit = after.hit;
   if (record.kind == StageKind::kRefine) record.left = after.to_split.size();
   if (record.kind == StageKind::kRemove) record.left = after.hit.size() - after.removed;
@@ -112,18 +114,19 @@ void SingleStep::record_work(const StageRecord& record) {
   constexpr size_t kOfStage = 50;  // number of faces that cost as much as a stage itself
   const StepStatistics& statistics = record.done.statistics;
   work_ += statistics.faces_made + record.done.delta.removed_faces + kOfStage;
-  const bool after_rim = record.kind == StageKind::kCloseRim && !document_.execution().rim_is_unfinished();
+  const bool after_rim =
+      record.kind == StageKind::kCloseRim && !document_.queue().pending().unfinished_rim().begun();
   const bool between_moves = record.done.moves > 0 && !swept_;
   if (document_.waiting() == 0 || !(after_rim || (between_moves && work_ >= work_between_marks_))) return;
-  std::optional<Document::Mark> mark = document_.mark();
-  if (!mark) return;
-  places_.push_back({stages_, std::move(*mark)});
+  std::optional<Document::SavePoint> point = Document::SavePoint::create(document_);
+  if (!point) return;
+  places_.push_back({stages_, std::move(*point)});
   work_ = 0;
 }
 
 const SingleStep::Place* SingleStep::place_before(size_t stages) const {
   for (size_t i = places_.size(); i-- > 0;) {
-    if (places_[i].stages < stages && document_.can_go_back_to(places_[i].mark)) return &places_[i];
+    if (places_[i].stages < stages && places_[i].point.can_restore(document_)) return &places_[i];
   }
   return nullptr;
 }
@@ -141,16 +144,15 @@ Delta SingleStep::resume(size_t stages) {
   std::erase_if(places_, [&](const Place& p) { return p.stages > stages_; });
   if (!place) {
     places_.clear();
-    return document_.start_again();
+    return document_.restart_stroke();
   }
-  Delta delta = document_.go_back_to(places_.back().mark);
-  for (Place& p : places_)
-    p.mark.revision = document_.revision();  // the other save points are on the way there
+  Delta delta = places_.back().point.restore(document_);
+  for (Place& p : places_) p.point.follow(document_);  // the other save points are on the way there
   return delta;
 }
 
 Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* progress) {
-  KERF_ASSERT(document_.can_start_again() && stages <= stages_);
+  KERF_ASSERT(can_restart_stroke(document_) && stages <= stages_);
   Outcome outcome;
   std::vector<Delta> changes{resume(stages)};
   while (outcome.ok() && stages_ < stages) {

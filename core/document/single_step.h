@@ -52,11 +52,11 @@ class SingleStep {
   using Told = std::function<void(const StageRecord&)>;
   // The stage from which go_back_to(stages) resumes: less than `stages` unless that is 0.
   size_t resumes_after(size_t stages) const;
-  // Restores an earlier save point (see Document::go_back_to), or the start of the last history step (see
-  // Document::start_again), and executes that step up to its first `stages` stages. Calls `told` with each
+  // Restores an earlier save point (see Document::SavePoint), or the start of the last history step (see
+  // Document::restart_stroke), and executes that step up to its first `stages` stages. Calls `told` with each
   // executed stage. The outcome lists all changes, also on failure. If `progress` stops it, fewer stages
   // are executed. Costs as much as undoing the execution since the save point and executing the stages from
-  // there. Preconditions: document.can_start_again(), stages() counts the stages of that step alone, and
+  // there. Preconditions: can_restart_stroke(document), stages() counts the stages of that step alone, and
   // `stages` does not exceed it.
   Outcome go_back_to(size_t stages, const Told& told = {}, const Progress* progress = nullptr);
 
@@ -67,7 +67,7 @@ class SingleStep {
   // A save point at the start of a move, or after the rim was closed.
   struct Place {
     size_t stages = 0;
-    Document::Mark mark;
+    Document::SavePoint point;
   };
   const Place* place_before(size_t stages) const;
   void record_work(const StageRecord& record);

@@ -92,7 +92,7 @@ const char* name_of(Holder holder);
 struct PieceNode {
   PieceId piece;
   // The piece from which it was cut off, by its id at the current history position, and the step that did it.
-  // nullopt for the remainder of a body, and if unknown (see HistoryStep::came_off).
+  // nullopt for the remainder of a body, and if unknown (see HistoryStep::Totals).
   std::optional<PieceId> came_off;
   size_t step = 0;
   Holder held_by = Holder::kNothing;

@@ -76,6 +76,13 @@ BodyId id_after(const Delta& delta, BodyId before) {
   return before;
 }
 
+PieceId id_after(const Delta& delta, PieceId before) {
+  for (const Detached& d : delta.detached) {
+    if (before == PieceId{d.from, d.label}) before.body = d.to;
+  }
+  return before;
+}
+
 BodyId id_before(const Delta& delta, BodyId after) {
   for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d) {
     if (d->carries_on && d->to == after) after = d->from;

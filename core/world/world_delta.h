@@ -110,5 +110,7 @@ Delta bodies_taken_back(const Delta& delta);
 // added nor removed the body.
 BodyId id_after(const Delta& delta, BodyId before);
 BodyId id_before(const Delta& delta, BodyId after);
+// Returns the id of a piece after a step, which is in another body if the step detached it.
+PieceId id_after(const Delta& delta, PieceId before);
 
 }  // namespace kerf

@@ -70,7 +70,7 @@ void OffscreenRenderer::show_graph(const Document& document) {
 }
 
 void OffscreenRenderer::show_bodies(const Document& document) {
-  look_.bodies = gather_body_marks(document.world(), document.execution().physics(), look_.show);
+  look_.bodies = gather_body_marks(document.world(), document.queue().physics(), look_.show);
 }
 
 void OffscreenRenderer::show_bodies_ahead(const World& world) {
@@ -135,7 +135,7 @@ Status Film::follow(const Document& document, const StepResult* step) {
     const auto beam = beam_picture(document, beam_);
     if (const Status moved = pass(seconds - shown, world, beam); !moved) return moved;
   }
-  const bool rests = document.waiting() == 0 && !document.execution().in_stroke() && !is_in_motion(world);
+  const bool rests = document.waiting() == 0 && !document.queue().in_stroke() && !is_in_motion(world);
   if (!rests) return Done{};
   ahead_ = 0;
   return pass(kRest, world, std::nullopt);
@@ -152,7 +152,7 @@ void Film::leave_out(const Document& document, const StepResult* step) {
 Status Film::pass_ticks(const Document& document) {
   const double seconds = seconds_of_ticks(document.world().clock() - ticks_);
   ticks_ = document.world().clock();
-  if (!document.execution().in_stroke()) return pass(seconds, document.world(), std::nullopt);
+  if (!document.queue().in_stroke()) return pass(seconds, document.world(), std::nullopt);
   ahead_ += seconds;
   return pass(seconds, document.world(), beam_picture(document, beam_));
 }

@@ -71,7 +71,8 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
     EXPECT_TRUE(result.ok());
     ++walked.steps;
     walked.largest_cosine = std::max(walked.largest_cosine, result->statistics.largest_cosine);
-    walked.left_half_way += document.execution().next_move().has_value() && result->moves == 0;
+    walked.left_half_way +=
+        document.queue().pending().next_move(document.world()).has_value() && result->moves == 0;
   };
   for (Drawn stroke : strokes) {
     stroke.settings.bite = bite;
@@ -219,11 +220,11 @@ TEST(Bite, a_move_that_is_left_half_way_waits) {
     ASSERT_TRUE(result.ok());
     EXPECT_EQ(result->moves, 0u);
     EXPECT_EQ(document.waiting(), 1u);
-    EXPECT_TRUE(document.execution().next_move().has_value());
+    EXPECT_TRUE(document.queue().pending().next_move(document.world()).has_value());
   }
   ASSERT_TRUE(run_all(document).ok());
   EXPECT_EQ(document.waiting(), 0u);
-  EXPECT_FALSE(document.execution().next_move().has_value());
+  EXPECT_FALSE(document.queue().pending().next_move(document.world()).has_value());
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ void draw(Document& document, const CutSettings& settings, const std::vector<Pos
   for (size_t i = 0; i < steps; ++i) {
     ASSERT_TRUE(run_moves(document, moves * (i + 1) / steps - moves * i / steps).ok());
   }
-  ASSERT_FALSE(document.execution().next_move().has_value());
+  ASSERT_FALSE(document.queue().pending().next_move(document.world()).has_value());
   while (document.waiting() > 0) ASSERT_TRUE(document.step(1).ok());
 }
 

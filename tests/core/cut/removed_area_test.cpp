@@ -51,11 +51,11 @@ double draw(Document& document, const RandomStroke& stroke, const CutSettings& s
 void expect_balanced(const Document& document, double loaded, const char* when) {
   SCOPED_TRACE(when);
   const double left = area_of_world(document.world());
-  EXPECT_NEAR(document.history().removed_area() + left, loaded, kShare * loaded);
+  EXPECT_NEAR(document.history().totals().removed_area + left, loaded, kShare * loaded);
   EXPECT_NEAR(counted_area(document.world()), left, kShare * loaded);
   const Sheet sheet;  // of all bodies
   const double weight = sheet.thickness * sheet.substance.density;
-  EXPECT_NEAR(document.history().removed_mass(), weight * document.history().removed_area(),
+  EXPECT_NEAR(document.history().totals().removed_mass, weight * document.history().totals().removed_area,
               kShare * weight * loaded);
 }
 
@@ -66,9 +66,9 @@ void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme sche
   for (const double radius_share : {0.02, 0.03}) {
     const RandomStroke stroke = random_stroke(document.world(), random, radius_share, random.below(2) == 0);
     const double in_stroke = draw(document, stroke, settings_of(stroke, rim, scheme));
-    EXPECT_NEAR(document.history().last().removed_area(), in_stroke, kShare * loaded);
+    EXPECT_NEAR(document.history().last().totals().removed_area, in_stroke, kShare * loaded);
     removed += in_stroke;
-    EXPECT_NEAR(document.history().removed_area(), removed, kShare * loaded);
+    EXPECT_NEAR(document.history().totals().removed_area, removed, kShare * loaded);
     expect_balanced(document, loaded, "after a stroke");
   }
   Recut finer{document.history().last_settings()};
@@ -80,7 +80,7 @@ void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme sche
     ASSERT_TRUE(document.apply(Undo{}).ok());
     expect_balanced(document, loaded, when);
   }
-  EXPECT_EQ(document.history().removed_area(), 0);
+  EXPECT_EQ(document.history().totals().removed_area, 0);
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(document.apply(Redo{}).ok());
     expect_balanced(document, loaded, "after a redo");

@@ -84,7 +84,7 @@ std::vector<BeamMove> draw(Document& document, const Slit& slit) {
   document.apply(EndStroke{});
   std::vector<BeamMove> moves;
   while (document.waiting() > 0) {
-    if (const auto move = document.execution().next_move()) moves.push_back(*move);
+    if (const auto move = document.queue().pending().next_move(document.world())) moves.push_back(*move);
     EXPECT_TRUE(document.step(1).ok());
   }
   return moves;

@@ -349,8 +349,8 @@ class MovingPlate : public testing::TestWithParam<Rim> {
     const Pose beam{{0.3, 1, 0.1}, {0, -1, 0}};
     Document moving(plate_in_space(motion)), still(plate_in_space({}));
     cut_still(still, beam, cut_moving(moving, beam, 30));
-    EXPECT_GT(moving.history().removed_area(), 0.005);
-    EXPECT_NEAR(moving.history().removed_area(), still.history().removed_area(), 1e-9);
+    EXPECT_GT(moving.history().totals().removed_area, 0.005);
+    EXPECT_NEAR(moving.history().totals().removed_area, still.history().totals().removed_area, 1e-9);
     const Body &a = moving.world().body(moving.world().ids().front()),
                &b = still.world().body(still.world().ids().front());
     EXPECT_EQ(a.mesh.live_faces(), b.mesh.live_faces());

@@ -47,18 +47,18 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
     ASSERT_TRUE(run_all(document).ok());
   };
   Document recut(world_of(sphere(12, 16, 0.5))), drawn(world_of(sphere(12, 16, 0.5)));
-  EXPECT_FALSE(recut.can_recut());
+  EXPECT_FALSE(can_recut(recut));
   draw(recut, 0.02, 0.1);
   draw(recut, 0.01, -0.1);
   for (const double radius : {0.03, 0.015}) {
-    ASSERT_TRUE(recut.can_recut());
+    ASSERT_TRUE(can_recut(recut));
     ASSERT_TRUE(recut.apply(Recut{settings_of(radius)}).ok());
     ASSERT_TRUE(run_all(recut).ok());
   }
   draw(drawn, 0.02, 0.1);
   draw(drawn, 0.015, -0.1);
   EXPECT_EQ(state_hash(recut.world()), state_hash(drawn.world()));
-  EXPECT_EQ(recut.history().strokes(), 2u);
+  EXPECT_EQ(recut.history().totals().strokes, 2u);
 }
 
 TEST(Document, the_same_pieces_come_off_however_moves_are_dealt_out_to_steps) {
@@ -198,16 +198,16 @@ TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
   document.apply(EndStroke{});
   ASSERT_TRUE(run_all(document).ok());
   const uint64_t cut = state_hash(document.world());
-  const double removed = document.history().removed_area();
+  const double removed = document.history().totals().removed_area;
   CutSettings too_fine = settings_of(0.02);
   too_fine.max_faces = 40;
   document.apply(Recut{too_fine});
   while (document.waiting() > 0) (void)document.step(4).ok();
-  EXPECT_EQ(document.history().removed_area(), 0);
+  EXPECT_EQ(document.history().totals().removed_area, 0);
   EXPECT_NEAR(live_area(document.world().body(document.world().ids()[0]).mesh), 1, 1e-12);
   document.apply(Undo{});
   EXPECT_EQ(state_hash(document.world()), cut);
-  EXPECT_EQ(document.history().removed_area(), removed);
+  EXPECT_EQ(document.history().totals().removed_area, removed);
 }
 
 TEST(Document, what_is_drawn_of_a_stroke_after_it_failed_is_cut_with_other_settings_whenever_it_failed) {
@@ -224,10 +224,10 @@ TEST(Document, what_is_drawn_of_a_stroke_after_it_failed_is_cut_with_other_setti
     for (const double x : {0.0, 0.3}) document.apply(MoveBeam{{{x, 1, 0.2}, {0, -1, 0}}});
     document.apply(EndStroke{});
     drain(document);
-    EXPECT_EQ(document.history().removed_area(), 0);
+    EXPECT_EQ(document.history().totals().removed_area, 0);
     document.apply(Recut{settings_of(0.02)});
     EXPECT_TRUE(run_all(document).ok());
-    EXPECT_GT(document.history().removed_area(), 0.6 * 0.04);
+    EXPECT_GT(document.history().totals().removed_area, 0.6 * 0.04);
   }
   EXPECT_EQ(documents[0].journal().size(), documents[1].journal().size());
   EXPECT_EQ(state_hash(documents[0].world()), state_hash(documents[1].world()));
@@ -267,7 +267,7 @@ TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
     const size_t before = document.world().live_faces();
     const Outcome outcome = document.apply(MovePiece{{{7, 0}, 1}, {}});
     ASSERT_FALSE(outcome.ok());
-    EXPECT_FALSE(document.execution().in_stroke());
+    EXPECT_FALSE(document.queue().in_stroke());
     EXPECT_GT(document.world().live_faces(), before + 50);
     EXPECT_FALSE(outcome.delta.empty());
     follow(known, document.world(), outcome.delta);

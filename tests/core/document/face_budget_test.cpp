@@ -1,4 +1,4 @@
-#include "core/document/execution.h"
+#include "core/document/command_queue.h"
 
 #include <gtest/gtest.h>
 

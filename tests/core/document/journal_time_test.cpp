@@ -78,7 +78,7 @@ TEST(JournalTime, a_journal_with_time_replays_to_the_same_world_command_by_comma
           ASSERT_TRUE(document.apply(Undo{}).ok());
           break;
         case 2:
-          if (document.can_recut()) ASSERT_TRUE(document.apply(Recut{thin_beam(0.03)}).ok());
+          if (can_recut(document)) ASSERT_TRUE(document.apply(Recut{thin_beam(0.03)}).ok());
           break;
         case 3:
           document.apply(MoveBeam{pose, time += random.unit()});

@@ -30,10 +30,10 @@ TEST(LastCutGraph, is_of_the_last_stroke_that_was_not_undone) {
   Document document(world_of(grid(8, 2)));
   EXPECT_EQ(removed_nodes(document), 0u);
   stroke_across(document, -0.4);
-  const size_t first = document.history().removed_faces();
+  const size_t first = document.history().totals().removed_faces;
   EXPECT_EQ(removed_nodes(document), first);
   stroke_across(document, 0.3);
-  const size_t second = document.history().removed_faces() - first;
+  const size_t second = document.history().totals().removed_faces - first;
   EXPECT_EQ(removed_nodes(document), second);
   document.apply(Undo{});
   EXPECT_EQ(removed_nodes(document), first);
@@ -46,8 +46,8 @@ TEST(LastCutGraph, keeps_the_removed_faces_when_undo_has_let_go_of_them) {
   document.set_window(0);
   stroke_across(document, -0.4);
   EXPECT_EQ(document.history().last().images(), HistoryStep::Images::kLetGo);
-  EXPECT_EQ(removed_nodes(document), document.history().removed_faces());
-  EXPECT_GT(document.history().removed_faces(), 0u);
+  EXPECT_EQ(removed_nodes(document), document.history().totals().removed_faces);
+  EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
 TEST(LastCutGraph, follows_a_body_that_another_step_moved_to_another_id) {
@@ -57,7 +57,7 @@ TEST(LastCutGraph, follows_a_body_that_another_step_moved_to_another_id) {
   for (const uint32_t label : {1u, 0u}) {
     const Outcome outcome = document.apply(HidePiece{{body, label}, true});
     ASSERT_TRUE(outcome.ok());
-    EXPECT_EQ(removed_nodes(document), document.history().removed_faces());
+    EXPECT_EQ(removed_nodes(document), document.history().totals().removed_faces);
   }
 }
 

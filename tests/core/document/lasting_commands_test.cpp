@@ -73,7 +73,7 @@ std::vector<Command> merged(const std::vector<Command>& commands) {
 }
 
 // The commands of the steps that the history of a document still has, without strokes that were cut again.
-std::vector<Command> commands_of_history(const History& history) {
+std::vector<Command> commands_of_history(const UndoStack& history) {
   std::vector<Command> all;
   for (size_t i = 0; i < history.position(); ++i) {
     const bool again = i + 1 < history.position() && history.step(i + 1).kind() == HistoryStep::Kind::kRecut;

@@ -85,7 +85,7 @@ class User {
       case 4:
         return apply(Redo{});
       case 5:
-        if (document_.can_recut()) apply(Recut{settings()});
+        if (can_recut(document_)) apply(Recut{settings()});
         return;
       case 6:
         return edit_piece();

@@ -148,7 +148,7 @@ void act(Document& document, Model& model, Random& random) {
         ASSERT_TRUE(document.step(random.below(8)).ok());
       }
     }
-    const auto here = document.execution().stop_here();
+    const auto here = document.queue().stop_here();
     if (here && random.below(3) == 0) {
       ASSERT_TRUE(document.apply(*here).ok());
       stroke.emplace_back(*here);
@@ -160,7 +160,7 @@ void act(Document& document, Model& model, Random& random) {
   } else if (what < 9) {
     ASSERT_TRUE(document.apply(Redo{}).ok());
     if (model.at < model.steps.size()) ++model.at;
-  } else if (what == 9 && document.can_recut()) {
+  } else if (what == 9 && can_recut(document)) {
     const auto other = next_stroke(model.solid, random);
     const CutSettings settings = std::get<BeginStroke>(other.front()).settings;
     ASSERT_TRUE(document.apply(Recut{settings}).ok());

@@ -43,8 +43,8 @@ TEST(RunWhole, cuts_what_the_strokes_cut_one_after_the_other) {
     drawn.apply(command);
     ASSERT_TRUE(run_all(drawn).ok());
   }
-  EXPECT_EQ(whole.history().strokes(), 3u);
-  EXPECT_GT(whole.history().removed_faces(), 100u);
+  EXPECT_EQ(whole.history().totals().strokes, 3u);
+  EXPECT_GT(whole.history().totals().removed_faces, 100u);
   expect_same_world(whole.world(), drawn.world());
   EXPECT_EQ(state_hash(whole.world()), state_hash(drawn.world()));
   EXPECT_EQ(lines_of(whole), lines_of(drawn));

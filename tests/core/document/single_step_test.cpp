@@ -76,7 +76,7 @@ class RandomWalk {
   void walk(size_t most) {
     hashes_.resize(1, state_hash(document_.world()));
     for (size_t turns = 4; single_.stages() < most && document_.waiting() > 0;) {
-      ASSERT_TRUE(document_.execution().next_is_of_last_step());
+      ASSERT_TRUE(document_.queue().next_is_of_last_step());
       ASSERT_TRUE(single_.next().ok());
       expect_known_state();
       if (turns > 0 && random_.below(8) == 0) --turns, go_back();
@@ -130,11 +130,11 @@ void expect_same_after_going_back(const Soup& soup, Random& random) {
     }
     ASSERT_TRUE(run_all(walked).ok());
     const size_t journal = stepped.journal().size();
-    stepped.start_again();
+    stepped.restart_stroke();
     RandomWalk(stepped, random).walk(std::numeric_limits<size_t>::max());
     expect_same_world(stepped.world(), walked.world());
     EXPECT_EQ(state_hash(stepped.world()), state_hash(walked.world()));
-    EXPECT_EQ(stepped.history().removed_faces(), walked.history().removed_faces());
+    EXPECT_EQ(stepped.history().totals().removed_faces, walked.history().totals().removed_faces);
     EXPECT_EQ(stepped.journal().size(), journal);
     EXPECT_EQ(stepped.history().position(), walked.history().position());
   }
@@ -297,7 +297,7 @@ TEST(SingleStep, tells_of_the_faces_that_are_left_to_refine_only_after_a_part_of
     ASSERT_TRUE(stage.ok());
     if (stage->kind == StageKind::kRemove) continue;
     const bool refines = stage->kind == StageKind::kRefine;
-    const size_t to_split = document.execution().unfinished_move().to_split.size();
+    const size_t to_split = document.queue().pending().unfinished().to_split.size();
     EXPECT_EQ(stage->left, refines ? to_split : 0);
     any_left = any_left || stage->left > 0;
   }

@@ -128,7 +128,8 @@ TEST(Soak, random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
     ASSERT_TRUE(run_all(document).ok());
     deleted += clear_away(document);
     for (const BodyId id : document.world().ids()) expect_sound_body(document.world().body(id), ground);
-    EXPECT_NEAR(area_of(document.world()) + document.history().removed_area() + deleted, area, 1e-6 * area);
+    EXPECT_NEAR(area_of(document.world()) + document.history().totals().removed_area + deleted, area,
+                1e-6 * area);
     if (HasFailure()) return;
   }
   EXPECT_GT(document.world().ids().size(), 20u);

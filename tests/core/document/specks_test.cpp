@@ -65,7 +65,7 @@ TEST(Specks, are_found_among_the_pieces_that_came_off_and_go_with_an_undo) {
   const std::set<PieceId> found = specks(document);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(is_speck(body.pieces[found.begin()->label].area, kRadius));
-  EXPECT_EQ(document.history().step(0).specks(), found);
+  EXPECT_EQ(document.history().step(0).totals().specks, found);
   document.apply(Undo{});
   EXPECT_TRUE(specks(document).empty());
   document.apply(Redo{});

@@ -81,14 +81,14 @@ TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
     const World before = document.world();
     draw_stroke(document, random_stroke(random));
     step(document, 1 + random.below(40));
-    const auto here = document.execution().stop_here();
+    const auto here = document.queue().stop_here();
     if (!here) continue;
-    const size_t removed = document.history().removed_faces(), waited = document.waiting();
+    const size_t removed = document.history().totals().removed_faces, waited = document.waiting();
     ASSERT_TRUE(document.apply(*here).ok());
-    EXPECT_FALSE(document.execution().stop_here().has_value());
+    EXPECT_FALSE(document.queue().stop_here().has_value());
     EXPECT_LT(document.waiting(), waited);
     finish_all(document);
-    EXPECT_GE(document.history().removed_faces(), removed);
+    EXPECT_GE(document.history().totals().removed_faces, removed);
     EXPECT_TRUE(document.history().last().done());
     expect_replays(document, size_t{1} << 30);
     expect_replays(document, 0);
@@ -116,7 +116,7 @@ TEST(StopStroke, cuts_no_further_than_a_part_of_a_move) {
     ASSERT_TRUE(some.ok());
     if (some->last) reached = some->last->to.origin.x;
   }
-  ASSERT_TRUE(document.apply(*document.execution().stop_here()).ok());
+  ASSERT_TRUE(document.apply(*document.queue().stop_here()).ok());
   while (document.waiting() > 0) {
     const auto some = document.step(1);
     ASSERT_TRUE(some.ok());
@@ -158,10 +158,10 @@ TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
   for (Document* document : {&stopped, &shorter}) {
     ASSERT_TRUE(document->apply(Recut{finer}).ok());
     finish_all(*document);
-    EXPECT_GT(document->history().removed_area(), 0);
+    EXPECT_GT(document->history().totals().removed_area, 0);
   }
-  EXPECT_NEAR(stopped.history().removed_area(), shorter.history().removed_area(),
-              0.05 * shorter.history().removed_area());
+  EXPECT_NEAR(stopped.history().totals().removed_area, shorter.history().totals().removed_area,
+              0.05 * shorter.history().totals().removed_area);
 }
 
 // The beam stands still in some of the ticks, over what falls.
@@ -177,7 +177,7 @@ TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
       if (random.below(2) == 0) document.apply(AdvanceTime{1 + random.below(9), true});
     }
     step(document, 1 + random.below(60));
-    const auto here = document.execution().stop_here();
+    const auto here = document.queue().stop_here();
     if (!here) continue;
     ASSERT_TRUE(document.apply(*here).ok());
     finish_all(document);
@@ -214,7 +214,7 @@ TEST(StopStroke, is_executed_once_by_a_replay_of_its_journal) {
 
 TEST(StopStroke, without_a_stroke_does_nothing) {
   Document document = stopped_document();
-  EXPECT_FALSE(document.execution().stop_here().has_value());
+  EXPECT_FALSE(document.queue().stop_here().has_value());
   EXPECT_TRUE(document.apply(StopStroke{1}).ok());
   EXPECT_TRUE(document.journal().empty());
 }
@@ -229,12 +229,12 @@ TEST(StopStrokes, takes_back_the_strokes_that_wait_behind_the_one_at_work) {
   ASSERT_TRUE(stop_strokes(document).ok());
   EXPECT_EQ(document.history().position(), 1u);
   EXPECT_EQ(document.history().size(), 2u);
-  EXPECT_FALSE(document.execution().stop_here().has_value());
+  EXPECT_FALSE(document.queue().stop_here().has_value());
   finish_all(document);
   expect_replays(document, size_t{1} << 30);
   ASSERT_TRUE(document.apply(Redo{}).ok());
   finish_all(document);
-  EXPECT_EQ(document.history().strokes(), 2u);
+  EXPECT_EQ(document.history().totals().strokes, 2u);
   expect_replays(document, size_t{1} << 30);
 }
 

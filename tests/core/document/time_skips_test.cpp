@@ -13,7 +13,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr Ticks kMinute = Execution::kTicksToForget;
+constexpr Ticks kMinute = CommandQueue::kTicksToForget;
 
 // Three plates above each other and the ground.
 World falling_world() {

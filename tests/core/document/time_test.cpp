@@ -71,13 +71,13 @@ TEST_F(Time, waits_behind_the_moves_of_a_stroke_that_runs_and_does_not_end_it) {
   begin();
   move();
   pass(5);
-  EXPECT_TRUE(document_.execution().in_stroke());
+  EXPECT_TRUE(document_.queue().in_stroke());
   const size_t moves = document_.waiting() - 5;
   for (size_t i = 0; i < moves; ++i) {
     EXPECT_EQ(clock(), 0u);
     ASSERT_TRUE(run_moves(document_, 1).ok());
   }
-  EXPECT_FALSE(document_.execution().next_move().has_value());
+  EXPECT_FALSE(document_.queue().pending().next_move(document_.world()).has_value());
   walk();
   EXPECT_EQ(clock(), 5u);
 }
@@ -233,7 +233,7 @@ TEST_F(Time, makes_what_was_undone_gone) {
   pass(1);
   EXPECT_EQ(document_.history().size(), 1u);
   apply(Redo{});
-  EXPECT_EQ(document_.history().strokes(), 1u);
+  EXPECT_EQ(document_.history().totals().strokes, 1u);
 }
 
 TEST_F(Time, passes_again_where_the_stroke_before_it_is_cut_again) {
@@ -242,7 +242,7 @@ TEST_F(Time, passes_again_where_the_stroke_before_it_is_cut_again) {
   walk();
   const uint64_t coarse = state_hash(document_.world());
   for (const double radius : {0.03, 0.02}) {
-    ASSERT_TRUE(document_.can_recut());
+    ASSERT_TRUE(can_recut(document_));
     apply(Recut{settings_with_radius(radius)});
     EXPECT_EQ(clock(), 0u);
     walk();

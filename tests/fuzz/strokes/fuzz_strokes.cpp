@@ -80,7 +80,7 @@ void check(const uint8_t* data, size_t size) {
     check_closed(document.world());
   // The walls of a solid add to the area.
   if (!scenario.remade() && !mesh.solid) {
-    double left = document.history().removed_area();
+    double left = document.history().totals().removed_area;
     for (const BodyId id : document.world().ids()) left += test::live_area(document.world().body(id).mesh);
     require(
         std::abs(left - loaded) <= 1e-6 * loaded,

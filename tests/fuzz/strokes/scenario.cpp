@@ -71,7 +71,7 @@ void Scenario::act() {
     case 4:
       return apply(Redo{});
     case 5:
-      if (document_.can_recut()) apply(Recut{settings()});
+      if (can_recut(document_)) apply(Recut{settings()});
       return;
     case 6:
       return apply(Play{});

@@ -73,10 +73,10 @@ TEST(FollowingBodies, that_fall_sends_no_face_and_edits_neither_mesh_nor_tree) {
   for (int frame = 0; frame < 10; ++frame) {
     stage.pass(5);
     stage.draw(view_from_above(), options, kFollowingWidth, kFollowingHeight);
-    EXPECT_LT(stage.document().history().last().bytes(), 100'000u);
+    EXPECT_LT(stage.document().history().last().totals().bytes, 100'000u);
   }
   EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
-  EXPECT_GT(stage.document().execution().physics().statistics().contacts, 0u);
+  EXPECT_GT(stage.document().queue().physics().statistics().contacts, 0u);
 }
 
 // A sheet that is cut in two beside its edge, and a ball that stands by.

@@ -79,7 +79,7 @@ std::vector<Golden> goldens(const test::Stage& stage) {
   all.push_back(graph);
   Golden loops{"graph-loops", graph.options};
   DrawnGraph with_loops = *graph.options.graph;
-  with_loops.loops = loop_paths(stage.world(), stage.document().history().last_cut_faces());
+  with_loops.loops = loop_paths(stage.world(), last_cut_faces(stage.document().history()));
   loops.options.graph = std::make_shared<DrawnGraph>(std::move(with_loops));
   all.push_back(loops);
   return all;

@@ -22,7 +22,7 @@ class HistoryPanel {
 
  private:
   void draw_list(WorldChanges& changes, const Document& document, FileUnit unit);
-  void list_rows(const StepGroups& groups, const History& history);
+  void list_rows(const StepGroups& groups, const UndoStack& history);
 
   std::vector<size_t> rows_;  // positions of the history
   size_t shown_ = 0;          // the position that the list was scrolled to
@@ -34,16 +34,16 @@ constexpr size_t kMaxRows = 10;
 std::string weight_text(const HistoryStep& step) {
   if (step.images() == HistoryStep::Images::kNone) return "pending";
   if (step.images() == HistoryStep::Images::kLetGo) return "by replay";
-  const double kilobytes = static_cast<double>(step.bytes()) / 1024;
+  const double kilobytes = static_cast<double>(step.totals().bytes) / 1024;
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
 }
 
 std::string removed_text(const HistoryStep& step, FileUnit unit) {
-  return step.removed_area() > 0 ? area_label(step.removed_area(), unit) : "";
+  return step.totals().removed_area > 0 ? area_label(step.totals().removed_area, unit) : "";
 }
 
 template <typename Text>
-float widest(const History& history, const Text& text) {
+float widest(const UndoStack& history, const Text& text) {
   float width = 1;
   for (size_t i = 0; i < history.size(); ++i)
     width = std::max(width, ImGui::CalcTextSize(text(history.step(i)).c_str()).x);
@@ -86,7 +86,7 @@ bool draw_row(size_t now, size_t position, const Row& row) {
 }
 
 // Draws the row of a position of the history. Returns true if it was clicked.
-bool draw_step(const History& history, size_t position, FileUnit unit) {
+bool draw_step(const UndoStack& history, size_t position, FileUnit unit) {
   if (position == 0) return draw_row(history.position(), 0, {"Original file"});
   const HistoryStep& step = history.step(position - 1);
   return draw_row(history.position(), position,
@@ -113,7 +113,7 @@ void draw_window(Document& document, Settings& settings) {
 }
 
 // Steps of some groups share a row, unless the current position is between them.
-void HistoryPanel::list_rows(const StepGroups& groups, const History& history) {
+void HistoryPanel::list_rows(const StepGroups& groups, const UndoStack& history) {
   rows_.clear();
   for (size_t position = 0; position <= history.size(); ++position) {
     if (groups.has_row(position) || position == history.position()) rows_.push_back(position);
@@ -123,7 +123,7 @@ void HistoryPanel::list_rows(const StepGroups& groups, const History& history) {
 void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, FileUnit unit) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
-  const History& history = document.history();
+  const UndoStack& history = document.history();
   list_rows(changes.groups(), history);
   const float height = height_of_rows(std::min(rows_.size(), kMaxRows));
   if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
@@ -180,7 +180,7 @@ class HistoryFeature : public Feature {
   }
 
  private:
-  const History& history() const { return workspace_.work.document.history(); }
+  const UndoStack& history() const { return workspace_.work.document.history(); }
   void ask_to_step(bool back) {
     workspace_.changes.ask(back ? "Undo" : "Redo",
                            [this, back] { workspace_.changes.step_through_history(back); });

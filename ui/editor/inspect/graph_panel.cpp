@@ -357,7 +357,7 @@ void GraphFeature::after_queue(double seconds) {
   if (!panel && !view.look.show.graph) return graph_.play(false);
   graph_.follow(document, workspace_.holds_back());
   graph_.advance(std::min(seconds, Workspace::kLongestStep));
-  if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.execution().in_stroke() &&
+  if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.queue().in_stroke() &&
       document.waiting() == 0)
     workspace_.changes.begin(graph_reading(graph_));
   if (view.look.graph == graph_.drawn()) return;

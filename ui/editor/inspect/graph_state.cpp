@@ -40,7 +40,7 @@ size_t GraphState::faces_to_read(const Document& document) const {
   const World& world = document.world();
   if (shows_piece())
     return piece_ && has_faces(world, *piece_) ? world.body(piece_->body).pieces[piece_->label].faces : 0;
-  const CutFaces removed = document.history().last_cut_faces();
+  const CutFaces removed = last_cut_faces(document.history());
   size_t faces = 0;
   for (const BodyId id : world.ids()) {
     if (removed.empty() || removed.contains(id)) faces += world.body(id).mesh.live_faces();
@@ -74,8 +74,8 @@ void GraphState::pass_over_time(const Document& document) {
 bool GraphState::follow(const Document& document, bool in_single_steps) {
   pass_over_time(document);
   if (!is_old(document)) return false;
-  const bool cuts = document.execution().in_stroke() || document.execution().beam_waits() ||
-                    document.execution().next_searches();
+  const bool cuts = document.queue().in_stroke() || document.queue().pending().holds_beam() ||
+                    document.queue().next_searches();
   const bool cutting = key_.known && cuts;
   if (cutting && !in_single_steps) return false;
   if (cutting && document.world().live_faces() > kMaxAtStages) return false;
@@ -135,9 +135,9 @@ bool GraphState::read(const Document& document, const Progress* progress) {
 }
 
 void GraphState::read_cut(const Document& document) {
-  const CutFaces removed = document.history().last_cut_faces();
+  const CutFaces removed = last_cut_faces(document.history());
   const auto cut = document.history().last_cut();
-  complete_ = !cut || document.history().step(*cut).has_all_cut_faces();
+  complete_ = !cut || document.history().step(*cut).totals().has_all_cut_faces();
   graph_ = cut_graph(document.world(), removed);
   removed_ = removals_ = graph_.nodes.size() - graph_.live;
   closings_ = closings_of(removed);

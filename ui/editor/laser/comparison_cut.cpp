@@ -40,20 +40,21 @@ void TwinCut::begin(Document& first, const Resolution& resolution) {
 }
 
 bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
-  if (!first.history().last_cut()) {
+  const UndoStack& history = first.history();
+  if (!history.last_cut()) {
     const bool anew = !begun_ || first.revision() != revision_;
     if (anew) begin(first, controls.of(1));
     return anew;
   }
-  const Resolution resolution = controls.of(first.history().last_settings().laser.radius);
+  const Resolution resolution = controls.of(history.last_settings().laser.radius);
   const bool anew = !begun_ || first.revision() != revision_ || resolution != resolution_;
   if (anew) begin(first, resolution);
   if (!there_) return anew;
-  const std::vector<Command>& stroke = first.history().last_stroke();
+  const std::vector<Command>& stroke = history.step(history.base_of(*history.last_cut())).commands();
   for (; commands_ < stroke.size(); ++commands_) {
     Command command = stroke[commands_];
     if (auto* start = std::get_if<BeginStroke>(&command)) {
-      start->settings = first.history().last_settings();
+      start->settings = history.last_settings();
       start->settings.resolution = resolution_;
     }
     // The twin skips commands that let time pass.
@@ -195,7 +196,7 @@ void SplitFeature::draw_overlay(ImDrawList& list) {
   const Layout& l = workspace_.view.layout;
   if (!l.split()) return;
   const Document& document = workspace_.work.document;
-  const bool cut = document.history().strokes() > 0;
+  const bool cut = document.history().totals().strokes > 0;
   const double radius = workspace_.laser.radius;
   const FileUnit unit = workspace_.view.frame.unit;
   draw_half_label(

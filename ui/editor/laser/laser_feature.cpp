@@ -86,8 +86,8 @@ class DrawnStroke : public Interaction {
 
 const char* why_no_recut(const Document& document) {
   if (!document.history().last_cut()) return "No cut yet.";
-  if (document.execution().in_stroke()) return "Finish or cancel the current cut first.";
-  return document.can_recut() ? nullptr : "The undo data of the last cut were discarded.";
+  if (document.queue().in_stroke()) return "Finish or cancel the current cut first.";
+  return can_recut(document) ? nullptr : "The undo data of the last cut were discarded.";
 }
 
 std::string smallest_angle_text(double largest_cosine) {
@@ -206,9 +206,9 @@ std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press)
 
 // A finished stroke can be stopped immediately, one that is being drawn only if its cut lags behind.
 bool LaserFeature::can_stop() const {
-  const Execution& execution = workspace_.work.document.execution();
+  const BeamQueue& pending = workspace_.work.document.queue().pending();
   if (workspace_.beam.cutting()) return progress_.can_stop();
-  return !workspace_.holds_back() && execution.beam_waits() && execution.moves_wait();
+  return !workspace_.holds_back() && pending.holds_beam() && pending.holds_moves();
 }
 
 UserAction LaserFeature::recut_action() {

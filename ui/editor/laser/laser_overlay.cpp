@@ -23,8 +23,9 @@ constexpr double kUnseen = 0.3;  // s, before work is shown
 
 CutProgress::Work CutProgress::work_of(const Document& document) {
   if (document.waiting() == 0) return Work::kNone;
-  if (document.execution().beam_waits()) return document.execution().moves_wait() ? Work::kCut : Work::kEnd;
-  return document.execution().next_searches() ? Work::kSearch : Work::kNone;
+  const CommandQueue& queue = document.queue();
+  if (queue.pending().holds_beam()) return queue.pending().holds_moves() ? Work::kCut : Work::kEnd;
+  return queue.next_searches() ? Work::kSearch : Work::kNone;
 }
 
 void CutProgress::follow(const Document& document, bool held_back, double seconds) {
@@ -71,25 +72,25 @@ constexpr double kWaitingLength = 3;       // diagonals of the world, of a beam 
 
 // Returns the history entries of the waiting strokes, in order.
 std::vector<size_t> waiting_steps(const Document& document, bool held_back) {
-  const Execution& execution = document.execution();
+  const BeamQueue& pending = document.queue().pending();
   std::vector<size_t> steps;
-  if (!execution.beam_waits()) return steps;
-  const History& history = document.history();
-  const size_t first = held_back ? execution.next_step() : execution.next_step() + 1;
+  if (!pending.holds_beam()) return steps;
+  const UndoStack& history = document.history();
+  const size_t first = held_back ? pending.front_step() : pending.front_step() + 1;
   for (size_t i = first; i < history.position() && steps.size() < kMaxWaiting; ++i) {
-    if (history.cuts(i) && history.step(i).waiting() && execution.waits_for(i)) steps.push_back(i);
+    if (history.cuts(i) && history.step(i).waiting() && pending.holds(i)) steps.push_back(i);
   }
   return steps;
 }
 
 // "Cut 2" of "Cut 2: roof, radius 4 mm".
-std::string short_name(const History& history, size_t step, FileUnit unit) {
+std::string short_name(const UndoStack& history, size_t step, FileUnit unit) {
   const std::string words = step_words(history, step, unit);
   return words.substr(0, words.find(':'));
 }
 
 BeamPicture beam_of(const Document& document, size_t step) {
-  const History& history = document.history();
+  const UndoStack& history = document.history();
   const World& world = document.world();
   const auto* begin = std::get_if<BeginStroke>(&history.commands_of(step).front());
   KERF_ASSERT(begin != nullptr);
@@ -115,7 +116,7 @@ bool WaitingStrokes::follow(const Document& document, FileUnit unit, bool held_b
   const bool had_any = !strokes_.empty();
   strokes_.clear();
   for (const size_t step : steps) {
-    const size_t now = document.execution().next_step();
+    const size_t now = document.queue().pending().front_step();
     const std::string why = step == now ? "Waiting for its first stage"
                                         : "Waiting for " + short_name(document.history(), now, unit);
     strokes_.push_back({step, why, beam_of(document, step)});
@@ -153,7 +154,7 @@ void BeamSparks::advance(double seconds, const LaserTool& beam, const Document& 
   const UpAxis axis = view.camera.up_axis();
   const Vec3 up = axis == UpAxis::kZ ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
   const World& world = document.world();
-  const double before = std::exchange(removed_, document.history().removed_mass());
+  const double before = std::exchange(removed_, document.history().totals().removed_mass);
   const double mass = removed_ - before;
   const bool wanted = mass > 0 && view.look.sparks && !view.look.stage;
   const auto shown = wanted ? beam.picture(document) : std::nullopt;

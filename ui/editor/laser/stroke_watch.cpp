@@ -142,7 +142,7 @@ void StrokeWatch::end(const Document& document) {
   last_.reset();
   if (all == 0) return;
   crossing_.step = *document.history().last_cut();
-  crossing_.removed_faces = stroke_of(document).removed_faces();
+  crossing_.removed_faces = stroke_of(document).totals().removed_faces;
   crossing_.share = static_cast<double>(through_) / static_cast<double>(all);
   crossing_.speed = not_through_ > 0 ? too_fast_ / static_cast<double>(not_through_) : 0;
   last_ = crossing_;
@@ -150,7 +150,7 @@ void StrokeWatch::end(const Document& document) {
 
 const StrokeWatch::Crossing* StrokeWatch::last(const Document& document) const {
   if (!last_ || document.history().last_cut() != last_->step) return nullptr;
-  return stroke_of(document).removed_faces() == last_->removed_faces ? &*last_ : nullptr;
+  return stroke_of(document).totals().removed_faces == last_->removed_faces ? &*last_ : nullptr;
 }
 
 }  // namespace kerf

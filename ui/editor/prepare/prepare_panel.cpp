@@ -280,7 +280,7 @@ class PrepareFeature : public Feature {
   // Returns true if the world is at rest, so that a copy is worth its time.
   bool world_rests() const {
     const Document& document = workspace_.work.document;
-    const bool queued = document.waiting() > 0 && !document.execution().only_cools();
+    const bool queued = document.waiting() > 0 && !document.queue().only_cools();
     return !workspace_.plays && !workspace_.cutting() && !queued && !workspace_.changes.is_pending() &&
            !workspace_.changes.is_asked() && !workspace_.opening.loader.busy();
   }

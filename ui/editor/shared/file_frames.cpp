@@ -83,7 +83,8 @@ constexpr size_t kMaxNames = 2;
 
 // Returns the names of the cut bodies, by descending removal.
 std::string names_of(const HistoryStep& step) {
-  std::vector<std::pair<std::string, size_t>> names(step.cut_names().begin(), step.cut_names().end());
+  std::vector<std::pair<std::string, size_t>> names(step.totals().cut_names.begin(),
+                                                    step.totals().cut_names.end());
   if (names.empty()) return step.done() ? "nothing, " : "";
   std::stable_sort(names.begin(), names.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -94,7 +95,7 @@ std::string names_of(const HistoryStep& step) {
 }
 
 // Returns the number of the stroke in the whole history, from 1.
-size_t number_of(const History& history, size_t stroke) {
+size_t number_of(const UndoStack& history, size_t stroke) {
   size_t number = 0;
   for (size_t i = 0; i <= stroke; ++i) number += history.step(i).kind() == HistoryStep::Kind::kStroke;
   return number;
@@ -102,7 +103,7 @@ size_t number_of(const History& history, size_t stroke) {
 
 }  // namespace
 
-std::string step_words(const History& history, size_t step, FileUnit unit) {
+std::string step_words(const UndoStack& history, size_t step, FileUnit unit) {
   KERF_ASSERT(step < history.size());
   const HistoryStep& of = history.step(step);
   if (!history.cuts(step)) return command_label(of.commands().front(), unit, of.piece_name);

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/base/number_format.h"
-#include "core/document/history.h"
 #include "core/document/scene.h"
+#include "core/document/undo_stack.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/viewport.h"
@@ -46,6 +46,6 @@ std::string extents_label(const Vec3& size, FileUnit unit);
 // Describes a step of the history. Strokes are numbered and described by the cut bodies and their settings:
 // "Cut 2: roof, radius 4 mm", "Cut 2 again: roof, edges of 3 mm"; other steps by their commands. `unit` is
 // the displayed unit. O(steps). Precondition: the history has the step.
-std::string step_words(const History& history, size_t step, FileUnit unit);
+std::string step_words(const UndoStack& history, size_t step, FileUnit unit);
 
 }  // namespace kerf

@@ -77,7 +77,7 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
 void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
   settings_ = settings;
   set_up(settings);
-  if (!document.execution().beam_waits()) {
+  if (!document.queue().pending().holds_beam()) {
     beam_ = pose_;
     strike_.reset();
   }
@@ -117,7 +117,7 @@ void LaserTool::move_to(Document& document, const Pose& pose, double heard) {
   held_.emplace_back(move);
   if (time_passes_ || meets_anything(document.world(), settings_.laser, BeamMove{before, pose_, 0}))
     return begin_held(document);
-  if (!document.execution().beam_waits()) beam_ = pose_;
+  if (!document.queue().pending().holds_beam()) beam_ = pose_;
 }
 
 void LaserTool::begin_held(Document& document) {
@@ -160,7 +160,7 @@ void LaserTool::find_strike(const Document& document) {
 }
 
 std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
-  if (!cutting_ && !document.execution().moves_wait()) return std::nullopt;
+  if (!cutting_ && !document.queue().pending().holds_moves()) return std::nullopt;
   BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * emitter_),
                    std::nullopt, radius_};
   if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;

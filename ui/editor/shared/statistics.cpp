@@ -118,10 +118,10 @@ void count_world(ShownStatistics& shown, const Document& document, bool depth_sh
 
 void record_stroke(ShownStatistics& shown, const Document& document) {
   shown.stroke.reset();
-  const History& history = document.history();
+  const UndoStack& history = document.history();
   if (const auto last = history.last_cut()) {
     const HistoryStep& step = history.step(*last);
-    shown.stroke = ShownStatistics::Stroke{step.statistics(), step.removed_area()};
+    shown.stroke = ShownStatistics::Stroke{step.totals().statistics, step.totals().removed_area};
   }
 }
 

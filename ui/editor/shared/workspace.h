@@ -101,7 +101,7 @@ struct Workspace {
     return holds_back() && !view.look.stage && work.document.history().last().waiting();
   }
   // Returns true if a stroke is drawn by hand, or still being cut.
-  bool cutting() const { return (held && held->cuts()) || work.document.execution().beam_waits(); }
+  bool cutting() const { return (held && held->cuts()) || work.document.queue().pending().holds_beam(); }
   // Returns the reason why time cannot pass, or null.
   const char* why_time_stands_still() const;
 };

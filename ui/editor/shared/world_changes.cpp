@@ -62,11 +62,11 @@ bool is_quick(const Document& document, const Command& command) {
           [](const BeginStroke&) { return true; },
           [](const MoveBeam&) { return true; },
           [](const EndStroke&) { return true; },
-          [&](const StopStroke&) { return document.execution().stop_here().has_value(); },
+          [&](const StopStroke&) { return document.queue().stop_here().has_value(); },
           [](const Recut&) { return true; },
           [](const TimedCommand auto&) { return true; },
           [](const Play&) { return true; },
-          [&](const Undo&) { return small && (now == 0 || document.remembers_way_to(now - 1)); },
+          [&](const Undo&) { return small && (now == 0 || document.history().holds_images(now - 1, now)); },
           [&](const Redo&) { return small; },
           [](const AddMesh&) { return false; },
           [&](const ImmediateCommand auto&) { return small && document.waiting() <= kManyMoves; },
@@ -75,7 +75,7 @@ bool is_quick(const Document& document, const Command& command) {
 }
 
 const char* why_beside(const Document& document) {
-  return document.execution().next_makes_ready() > kManyFaces ? "Creating bodies of the pieces" : nullptr;
+  return document.queue().next_makes_ready() > kManyFaces ? "Creating bodies of the pieces" : nullptr;
 }
 
 // Any command other than Undo and Redo may replace the steps that are undone at that time; `position` is
@@ -130,7 +130,7 @@ PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadi
 }
 
 // Returns true if redo, or a recut in progress, may bring back missing pieces.
-bool pieces_may_return(const History& history) {
+bool pieces_may_return(const UndoStack& history) {
   if (history.size() > history.position()) return true;
   return history.position() > 0 && history.last().kind() == HistoryStep::Kind::kRecut;
 }
@@ -235,8 +235,9 @@ void WorldChanges::apply(const Command& command) {
 
 void WorldChanges::travel_to(size_t position, const std::string& said) {
   const Document& document = workspace_.work.document;
+  const UndoStack& history = document.history();
   change(
-      "Jumping to a history step", is_small(document) && document.remembers_way_to(position),
+      "Jumping to a history step", is_small(document) && history.holds_images(position, history.position()),
       [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, said);
 }
 
@@ -247,7 +248,7 @@ void WorldChanges::step_through_history(bool back) {
   const StepGroups::Group* group = groups_.at(document, back);
   cancel_stroke(workspace_);
   if (group != nullptr) return travel_to(back ? group->from : group->to, did + group->name);
-  const History& history = document.history();
+  const UndoStack& history = document.history();
   const bool there_is_one = back ? history.position() > 0 : history.position() < history.size();
   std::string said;
   if (there_is_one) {
@@ -304,8 +305,8 @@ void WorldChanges::cut() {
   const Document& document = workspace_.work.document;
   if (!can_cut() || pending_) return;
   const double began = workspace_.clock->seconds();
-  const bool cools = document.execution().only_cools(),
-             beam = workspace_.beam.cutting() || document.execution().beam_waits();
+  const bool cools = document.queue().only_cools(),
+             beam = workspace_.beam.cutting() || document.queue().pending().holds_beam();
   while (can_cut() && workspace_.clock->seconds() < workspace_.cut_until) {
     if (!step([](Document& d) { return d.step(kMovesOfStep); })) break;
   }
@@ -401,7 +402,7 @@ void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared,
 }
 
 void WorldChanges::tell_done() {
-  if (said_later_.empty() || workspace_.work.document.execution().beam_waits()) return;
+  if (said_later_.empty() || workspace_.work.document.queue().pending().holds_beam()) return;
   workspace_.message.say(std::exchange(said_later_, ""));
 }
 

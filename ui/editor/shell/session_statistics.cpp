@@ -85,9 +85,9 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
   if (!last) return nullptr;
   const HistoryStep& step = document.history().step(*last);
   return {{"radius", document.history().last_settings().laser.radius},
-          {"faces_made", step.statistics().faces_made},
-          {"faces_removed", step.removed_faces()},
-          {"removed_area", step.removed_area()}};
+          {"faces_made", step.totals().statistics.faces_made},
+          {"faces_removed", step.totals().removed_faces},
+          {"removed_area", step.totals().removed_area}};
 }
 
 }  // namespace
@@ -102,12 +102,12 @@ nlohmann::ordered_json session_report(const Workspace& workspace) {
       {"while_cutting", times_of_cutting(statistics)},
       {"process_bytes", process_bytes()},
       {"memory_bytes", memory_of(statistics.shown.memory)},
-      {"strokes", document.history().strokes()},
+      {"strokes", document.history().totals().strokes},
       {"waiting", document.waiting()},
       {"state_hash", hash_text(state_hash(document.world()))},
       {"faces", document.world().live_faces()},
-      {"faces_removed", document.history().removed_faces()},
-      {"removed_area", document.history().removed_area()},
+      {"faces_removed", document.history().totals().removed_faces},
+      {"removed_area", document.history().totals().removed_area},
       {"last_stroke", last_stroke_of(document)},
       {"pieces", document.world().live_pieces()},
       {"specks", specks(document).size()},

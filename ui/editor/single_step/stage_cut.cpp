@@ -25,7 +25,7 @@ void play_or_pause(StageState& stages, const Document& document) {
 const char* why_not_again(const Document& document) {
   if (!document.history().last_cut()) return "No cut yet.";
   if (*document.history().last_cut() + 1 != document.history().position()) return "Undo later changes first.";
-  return document.can_start_again() ? nullptr : "The undo data of the last cut were discarded.";
+  return can_restart_stroke(document) ? nullptr : "The undo data of the last cut were discarded.";
 }
 
 const char* why_no_next_stage(const StageState& stages, const Document& document) {
@@ -53,14 +53,14 @@ StageCut::Key StageCut::key_now() const {
 
 bool StageCut::can_go_on() const {
   const Document& document = workspace_.work.document;
-  return document.waiting() > 0 && document.execution().next_is_of_last_step();
+  return document.waiting() > 0 && document.queue().next_is_of_last_step();
 }
 
 bool StageCut::holds_back() const { return stages_.wishes.on && from_its_start_ && can_go_on(); }
 
 bool StageCut::waits_for_earlier() const {
   const Document& document = workspace_.work.document;
-  return stages_.wishes.on && document.waiting() > 0 && !document.execution().next_is_of_last_step();
+  return stages_.wishes.on && document.waiting() > 0 && !document.queue().next_is_of_last_step();
 }
 
 bool StageCut::must_go_back() const {
@@ -106,7 +106,7 @@ void StageCut::begin() {
   if (!wishes.start_again) wishes.stop();
   const Document& document = workspace_.work.document;
   from_its_start_ = !can_go_on() || document.history().last().waiting();
-  if (!from_its_start_ && document.can_start_again()) wishes.start_again = true;
+  if (!from_its_start_ && can_restart_stroke(document)) wishes.start_again = true;
   stages_.runs_on = !from_its_start_ && !wishes.start_again;
 }
 
@@ -115,7 +115,7 @@ void StageCut::go_back(size_t stages) {
   const size_t done = stages_.log.done();
   wishes.start_again = false;
   wishes.stage.reset();
-  if (!workspace_.work.document.can_start_again()) return;
+  if (!can_restart_stroke(workspace_.work.document)) return;
   stages = std::min(stages, done);
   const double again = static_cast<double>(stages - single_->resumes_after(stages));
   const double before = spent_;
@@ -151,7 +151,7 @@ void StageCut::go_on() {
 void StageCut::drop_fulfilled() {
   StageWishes& wishes = stages_.wishes;
   const Document& document = workspace_.work.document;
-  const bool over = document.waiting() == 0 && !document.execution().in_stroke();
+  const bool over = document.waiting() == 0 && !document.queue().in_stroke();
   if (over || (wishes.stage && *wishes.stage <= stages_.log.done())) {
     const bool playing = wishes.playing && !over;
     wishes.stop();

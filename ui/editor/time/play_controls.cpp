@@ -308,11 +308,11 @@ void BodiesPanel::draw(Workspace& workspace, PlayState& play) {
   draw_pin(workspace);
   for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
     draw_switch(workspace.view, id);
-  draw_statistics(workspace.work.document.execution().physics().statistics());
+  draw_statistics(workspace.work.document.queue().physics().statistics());
 }
 
 // Returns true if the history up to its position contains playback.
-bool has_played(const History& history) {
+bool has_played(const UndoStack& history) {
   for (size_t i = 0; i < history.position(); ++i) {
     const std::vector<Command>& commands = history.step(i).commands();
     if (!commands.empty() && std::holds_alternative<Play>(commands.front())) return true;
@@ -410,7 +410,7 @@ void TimeFeature::after_queue(double seconds) {
   // The viewport is redrawn whenever contacts may have changed.
   if (workspace_.changes.is_pending() || !workspace_.view.picture_old) return;
   workspace_.view.look.bodies = gather_body_marks(
-      workspace_.world(), workspace_.work.document.execution().physics(), workspace_.view.look.show);
+      workspace_.world(), workspace_.work.document.queue().physics(), workspace_.view.look.show);
 }
 
 nlohmann::ordered_json heat_of(const World& world) {

@@ -77,12 +77,12 @@ bool TimeFlow::begin() {
   stand_together(workspace_);
   const Environment fitting = fitting_environment(document.world(), workspace_.view.frame);
   if (fitting != document.world().environment()) {
-    if (document.execution().in_stroke()) return false;
+    if (document.queue().in_stroke()) return false;
     before_ground_ = document.history().position();
     workspace_.changes.apply(SetEnvironment{fitting});
     return false;
   }
-  if (!document.execution().in_stroke()) document.apply(Play{});
+  if (!document.queue().in_stroke()) document.apply(Play{});
   position_ = document.history().position();
   // The user has done nothing in between, so one undo includes the ground.
   if (before_ground_ && position_ == *before_ground_ + 2)
@@ -101,9 +101,9 @@ void TimeFlow::queue_spring() {
 // Queues ticks up to a full minute at most.
 void TimeFlow::queue_ticks(Ticks ticks) {
   OpenWork& work = workspace_.work;
-  const Ticks of_minute = work.document.world().clock() % Execution::kTicksToForget;
+  const Ticks of_minute = work.document.world().clock() % CommandQueue::kTicksToForget;
   if (of_minute == 0) mark_state(work.document, work.marks, true);
-  ticks = std::min(ticks, Execution::kTicksToForget - of_minute);
+  ticks = std::min(ticks, CommandQueue::kTicksToForget - of_minute);
   pace_.take(ticks);
   queue_spring();
   work.document.apply(AdvanceTime{ticks, true});
@@ -113,7 +113,7 @@ void TimeFlow::queue_ticks(Ticks ticks) {
 // --------------------------------------------------------------------------------------------------------
 
 bool Cooling::flows() const {
-  const History& history = workspace_.work.document.history();
+  const UndoStack& history = workspace_.work.document.history();
   const bool stands = play_.playing || play_.one_tick || workspace_.settings.heat_held ||
                       workspace_.changes.is_pending() || workspace_.why_time_stands_still() != nullptr;
   return !stands && history.position() == history.size() && is_hot(workspace_.work.document.world());

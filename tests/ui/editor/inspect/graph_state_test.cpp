@@ -41,7 +41,7 @@ TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
   EXPECT_TRUE(graph.follow(document));
   EXPECT_TRUE(graph.separated());
   EXPECT_EQ(graph.total(), document.world().live_faces());
-  EXPECT_EQ(graph.removed(), document.history().removed_faces());
+  EXPECT_EQ(graph.removed(), document.history().totals().removed_faces);
   EXPECT_FALSE(graph.closings().empty());
 }
 
@@ -55,7 +55,7 @@ TEST(GraphState, follows_the_document_between_single_steps) {
     ASSERT_TRUE(document.step_stage().ok());
     EXPECT_EQ(graph.follow(document) && document.waiting() > 0, false);
     if (graph.follow(document, true)) ++changes;
-    EXPECT_EQ(graph.removed(), document.history().removed_faces());
+    EXPECT_EQ(graph.removed(), document.history().totals().removed_faces);
   }
   EXPECT_GT(changes, 10u);
 }

@@ -54,7 +54,7 @@ TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cu
   ASSERT_EQ(bench.kept().size(), 1u);
   EXPECT_LT(bench.kept()[0]["from"][0], 0);
   EXPECT_GT(bench.kept()[0]["to"][0], 0);
-  EXPECT_EQ(bench.workspace.work.document.history().strokes(), 0u);
+  EXPECT_EQ(bench.workspace.work.document.history().totals().strokes, 0u);
   bench.run("ruler.undo");
   EXPECT_TRUE(bench.kept().is_null());
 }

@@ -83,7 +83,7 @@ TEST_F(CutProgressTest, what_is_stopped_is_no_longer_at_work) {
 TEST_F(CutProgressTest, the_end_of_a_stroke_with_a_smooth_rim_is_told_and_not_stopped) {
   draw(Rim::kSmooth);
   follow(0);
-  while (document.execution().moves_wait()) ASSERT_TRUE(document.step(1).ok());
+  while (document.queue().pending().holds_moves()) ASSERT_TRUE(document.step(1).ok());
   ASSERT_GT(document.waiting(), 0u);
   EXPECT_EQ(follow(1), "Smoothing the rim");
   EXPECT_FALSE(progress.can_stop());

@@ -42,7 +42,7 @@ TEST_F(WaitingStrokesTest, behind_the_one_that_is_cut_are_shown_once_that_lasts)
   EXPECT_LT(waiting.strokes()[0].beam.strength, 0.5);
   EXPECT_EQ(waiting.strokes()[0].beam.from, Vec3(-0.6, 1, 0.3));
   EXPECT_FALSE(follow(1));
-  while (document.execution().next_step() == 0) ASSERT_TRUE(document.step(1).ok());
+  while (document.queue().pending().front_step() == 0) ASSERT_TRUE(document.step(1).ok());
   EXPECT_TRUE(follow(1));
   EXPECT_TRUE(waiting.strokes().empty());
 }

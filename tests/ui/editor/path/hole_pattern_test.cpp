@@ -22,7 +22,7 @@ Drilled drill(const HolePattern& pattern, double radius) {
   Document document(std::move(world));
   const std::vector<StrokePath> strokes = hole_strokes(pattern, kDown, radius);
   EXPECT_TRUE(document.run_whole(path_commands(strokes, document.world().bounds().diagonal())).ok());
-  return {document.world().live_pieces(), document.history().removed_area()};
+  return {document.world().live_pieces(), document.history().totals().removed_area};
 }
 
 TEST(HolePattern, a_disc_comes_off_a_plate_for_every_hole_of_a_grid) {

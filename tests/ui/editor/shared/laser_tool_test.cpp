@@ -52,7 +52,7 @@ TEST_F(LaserToolTest, a_click_beside_everything_leaves_no_step_and_one_whose_edg
   while (first_hit(document.world(), view.ray(x, 0))) x += 0.001;
   click({x + 0.002, 0});
   EXPECT_EQ(document.history().size(), 1u);
-  EXPECT_GT(document.history().removed_faces(), 0u);
+  EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
 TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose) {
@@ -63,7 +63,7 @@ TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose)
   step();
   ASSERT_EQ(document.journal().size(), 3u);
   EXPECT_LT(std::get<BeginStroke>(document.journal().front()).pose.direction.x, -0.1);
-  EXPECT_GT(document.history().removed_faces(), 0u);
+  EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
 TEST_F(LaserToolTest, a_drag_over_an_empty_world_has_a_beam_in_any_view_and_misses) {
@@ -100,7 +100,7 @@ TEST_F(LaserToolTest, a_drag_that_crosses_a_body_between_two_events_cuts_it) {
   EXPECT_FALSE(tool.release(document));
   step();
   EXPECT_EQ(document.history().size(), 1u);
-  EXPECT_GT(document.history().removed_faces(), 0u);
+  EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
 TEST_F(LaserToolTest, a_drag_beside_everything_is_a_stroke_while_bodies_may_move_into_it) {

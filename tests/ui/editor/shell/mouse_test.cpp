@@ -63,7 +63,7 @@ TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames)
     fast.hear(e);
     fast.cut();
   }
-  EXPECT_GT(slow.workspace.work.document.history().removed_faces(), 100u);
+  EXPECT_GT(slow.workspace.work.document.history().totals().removed_faces, 100u);
   EXPECT_EQ(slow.hash(), fast.hash());
 }
 
@@ -104,7 +104,7 @@ TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
   MouseBench bench;
   bench.workspace.tool = kPickTool;
   for (const InputEvent& e : arc()) bench.hear(e);
-  EXPECT_EQ(bench.workspace.work.document.history().strokes(), 0u);
+  EXPECT_EQ(bench.workspace.work.document.history().totals().strokes, 0u);
   EXPECT_EQ(bench.workspace.held, nullptr);
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "core/document/command_queue.h"
 #include "core/document/edit_piece.h"
-#include "core/document/execution.h"
 #include "core/edit/separation.h"
 #include "core/joints/joined_parts.h"
 #include "core/physics/release_pieces.h"
@@ -16,24 +16,18 @@ namespace {
 void follow_with_spring(World& world, const Delta& delta) {
   if (!world.spring()) return;
   Spring spring = *world.spring();
-  for (const Detached& d : delta.detached) {
-    if (spring.piece == PieceId{d.from, d.label}) spring.piece.body = d.to;
-  }
+  spring.piece = id_after(delta, spring.piece);
   if (spring != *world.spring()) world.set_spring(spring);
 }
 
 }  // namespace
 
-size_t Execution::waiting() const { return queue_.empty() && must_separate() ? 1 : queue_.size(); }
+size_t CommandQueue::waiting() const { return pending_.empty() && next_searches() ? 1 : pending_.size(); }
 
-bool Execution::next_closes_rim() const {
-  return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
-}
-
-size_t Execution::next_makes_ready() const {
-  const bool tick = !must_separate() && !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kTicks;
-  if (!tick || !queue_.front_in_time().bodies) return 0;
-  const bool beam = queue_.front_in_time().stroke != nullptr;
+size_t CommandQueue::next_makes_ready() const {
+  const bool tick = !next_searches() && !pending_.empty() && pending_.front_kind() == BeamQueue::Kind::kTicks;
+  if (!tick || !pending_.front_in_time().bodies) return 0;
+  const bool beam = pending_.front_in_time().stroke != nullptr;
   size_t faces = 0;
   for (const BodyId id : world_.ids()) {
     const Body& body = world_.body(id);
@@ -43,39 +37,39 @@ size_t Execution::next_makes_ready() const {
   return faces;
 }
 
-bool Execution::next_is_of_last_step() const {
+bool CommandQueue::next_is_of_last_step() const {
   const std::optional<size_t> open = recorder_.step();
-  if (must_separate()) return open && is_last(*open);
-  return !queue_.empty() && is_last(queue_.front_step());
+  if (next_searches()) return open && is_last(*open);
+  return !pending_.empty() && is_last(pending_.front_step());
 }
 
-Result<StepResult> Execution::step(size_t most, bool one_stage, const Progress& progress) {
-  if (must_separate()) return separate_more();
-  if (queue_.empty() || most == 0) return StepResult{};
-  const size_t step = queue_.front_step();
-  switch (queue_.front_kind()) {
+Result<StepResult> CommandQueue::step(size_t most, bool one_stage, const Progress& progress) {
+  if (next_searches()) return separate_more();
+  if (pending_.empty() || most == 0) return StepResult{};
+  const size_t step = pending_.front_step();
+  switch (pending_.front_kind()) {
     case BeamQueue::Kind::kSpring:
       return change_spring();
     case BeamQueue::Kind::kTicks:
       return pass_ticks(most, progress);
     case BeamQueue::Kind::kRim:
-      return noted(step, close_rim_of_stroke(progress));
+      return recorded(step, close_rim_of_stroke(progress));
     case BeamQueue::Kind::kMove:
       break;
   }
-  return noted(step, run_moves(most, one_stage, progress));
+  return recorded(step, run_moves(most, one_stage, progress));
 }
 
 // The pieces that a stroke separates are known before the next stroke or tick begins. While a stroke runs
 // whose moves so far are all executed, the search waits for the next command: which part keeps its label
 // depends on when a search ends, and when the queue is empty depends on the speed of execution.
-bool Execution::must_separate() const {
+bool CommandQueue::next_searches() const {
   if (is_settled(world_)) return false;
-  if (queue_.empty()) return !in_stroke();
-  return queue_.front_kind() == BeamQueue::Kind::kTicks || recorder_.step() != queue_.front_step();
+  if (pending_.empty()) return !in_stroke();
+  return pending_.front_kind() == BeamQueue::Kind::kTicks || recorder_.step() != pending_.front_step();
 }
 
-StepResult Execution::separate_more() {
+StepResult CommandQueue::separate_more() {
   const size_t most = walked_ ? walked_->settings.search_a_move : CutSettings{}.search_a_move;
   StepResult some = go_on_separating(world_, most);
   if (recorder_.step()) {
@@ -85,57 +79,58 @@ StepResult Execution::separate_more() {
   return some;
 }
 
-Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progress& progress) {
+Result<StepResult> CommandQueue::run_moves(size_t most, bool one_stage, const Progress& progress) {
   constexpr size_t kMaxAtOnce = 64;  // entries of a queue that may be long: a bite covers a few of them
   if (is_over_budget()) return over_face_budget(face_budget_);
-  begin(queue_.front_step());
-  walked_ = queue_.front_stroke();
-  const std::vector<BeamMove> moves = queue_.begin_moves(world_, one_stage ? 1 : std::min(most, kMaxAtOnce));
+  begin(pending_.front_step());
+  walked_ = pending_.front_stroke();
+  const std::vector<BeamMove> moves =
+      pending_.begin_moves(world_, one_stage ? 1 : std::min(most, kMaxAtOnce));
   walked_->list_path(world_);
   const CutSettings& settings = walked_->settings;
-  UnfinishedMove& unfinished = queue_.unfinished();
+  UnfinishedMove& unfinished = pending_.unfinished();
   Result<StepResult> some = one_stage ? cut_stage(world_, settings, moves.front(), unfinished, &progress)
                                       : cut_step(world_, settings, moves, unfinished, &progress);
-  if (some) queue_.pop_moves(some->moves);
+  if (some) pending_.pop_moves(some->moves);
   return some;
 }
 
-Result<StepResult> Execution::close_rim_of_stroke(const Progress& progress) {
-  if (is_over_budget() && !queue_.unfinished_rim().is_uninterruptible())
+Result<StepResult> CommandQueue::close_rim_of_stroke(const Progress& progress) {
+  if (is_over_budget() && !pending_.unfinished_rim().is_uninterruptible())
     return over_face_budget(face_budget_);
-  begin(queue_.front_step());
-  walked_ = queue_.front_stroke();
-  Result<StepResult> some =
-      rim_step(world_, walked_->settings, walked_->path, walked_->swept, queue_.unfinished_rim(), &progress);
-  if (some && !rim_is_unfinished()) queue_.pop();
+  begin(pending_.front_step());
+  walked_ = pending_.front_stroke();
+  Result<StepResult> some = rim_step(world_, walked_->settings, walked_->path, walked_->swept,
+                                     pending_.unfinished_rim(), &progress);
+  if (some && !pending_.unfinished_rim().begun()) pending_.pop();
   return some;
 }
 
-Result<StepResult> Execution::pass_ticks(size_t most, const Progress& progress) {
-  const size_t step = queue_.front_step();
+Result<StepResult> CommandQueue::pass_ticks(size_t most, const Progress& progress) {
+  const size_t step = pending_.front_step();
   begin(step);
-  if (queue_.front_in_time().bodies) return move_bodies(step, progress);
-  pass(std::min<Ticks>(most, queue_.front_in_time().count));
+  if (pending_.front_in_time().bodies) return move_bodies(step, progress);
+  pass(std::min<Ticks>(most, pending_.front_in_time().count));
   keep_open(step);
   return StepResult{};
 }
 
-void Execution::pass(Ticks ticks) {
+void CommandQueue::pass(Ticks ticks) {
   world_.pass(ticks);
   cool_for_ticks(world_, ticks);
-  queue_.pop(ticks);
+  pending_.pop(ticks);
 }
 
 // Executes one tick. Pieces that came off since the last one, and those that turn on joints, become bodies
 // first.
-Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress) {
+Result<StepResult> CommandQueue::move_bodies(size_t step, const Progress& progress) {
   StepResult all;
   if (world_.clock() % kTicksToForget == 0) forget_details(world_);
   if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
   release_pieces(world_, history_.step(step).generation, all.delta);
   follow_with_spring(world_, all.delta);
   record_cut(step, all);
-  if (const auto& stroke = queue_.front_in_time().stroke) stroke->inherit(all.delta.detached);
+  if (const auto& stroke = pending_.front_in_time().stroke) stroke->inherit(all.delta.detached);
   Result<StepResult> moved = move_under_beam(step, progress);
   if (!moved) return moved;
   all.delta.append(std::move(moved->delta));
@@ -147,21 +142,21 @@ Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress)
 
 // Moves bodies for a tick, and cuts what moves through the beam if it is on. In the thermal model the beam
 // cuts only during its own moves: the energy of a tick belongs to them.
-Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progress) {
-  const std::shared_ptr<Stroke> stroke = queue_.front_in_time().stroke;
+Result<StepResult> CommandQueue::move_under_beam(size_t step, const Progress& progress) {
+  const std::shared_ptr<Stroke> stroke = pending_.front_in_time().stroke;
   std::map<BodyId, Placement> before;
   if (stroke) {
     for (const BodyId id : world_.ids()) before[id] = world_.body(id).placement;
   }
   StepResult all;
   all.delta = physics_.tick(world_, stroke != nullptr);
-  note(step, all);
+  history_.step(step).record(world_, all);
   if (!stroke) return all;
   walked_ = stroke;
   for (const BodyId id : std::vector<BodyId>(all.delta.moved)) {
     const Body& body = world_.body(id);
     const std::vector<BeamMove> moves =
-        stroke->move_body(id, body, before[id], queue_.front_in_time().move.to);
+        stroke->move_body(id, body, before[id], pending_.front_in_time().move.to);
     if (moves.empty() || stroke->settings.model == Model::kThermal) continue;
     Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
     if (!cut) return cut;
@@ -172,21 +167,21 @@ Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progr
   return all;
 }
 
-StepResult Execution::change_spring() {
-  const size_t step = queue_.front_step();
+StepResult CommandQueue::change_spring() {
+  const size_t step = pending_.front_step();
   begin(step);
-  world_.set_spring(queue_.front_in_time().spring);
-  queue_.pop();
+  world_.set_spring(pending_.front_in_time().spring);
+  pending_.pop();
   keep_open(step);
   return {};
 }
 
 // Keeps the recording of a finished step open, because the ticks to come belong to it.
-void Execution::keep_open(size_t step) {
+void CommandQueue::keep_open(size_t step) {
   if (is_over(step)) history_.step(step).finish();
 }
 
-void Execution::begin(size_t step) {
+void CommandQueue::begin(size_t step) {
   if (recorder_.step() == step) return;
   close_and_trim();
   history_.forget_behind(step);
@@ -202,33 +197,27 @@ void Execution::begin(size_t step) {
   if (anew && !world_.contact_memory().empty()) forget_details(world_);
 }
 
-void Execution::close() {
+void CommandQueue::close() {
   const std::optional<size_t> step = recorder_.step();
   if (!step) return;
   if (std::optional<World::Change> change = recorder_.close(world_))
     history_.step(*step).add(std::move(*change));
 }
 
-void Execution::close_and_trim() {
+void CommandQueue::close_and_trim() {
   if (!recorder_.step()) return;
   close();
   history_.trim();
 }
 
-void Execution::note(size_t step, const StepResult& some) {
-  history_.step(step).touch(some.delta);
-  history_.step(step).record_new_pieces(world_, some.delta);
-  history_.step(step).add(some.statistics);
-}
-
 // Also wakes bodies that touched a changed body.
-void Execution::record_cut(size_t step, const StepResult& some) {
+void CommandQueue::record_cut(size_t step, const StepResult& some) {
   forget_contacts(world_, some.delta);
   physics_.follow(some.delta);
-  note(step, some);
+  history_.step(step).record(world_, some);
 }
 
-Result<StepResult> Execution::noted(size_t step, Result<StepResult> some) {
+Result<StepResult> CommandQueue::recorded(size_t step, Result<StepResult> some) {
   if (!some) return some;
   record_cut(step, *some);
   finish(step);
@@ -236,25 +225,25 @@ Result<StepResult> Execution::noted(size_t step, Result<StepResult> some) {
 }
 
 // Queues the work of a timed command before everything else.
-void Execution::enqueue_in_front(size_t step, const Command& command) {
+void CommandQueue::enqueue_in_front(size_t step, const Command& command) {
   std::visit(Overloaded{
-                 [&](const AdvanceTime& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
+                 [&](const AdvanceTime& c) { pending_.push_ticks_in_front(step, c.ticks, c.bodies); },
                  [&](const DragBody& c) {
-                   queue_.push_spring_in_front(step, Spring{c.piece, c.at, c.to});
+                   pending_.push_spring_in_front(step, Spring{c.piece, c.at, c.to});
                  },
-                 [&](const ReleaseBody&) { queue_.push_spring_in_front(step, std::nullopt); },
+                 [&](const ReleaseBody&) { pending_.push_spring_in_front(step, std::nullopt); },
                  [](const auto&) {},
              },
              command);
 }
 
 // Returns true if no work of a history step is queued or can be added by a running stroke.
-bool Execution::is_over(size_t step) const {
+bool CommandQueue::is_over(size_t step) const {
   const bool running = in_stroke() && is_last(step);
-  return !running && !queue_.holds(step) && is_settled(world_);
+  return !running && !pending_.holds(step) && is_settled(world_);
 }
 
-void Execution::finish(size_t step) {
+void CommandQueue::finish(size_t step) {
   if (!is_over(step)) return;
   history_.step(step).finish();
   if (recorder_.step() == step) close_and_trim();
@@ -263,11 +252,11 @@ void Execution::finish(size_t step) {
 // A stroke that cannot be cut to its end stays in the history, because a replay fails in the same way, and
 // so do the moves drawn after the failure: the stroke may be recut. If the failed step is a recut, nothing
 // is cut, because the earlier settings no longer apply.
-bool Execution::give_up(size_t step, bool stopped) {
-  KERF_ASSERT(!queue_.unfinished_rim().is_uninterruptible());
+bool CommandQueue::give_up(size_t step, bool stopped) {
+  KERF_ASSERT(!pending_.unfinished_rim().is_uninterruptible());
   if (in_stroke() && is_last(step)) drawn_->given_up = true;
-  queue_.drop_strokes(step);
-  if (stopped) queue_.clear();
+  pending_.drop_strokes(step);
+  if (stopped) pending_.clear();
   if (recorder_.step() == step) close();
   if (history_.step(step).images() != HistoryStep::Images::kHeld) {
     finish(step);
@@ -278,14 +267,23 @@ bool Execution::give_up(size_t step, bool stopped) {
   if (stopped) return true;
   begin(step);
   const bool recut = history_.step(step).kind() == HistoryStep::Kind::kRecut;
-  if (recut && can_run_again(step)) restore_what_is_cut_again(step);
+  if (recut && history_.holds_images(history_.base_of(step), step)) undo_strokes_of(step);
   const std::vector<Command> commands = history_.commands_of(step);
   for (size_t i = commands.size(); i-- > 0;) enqueue_in_front(step, commands[i]);
   finish(step);
   return true;
 }
 
-StepResult Execution::take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+StepResult CommandQueue::set_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+  while (!pending_.empty()) {
+    if (pending_.front_kind() == BeamQueue::Kind::kSpring) {
+      change_spring();
+      continue;
+    }
+    KERF_ASSERT(pending_.front_kind() == BeamQueue::Kind::kTicks && !pending_.front_in_time().stroke);
+    begin(pending_.front_step());
+    pass(pending_.front_in_time().count);
+  }
   KERF_ASSERT(waiting() == 0 && history_.position() > 0);
   const size_t step = history_.position() - 1;
   begin(step);
@@ -298,22 +296,9 @@ StepResult Execution::take_states(std::span<const BodyState> states, std::span<c
     taken.delta.moved.push_back(state.id);
   }
   set_known_pairs(world_, pairs);
-  note(step, taken);
+  history_.step(step).record(world_, taken);
   keep_open(step);
   return taken;
-}
-
-StepResult Execution::skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs) {
-  while (!queue_.empty()) {
-    if (queue_.front_kind() == BeamQueue::Kind::kSpring) {
-      change_spring();
-      continue;
-    }
-    KERF_ASSERT(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_in_time().stroke);
-    begin(queue_.front_step());
-    pass(queue_.front_in_time().count);
-  }
-  return take_states(states, pairs);
 }
 
 }  // namespace kerf

@@ -1,4 +1,4 @@
-#include "core/document/execution.h"
+#include "core/document/command_queue.h"
 
 #include <algorithm>
 
@@ -17,6 +17,15 @@ namespace {
 constexpr uint64_t kBytesAFace = 400;
 constexpr size_t kMinBudget = 100'000;
 
+// Returns the number of body slots of the world before the first of the steps first .. end - 1 that holds
+// before-images; 0 if none does.
+size_t slots_before(const UndoStack& history, size_t first, size_t end) {
+  for (size_t i = first; i < end; ++i) {
+    if (const auto slots = history.step(i).slots_before()) return *slots;
+  }
+  return 0;
+}
+
 }  // namespace
 
 size_t usual_face_budget(uint64_t memory) {
@@ -34,10 +43,10 @@ using Kind = HistoryStep::Kind;
 
 // Queueing --------------------------------------------------------------------------------------------------
 
-void Execution::enqueue(size_t step, const Command& command) {
+void CommandQueue::enqueue(size_t step, const Command& command) {
   const auto move_to = [&](const BeamAt& next) {
     const BeamMove move{drawn_->beam.pose, next.pose, next.time - drawn_->beam.time};
-    if (!drawn_->given_up) queue_.push_move(step, drawn_, move, world_);
+    if (!drawn_->given_up) pending_.push_move(step, drawn_, move, world_);
     drawn_->beam = next;
   };
   std::visit(Overloaded{
@@ -52,17 +61,17 @@ void Execution::enqueue(size_t step, const Command& command) {
                  },
                  [&](const EndStroke&) {
                    drawn_->ended = true;
-                   if (drawn_->settings.smooth() && !drawn_->given_up) queue_.push_rim(step, drawn_);
+                   if (drawn_->settings.smooth() && !drawn_->given_up) pending_.push_rim(step, drawn_);
                  },
-                 [&](const StopStroke& c) { queue_.stop(step, c, world_); },
+                 [&](const StopStroke& c) { pending_.stop(step, c, world_); },
                  [&](const AdvanceTime& c) {
                    const bool beam = c.bodies && drawn_ && !drawn_->ended && !drawn_->given_up;
-                   queue_.push_ticks(step, c.ticks, c.bodies, beam ? drawn_ : nullptr);
+                   pending_.push_ticks(step, c.ticks, c.bodies, beam ? drawn_ : nullptr);
                  },
                  [&](const DragBody& c) {
-                   queue_.push_spring(step, Spring{c.piece, c.at, c.to});
+                   pending_.push_spring(step, Spring{c.piece, c.at, c.to});
                  },
-                 [&](const ReleaseBody&) { queue_.push_spring(step, std::nullopt); },
+                 [&](const ReleaseBody&) { pending_.push_spring(step, std::nullopt); },
                  [&](const Play&) {},
                  [&](const Recut&) { KERF_ASSERT(!"queued by the commands of its stroke"); },
                  [&](const Undo&) { KERF_ASSERT(!"never part of a step"); },
@@ -72,49 +81,31 @@ void Execution::enqueue(size_t step, const Command& command) {
              command);
 }
 
-void Execution::enqueue_all(size_t step) {
+void CommandQueue::enqueue_all(size_t step) {
   for (const Command& c : history_.commands_of(step)) enqueue(step, c);
 }
 
-void Execution::enqueue_time_of_edit(size_t step) {
-  HistoryStep& edit = history_.step(step);
-  if (edit.commands().size() == 1) return;
-  for (size_t i = 1; i < edit.commands().size(); ++i) enqueue(step, edit.commands()[i]);
-  edit.reopen();
-}
-
-std::optional<StopStroke> Execution::stop_here() const {
+std::optional<StopStroke> CommandQueue::stop_here() const {
   const size_t now = history_.position();
-  if (now == 0 || !history_.cuts(now - 1) || !queue_.holds_moves(now - 1)) return std::nullopt;
-  return queue_.reached(now - 1);
-}
-
-void Execution::stop(const StopStroke& there) {
-  const size_t last = history_.position() - 1;
-  queue_.stop(last, there, world_);
-  if (!history_.last().waiting()) finish(last);
-}
-
-bool Execution::only_a_few_ticks_wait() const {
-  constexpr size_t kFewTicks = 24;
-  return only_cools() || (!queue_.holds_beam() && queue_.size() <= kFewTicks && !must_separate());
+  if (now == 0 || !history_.cuts(now - 1) || !pending_.holds_moves(now - 1)) return std::nullopt;
+  return pending_.reached(now - 1);
 }
 
 // Immediate commands ---------------------------------------------------------------------------------------
 
-Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progress) {
+Result<Delta> CommandQueue::run(HistoryStep& step, size_t at, const Progress* progress) {
   close_and_trim();
   step.begin(history_.window() > 0);
   recorder_.open(world_, at, history_.window() > 0);
   Result<Delta> delta =
       std::visit(Overloaded{
-                     [&](ImmediateCommand auto& c) { return c.run(world_, step.generation, progress); },
+                     [&](const ImmediateCommand auto& c) { return c.run(world_, step.generation, progress); },
                      [&](const auto&) -> Result<Delta> {
                        KERF_ASSERT(!"not an immediate command");
                        return Delta{};
                      },
                  },
-                 step.first());
+                 step.commands().front());
   if (delta) forget_contacts(world_, *delta);
   std::optional<World::Change> change = recorder_.close(world_);
   if (!delta) {
@@ -122,7 +113,7 @@ Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progr
     return delta;
   }
   if (change) step.add(std::move(*change));
-  step.touch(*delta);
+  step.record(*delta);
   step.finish();
   physics_.follow(*delta);
   return delta;
@@ -130,22 +121,22 @@ Result<Delta> Execution::run(HistoryStep& step, size_t at, const Progress* progr
 
 // Going back ------------------------------------------------------------------------------------------------
 
-Delta Execution::undo(size_t step) {
+Delta CommandQueue::undo(size_t step) {
   if (recorder_.step() == step) close();
-  queue_.drop(step);
+  pending_.drop(step);
   physics_ = Physics();
   return history_.step(step).undo(world_);
 }
 
-Delta Execution::redo(size_t step) {
+Delta CommandQueue::redo(size_t step) {
   close();
   physics_ = Physics();
   return history_.step(step).redo(world_);
 }
 
-Delta Execution::cut_again() {
+Delta CommandQueue::cut_again() {
   const size_t step = history_.position() - 1, before = step - 1;
-  queue_.drop(before);
+  pending_.drop(before);
   if (recorder_.step() == before) close();
   physics_ = Physics();
   Delta delta;
@@ -153,22 +144,24 @@ Delta Execution::cut_again() {
     delta = history_.step(before).undo(world_);
     history_.step(before).forget();
   }
-  delta.append(restore_what_is_cut_again(step));
+  delta.append(undo_strokes_of(step));
   enqueue_all(step);
   history_.trim();
   return delta;
 }
 
 // Restores the world before the stroke that a recut cuts again, as a part of the recut.
-Delta Execution::restore_what_is_cut_again(size_t recut) {
+Delta CommandQueue::undo_strokes_of(size_t recut) {
   // If nothing of the stroke was executed, an earlier one may be queued, half-way through a move.
   const size_t base = history_.base_of(recut);
-  if (history_.any_begun(base, recut)) begin(recut);
-  const size_t slots = history_.slots_before(base, recut);
+  for (size_t i = base; i < recut; ++i) {
+    if (!history_.step(i).waiting()) begin(recut);
+  }
+  const size_t slots = slots_before(history_, base, recut);
   Delta delta;
   for (size_t i = recut; i-- > base;) {
     const Delta back = history_.step(i).restore(world_, slots);
-    history_.step(recut).touch(back);
+    history_.step(recut).record(back);
     delta.append(back);
   }
   // Discards details of contacts, as the start of the stroke itself does.
@@ -176,53 +169,50 @@ Delta Execution::restore_what_is_cut_again(size_t recut) {
   return delta;
 }
 
-Delta Execution::run_again() {
+Delta CommandQueue::run_again() {
   if (history_.last().kind() == Kind::kRecut) return cut_again();
   enqueue_all(history_.position() - 1);
   return Delta{};
 }
 
-bool Execution::can_run_again(size_t step) const {
-  return history_.holds_images(history_.base_of(step), step);
-}
-
-std::optional<World> Execution::copy_before(size_t base) {
+std::optional<World> CommandQueue::copy_before(size_t base) {
   const std::optional<size_t> open = recorder_.step();
   close();
   World before = world_;
   if (open) begin(*open);
   const size_t end = history_.position();
   if (!history_.holds_images(base, end)) return std::nullopt;
-  const size_t slots = history_.slots_before(base, end);
+  const size_t slots = slots_before(history_, base, end);
   for (size_t i = end; i-- > base;) history_.step(i).restore(before, slots);
   return before;
 }
 
-void Execution::start_with(World world) {
+void CommandQueue::start_with(World world) {
   world_ = std::move(world);
-  queue_.clear();
+  pending_.clear();
   recorder_.abandon();
   physics_ = Physics();
-  while (history_.position() > 0) history_.back();
+  history_.set_position(0);
   for (size_t i = 0; i < history_.size(); ++i) history_.step(i).forget();
 }
 
-std::optional<Execution::Mark> Execution::mark() {
+std::optional<CommandQueue::SavePoint> CommandQueue::save_point() {
   const size_t last = history_.position() - 1;
-  if (in_stroke() || recorder_.step() != last || rim_is_unfinished()) return std::nullopt;
+  if (in_stroke() || recorder_.step() != last || pending_.unfinished_rim().begun()) return std::nullopt;
   if (history_.last().images() != Images::kHeld) return std::nullopt;
   close();
-  Mark mark{history_.last().mark(), queue_, walked_, walked_ ? walked_->path.size() : 0};
+  SavePoint point{HistoryStep::SavePoint(history_.last()), pending_, walked_,
+                  walked_ ? walked_->path.size() : 0};
   begin(last);
-  return mark;
+  return point;
 }
 
-Delta Execution::go_back_to(const Mark& mark) {
+Delta CommandQueue::restore(const SavePoint& point) {
   close();
-  Delta delta = history_.last().go_back_to(mark.step, world_);
-  queue_ = mark.queue;
-  walked_ = mark.stroke;
-  if (walked_) walked_->path.resize(mark.moves);
+  Delta delta = point.step.restore(history_.last(), world_);
+  pending_ = point.pending;
+  walked_ = point.stroke;
+  if (walked_) walked_->path.resize(point.moves);
   begin(history_.position() - 1);
   physics_ = Physics();
   return delta;

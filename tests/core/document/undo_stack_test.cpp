@@ -10,14 +10,14 @@
 namespace kerf::test {
 namespace {
 
-TEST(History, a_smaller_window_discards_the_oldest_images_and_no_more_than_it_must) {
+TEST(UndoStack, a_smaller_window_discards_the_oldest_images_and_no_more_than_it_must) {
   Document document(ring_and_book());
   Random random(3);
   for (int i = 0; i < 6; ++i) {
     for (const Command& command : random_stroke_commands(random)) document.apply(command);
     finish(document);
   }
-  const History& history = document.history();
+  const UndoStack& history = document.history();
   const size_t steps = history.position();
   ASSERT_TRUE(history.holds_images(0, steps));
   const size_t all = history.bytes(), window = all * 6 / 10;
@@ -31,7 +31,7 @@ TEST(History, a_smaller_window_discards_the_oldest_images_and_no_more_than_it_mu
   EXPECT_TRUE(history.holds_images(oldest, steps)) << "what is held fits";
 }
 
-TEST(History, keeps_within_its_window_right_after_a_command_that_happens_at_once) {
+TEST(UndoStack, keeps_within_its_window_right_after_a_command_that_happens_at_once) {
   Document document(world_of(grid(20, 1)));
   constexpr size_t kWindow = 1000;
   document.set_window(kWindow);
@@ -41,7 +41,7 @@ TEST(History, keeps_within_its_window_right_after_a_command_that_happens_at_once
   EXPECT_FALSE(document.history().holds_images(0, 1));
 }
 
-TEST(History, a_stroke_that_is_stopped_is_taken_back) {
+TEST(UndoStack, a_stroke_that_is_stopped_is_taken_back) {
   for (const size_t bite : {size_t{1}, size_t{30}, CutSettings{}.bite}) {
     SCOPED_TRACE("bite " + std::to_string(bite));
     Random random(3);
@@ -62,7 +62,7 @@ TEST(History, a_stroke_that_is_stopped_is_taken_back) {
     EXPECT_GE(asked, 20);
     expect_same_world(document.world(), before);
     EXPECT_EQ(document.history().position(), 1u);
-    EXPECT_EQ(document.history().strokes(), 1u);
+    EXPECT_EQ(document.history().totals().strokes, 1u);
     // Nothing of it is left half-way for the next one.
     Document fresh(ring_and_book());
     for (const auto* stroke : {&first, &second}) {
@@ -76,7 +76,7 @@ TEST(History, a_stroke_that_is_stopped_is_taken_back) {
 }
 
 // A twin is begun from there at any time.
-TEST(History, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
+TEST(UndoStack, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
   for (uint64_t seed = 301; seed <= 303; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -108,7 +108,7 @@ TEST(History, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
   }
 }
 
-TEST(History, does_not_tell_what_was_before_a_stroke_after_which_something_else_happened) {
+TEST(UndoStack, does_not_tell_what_was_before_a_stroke_after_which_something_else_happened) {
   Random random(5);
   Document document(ring_and_book());
   EXPECT_FALSE(document.before_last_stroke().has_value());
@@ -123,7 +123,7 @@ TEST(History, does_not_tell_what_was_before_a_stroke_after_which_something_else_
 
 // Pieces that came off while bodies moved take ids, which commands name: also where the stroke is cut again
 // before it is walked, and where the history is replayed from its origin.
-TEST(History, ids_of_bodies_do_not_depend_on_how_far_a_stroke_was_walked_when_it_was_cut_again) {
+TEST(UndoStack, ids_of_bodies_do_not_depend_on_how_far_a_stroke_was_walked_when_it_was_cut_again) {
   CutSettings settings;
   settings.laser.radius = 0.02;
   settings.resolution.target_edge = 0.05;
@@ -155,7 +155,7 @@ TEST(History, ids_of_bodies_do_not_depend_on_how_far_a_stroke_was_walked_when_it
 }
 
 // At every step of the first, in the middle of its moves too; it cuts the plate in two.
-TEST(History, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_alone) {
+TEST(UndoStack, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_alone) {
   CutSettings settings;
   settings.laser.radius = 0.1;
   settings.resolution.target_edge = 0.1;
@@ -186,7 +186,7 @@ TEST(History, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_al
   }
 }
 
-TEST(History, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
+TEST(UndoStack, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
   Document document(ring_and_book());
   EXPECT_TRUE(document.apply(Undo{}).ok());
   EXPECT_TRUE(document.apply(Redo{}).ok());
@@ -194,7 +194,7 @@ TEST(History, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
   EXPECT_TRUE(document.journal().empty());
 }
 
-TEST(History, a_piece_that_is_not_there_is_named_and_changes_nothing) {
+TEST(UndoStack, a_piece_that_is_not_there_is_named_and_changes_nothing) {
   Document document(ring_and_book());
   const auto moved = document.apply(MovePiece{{{7, 0}, 1}, {}});
   ASSERT_FALSE(moved.ok());

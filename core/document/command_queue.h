@@ -10,7 +10,7 @@
 #include "core/base/assert.h"
 #include "core/base/result.h"
 #include "core/document/beam_queue.h"
-#include "core/document/history.h"
+#include "core/document/undo_stack.h"
 #include "core/physics/physics.h"
 #include "core/world/rigid_body.h"
 #include "core/world/world.h"
@@ -52,71 +52,50 @@ class Recorder {
   bool recording_ = false;
 };
 
-// Executes the steps of a history on a world and records before-images of their changes. Timed commands are
-// queued and executed in bounded parts; the others execute immediately.
+// The queue of commands that executes the steps of a history on a world and records before-images of their
+// changes. Timed commands are queued and executed in bounded parts; the others execute immediately.
 //
 // The result does not depend on the division into parts, nor on when the queue runs empty: the same faces
 // are removed, and the same pieces are separated, with the same labels. A tick starts when the moves before
 // it have been executed and the search for separated pieces has finished. Bodies move in the ticks of
 // AdvanceTime commands with `bodies`: first, separated pieces become bodies (see release_pieces), and
 // bodies that touched a changed body wake (see forget_contacts).
-class Execution {
+class CommandQueue {
  public:
-  Execution() = default;
-  explicit Execution(World world) : world_(std::move(world)) {}
+  CommandQueue() = default;
+  explicit CommandQueue(World world) : world_(std::move(world)) {}
 
   const World& world() const { return world_; }
   // The physics of the bodies, with the contacts and statistics of the last tick in which they moved.
   const Physics& physics() const { return physics_; }
-  const History& history() const { return history_; }
-  History& history() { return history_; }
+  const UndoStack& history() const { return history_; }
+  UndoStack& history() { return history_; }
 
   // The queue ---------------------------------------------------------------------------------------------
 
+  // The queued moves, ends of strokes, ticks and changes of the spring, without searches.
+  const BeamQueue& pending() const { return pending_; }
   // The length of the queue: moves (including a partly executed one), ticks, changes of the spring, and
   // ends of strokes with a smooth rim (see BeamQueue::size). At least 1 while no stroke is running and a
   // search for separated pieces is unfinished.
   size_t waiting() const;
-  bool queue_is_empty() const { return queue_.empty(); }
-  // Returns true if the queue holds moves or ends of strokes, not only ticks and searches.
-  bool beam_waits() const { return queue_.holds_beam(); }
-  bool moves_wait() const { return queue_.holds_moves(); }
-  // Returns true if the queue holds work of a history step.
-  bool waits_for(size_t step) const { return queue_.holds(step); }
   // Returns true if the queue holds only ticks in which bodies stand still, so that only heat changes.
-  bool only_cools() const { return queue_.only_cools() && !must_separate(); }
-  bool only_a_few_ticks_wait() const;
+  bool only_cools() const { return pending_.only_cools() && !next_searches(); }
   bool in_stroke() const { return drawn_ && !drawn_->ended; }
   // The command that ends the last stroke at its current place; nullopt if none of its moves is queued.
   std::optional<StopStroke> stop_here() const;
-  // The first move that the next step executes; nullopt if it executes none.
-  std::optional<BeamMove> next_move() const { return queue_.next_move(world_); }
-  // The settings of the stroke of that move. Precondition: there is one.
-  const CutSettings& next_settings() const { return queue_.front_stroke()->settings; }
-  bool next_searches() const { return must_separate(); }
-  // Returns true if the next step begins or continues the end of a stroke with a smooth rim.
-  bool next_closes_rim() const;
-  bool rim_is_unfinished() const { return queue_.unfinished_rim().begun(); }
-  // The progress of the first move of the queue.
-  const UnfinishedMove& unfinished_move() const { return queue_.unfinished(); }
+
+  // Returns true if the next step searches for separated pieces, before everything that is pending.
+  bool next_searches() const;
   // The number of faces that the next step prepares for motion: those of bodies from which pieces came off,
   // and of bodies that have changed since bodies last moved. The cost of the step is proportional to it. 0
   // if bodies do not move in it.
   size_t next_makes_ready() const;
   // Returns true if the next step executes work of the last history step, not of an earlier one.
   bool next_is_of_last_step() const;
-  // Precondition: the queue is not empty.
-  size_t next_step() const { return queue_.front_step(); }
-
-  // Queueing ----------------------------------------------------------------------------------------------
 
   // Queues the work of a command of a history step that does not execute immediately.
   void enqueue(size_t step, const Command& command);
-  // See History::commands_of.
-  void enqueue_all(size_t step);
-  void enqueue_time_of_edit(size_t step);
-  // Ends the stroke that is the last history step at a place that its beam has not passed.
-  void stop(const StopStroke& there);
 
   // Executing ---------------------------------------------------------------------------------------------
 
@@ -139,9 +118,8 @@ class Execution {
   // failure the world is unchanged. Precondition: the queue is empty.
   Result<Delta> run(HistoryStep& step, size_t at, const Progress* progress);
 
-  // Sets bodies to the states that a journal recorded (see Document::take_states and skip_to).
-  StepResult take_states(std::span<const BodyState> states, std::span<const NearPair> pairs);
-  StepResult skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs);
+  // Sets bodies to the states that a journal recorded (see Document::set_states).
+  StepResult set_states(std::span<const BodyState> states, std::span<const NearPair> pairs);
 
   // The interval at which details of contacts are discarded (see forget_details), so that the state that a
   // journal records at a full minute alone determines how bodies continue. They are also discarded at the
@@ -156,14 +134,11 @@ class Execution {
   // Redoes a step that was done when it was undone. Preconditions: the queue is empty, and the images of
   // the step are held.
   Delta redo(size_t step);
-  // Undoes the stroke that a recut, the last history step, cuts again, as an edit of the recut, and queues
-  // its commands with the new settings. A stroke with queued moves is undone without keeping images: undo
-  // of the recut has to execute it again.
-  Delta cut_again();
-  // Queues the work of the last history step as if it had just been drawn.
+  // Queues the work of the last history step as if it had just been drawn. A recut first undoes the stroke
+  // that it cuts again, as an edit of the recut. A stroke with queued moves is then undone without keeping
+  // images: undo of the recut has to execute it again. Precondition: before-images can restore the world at
+  // the start of the step.
   Delta run_again();
-  // Returns true if before-images can restore the world at the start of a step.
-  bool can_run_again(size_t step) const;
   // Copies the world as it was before the steps base .. end - 1, the last of the history; nullopt if their
   // images are not held.
   std::optional<World> copy_before(size_t base);
@@ -171,21 +146,20 @@ class Execution {
   void start_with(World world);
 
   // A save point in the execution of the last history step.
-  struct Mark {
-    HistoryStep::Mark step;
-    BeamQueue queue;
+  struct SavePoint {
+    HistoryStep::SavePoint step;
+    BeamQueue pending;
     std::shared_ptr<Stroke> stroke;
     size_t moves = 0;  // of its path
   };
-  // Returns nullopt if Document::mark() does. Precondition: the history has a last step.
-  std::optional<Mark> mark();
-  Delta go_back_to(const Mark& mark);
+  // Returns nullopt if Document::SavePoint::create() does. Precondition: the history has a last step.
+  std::optional<SavePoint> save_point();
+  Delta restore(const SavePoint& point);
 
   // Ends the recording of the open step, if any, and trims the history to its window.
   void close_and_trim();
 
  private:
-  bool must_separate() const;
   StepResult separate_more();
   Result<StepResult> run_moves(size_t most, bool one_stage, const Progress& progress);
   Result<StepResult> close_rim_of_stroke(const Progress& progress);
@@ -196,23 +170,24 @@ class Execution {
   void pass(Ticks ticks);
   void enqueue_in_front(size_t step, const Command& command);
 
-  Delta restore_what_is_cut_again(size_t recut);
+  void enqueue_all(size_t step);
+  Delta cut_again();
+  Delta undo_strokes_of(size_t recut);
 
   void begin(size_t step);
   // Ends the recording of the open step without trimming the history, because the images of a step that is
   // about to be undone must be kept.
   void close();
   void keep_open(size_t step);
-  void note(size_t step, const StepResult& some);
   void record_cut(size_t step, const StepResult& some);
-  Result<StepResult> noted(size_t step, Result<StepResult> some);
+  Result<StepResult> recorded(size_t step, Result<StepResult> some);
   bool is_over(size_t step) const;
   bool is_last(size_t step) const { return step + 1 == history_.position(); }
 
   World world_;
   size_t face_budget_ = std::numeric_limits<size_t>::max();
-  History history_;
-  BeamQueue queue_;
+  UndoStack history_;
+  BeamQueue pending_;
   Recorder recorder_;
   Physics physics_;
   std::shared_ptr<Stroke> drawn_;   // the last stroke that was queued

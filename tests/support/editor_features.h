@@ -7,7 +7,7 @@ namespace kerf::test {
 
 // All features of the editor without a window.
 struct EditorFeatures {
-  EditorFeatures() { catalogue.gather(features, workspace.panels); }
+  EditorFeatures() { catalogue.gather(features, workspace.services.panels); }
 
   Workspace workspace;
   Catalogue catalogue;

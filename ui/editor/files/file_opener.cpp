@@ -54,59 +54,60 @@ void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
 }
 
 // Records how much of the open work is saved, and where.
-void record_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::vector<Light>& lights) {
+void record_what_is_saved(DocumentSession& session, const LoadedFiles& loaded,
+                          const std::vector<Light>& lights) {
   const LoadOrder& order = loaded.order;
   KERF_ASSERT(order.left || !order.files.empty());
-  work.files = order.files;
-  work.file.clear();
+  session.files = order.files;
+  session.file.clear();
   if (order.left) {
-    work.files = order.left->opened;
+    session.files = order.left->opened;
     for (const SceneBody& body : loaded.scene.bodies) {
-      if (order.left->opened.empty()) work.files.push_back(body.mesh);
+      if (order.left->opened.empty()) session.files.push_back(body.mesh);
     }
-    work.file = order.left->work_of;
+    session.file = order.left->work_of;
   } else if (is_journal(order.files.front())) {
-    work.file = order.files.front();
+    session.file = order.files.front();
   }
   const bool saved = !order.left && !loaded.damaged;
-  work.saved_commands = saved ? work.document.journal().size() : OpenWork::kNothing;
-  work.saved_lights = lights;
-  work.saved_head = loaded.scene.others;
+  session.saved_commands = saved ? session.document.journal().size() : DocumentSession::kNothing;
+  session.saved_lights = lights;
+  session.saved_head = loaded.scene.others;
 }
 
 }  // namespace
 
 void show_so_far(Workspace& workspace, CutSoFar so_far) {
-  Renderer& renderer = workspace.picture->first();
-  const bool is_new = !workspace.so_far;
-  workspace.so_far = std::move(so_far.world);
+  Renderer& renderer = workspace.screen.picture->first();
+  const bool is_new = !workspace.opening.partial_world;
+  workspace.opening.partial_world = std::move(so_far.world);
   if (is_new) {
-    const World::Bounds bounds = workspace.so_far->loaded_bounds();
-    renderer.show(*workspace.so_far, so_far.scene.paints, std::move(so_far.prepared));
+    const World::Bounds bounds = workspace.opening.partial_world->loaded_bounds();
+    renderer.show(*workspace.opening.partial_world, so_far.scene.paints, std::move(so_far.prepared));
     dress_as(workspace.view, so_far.scene,
              choose_frame(so_far.scene, false, bounds, workspace.settings).frame);
     go_home(workspace.view, bounds);
     workspace.view.camera.finish();
   } else {
-    renderer.resend(*workspace.so_far, std::move(so_far.prepared));
+    renderer.resend(*workspace.opening.partial_world, std::move(so_far.prepared));
   }
   workspace.view.picture_old = true;
 }
 
 void show_loaded(Workspace& workspace, LoadedFiles loaded) {
-  OpenWork& work = workspace.work;
-  const bool was_shown = workspace.so_far.has_value();
-  workspace.so_far.reset();
-  work.document = std::move(loaded.document);
-  work.as_loaded = std::move(loaded.as_loaded);
-  work.paints = loaded.scene.paints;
-  work.scene = loaded.scene;
+  DocumentSession& session = workspace.session;
+  const bool was_shown = workspace.opening.partial_world.has_value();
+  workspace.opening.partial_world.reset();
+  session.document = std::move(loaded.document);
+  session.as_loaded = std::move(loaded.as_loaded);
+  session.paints = loaded.scene.paints;
+  session.scene = loaded.scene;
   workspace.changes.forget();
-  workspace.replaced();
-  if (work.document.history().last_cut()) workspace.laser.show(work.document.history().last_settings());
-  workspace.picture->first().show(work.document.world(), work.paints, std::move(loaded.prepared));
-  workspace.view.numbers.follow(work.document.world(), true, false, workspace.view.look.pieces);
-  const World::Bounds bounds = work.document.world().loaded_bounds();
+  workspace.links.replaced();
+  if (session.document.history().last_cut()) workspace.laser.show(session.document.history().last_settings());
+  workspace.screen.picture->first().show(session.world(), session.paints, std::move(loaded.prepared));
+  workspace.view.numbers.follow(session.world(), true, false, workspace.view.look.pieces);
+  const World::Bounds bounds = session.world().loaded_bounds();
   const bool is_mesh_file = !loaded.order.left && !loaded.order.files.empty() &&
                             mesh_format(loaded.order.files.front().extension().string()).has_value();
   const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, workspace.settings);
@@ -117,9 +118,9 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
     workspace.view.camera.finish();
   }
   say_what_was_opened(workspace.message, loaded);
-  record_what_is_saved(work, loaded, workspace.view.look.lights);
-  work.marks = std::move(loaded.marks);
-  workspace.view.picture_old = workspace.statistics.world_changed = true;
+  record_what_is_saved(session, loaded, workspace.view.look.lights);
+  session.marks = std::move(loaded.marks);
+  workspace.view.picture_old = workspace.services.statistics.world_changed = true;
 }
 
 namespace {
@@ -140,8 +141,8 @@ Status FileOpener::open_first(std::filesystem::path default_scene,
 // Shows the ground alone, from three-quarter in front.
 void FileOpener::show_empty_stage() {
   stage_is_empty_ = true;
-  workspace_.picture->first().show(workspace_.work.document.world(), {}, {});
-  workspace_.work.saved_lights = workspace_.view.look.lights;
+  workspace_.screen.picture->first().show(workspace_.world(), {}, {});
+  workspace_.session.saved_lights = workspace_.view.look.lights;
   go_home(workspace_.view, {Vec3(-1), Vec3(1)});
   workspace_.view.camera.finish();
 }
@@ -161,15 +162,15 @@ Status FileOpener::open_default_scene() {
 void FileOpener::show(LoadedFiles loaded) {
   stage_is_empty_ = false;
   shadows_due_ = loaded.shadows_later;
-  workspace_.picture->draft(shadows_due_);
+  workspace_.screen.picture->draft(shadows_due_);
   show_loaded(workspace_, std::move(loaded));
   recovery_.drop();
-  recovery_.begin(workspace_.work, workspace_.view);
+  recovery_.begin(workspace_.session, workspace_.view);
 }
 
 void FileOpener::make_shadows() {
-  Renderer& renderer = workspace_.picture->first();
-  if (!shadows_due_ || renderer.is_sending() || !workspace_.picture->shows_draft()) return;
+  Renderer& renderer = workspace_.screen.picture->first();
+  if (!shadows_due_ || renderer.is_sending() || !workspace_.screen.picture->shows_draft()) return;
   if (workspace_.changes.is_pending() || workspace_.cutting()) return;
   shadows_due_ = false;
   const auto casters = std::make_shared<PreparedBodies>();
@@ -184,8 +185,8 @@ void FileOpener::make_shadows() {
     return outcome;
   };
   change.then = [this, casters](const Outcome&) {
-    workspace_.picture->first().take_casters(std::move(*casters));
-    workspace_.picture->draft(false);
+    workspace_.screen.picture->first().take_casters(std::move(*casters));
+    workspace_.screen.picture->draft(false);
     workspace_.view.picture_old = true;
   };
   workspace_.changes.begin(std::move(change));
@@ -193,8 +194,8 @@ void FileOpener::make_shadows() {
 
 void FileOpener::open(std::vector<std::filesystem::path> files) {
   KERF_ASSERT(!files.empty());
-  if (workspace_.so_far) {
-    workspace_.so_far.reset();
+  if (workspace_.opening.partial_world) {
+    workspace_.opening.partial_world.reset();
     show_empty_stage();
   }
   workspace_.opening.loader.start(order_of(std::move(files)), stage_is_empty_);
@@ -224,7 +225,7 @@ void FileOpener::take_loaded() {
   }
   if (!stage_is_empty_ || loader.busy()) return;
   stage_is_empty_ = false;
-  workspace_.so_far.reset();
+  workspace_.opening.partial_world.reset();
   const std::string fault = workspace_.message.text;  // why the file could not be opened
   open_fresh();
   if (!fault.empty()) workspace_.message.say(fault, true);
@@ -240,11 +241,11 @@ void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
                            true);
   }
   if (left) {
-    if (opened && recovery_.follow(workspace_.work, workspace_.view, false, workspace_.message))
+    if (opened && recovery_.follow(workspace_.session, workspace_.view, false, workspace_.message))
       workspace_.opening.left_work.front().file.remove();
     workspace_.opening.left_work.clear();  // the rest is offered at the next start
   } else if (opened) {
-    for (const std::filesystem::path& file : workspace_.work.files)
+    for (const std::filesystem::path& file : workspace_.session.files)
       remember_recent(workspace_.settings, file);
   }
 }

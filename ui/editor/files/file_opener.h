@@ -34,7 +34,7 @@ class FileOpener {
   // Called after take_loaded(): prepares shadow casters of a large scene in the background, after a frame.
   void make_shadows();
   // Returns true if the next frame is needed without input, because shadows are missing.
-  bool moving() const { return shadows_due_ && workspace_.window->draws(); }
+  bool moving() const { return shadows_due_ && workspace_.screen.window->draws(); }
 
  private:
   LoadOrder order_of(std::vector<std::filesystem::path> files) const;

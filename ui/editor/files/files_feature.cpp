@@ -80,13 +80,13 @@ namespace fs = std::filesystem;
 class FilesFeature : public Feature {
  public:
   explicit FilesFeature(Workspace& workspace) : workspace_(workspace) {
-    workspace.open = [this](std::vector<fs::path> files) { open(std::move(files)); };
-    workspace.quit = [this] { quit(); };
+    workspace.links.open = [this](std::vector<fs::path> files) { open(std::move(files)); };
+    workspace.links.quit = [this] { quit(); };
   }
 
   std::vector<PanelPart> panel_parts() override {
     return {{"file", [this] {
-               draw_file_panel(workspace_.world(), workspace_.work.scene, workspace_.view,
+               draw_file_panel(workspace_.world(), workspace_.session.scene, workspace_.view,
                                workspace_.settings);
              }}};
   }
@@ -104,7 +104,8 @@ class FilesFeature : public Feature {
   Status on_start(const EditorOptions& options) override;
   void on_idle() override { recovery_.flush(); }
   void on_exit(bool left_by_user) override {
-    recovery_.follow(workspace_.work, workspace_.view, workspace_.held != nullptr, workspace_.message);
+    recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
+                     workspace_.message);
     if (left_by_user) recovery_.drop();
   }
 
@@ -129,11 +130,11 @@ class FilesFeature : public Feature {
     take_picture(what);
   }
   void add_landmarks(Landmarks& landmarks) const override {
-    if (decisions_.question.open()) landmarks.mark("question", {workspace_.pointer, Vec2(1)});
+    if (decisions_.question.open()) landmarks.mark("question", {workspace_.input.pointer, Vec2(1)});
   }
   void write_session_log(nlohmann::ordered_json& report) const override {
     nlohmann::ordered_json& names = report["files"] = nlohmann::ordered_json::array();
-    for (const fs::path& file : workspace_.work.files) names.push_back(file.filename().string());
+    for (const fs::path& file : workspace_.session.files) names.push_back(file.filename().string());
   }
 
  private:
@@ -187,7 +188,7 @@ std::vector<UserAction> FilesFeature::example_actions() {
     std::vector<UserAction> actions;
     for (const fs::path& scene : example_scenes()) {
       actions.push_back({.name = title_of_scene(scene), .tip = scene.string()});
-      actions.back().run = [this, scene] { workspace_.open({scene}); };
+      actions.back().run = [this, scene] { workspace_.links.open({scene}); };
     }
     return actions;
   };
@@ -231,7 +232,7 @@ std::vector<UserAction> FilesFeature::leave_actions() {
                  .name = "Play Game",
                  .shortcut = "F5",
                  .tip = "Car combat with roof-mounted lasers. The open work stays unchanged.",
-                 .run = [this] { workspace_.leaves = Workspace::Leaves::kForTheGame; }},
+                 .run = [this] { workspace_.links.leaves = Leaves::kForTheGame; }},
       UserAction{.id = "file.quit",
                  .name = "Quit",
                  .shortcut = "Ctrl+Q",
@@ -242,7 +243,7 @@ std::vector<UserAction> FilesFeature::leave_actions() {
 
 UserAction FilesFeature::frame_action(const std::string& name, const FileFrame& frame, const char* tip) {
   return {.name = name, .tip = tip, .run = [this, frame] {
-            set_frame(frame, workspace_.work.scene, workspace_.view, workspace_.settings);
+            set_frame(frame, workspace_.session.scene, workspace_.view, workspace_.settings);
           }};
 }
 
@@ -269,25 +270,25 @@ Status FilesFeature::on_start(const EditorOptions& options) {
   std::vector<std::string> faults;
   workspace_.opening.left_work = find_left_work(state_folder(), faults);
   ask_about_left_work(decisions_, workspace_.opening.left_work);
-  const Status opened = opener_.open_first(options.default_scene, workspace_.not_taken(options.files));
+  const Status opened = opener_.open_first(options.default_scene, workspace_.links.not_taken(options.files));
   if (opened && !faults.empty() && !workspace_.message.is_error)
     workspace_.message.say("Recovery file is damaged: " + faults.front(), true);
   return opened;
 }
 
 void FilesFeature::open(std::vector<fs::path> files) {
-  files = workspace_.not_taken(std::move(files));
+  files = workspace_.links.not_taken(std::move(files));
   if (!files.empty()) leave_for([this, files] { opener_.open(files); });
 }
 
 void FilesFeature::choose_file_to_open() {
-  browse(workspace_.browser,
+  browse(workspace_.services.browser,
          {.title = "Open",
           .verb = "Open",
           .hint = "Filter, or paste a full path",
           .take =
               [this](const fs::path& file) {
-                workspace_.open({file});
+                workspace_.links.open({file});
                 return "";
               }},
          workspace_.settings.folder, "");
@@ -298,25 +299,25 @@ void FilesFeature::choose_file_to_open() {
 
 void FilesFeature::quit() {
   leave_for([this] {
-    workspace_.leaves = Workspace::Leaves::kForGood;
-    workspace_.work.saved_commands = workspace_.work.document.journal().size();
-    workspace_.work.saved_lights = workspace_.view.look.lights;
-    workspace_.work.saved_head = workspace_.work.scene.others;
+    workspace_.links.leaves = Leaves::kForGood;
+    workspace_.session.saved_commands = workspace_.session.document.journal().size();
+    workspace_.session.saved_lights = workspace_.view.look.lights;
+    workspace_.session.saved_head = workspace_.session.scene.others;
   });
 }
 
 // Calls `then`, which closes the open work, once that is saved or may be discarded.
 void FilesFeature::leave_for(std::function<void()> then) {
-  workspace_.changes.ask({.name = "Leave",
-                          .run =
-                              [this, then = std::move(then)] {
-                                if (decisions_.question.open()) return true;
-                                cancel_stroke(workspace_);
-                                if (may_leave(decisions_, workspace_.work, workspace_.view.look.lights, then))
-                                  go(then);
-                                return true;
-                              },
-                          .always = true});
+  workspace_.changes.ask(
+      {.name = "Leave",
+       .run =
+           [this, then = std::move(then)] {
+             if (decisions_.question.open()) return true;
+             cancel_stroke(workspace_);
+             if (may_leave(decisions_, workspace_.session, workspace_.view.look.lights, then)) go(then);
+             return true;
+           },
+       .always = true});
 }
 
 void FilesFeature::go(const std::function<void()>& then) {
@@ -334,10 +335,10 @@ void FilesFeature::decide() {
       go(std::exchange(decisions_.leaving, nullptr));
       break;
     case Decision::kSaveFirst:
-      if (workspace_.work.file.empty()) {
+      if (workspace_.session.file.empty()) {
         choose_file_to_save();
       } else {
-        save_to(workspace_.work.file);
+        save_to(workspace_.session.file);
       }
       break;
     case Decision::kGoOn:
@@ -348,25 +349,26 @@ void FilesFeature::decide() {
 
 void FilesFeature::update(double) {
   decide();
-  const bool asks = decisions_.question.open() || workspace_.browser.open || workspace_.changes.is_asked();
+  const bool asks =
+      decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.is_asked();
   if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
   opener_.take_loaded();
   opener_.make_shadows();
-  recovery_.follow(workspace_.work, workspace_.view, workspace_.held != nullptr, workspace_.message);
-  workspace_.title = window_title(workspace_.work, workspace_.view.look.lights);
+  recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr, workspace_.message);
+  workspace_.screen.title = window_title(workspace_.session, workspace_.view.look.lights);
 }
 
 // Saving
 // --------------------------------------------------------------------------------------------------------
 
 void FilesFeature::save() {
-  if (workspace_.work.file.empty()) return choose_file_to_save();
+  if (workspace_.session.file.empty()) return choose_file_to_save();
   workspace_.changes.ask(
-      {.name = "Save", .run = [this] { return save_to(workspace_.work.file), true; }, .always = true});
+      {.name = "Save", .run = [this] { return save_to(workspace_.session.file), true; }, .always = true});
 }
 
 void FilesFeature::choose_file_to_save() {
-  browse(workspace_.browser,
+  browse(workspace_.services.browser,
          {.title = "Save",
           .verb = "Save",
           .hint = "File name: .kerf keeps everything, .json the scene without the cuts",
@@ -377,14 +379,14 @@ void FilesFeature::choose_file_to_save() {
                     {.name = "Save", .run = [this, file] { return save_to(file), true; }, .always = true});
                 return "";
               }},
-         workspace_.settings.folder, suggested_name(workspace_.work));
+         workspace_.settings.folder, suggested_name(workspace_.session));
 }
 
 void FilesFeature::save_to(const fs::path& file) {
   cancel_stroke(workspace_);
   const bool saved =
-      save_work(workspace_.work, workspace_.view, file, workspace_.settings, workspace_.message);
-  recovery_.begin(workspace_.work, workspace_.view);
+      save_work(workspace_.session, workspace_.view, file, workspace_.settings, workspace_.message);
+  recovery_.begin(workspace_.session, workspace_.view);
   if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
 }
 
@@ -393,7 +395,8 @@ void FilesFeature::save_to(const fs::path& file) {
 
 void FilesFeature::draw_windows() {
   const World::Bounds bounds = workspace_.world().loaded_bounds();
-  draw_frame_question(bounds.max - bounds.min, workspace_.view, workspace_.settings, workspace_.cut_once);
+  draw_frame_question(bounds.max - bounds.min, workspace_.view, workspace_.settings,
+                      workspace_.links.cut_once);
   const FileLoader& loader = workspace_.opening.loader;
   Area picture = workspace_.view.layout.viewport;
   if (workspace_.shown_world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
@@ -404,7 +407,7 @@ void FilesFeature::draw_windows() {
 }
 
 void FilesFeature::take_picture(Captured what) {
-  const Window& window = *workspace_.window;
+  const Window& window = *workspace_.screen.window;
   const Vec2 pixels = window.pixel_size();
   const Area part =
       what == Captured::kWindow ? Area{Vec2(0), pixels} : pixels_of(workspace_.view.layout.viewport, window);

@@ -145,8 +145,8 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, Fi
 }
 
 void HistoryPanel::draw(Workspace& workspace) {
-  draw_list(workspace.changes, workspace.work.document, workspace.view.frame.unit);
-  draw_window(workspace.work.document, workspace.settings);
+  draw_list(workspace.changes, workspace.session.document, workspace.view.frame.unit);
+  draw_window(workspace.session.document, workspace.settings);
 }
 
 class HistoryFeature : public Feature {
@@ -180,7 +180,7 @@ class HistoryFeature : public Feature {
   }
 
  private:
-  const UndoStack& history() const { return workspace_.work.document.history(); }
+  const UndoStack& history() const { return workspace_.session.document.history(); }
   void ask_to_step(bool back) {
     workspace_.changes.ask(back ? "Undo" : "Redo",
                            [this, back] { workspace_.changes.step_through_history(back); });

@@ -24,18 +24,18 @@ std::string by_key(const ViewState& view, const char* id, const std::string& nam
 }  // namespace
 
 TourMoment tour_moment(const Workspace& workspace) {
-  const Document& document = workspace.work.document;
+  const Document& document = workspace.session.document;
   const ShowOptions& show = workspace.view.look.show;
-  return {
-      .position = document.history().position(),
-      .cuts = workspace.cutting(),
-      .eye = workspace.view.seen_first().eye,
-      .clock = document.world().clock(),
-      .plays = workspace.plays,
-      .shows_edges = show.wire,
-      .shows_boxes = show.aabb || show.aabb_hit,
-      .edge = workspace.laser.resolution.edge_fraction * workspace.laser.radius,
-      .saved = !workspace.work.file.empty() && workspace.work.saved_commands == document.journal().size()};
+  return {.position = document.history().position(),
+          .cuts = workspace.cutting(),
+          .eye = workspace.view.seen_first().eye,
+          .clock = document.world().clock(),
+          .plays = workspace.links.plays,
+          .shows_edges = show.wire,
+          .shows_boxes = show.aabb || show.aabb_hit,
+          .edge = workspace.laser.resolution.edge_fraction * workspace.laser.radius,
+          .saved = !workspace.session.file.empty() &&
+                   workspace.session.saved_commands == document.journal().size()};
 }
 
 std::vector<TourStep> first_five_minutes(const ViewState& view) {

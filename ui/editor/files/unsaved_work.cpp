@@ -18,10 +18,10 @@ std::vector<Light> lights_shown(const SceneDescription& scene) {
   return scene.lights.empty() ? std::vector{Light{}} : scene.lights;
 }
 
-Status write_all(OpenWork& work, const ViewState& view, const fs::path& file) {
-  mark_state(work.document, work.marks, true);
-  if (Status hashed = record_hashes(work.scene); !hashed) return hashed;
-  return save_journal(file, scene_now(work, view), work.document.journal(), work.marks);
+Status write_all(DocumentSession& session, const ViewState& view, const fs::path& file) {
+  mark_state(session.document, session.marks, true);
+  if (Status hashed = record_hashes(session.scene); !hashed) return hashed;
+  return save_journal(file, scene_now(session, view), session.document.journal(), session.marks);
 }
 
 // Returns true if a command only lets hot material cool, which need not be recovered.
@@ -50,63 +50,65 @@ bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
 
 }  // namespace
 
-bool is_to_be_kept(const OpenWork& work, const std::vector<Light>& lights) {
-  const std::vector<Command>& journal = work.document.journal();
-  if (work.saved_commands > journal.size() || lights != work.saved_lights) return true;
-  if (work.scene.others != work.saved_head) return true;
-  return !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(work.saved_commands), journal.end(),
+bool is_to_be_kept(const DocumentSession& session, const std::vector<Light>& lights) {
+  const std::vector<Command>& journal = session.document.journal();
+  if (session.saved_commands > journal.size() || lights != session.saved_lights) return true;
+  if (session.scene.others != session.saved_head) return true;
+  return !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(session.saved_commands), journal.end(),
                       only_cools);
 }
 
-bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights) {
-  if (!is_to_be_kept(work, lights)) return false;
-  const bool dressed_as_saved = lights == work.saved_lights && work.scene.others == work.saved_head;
-  const std::vector<Command>& journal = work.document.journal();
-  return !dressed_as_saved || work.saved_commands > journal.size() ||
-         !lasts_as_saved(journal, work.saved_commands);
+bool is_unsaved(const DocumentSession& session, const std::vector<Light>& lights) {
+  if (!is_to_be_kept(session, lights)) return false;
+  const bool dressed_as_saved = lights == session.saved_lights && session.scene.others == session.saved_head;
+  const std::vector<Command>& journal = session.document.journal();
+  return !dressed_as_saved || session.saved_commands > journal.size() ||
+         !lasts_as_saved(journal, session.saved_commands);
 }
 
-std::string name_of_work(const OpenWork& work) {
-  if (!work.file.empty()) return work.file.filename().string();
-  if (work.files.empty()) return "Untitled";
-  std::string name = work.files.front().filename().string();
-  if (work.files.size() > 1) name += " and " + std::to_string(work.files.size() - 1) + " more";
+std::string name_of_work(const DocumentSession& session) {
+  if (!session.file.empty()) return session.file.filename().string();
+  if (session.files.empty()) return "Untitled";
+  std::string name = session.files.front().filename().string();
+  if (session.files.size() > 1) name += " and " + std::to_string(session.files.size() - 1) + " more";
   return name;
 }
 
-std::string window_title(const OpenWork& work, const std::vector<Light>& lights) {
-  return name_of_work(work) + (is_unsaved(work, lights) ? "*" : "") + " - Kerf";
+std::string window_title(const DocumentSession& session, const std::vector<Light>& lights) {
+  return name_of_work(session) + (is_unsaved(session, lights) ? "*" : "") + " - Kerf";
 }
 
-std::string suggested_name(const OpenWork& work) {
-  if (!work.file.empty()) return work.file.filename().string();
-  return (work.files.empty() ? "untitled" : work.files.front().stem().string()) + ".kerf";
+std::string suggested_name(const DocumentSession& session) {
+  if (!session.file.empty()) return session.file.filename().string();
+  return (session.files.empty() ? "untitled" : session.files.front().stem().string()) + ".kerf";
 }
 
-SceneDescription scene_now(const OpenWork& work, const ViewState& view) {
-  SceneDescription scene = work.scene;
+SceneDescription scene_now(const DocumentSession& session, const ViewState& view) {
+  SceneDescription scene = session.scene;
   scene.view = View{view.seen().near().eye, view.camera.pivot()};
   record_frame(scene, view.frame);
   if (view.look.lights != lights_shown(scene)) scene.lights = view.look.lights;
   return scene;
 }
 
-bool save_work(OpenWork& work, const ViewState& view, fs::path file, Settings& settings, Message& message) {
+bool save_work(DocumentSession& session, const ViewState& view, fs::path file, Settings& settings,
+               Message& message) {
   const bool scene_alone = file.extension() == ".json";
   if (!scene_alone && file.extension() != ".kerf") file += ".kerf";
-  const Status saved = scene_alone ? save_scene(file, scene_now(work, view)) : write_all(work, view, file);
+  const Status saved =
+      scene_alone ? save_scene(file, scene_now(session, view)) : write_all(session, view, file);
   if (!saved) {
     message.say(saved.error().message, true);
     return false;
   }
   if (!scene_alone) {
-    work.file = file;
-    work.saved_commands = work.document.journal().size();
+    session.file = file;
+    session.saved_commands = session.document.journal().size();
   }
-  work.saved_lights = view.look.lights;
-  work.saved_head = work.scene.others;
+  session.saved_lights = view.look.lights;
+  session.saved_head = session.scene.others;
   remember_recent(settings, file);
-  const bool cut = is_unsaved(work, view.look.lights);
+  const bool cut = is_unsaved(session, view.look.lights);
   message.say("Saved: " + file.string() + (cut ? ", without the cuts: save as .kerf to keep them" : ""));
   return !cut;
 }
@@ -115,22 +117,22 @@ namespace {
 constexpr std::chrono::seconds kBetweenTries{1};
 }  // namespace
 
-void Recovery::begin(const OpenWork& work, const ViewState& view) {
+void Recovery::begin(const DocumentSession& session, const ViewState& view) {
   lights_ = view.look.lights;
-  head_ = work.scene.others;
-  autosave_.begin(scene_now(work, view), work.file, work.files);
+  head_ = session.scene.others;
+  autosave_.begin(scene_now(session, view), session.file, session.files);
 }
 
-bool Recovery::follow(OpenWork& work, const ViewState& view, bool mouse_moves, Message& message) {
-  if (!is_to_be_kept(work, view.look.lights)) {
+bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mouse_moves, Message& message) {
+  if (!is_to_be_kept(session, view.look.lights)) {
     if (autosave_.keeps()) autosave_.drop();
     return true;
   }
   if (!well_ && Clock::now() < failed_at_ + kBetweenTries) return false;
-  mark_state(work.document, work.marks);
-  const bool changed = view.look.lights != lights_ || work.scene.others != head_;
-  if (!mouse_moves && changed) begin(work, view);
-  const Status kept = autosave_.follow(work.document, work.marks);
+  mark_state(session.document, session.marks);
+  const bool changed = view.look.lights != lights_ || session.scene.others != head_;
+  if (!mouse_moves && changed) begin(session, view);
+  const Status kept = autosave_.follow(session.document, session.marks);
   if (!kept && well_) message.say("Autosave failed: " + kept.error().message, true);
   if (!kept) failed_at_ = Clock::now();
   well_ = kept.ok();
@@ -157,11 +159,11 @@ std::string name_of(const LeftWork& left) {
   return journal.scene.bodies.front().mesh.filename().string();
 }
 
-void ask_what_becomes(Decisions& decisions, const OpenWork& work) {
+void ask_what_becomes(Decisions& decisions, const DocumentSession& session) {
   decisions.about = Decisions::About::kUnsaved;
   Question& q = decisions.question = Question();
   q.title = "Save changes?";
-  q.text = name_of_work(work) + " has unsaved changes.";
+  q.text = name_of_work(session) + " has unsaved changes.";
   q.choices = {{"Save", "Save first (Enter, S).", 'S'},
                {"Discard", "Close without saving (D).", 'D'},
                {"Cancel", "Keep editing (Esc, C).", 'C'}};
@@ -189,12 +191,12 @@ Decision decide_on_left(Decisions& decisions, std::vector<LeftWork>& left_work, 
 
 }  // namespace
 
-bool may_leave(Decisions& decisions, const OpenWork& work, const std::vector<Light>& lights,
+bool may_leave(Decisions& decisions, const DocumentSession& session, const std::vector<Light>& lights,
                const std::function<void()>& then) {
-  if (!is_unsaved(work, lights)) return true;
+  if (!is_unsaved(session, lights)) return true;
   KERF_ASSERT(!decisions.question.open());
   decisions.leaving = then;
-  ask_what_becomes(decisions, work);
+  ask_what_becomes(decisions, session);
   return false;
 }
 

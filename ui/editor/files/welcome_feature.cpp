@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 constexpr double kLongestWait = 2;  // s, maximum wait of a thumbnail for a frame that keeps changing
 
 // Returns the file that the viewport shows, as it was opened; empty if it shows none, or several.
-fs::path file_shown(const OpenWork& work) {
-  if (!work.file.empty()) return work.file;
-  return work.files.size() == 1 ? work.files.front() : fs::path();
+fs::path file_shown(const DocumentSession& session) {
+  if (!session.file.empty()) return session.file;
+  return session.files.size() == 1 ? session.files.front() : fs::path();
 }
 
 // The state of a thumbnail: a file as it was opened or saved.
@@ -45,7 +45,7 @@ class RecentFeature : public Feature {
   void update(double) override {
     if (recent_ == workspace_.settings.recent) return;
     recent_ = workspace_.settings.recent;
-    workspace_.thumbnails.keep_only(recent_);
+    workspace_.services.thumbnails.keep_only(recent_);
   }
 
   void on_captured(Captured what) override {
@@ -67,12 +67,12 @@ std::vector<UserAction> RecentFeature::files() {
   std::vector<UserAction> actions;
   for (const fs::path& file : workspace_.settings.recent) {
     actions.push_back({.name = file.filename().string(), .tip = file.string()});
-    actions.back().run = [this, file] { workspace_.open({file}); };
+    actions.back().run = [this, file] { workspace_.links.open({file}); };
     actions.back().disabled_reason = [file]() -> const char* {
       std::error_code error;
       return fs::exists(file, error) ? nullptr : "This file no longer exists.";
     };
-    actions.back().tip_picture = [this, file] { return workspace_.thumbnails.find(file); };
+    actions.back().tip_picture = [this, file] { return workspace_.services.thumbnails.find(file); };
   }
   if (!actions.empty()) actions.back().ends_group = true;
   actions.push_back({.name = "Clear Recent Files", .tip = "Empties this list; the files stay."});
@@ -85,16 +85,16 @@ std::vector<UserAction> RecentFeature::files() {
 
 // Returns true if the viewport shows a file as it was opened or saved, and is complete.
 bool RecentFeature::is_due() {
-  const KeptState now{file_shown(workspace_.work), workspace_.work.saved_commands};
+  const KeptState now{file_shown(workspace_.session), workspace_.session.saved_commands};
   if (now == taken_ || now.file.empty()) return false;
   if (now != wanted_) {
     wanted_ = now;
-    wanted_at_ = workspace_.clock->seconds();
+    wanted_at_ = workspace_.screen.clock->seconds();
   }
-  if (!workspace_.window->draws() || workspace_.opening.loader.busy() ||
-      workspace_.picture->first().is_sending())
+  if (!workspace_.screen.window->draws() || workspace_.opening.loader.busy() ||
+      workspace_.screen.picture->first().is_sending())
     return false;
-  return !workspace_.picture->busy() || workspace_.clock->seconds() - wanted_at_ > kLongestWait;
+  return !workspace_.screen.picture->busy() || workspace_.screen.clock->seconds() - wanted_at_ > kLongestWait;
 }
 
 // A file that is not recent, such as the default scene, has no thumbnail. Write failures are ignored.
@@ -102,8 +102,9 @@ void RecentFeature::take() {
   taken_ = wanted_;
   const fs::path file = whole_path(taken_.file);
   if (std::ranges::find(recent_, file) == recent_.end()) return;
-  const Area part = pixels_of(workspace_.view.layout.first, *workspace_.window);
-  (void)workspace_.thumbnails.keep(file, window_pixels(workspace_.window->pixel_size(), part));
+  const Area part = pixels_of(workspace_.view.layout.first, *workspace_.screen.window);
+  (void)workspace_.services.thumbnails.keep(file,
+                                            window_pixels(workspace_.screen.window->pixel_size(), part));
 }
 
 }  // namespace
@@ -199,7 +200,7 @@ void WelcomeFeature::draw_windows() {
 void WelcomeFeature::open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
   if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
     shown_ = false;
-    workspace_.open({file});
+    workspace_.links.open({file});
   }
 }
 
@@ -214,7 +215,7 @@ void WelcomeFeature::draw_recent() {
     ImGui::PushID(file.c_str());
     open_by(file, "##recent", {0, 3.5f * em});
     mark_last_item(("welcome " + file.filename().string()).c_str());
-    draw_file_row(file, workspace_.thumbnails.find(file), picture);
+    draw_file_row(file, workspace_.services.thumbnails.find(file), picture);
     tooltip(file.c_str());
     ImGui::PopID();
   }
@@ -260,7 +261,7 @@ void WelcomeFeature::draw_welcome() {
 
 void WelcomeFeature::draw_tour() {
   const char* name = tour_.step().part;
-  std::optional<Area> part = *name != '\0' ? workspace_.landmarks->find(name) : std::nullopt;
+  std::optional<Area> part = *name != '\0' ? workspace_.screen.landmarks->find(name) : std::nullopt;
   const Area& status = workspace_.view.layout.status;
   if (part && part->at.y + part->size.y > status.at.y) part.reset();  // scrolled out of the column
   const TourMoment now = tour_moment(workspace_);

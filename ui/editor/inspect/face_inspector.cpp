@@ -222,13 +222,14 @@ void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string
 // Draws the edges of the face under the pointer, and its facts in a box next to the pointer.
 void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
   const ViewState& view = workspace.view;
-  if (!workspace.points() || view.in_second) return;
-  const Vec2 p = view.in_picture(workspace.pointer);
+  if (!workspace.input.points() || view.in_second) return;
+  const Vec2 p = view.in_picture(workspace.input.pointer);
   const auto seen = pick(workspace.world(), view.look, view.seen().ray(p.x, p.y));
   if (!seen) return;
   const Body& body = workspace.world().body(seen->body);
   draw_edges(view, body, *seen, list);
-  draw_box(view, workspace.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
+  draw_box(view, workspace.input.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit),
+           list);
 }
 
 class InspectFeature : public Feature {
@@ -279,7 +280,7 @@ class InspectFeature : public Feature {
   }
 
  private:
-  bool inspects() const { return workspace_.tool == kInspectTool; }
+  bool inspects() const { return workspace_.input.tool == kInspectTool; }
   void measure();
 
   Workspace& workspace_;

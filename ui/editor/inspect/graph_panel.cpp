@@ -311,9 +311,9 @@ class GraphFeature : public Feature {
 
   std::vector<PanelPart> panel_parts() override {
     return {{kGraphPanel, [this] {
-               const bool seen = workspace_.points() && !workspace_.view.in_second;
-               panel_.draw(graph_, workspace_.work.document, workspace_.view,
-                           seen ? std::optional(workspace_.pointer) : std::nullopt);
+               const bool seen = workspace_.input.points() && !workspace_.view.in_second;
+               panel_.draw(graph_, workspace_.session.document, workspace_.view,
+                           seen ? std::optional(workspace_.input.pointer) : std::nullopt);
              }}};
   }
   std::vector<Gesture> gestures() const override {
@@ -348,14 +348,14 @@ class GraphFeature : public Feature {
 
 void GraphFeature::after_queue(double seconds) {
   ViewState& view = workspace_.view;
-  const Document& document = workspace_.work.document;
-  const bool panel = workspace_.panels.shows(kGraphPanel);
+  const Document& document = workspace_.session.document;
+  const bool panel = workspace_.services.panels.shows(kGraphPanel);
   if (!panel && view.look.lit_face) {
     view.look.lit_face.reset();
     view.picture_old = true;
   }
   if (!panel && !view.look.show.graph) return graph_.play(false);
-  graph_.follow(document, workspace_.holds_back());
+  graph_.follow(document, workspace_.links.holds_back());
   graph_.advance(std::min(seconds, Workspace::kLongestStep));
   if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.queue().in_stroke() &&
       document.waiting() == 0)

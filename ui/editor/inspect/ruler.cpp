@@ -164,7 +164,7 @@ class RulerFeature : public Feature {
   void on_document_opened() override {
     first_.reset();
     renamed_.reset();
-    list_.read(head_entry(workspace_.work.scene, kRulerKey));
+    list_.read(head_entry(workspace_.session.scene, kRulerKey));
   }
 
   bool awaits_focus() const override { return renamed_ && take_focus_; }
@@ -197,9 +197,9 @@ class RulerFeature : public Feature {
     bool edits_ = false;
   };
 
-  bool in_hand() const { return workspace_.tool == kRulerTool; }
-  bool shown() const { return in_hand() || workspace_.panels.shows(kRulerPanel); }
-  void keep() { set_head_entry(workspace_.work.scene, kRulerKey, list_.to_json()); }
+  bool in_hand() const { return workspace_.input.tool == kRulerTool; }
+  bool shown() const { return in_hand() || workspace_.services.panels.shows(kRulerPanel); }
+  void keep() { set_head_entry(workspace_.session.scene, kRulerKey, list_.to_json()); }
   std::optional<EndOfMark> end_under_pointer() const;
   void measure();
   void step(bool back);
@@ -255,7 +255,7 @@ std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
   for (size_t i = 0; i < list_.marks().size(); ++i) {
     for (const bool to : {false, true}) {
       const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);
-      if (place && glm::length(*place - workspace_.pointer) < kReachOfEnd) return EndOfMark{i, to};
+      if (place && glm::length(*place - workspace_.input.pointer) < kReachOfEnd) return EndOfMark{i, to};
     }
   }
   return std::nullopt;
@@ -366,13 +366,13 @@ void RulerFeature::edit_name(size_t mark) {
 }
 
 void RulerFeature::choose_file_to_export() {
-  browse(workspace_.browser,
+  browse(workspace_.services.browser,
          {.title = "Export the distances",
           .verb = "Export",
           .hint = "File name (.csv)",
           .endings = {".csv"},
           .take = [this](const std::filesystem::path& file) { return export_to(file); },
-          .inputs = [this] { return inputs_of(workspace_.work); }},
+          .inputs = [this] { return inputs_of(workspace_.session); }},
          workspace_.settings.folder, "distances.csv");
 }
 

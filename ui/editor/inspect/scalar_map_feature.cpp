@@ -141,16 +141,18 @@ const char* label_of(std::optional<FaceQuantity> quantity) {
 
 class ScalarMapFeature : public Feature {
  public:
-  explicit ScalarMapFeature(Workspace& workspace) : workspace_(workspace) {}
+  ScalarMapFeature(const DocumentSession& session, ViewState& view, Services& services,
+                   const ScreenContext& screen)
+      : session_(session), view_(view), services_(services), screen_(screen) {}
 
   std::vector<PanelPart> panel_parts() override {
     return {{kScalarPanel, [this] { draw(); }}};
   }
   std::vector<UserAction> actions() override;
-  void on_world_changed(const Delta& delta) override { map_.follow(workspace_.world(), delta); }
+  void on_world_changed(const Delta& delta) override { map_.follow(session_.world(), delta); }
   void on_document_opened() override {
     map_.forget();
-    workspace_.view.look.scalar.reset();
+    view_.look.scalar.reset();
   }
   void after_queue(double) override;
   bool needs_redraw() const override { return map_.is_old(); }
@@ -166,7 +168,10 @@ class ScalarMapFeature : public Feature {
   bool draw_end(const char* name, double& end, const char* meaning);
   UserAction action(std::optional<FaceQuantity> quantity);
 
-  Workspace& workspace_;
+  const DocumentSession& session_;
+  ViewState& view_;
+  Services& services_;
+  const ScreenContext& screen_;
   ScalarMap map_;
   NumberFields fields_;
   FileUnit unit_ = FileUnit::kMetre;  // of the labels in the viewport
@@ -175,11 +180,10 @@ class ScalarMapFeature : public Feature {
 
 UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
   const std::string name = std::string("Colour by: ") + label_of(quantity);
-  UserAction action =
-      picture_action(workspace_.view, action_id(quantity), name.c_str(), kTip, [this, quantity] {
-        show(quantity);
-        if (quantity) workspace_.panels.show(kScalarPanel);
-      });
+  UserAction action = picture_action(view_, action_id(quantity), name.c_str(), kTip, [this, quantity] {
+    show(quantity);
+    if (quantity) services_.panels.show(kScalarPanel);
+  });
   action.checked = [this, quantity] { return map_.shown() == quantity; };
   return action;
 }
@@ -192,7 +196,7 @@ std::vector<UserAction> ScalarMapFeature::actions() {
 
 // Switches off the other colourings of faces.
 void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
-  ShowOptions& others = workspace_.view.look.show;
+  ShowOptions& others = view_.look.show;
   if (quantity) others.pieces = others.sizes = others.heat = false;
   map_.show(quantity);
   next_ = 0;
@@ -202,36 +206,34 @@ void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
 // Ends when another colouring of faces is switched on.
 void ScalarMapFeature::after_queue(double) {
   if (!map_.shown()) return;
-  const ShowOptions& others = workspace_.view.look.show;
+  const ShowOptions& others = view_.look.show;
   if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
-  map_.follow_steps(workspace_.world(), workspace_.work.document.waiting() > 0);
-  map_.follow_heat(workspace_.world());
+  map_.follow_steps(session_.world(), session_.document.waiting() > 0);
+  map_.follow_heat(session_.world());
   if (map_.is_old()) update_map();
-  if (unit_ != workspace_.view.frame.unit) hand_over();
+  if (unit_ != view_.frame.unit) hand_over();
 }
 
 void ScalarMapFeature::update_map() {
-  const auto now = [this] { return workspace_.clock != nullptr ? workspace_.clock->seconds() : 0.0; };
+  const auto now = [this] { return screen_.clock != nullptr ? screen_.clock->seconds() : 0.0; };
   const double began = now();
   if (began < next_) return;
-  const bool shown_before = workspace_.view.look.scalar != nullptr,
-             changed_before = workspace_.view.picture_old;
-  map_.update(workspace_.world(), workspace_.picture != nullptr
-                                      ? workspace_.picture->first().loaded_shadings()
-                                      : LoadedShadings());
+  const bool shown_before = view_.look.scalar != nullptr, changed_before = view_.picture_old;
+  map_.update(session_.world(),
+              screen_.picture != nullptr ? screen_.picture->first().loaded_shadings() : LoadedShadings());
   next_ = now() + kRestShare * (now() - began);
   hand_over();
   // Heat alone moves no shape.
   if (shown_before && map_.shown() == FaceQuantity::kTemperature) {
-    workspace_.view.picture_old = changed_before;
-    workspace_.view.heat_old = true;
+    view_.picture_old = changed_before;
+    view_.heat_old = true;
   }
 }
 
 void ScalarMapFeature::hand_over() {
-  unit_ = workspace_.view.frame.unit;
-  workspace_.view.look.scalar = map_.field(unit_);
-  workspace_.view.picture_old = true;
+  unit_ = view_.frame.unit;
+  view_.look.scalar = map_.field(unit_);
+  view_.picture_old = true;
 }
 
 void ScalarMapFeature::draw() {
@@ -280,8 +282,7 @@ bool ScalarMapFeature::draw_end(const char* name, double& end, const char* meani
   switch (*map_.shown()) {
     case FaceQuantity::kLongestEdge:
     case FaceQuantity::kRimDistance:
-      return length_field(fields_, name, end, label_unit(map_.range().high, workspace_.view.frame.unit),
-                          meaning);
+      return length_field(fields_, name, end, label_unit(map_.range().high, view_.frame.unit), meaning);
     case FaceQuantity::kMinAngle:
       return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
     case FaceQuantity::kTemperature:
@@ -306,7 +307,8 @@ void ScalarMapFeature::write_session_log(nlohmann::ordered_json& report) const {
 }  // namespace
 
 std::unique_ptr<Feature> scalar_map_feature(Workspace& workspace) {
-  return std::make_unique<ScalarMapFeature>(workspace);
+  return std::make_unique<ScalarMapFeature>(workspace.session, workspace.view, workspace.services,
+                                            workspace.screen);
 }
 
 }  // namespace kerf

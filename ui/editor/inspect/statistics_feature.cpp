@@ -104,20 +104,19 @@ void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown)
 
 class StatisticsFeature : public Feature {
  public:
-  explicit StatisticsFeature(Workspace& workspace) : workspace_(workspace) {}
+  explicit StatisticsFeature(Statistics& statistics) : statistics_(statistics) {}
   std::vector<PanelPart> panel_parts() override {
-    return {{"statistics",
-             [this] { draw_statistics_panel(workspace_.statistics.chart, workspace_.statistics.shown); }}};
+    return {{"statistics", [this] { draw_statistics_panel(statistics_.chart, statistics_.shown); }}};
   }
 
  private:
-  Workspace& workspace_;
+  Statistics& statistics_;
 };
 
 }  // namespace
 
 std::unique_ptr<Feature> statistics_feature(Workspace& workspace) {
-  return std::make_unique<StatisticsFeature>(workspace);
+  return std::make_unique<StatisticsFeature>(workspace.services.statistics);
 }
 
 }  // namespace kerf

@@ -109,23 +109,21 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
   end_properties();
 }
 
-UserAction level_action(Workspace& workspace, const char* id, const char* name, int by) {
-  UserAction action = picture_action(
-      workspace.view, id, name, "Levels of the tree under its root that are drawn.", [&workspace, by] {
-        const int all = std::max(1, workspace.statistics.shown.tree_depth.value_or(1));
-        int& deepest = workspace.view.look.tree.deepest;
-        deepest = std::max(0, std::min(deepest, all) + by);
-      });
-  action.disabled_reason = [&workspace] {
-    return workspace.view.look.show.aabb ? nullptr : "The boxes are not shown.";
-  };
+UserAction level_action(ViewState& view, const ShownStatistics& shown, const char* id, const char* name,
+                        int by) {
+  UserAction action = picture_action(view, id, name, "Levels of the tree under its root that are drawn.",
+                                     [&view, &shown, by] {
+                                       const int all = std::max(1, shown.tree_depth.value_or(1));
+                                       int& deepest = view.look.tree.deepest;
+                                       deepest = std::max(0, std::min(deepest, all) + by);
+                                     });
+  action.disabled_reason = [&view] { return view.look.show.aabb ? nullptr : "The boxes are not shown."; };
   return action;
 }
 
-UserAction palette_action(Workspace& workspace) {
-  BoxPalette& palette = workspace.settings.palette;
+UserAction palette_action(ViewState& view, BoxPalette& palette) {
   UserAction action = picture_action(
-      workspace.view, "tree.colours", "Orange and Blue Nodes",
+      view, "tree.colours", "Orange and Blue Nodes",
       "Colours that can be told apart by the colour-blind, in place of red and green.", [&palette] {
         palette = palette == BoxPalette::kRedAndGreen ? BoxPalette::kOrangeAndBlue : BoxPalette::kRedAndGreen;
       });
@@ -135,39 +133,42 @@ UserAction palette_action(Workspace& workspace) {
 
 class TreeFeature : public Feature {
  public:
-  explicit TreeFeature(Workspace& workspace) : workspace_(workspace) {}
+  TreeFeature(const DocumentSession& session, ViewState& view, Settings& settings, Services& services)
+      : session_(session), view_(view), settings_(settings), services_(services) {}
 
   std::vector<PanelPart> panel_parts() override {
-    return {{"tree.boxes", [this] {
-               draw_tree_panel(workspace_.view, workspace_.world(), workspace_.settings,
-                               workspace_.statistics.shown);
-             }}};
+    return {{"tree.boxes",
+             [this] { draw_tree_panel(view_, session_.world(), settings_, services_.statistics.shown); }}};
   }
   std::vector<UserAction> actions() override {
-    TreeOverlay& tree = workspace_.view.look.tree;
-    return {flag_action(workspace_.view, "tree.leaves_only", "Leaf Nodes Only", tree.leaves_only,
+    TreeOverlay& tree = view_.look.tree;
+    return {flag_action(view_, "tree.leaves_only", "Leaf Nodes Only", tree.leaves_only,
                         "Only the boxes that hold one face."),
-            flag_action(workspace_.view, "tree.hit_only", "Hit Nodes Only", tree.hit_only,
+            flag_action(view_, "tree.hit_only", "Hit Nodes Only", tree.hit_only,
                         "Only the boxes in which the beam is or was."),
-            level_action(workspace_, "tree.level_more", "Show One More Level", 1),
-            level_action(workspace_, "tree.level_less", "Show One Less Level", -1),
-            palette_action(workspace_)};
+            level_action(view_, services_.statistics.shown, "tree.level_more", "Show One More Level", 1),
+            level_action(view_, services_.statistics.shown, "tree.level_less", "Show One Less Level", -1),
+            palette_action(view_, settings_.palette)};
   }
-  void update(double) override { workspace_.statistics.depth_wanted = workspace_.panels.shows("tree"); }
+  void update(double) override { services_.statistics.depth_wanted = services_.panels.shows("tree"); }
   void on_world_changed(const Delta&) override {
-    std::optional<BodyId>& body = workspace_.view.look.tree.body;
-    if (body && !workspace_.world().contains(*body)) body.reset();
+    std::optional<BodyId>& body = view_.look.tree.body;
+    if (body && !session_.world().contains(*body)) body.reset();
   }
-  void on_document_opened() override { workspace_.view.look.tree.body.reset(); }
+  void on_document_opened() override { view_.look.tree.body.reset(); }
 
  private:
-  Workspace& workspace_;
+  const DocumentSession& session_;
+  ViewState& view_;
+  Settings& settings_;
+  Services& services_;
 };
 
 }  // namespace
 
 std::unique_ptr<Feature> tree_feature(Workspace& workspace) {
-  return std::make_unique<TreeFeature>(workspace);
+  return std::make_unique<TreeFeature>(workspace.session, workspace.view, workspace.settings,
+                                       workspace.services);
 }
 
 }  // namespace kerf

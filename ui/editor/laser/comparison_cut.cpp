@@ -93,7 +93,7 @@ void draw_half_label(const Area& half, const std::string& what, const std::strin
 class SplitFeature : public Feature {
  public:
   explicit SplitFeature(Workspace& workspace) : workspace_(workspace) {
-    workspace.time_holds.push_back(
+    workspace.links.time_holds.push_back(
         [this] { return shown_ ? "Bodies do not move in the split view." : nullptr; });
   }
 
@@ -127,7 +127,7 @@ class SplitFeature : public Feature {
   }
   void begin_anew() {
     twin_.forget();
-    workspace_.second = shown_ ? &twin_.world() : nullptr;
+    workspace_.view.second_world = shown_ ? &twin_.world() : nullptr;
   }
   void draw_rows();
   bool cut(Renderer& renderer);
@@ -139,27 +139,27 @@ class SplitFeature : public Feature {
 };
 
 void SplitFeature::after_queue(double) {
-  workspace_.statistics.shown.twin_faces = twin_.world().live_faces();
+  workspace_.services.statistics.shown.twin_faces = twin_.world().live_faces();
   if (!shown_) return;
-  const Result<Renderer*> half = workspace_.picture->second();
+  const Result<Renderer*> half = workspace_.screen.picture->second();
   if (!half) {
     show(false);
     return workspace_.message.say(half.error().message, true);
   }
-  const double began = workspace_.clock->seconds();
+  const double began = workspace_.screen.clock->seconds();
   const bool anything = cut(**half);
-  workspace_.second = &twin_.world();
+  workspace_.view.second_world = &twin_.world();
   if (!anything) return;
-  workspace_.cut_seconds += workspace_.clock->seconds() - began;
-  workspace_.view.picture_old = workspace_.statistics.world_changed = true;
+  workspace_.screen.cut_seconds += workspace_.screen.clock->seconds() - began;
+  workspace_.view.picture_old = workspace_.services.statistics.world_changed = true;
 }
 
 // Returns true if anything was queued, or if the world was replaced.
 bool SplitFeature::cut(Renderer& renderer) {
-  const bool anew = twin_.follow(workspace_.work.document, resolution_);
+  const bool anew = twin_.follow(workspace_.session.document, resolution_);
   if (anew) workspace_.changes.show_world(twin_.world(), renderer);
   const bool waited = twin_.waiting() > 0;
-  while (twin_.waiting() > 0 && workspace_.clock->seconds() < workspace_.cut_until) {
+  while (twin_.waiting() > 0 && workspace_.screen.clock->seconds() < workspace_.screen.cut_until) {
     const Result<StepResult> step = twin_.step(kMovesOfTwin);
     if (!step) {
       renderer.resend(twin_.world());
@@ -186,7 +186,7 @@ void SplitFeature::draw_rows() {
     ImGui::Dummy({1, ImGui::GetFrameHeight()});
     if (resolution_rows(resolution_, {workspace_.laser.radius, workspace_.view.frame.unit}))
       workspace_.view.picture_old = true;
-    figure_row("Faces", grouped(workspace_.statistics.shown.twin_faces),
+    figure_row("Faces", grouped(workspace_.services.statistics.shown.twin_faces),
                "Faces of all bodies in the right view.");
   }
   end_properties();
@@ -195,7 +195,7 @@ void SplitFeature::draw_rows() {
 void SplitFeature::draw_overlay(ImDrawList& list) {
   const Layout& l = workspace_.view.layout;
   if (!l.split()) return;
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   const bool cut = document.history().totals().strokes > 0;
   const double radius = workspace_.laser.radius;
   const FileUnit unit = workspace_.view.frame.unit;
@@ -203,9 +203,9 @@ void SplitFeature::draw_overlay(ImDrawList& list) {
       l.first,
       resolution_text(
           cut ? document.history().last_settings().resolution : workspace_.laser.resolution.of(radius), unit),
-      count_text(workspace_.statistics.shown.faces, "face"), list);
+      count_text(workspace_.services.statistics.shown.faces, "face"), list);
   draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
-                  twin_.there() ? count_text(workspace_.statistics.shown.twin_faces, "face")
+                  twin_.there() ? count_text(workspace_.services.statistics.shown.twin_faces, "face")
                                 : "Too large to compare (more than 400 000 faces)",
                   list);
   const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);

@@ -64,14 +64,14 @@ constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 class DrawnStroke : public Interaction {
  public:
   DrawnStroke(Workspace& workspace, double heard) : workspace_(workspace) {
-    workspace.beam.press(workspace.work.document, workspace.view.seen(),
-                         workspace.view.in_picture(workspace.pointer), workspace.laser, heard);
+    workspace.beam.press(workspace.session.document, workspace.view.seen(),
+                         workspace.view.in_picture(workspace.input.pointer), workspace.laser, heard);
   }
 
   void move(const InputEvent& event) override {
-    workspace_.beam.move(workspace_.work.document, workspace_.view.seen(),
-                         workspace_.view.in_picture(workspace_.pointer), 2 / workspace_.view.pane().size.y,
-                         event.seconds);
+    workspace_.beam.move(workspace_.session.document, workspace_.view.seen(),
+                         workspace_.view.in_picture(workspace_.input.pointer),
+                         2 / workspace_.view.pane().size.y, event.seconds);
   }
   void release(const InputEvent& event) override {
     if (event.button == GLFW_MOUSE_BUTTON_LEFT) cancel_stroke(workspace_);
@@ -131,15 +131,15 @@ class LaserFeature : public Feature {
     return cancel_stroke(workspace_) || at_work;
   }
   const char* status_hint() const override {
-    return workspace_.cut_once ? "Laser: drag to cut, Ctrl+click to select"
-                               : "Laser: drag to cut, F1 for all shortcuts";
+    return workspace_.links.cut_once ? "Laser: drag to cut, Ctrl+click to select"
+                                     : "Laser: drag to cut, F1 for all shortcuts";
   }
 
   void update(double) override {
     if (workspace_.beam.cutting()) workspace_.view.picture_old = true;
     if (workspace_.changes.is_pending()) return;
-    workspace_.beam.follow_time(workspace_.work.document, workspace_.plays);
-    workspace_.beam.go_on(workspace_.work.document, workspace_.clock->seconds());
+    workspace_.beam.follow_time(workspace_.session.document, workspace_.links.plays);
+    workspace_.beam.go_on(workspace_.session.document, workspace_.screen.clock->seconds());
   }
   void after_queue(double seconds) override;
   void write_session_log(nlohmann::ordered_json& report) const override {
@@ -150,15 +150,15 @@ class LaserFeature : public Feature {
   }
   void on_document_opened() override {
     workspace_.beam = LaserTool();
-    workspace_.cut_once = false;
+    workspace_.links.cut_once = false;
     workspace_.laser.fit(workspace_.world().loaded_bounds().diagonal());
   }
 
   void draw_overlay(ImDrawList& list) override {
     draw_ring(list);
     waiting_.draw(workspace_.view, list);
-    const bool knows_how = workspace_.cut_once || workspace_.work.document.history().last_cut();
-    if (!workspace_.view.look.stage && !knows_how && workspace_.tool == kLaserTool &&
+    const bool knows_how = workspace_.links.cut_once || workspace_.session.document.history().last_cut();
+    if (!workspace_.view.look.stage && !knows_how && workspace_.input.tool == kLaserTool &&
         !workspace_.opening.loader.busy())
       draw_hint_box(workspace_.world(), workspace_.view, workspace_.view.legends);
   }
@@ -173,7 +173,7 @@ class LaserFeature : public Feature {
   UserAction finer_action(const char* id, const char* name, int steps);
 
   void cut_again_live(bool radius) {
-    if (workspace_.settings.live_recut && why_no_recut(workspace_.work.document) == nullptr)
+    if (workspace_.settings.live_recut && why_no_recut(workspace_.session.document) == nullptr)
       ask_for_recut(radius);
   }
   void ask_for_recut(bool radius);
@@ -195,20 +195,20 @@ std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press)
     workspace_.message.say("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
     return nullptr;
   }
-  stand_together(workspace_);
+  stand_together(workspace_.world(), workspace_.view);
   cancel_stroke(workspace_);
   workspace_.view.camera.finish();
   auto stroke = std::make_unique<DrawnStroke>(workspace_, press.event.seconds);
-  workspace_.cut_once = true;
+  workspace_.links.cut_once = true;
   workspace_.message.say("");
   return stroke;
 }
 
 // A finished stroke can be stopped immediately, one that is being drawn only if its cut lags behind.
 bool LaserFeature::can_stop() const {
-  const BeamQueue& pending = workspace_.work.document.queue().pending();
+  const BeamQueue& pending = workspace_.session.document.queue().pending();
   if (workspace_.beam.cutting()) return progress_.can_stop();
-  return !workspace_.holds_back() && pending.holds_beam() && pending.holds_moves();
+  return !workspace_.links.holds_back() && pending.holds_beam() && pending.holds_moves();
 }
 
 UserAction LaserFeature::recut_action() {
@@ -217,7 +217,7 @@ UserAction LaserFeature::recut_action() {
           .shortcut = "R",
           .tip = "Recuts the last stroke at the current resolution.",
           .run = [this] { ask_for_recut(false); },
-          .disabled_reason = [this] { return why_no_recut(workspace_.work.document); }};
+          .disabled_reason = [this] { return why_no_recut(workspace_.session.document); }};
 }
 
 UserAction LaserFeature::radius_action(const char* id, const char* name, double factor) {
@@ -288,7 +288,7 @@ void LaserFeature::draw_resolution() {
   const bool changed =
       resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
   property("Last Cut");
-  const char* disabled_reason = why_no_recut(workspace_.work.document);
+  const char* disabled_reason = why_no_recut(workspace_.session.document);
   ImGui::BeginDisabled(disabled_reason != nullptr);
   if (ImGui::Button("Recompute", {-1, 0})) ask_for_recut(false);
   ImGui::EndDisabled();
@@ -299,8 +299,8 @@ void LaserFeature::draw_resolution() {
   ImGui::Checkbox("Live Update", &workspace_.settings.live_recut);
   tooltip("Recuts the last stroke while a slider above, or that of the radius, moves.");
   if (changed) cut_again_live(false);
-  figure_row("Faces", grouped(workspace_.statistics.shown.faces), "Current faces of all bodies.");
-  stroke_rows(workspace_.statistics.shown.stroke, workspace_.view.frame.unit);
+  figure_row("Faces", grouped(workspace_.services.statistics.shown.faces), "Current faces of all bodies.");
+  stroke_rows(workspace_.services.statistics.shown.stroke, workspace_.view.frame.unit);
   end_properties();
 }
 
@@ -315,7 +315,7 @@ void LaserFeature::ask_for_recut(bool radius) {
 // Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
 // radius; its other settings stay. Consecutive recuts share one history entry.
 void LaserFeature::recut(bool radius) {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   if (why_no_recut(document) != nullptr) return;
   CutSettings settings = document.history().last_settings();
   if (radius) settings.laser.radius = workspace_.laser.radius;
@@ -328,7 +328,7 @@ void LaserFeature::recut(bool radius) {
   // Queue the time again that had passed after the undone recut.
   if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
   workspace_.changes.change("Cut again", true, apply_all(std::move(commands)));
-  ++workspace_.statistics.recuts;
+  ++workspace_.services.statistics.recuts;
 }
 
 // Ends the current stroke at the beam, and drops the strokes queued after it.
@@ -341,30 +341,30 @@ void LaserFeature::stop_cutting() {
 
 void LaserFeature::after_queue(double seconds) {
   if (!workspace_.changes.is_pending()) {
-    progress_.follow(workspace_.work.document, workspace_.holds_back(), seconds);
-    workspace_.statistics.shown.work = progress_.text();
+    progress_.follow(workspace_.session.document, workspace_.links.holds_back(), seconds);
+    workspace_.services.statistics.shown.work = progress_.text();
   }
   const bool changed = !workspace_.changes.is_pending() &&
-                       waiting_.follow(workspace_.work.document, workspace_.view.frame.unit,
+                       waiting_.follow(workspace_.session.document, workspace_.view.frame.unit,
                                        workspace_.stroke_waits(), seconds);
-  sparks_.advance(std::min(seconds, Workspace::kLongestStep), workspace_.beam, workspace_.work.document,
+  sparks_.advance(std::min(seconds, Workspace::kLongestStep), workspace_.beam, workspace_.session.document,
                   waiting_, changed, workspace_.view);
 }
 
 // Draws a ring with the width of the cut at the pointer.
 void LaserFeature::draw_ring(ImDrawList& list) const {
-  const bool cuts = dynamic_cast<const DrawnStroke*>(workspace_.held.get()) != nullptr;
-  if (!cuts && (!workspace_.points() || workspace_.tool != kLaserTool ||
-                is_on_axes(workspace_.view, workspace_.pointer)))
+  const bool cuts = dynamic_cast<const DrawnStroke*>(workspace_.input.held.get()) != nullptr;
+  if (!cuts && (!workspace_.input.points() || workspace_.input.tool != kLaserTool ||
+                is_on_axes(workspace_.view, workspace_.input.pointer)))
     return;
   const CameraView view = workspace_.view.seen();
-  const Vec2 p = workspace_.view.in_picture(workspace_.pointer);
+  const Vec2 p = workspace_.view.in_picture(workspace_.input.pointer);
   const auto seen_face = pick(workspace_.world(), workspace_.view.look, view.ray(p.x, p.y));
   const double distance = seen_face ? seen_face->length : view.focus;
   const double seen = view.parallel ? view.half_height() : distance * view.tan_half_fov;
   const double pixels = workspace_.laser.radius / seen * 0.5 * workspace_.view.pane().size.y;
   const auto ring = static_cast<float>(std::clamp(pixels, kMinRing, kMaxRing));
-  const ImVec2 at = to_im(workspace_.pointer);
+  const ImVec2 at = to_im(workspace_.input.pointer);
   list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
   list.AddCircle(at, ring + 1.5f, cuts ? colours::accent() : colours::kPictureText, 0, 1.3f);
 }

@@ -154,10 +154,10 @@ void LaserHeatRows::draw_forecast(const Workspace& workspace, const Sheet& sheet
 void LaserHeatRows::draw_strokes(const Workspace& workspace, const StrokeWatch& watch) {
   const FileUnit unit = workspace.view.frame.unit;
   if (watch.now()) return ImGui::TextWrapped("%s", beam_text(*watch.now(), unit).c_str());
-  const auto& stroke = workspace.statistics.shown.stroke;
+  const auto& stroke = workspace.services.statistics.shown.stroke;
   const std::string depth = stroke ? depth_text(stroke->statistics) : "";
   if (depth.empty()) return;
-  const StrokeWatch::Crossing* crossing = watch.last(workspace.work.document);
+  const StrokeWatch::Crossing* crossing = watch.last(workspace.session.document);
   const std::string remedy = crossing ? remedy_text(*crossing, unit) : "";
   ImGui::TextWrapped("%s", (remedy.empty() ? depth : depth + ". " + remedy).c_str());
 }
@@ -391,12 +391,12 @@ class MaterialFeature : public Feature {
     return {{"laser.heat", [this] { draw_heat(); }}, {"material", [this] { draw_material(); }}};
   }
   void update(double seconds) override {
-    pointer_.follow(workspace_.pointer, seconds);
-    aim_ = thermal() && workspace_.points() ? aim_of(workspace_, pointer_) : std::nullopt;
+    pointer_.follow(workspace_.input.pointer, seconds);
+    aim_ = thermal() && workspace_.input.points() ? aim_of(workspace_, pointer_) : std::nullopt;
   }
   void after_queue(double) override {
     if (!workspace_.changes.is_pending())
-      watch_.follow(workspace_.work.document, workspace_.beam.picture(workspace_.work.document));
+      watch_.follow(workspace_.session.document, workspace_.beam.picture(workspace_.session.document));
   }
   bool needs_redraw() const override { return aim_ && aim_->speed > 0; }
   void on_document_opened() override { watch_ = StrokeWatch(); }
@@ -443,7 +443,7 @@ void MaterialFeature::draw_overlay(ImDrawList& list) {
   if (!watch_.now() || !workspace_.beam.cutting()) return;
   const bool through = watch_.now()->through;
   const float size = ImGui::GetFontSize();
-  const ImVec2 at = to_im(workspace_.pointer + Vec2(1.2 * size, 0.8 * size));
+  const ImVec2 at = to_im(workspace_.input.pointer + Vec2(1.2 * size, 0.8 * size));
   const char* text = through ? "through" : "not through";
   const ImVec2 extent = ImGui::CalcTextSize(text);
   const float margin = 0.25f * size;
@@ -462,7 +462,8 @@ void MaterialFeature::change_all(const char* name, const CommandFor& command) {
     if (!row.part && (all || chosen)) pieces.push_back(row.id);
   }
   cancel_stroke(workspace_);
-  workspace_.changes.change(name, is_small(workspace_.work.document), edit_all(std::move(pieces), command));
+  workspace_.changes.change(name, is_small(workspace_.session.document),
+                            edit_all(std::move(pieces), command));
 }
 
 }  // namespace

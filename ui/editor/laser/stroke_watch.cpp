@@ -40,7 +40,7 @@ void PointerSpeed::follow(const Vec2& pointer, double seconds) {
 
 std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed& pointer) {
   const CameraView view = workspace.view.seen();
-  const Vec2 p = workspace.view.in_picture(workspace.pointer);
+  const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
   const std::optional<MetSheet> met = met_sheet(workspace.world(), workspace.view.look, view.ray(p.x, p.y));
   if (!met) return std::nullopt;
   const double half_height = view.parallel ? view.half_height() : met->length * view.tan_half_fov;

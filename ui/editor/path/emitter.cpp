@@ -192,11 +192,11 @@ class EmitterFeature : public Feature {
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   bool cancel() override { return std::exchange(emitter_.firing, false); }
   void update(double) override {
-    if (workspace_.held == nullptr) keep();
-    if (!workspace_.changes.is_pending()) follow_switch(workspace_.clock->seconds());
+    if (workspace_.input.held == nullptr) keep();
+    if (!workspace_.changes.is_pending()) follow_switch(workspace_.screen.clock->seconds());
   }
   void on_document_opened() override {
-    emitter_ = emitter_of_entry(head_entry(workspace_.work.scene, kEmitterKey));
+    emitter_ = emitter_of_entry(head_entry(workspace_.session.scene, kEmitterKey));
     kept_ = emitter_entry(emitter_);
   }
   bool needs_redraw() const override { return emitter_.firing && emitter_.in_shots; }
@@ -226,9 +226,9 @@ class EmitterFeature : public Feature {
 
 std::unique_ptr<Interaction> EmitterFeature::begin_interaction(const Press&) {
   const auto handle =
-      handle_under(emitter_handles(emitter_, FirstPicture(workspace_.view)), workspace_.pointer);
+      handle_under(emitter_handles(emitter_, FirstPicture(workspace_.view)), workspace_.input.pointer);
   if (!handle || workspace_.view.in_second) return nullptr;
-  emitter_.take(handle->part, workspace_.pointer);
+  emitter_.take(handle->part, workspace_.input.pointer);
   return std::make_unique<PlainDrag>("Moving the emitter",
                                      [this](const InputEvent& event) { drag(event.seconds); });
 }
@@ -236,14 +236,14 @@ std::unique_ptr<Interaction> EmitterFeature::begin_interaction(const Press&) {
 void EmitterFeature::keep() {
   nlohmann::json entry = emitter_entry(emitter_);
   if (entry == kept_) return;
-  set_head_entry(workspace_.work.scene, kEmitterKey, entry);
+  set_head_entry(workspace_.session.scene, kEmitterKey, entry);
   kept_ = std::move(entry);
 }
 
 // Moves or aims the emitter. If it fires, its beam follows each move of the pointer.
 void EmitterFeature::drag(double now) {
-  emitter_.drag(FirstPicture(workspace_.view), workspace_.pointer, point_under_pointer(workspace_));
-  if (emitter_.drawing) workspace_.beam.carry_to(workspace_.work.document, emitter_.pose(), now);
+  emitter_.drag(FirstPicture(workspace_.view), workspace_.input.pointer, point_under_pointer(workspace_));
+  if (emitter_.drawing) workspace_.beam.carry_to(workspace_.session.document, emitter_.pose(), now);
 }
 
 std::vector<UserAction> EmitterFeature::emitter_actions() {
@@ -325,7 +325,7 @@ void EmitterFeature::place() {
 void EmitterFeature::follow_switch(double now) {
   LaserTool& beam = workspace_.beam;
   const bool ended_elsewhere =
-      (emitter_.drawing && !beam.cutting()) || (workspace_.held && workspace_.held->cuts());
+      (emitter_.drawing && !beam.cutting()) || (workspace_.input.held && workspace_.input.held->cuts());
   if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;
   if (workspace_.opening.loader.busy()) emitter_.firing = false;
   if (emitter_.in_shots && !emitter_.drawing) return fire_shots(now);
@@ -333,7 +333,7 @@ void EmitterFeature::follow_switch(double now) {
   if (on && !emitter_.drawing) {
     begin_fire(now);
   } else if (on) {
-    beam.carry_to(workspace_.work.document, emitter_.pose(), now);
+    beam.carry_to(workspace_.session.document, emitter_.pose(), now);
   } else if (emitter_.drawing) {
     cancel_stroke(workspace_);
   }
@@ -342,34 +342,34 @@ void EmitterFeature::follow_switch(double now) {
 
 void EmitterFeature::begin_fire(double now) {
   cancel_stroke(workspace_);
-  stand_together(workspace_);
+  stand_together(workspace_.world(), workspace_.view);
   KERF_ASSERT(emitter_.placed());
-  workspace_.beam.fire(workspace_.work.document, emitter_.pose(), emitter_.distance(),
+  workspace_.beam.fire(workspace_.session.document, emitter_.pose(), emitter_.distance(),
                        workspace_.laser.settings(workspace_.world().bounds().diagonal()), now);
-  workspace_.cut_once = true;
+  workspace_.links.cut_once = true;
 }
 
 // A shot waits until the last one is cut. A shot that hits nothing would be an empty history entry.
 void EmitterFeature::fire_shots(double now) {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   if (!emitter_.firing) return emitter_.pace.begin();
   if (workspace_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
   emitter_.pace.take(now);
   const Laser laser = workspace_.laser.settings(workspace_.world().bounds().diagonal()).laser;
   if (!meets_anything(workspace_.world(), laser, emitter_.pose())) return;
   begin_fire(now);
-  workspace_.beam.release(workspace_.work.document);
+  workspace_.beam.release(workspace_.session.document);
 }
 
 void EmitterFeature::draw_overlay(ImDrawList& list) {
   const Area& first = workspace_.view.layout.first;
   list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
-  draw_emitter(emitter_, FirstPicture(workspace_.view), workspace_.pointer_over_picture(), list);
+  draw_emitter(emitter_, FirstPicture(workspace_.view), workspace_.input.pointer_in_viewport(), list);
   list.PopClipRect();
   if (!emitter_.firing) return;
-  workspace_.badges.draw(workspace_.view, Badges::Sign::kMode,
-                         with_shortcut(workspace_.view, "The emitter fires.", "emitter.fire"),
-                         "emitter badge");
+  workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode,
+                                  with_shortcut(workspace_.view, "The emitter fires.", "emitter.fire"),
+                                  "emitter badge");
 }
 
 void EmitterFeature::write_session_log(nlohmann::ordered_json& report) const {

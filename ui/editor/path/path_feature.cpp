@@ -30,11 +30,11 @@ class DragOfPoint : public Interaction {
 
   // Returns the reason if nothing happened, else an empty text.
   std::string press(bool new_stroke) {
-    return tool_.press(path_, workspace_.world(), workspace_.view, workspace_.pointer, new_stroke,
+    return tool_.press(path_, workspace_.world(), workspace_.view, workspace_.input.pointer, new_stroke,
                        PathTool::beam_for(workspace_.world(), workspace_.laser.radius));
   }
   void move(const InputEvent&) override {
-    tool_.move(path_, workspace_.world(), workspace_.view, workspace_.pointer);
+    tool_.move(path_, workspace_.world(), workspace_.view, workspace_.input.pointer);
   }
   const char* words() const override { return "Path: drag the point over the surface"; }
 
@@ -47,7 +47,8 @@ class DragOfPoint : public Interaction {
 class PathFeature : public Feature {
  public:
   explicit PathFeature(Workspace& workspace) : workspace_(workspace) {
-    workspace.file_takers.push_back([this](const std::filesystem::path& file) { return take_file(file); });
+    workspace.links.file_takers.push_back(
+        [this](const std::filesystem::path& file) { return take_file(file); });
   }
 
   std::vector<PanelPart> panel_parts() override {
@@ -69,7 +70,7 @@ class PathFeature : public Feature {
 
   void update(double) override {
     load_waiting();
-    if (workspace_.held == nullptr) keep();
+    if (workspace_.input.held == nullptr) keep();
     workspace_.laser.planned_speed = path_.speed();
   }
 
@@ -80,8 +81,8 @@ class PathFeature : public Feature {
   void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  bool in_hand() const { return workspace_.tool == kPathTool; }
-  bool shows_path() const { return in_hand() || workspace_.panels.shows(kPathPanel); }
+  bool in_hand() const { return workspace_.input.tool == kPathTool; }
+  bool shows_path() const { return in_hand() || workspace_.services.panels.shows(kPathPanel); }
   const char* why_no_run() const;
   UserAction take_tool_action();
   std::vector<UserAction> path_actions();
@@ -116,7 +117,7 @@ std::unique_ptr<Interaction> PathFeature::begin_interaction(const Press& press) 
     workspace_.message.say("Edit the path in the left half.", true);
     return drag;
   }
-  stand_together(workspace_);
+  stand_together(workspace_.world(), workspace_.view);
   workspace_.message.say("");
   const std::string why = drag->press(press.shift);
   if (!why.empty()) workspace_.message.say(why, true);
@@ -138,7 +139,7 @@ UserAction PathFeature::take_tool_action() {
 std::vector<UserAction> PathFeature::path_actions() {
   // The undo and redo keys act on the path while its tool is active, until the path is run.
   const auto takes_undo = [this] {
-    return in_hand() && path_.is_newer_than(workspace_.work.document.history().position());
+    return in_hand() && path_.is_newer_than(workspace_.session.document.history().position());
   };
   const auto why_empty = [this] { return path_.empty() ? kNoPoints : nullptr; };
   return {
@@ -224,15 +225,15 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   path_.begin_edit();
   path_.load(std::move(*strokes), workspace_.world());
   path_.record_file(file);
-  workspace_.tool = kPathTool;
-  workspace_.panels.show(kPathPanel);
+  workspace_.input.tool = kPathTool;
+  workspace_.services.panels.show(kPathPanel);
   workspace_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") +
                          ", " + count_text(path_.points(), "point"));
   return "";
 }
 
 void PathFeature::choose_file_to_load() {
-  browse(workspace_.browser,
+  browse(workspace_.services.browser,
          {.title = "Load Path",
           .verb = "Load",
           .hint = "Filter, or paste a full path",
@@ -243,7 +244,7 @@ void PathFeature::choose_file_to_load() {
 
 void PathFeature::choose_file_to_save() {
   const std::string name = path_.file().filename().string();
-  browse(workspace_.browser,
+  browse(workspace_.services.browser,
          {.title = "Save Path",
           .verb = "Save",
           .hint = "File name (.json)",
@@ -254,7 +255,7 @@ void PathFeature::choose_file_to_save() {
                 save(file);
                 return "";
               },
-          .inputs = [this] { return inputs_of(workspace_.work); }},
+          .inputs = [this] { return inputs_of(workspace_.session); }},
          workspace_.settings.folder, name.empty() ? "path.json" : name);
 }
 
@@ -270,11 +271,11 @@ void PathFeature::save(const std::filesystem::path& file) {
 void PathFeature::keep() {
   if (kept_ == path_.changes()) return;
   kept_ = path_.changes();
-  set_head_entry(workspace_.work.scene, kPathKey, path_entry(path_));
+  set_head_entry(workspace_.session.scene, kPathKey, path_entry(path_));
 }
 
 void PathFeature::on_document_opened() {
-  path_ = path_of_entry(head_entry(workspace_.work.scene, kPathKey), workspace_.world());
+  path_ = path_of_entry(head_entry(workspace_.session.scene, kPathKey), workspace_.world());
   kept_ = path_.changes();
 }
 
@@ -289,7 +290,7 @@ void PathFeature::ask_for_run() {
 void PathFeature::run() {
   if (const auto why = why_no_cut(path_.strokes())) return workspace_.message.say(*why, true);
   cancel_stroke(workspace_);
-  path_.record_run(workspace_.work.document.history().position());
+  path_.record_run(workspace_.session.document.history().position());
   std::function<Resolution(double)> resolution;
   if (at_panel_resolution_)
     resolution = [controls = workspace_.laser.resolution](double radius) { return controls.of(radius); };
@@ -301,7 +302,7 @@ void PathFeature::run() {
     return outcome;
   };
   workspace_.changes.change("Cutting the path", false, cut, "Path cut.");
-  workspace_.cut_once = true;
+  workspace_.links.cut_once = true;
 }
 
 // Report

@@ -184,7 +184,7 @@ Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
 // Returns the name of the selected piece, or with "*" for several.
 std::string PieceExport::suggested_name() const {
   const PieceMap& looks = workspace_.view.look.pieces;
-  const std::string ending = "." + std::string(format_row(workspace_.browser.format).ending);
+  const std::string ending = "." + std::string(format_row(workspace_.services.browser.format).ending);
   if (chosen_pieces(looks) != 1) return "*" + ending;
   for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
     if (row.id == first_chosen(looks)) return file_name_of(row.name) + ending;
@@ -193,7 +193,7 @@ std::string PieceExport::suggested_name() const {
 }
 
 void PieceExport::choose_file() {
-  browse(workspace_.browser,
+  browse(workspace_.services.browser,
          {.title = "Export Selected",
           .verb = "Export",
           .hint = "File name; * stands for the name of each piece",
@@ -208,13 +208,13 @@ void PieceExport::choose_file() {
                 }
                 return files;
               },
-          .inputs = [this] { return inputs_of(workspace_.work); }},
+          .inputs = [this] { return inputs_of(workspace_.session); }},
          workspace_.settings.folder, suggested_name());
 }
 
 std::string PieceExport::export_to(const std::filesystem::path& file) {
   const auto written =
-      export_chosen(workspace_.world(), workspace_.view.look.pieces, workspace_.work.paints, file);
+      export_chosen(workspace_.world(), workspace_.view.look.pieces, workspace_.session.paints, file);
   if (!written) return written.error().message;
   const std::string first = written->files.front().mesh.string();
   const std::string done = written->files.size() == 1 ? "Exported " + first

@@ -215,7 +215,7 @@ class MovingFeature : public Feature {
 
   void draw_overlay(ImDrawList& list) override {
     if (workspace_.cutting()) return;
-    draw_piece_handles(workspace_.view, pivot(), moving_.now(), workspace_.pointer_over_picture(), list);
+    draw_piece_handles(workspace_.view, pivot(), moving_.now(), workspace_.input.pointer_in_viewport(), list);
     const std::optional<MoveSnap> snap = moving_.moves() ? moving_.move().snap() : std::nullopt;
     if (snap && snap->vertex) draw_measured_point(workspace_.view, *snap->vertex, list);
   }
@@ -240,7 +240,7 @@ class MovingFeature : public Feature {
   };
 
   std::optional<Vec3> pivot() const {
-    return pivot_shown(workspace_.view, moving_.now(), workspace_.tool == kPickTool, workspace_.world());
+    return pivot_shown(workspace_.view, moving_.now(), workspace_.input.picks(), workspace_.world());
   }
   UserAction move_action(const char* id, const char* name, const char* key, PieceMove::Kind kind);
   UserAction duplicate_action();
@@ -276,7 +276,7 @@ bool MovingFeature::handle_event(const InputEvent& event, bool in_picture) {
     take_key(event.button);
     return true;
   }
-  if (workspace_.held) return false;
+  if (workspace_.input.held) return false;
   if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
   const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
   if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
@@ -299,20 +299,20 @@ void MovingFeature::take_key(int key) {
     case GLFW_KEY_G:
     case GLFW_KEY_R:
       moving_.begin(workspace_.world(), key == GLFW_KEY_G ? PieceMove::Kind::kMove : PieceMove::Kind::kTurn,
-                    workspace_.pointer);
+                    workspace_.input.pointer);
       break;
     default:
       if (!moving_.key(key)) return;
       break;
   }
-  moving_.follow(workspace_.world(), workspace_.pointer, false);
+  moving_.follow(workspace_.world(), workspace_.input.pointer, false);
 }
 
 std::unique_ptr<Interaction> MovingFeature::begin_interaction(const Press& press) {
-  if (!picks(workspace_, press)) return nullptr;
-  const auto handle = handle_under(piece_handles(workspace_.view, pivot()), workspace_.pointer);
+  if (!picks(workspace_.input, press)) return nullptr;
+  const auto handle = handle_under(piece_handles(workspace_.view, pivot()), workspace_.input.pointer);
   if (!handle) return nullptr;
-  moving_.begin(workspace_.world(), handle->kind, workspace_.pointer);
+  moving_.begin(workspace_.world(), handle->kind, workspace_.input.pointer);
   moving_.constrain(handle->axis);
   moves_copy_ = false;
   return std::make_unique<DragOfPiece>(*this);
@@ -331,12 +331,12 @@ UserAction MovingFeature::move_action(const char* id, const char* name, const ch
       .run =
           [this, kind] {
             cancel_stroke(workspace_);
-            moving_.begin(workspace_.world(), kind, workspace_.pointer);
+            moving_.begin(workspace_.world(), kind, workspace_.input.pointer);
             moves_copy_ = false;
           },
       .disabled_reason = [this] { return why_no_move(workspace_.view.look.pieces); },
       .has_key_when =
-          [this] { return workspace_.tool == kPickTool && chosen_pieces(workspace_.view.look.pieces) > 0; }};
+          [this] { return workspace_.input.picks() && chosen_pieces(workspace_.view.look.pieces) > 0; }};
 }
 
 UserAction MovingFeature::duplicate_action() {
@@ -366,7 +366,7 @@ void MovingFeature::grab_copy() {
   for (uint32_t label = 0; label < pieces.size(); ++label) {
     if (pieces[label].faces > 0) workspace_.view.look.pieces[{ids.back(), label}].selected = true;
   }
-  moving_.begin(workspace_.world(), PieceMove::Kind::kMove, workspace_.pointer);
+  moving_.begin(workspace_.world(), PieceMove::Kind::kMove, workspace_.input.pointer);
   moves_copy_ = true;
   workspace_.view.picture_old = true;
 }

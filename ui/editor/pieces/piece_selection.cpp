@@ -135,10 +135,11 @@ namespace {
 
 class PressOnPieces : public Interaction {
  public:
-  explicit PressOnPieces(Workspace& workspace) : workspace_(workspace), pressed_at_(workspace.pointer) {}
+  explicit PressOnPieces(Workspace& workspace)
+      : workspace_(workspace), pressed_at_(workspace.input.pointer) {}
 
   void move(const InputEvent&) override {
-    boxes_ = boxes_ || glm::length(workspace_.pointer - pressed_at_) > kClickReach;
+    boxes_ = boxes_ || glm::length(workspace_.input.pointer - pressed_at_) > kClickReach;
   }
   void release(const InputEvent& event) override {
     const bool add = (event.mods & GLFW_MOD_SHIFT) != 0;
@@ -153,7 +154,7 @@ class PressOnPieces : public Interaction {
     return boxes_ ? "Select pieces inside the box; drag right to left for pieces it touches" : nullptr;
   }
   void draw(ImDrawList& list) const override {
-    if (boxes_) draw_rubber_band({pressed_at_, workspace_.pointer}, list);
+    if (boxes_) draw_rubber_band({pressed_at_, workspace_.input.pointer}, list);
   }
 
  private:
@@ -162,7 +163,7 @@ class PressOnPieces : public Interaction {
     PieceMap& looks = workspace_.view.look.pieces;
     if (!add) choose_none(looks);
     const RubberBand band{workspace_.view.in_picture(pressed_at_),
-                          workspace_.view.in_picture(workspace_.pointer)};
+                          workspace_.view.in_picture(workspace_.input.pointer)};
     for (const PieceId& id :
          pieces_in(band, workspace_.world(), workspace_.view.look, workspace_.view.seen()))
       looks[id].selected = true;
@@ -217,7 +218,7 @@ void Isolation::change() {
   }
   cancel_stroke(workspace_);
   workspace_.changes.change(hide ? "Isolate pieces" : "Show the other pieces",
-                            is_small(workspace_.work.document),
+                            is_small(workspace_.session.document),
                             edit_all(std::move(pieces), [hide](const PieceId& piece) {
                               return HidePiece{piece, hide};
                             }));

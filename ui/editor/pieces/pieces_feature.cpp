@@ -51,7 +51,7 @@ class PiecesFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
-    return picks(workspace_, press) ? press_on_pieces(workspace_) : nullptr;
+    return picks(workspace_.input, press) ? press_on_pieces(workspace_) : nullptr;
   }
   bool clear_selection() override {
     const bool any = chosen_pieces(workspace_.view.look.pieces) > 0;
@@ -60,8 +60,8 @@ class PiecesFeature : public Feature {
     return any;
   }
   const char* status_hint() const override {
-    return workspace_.tool == kPickTool ? "Select: click or drag a box, Shift to add, G to move, R to rotate"
-                                        : nullptr;
+    return workspace_.input.picks() ? "Select: click or drag a box, Shift to add, G to move, R to rotate"
+                                    : nullptr;
   }
 
   bool awaits_focus() const override { return list_.awaits_focus(); }
@@ -284,7 +284,7 @@ void PiecesFeature::ask_to_show() {
 
 void PiecesFeature::rename_chosen() {
   KERF_ASSERT(chosen_pieces(workspace_.view.look.pieces) == 1);
-  workspace_.panels.reveal(kPiecesPanel);
+  workspace_.services.panels.reveal(kPiecesPanel);
   list_.rename(*first_chosen(workspace_.view.look.pieces));
 }
 
@@ -304,7 +304,8 @@ void PiecesFeature::show_hidden() {
   std::vector<Command> commands;
   for (const PieceId& piece : hidden_pieces(workspace_.view.look.pieces))
     commands.emplace_back(HidePiece{piece, false});
-  workspace_.changes.change("Show All", is_small(workspace_.work.document), apply_all(std::move(commands)));
+  workspace_.changes.change("Show All", is_small(workspace_.session.document),
+                            apply_all(std::move(commands)));
 }
 
 }  // namespace

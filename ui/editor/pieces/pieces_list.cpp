@@ -116,7 +116,7 @@ void draw_swatch(const Vec3& c) {
 Vec3 swatch_colour(const Workspace& workspace, const PieceRow& row) {
   if (row.number == 0 || workspace.view.look.show.pieces) return strong_piece_colour(row.number);
   const Body& body = workspace.world().body(row.id.body);
-  const std::vector<glm::dvec3> colours = piece_colours(body.material_names, workspace.work.paints);
+  const std::vector<glm::dvec3> colours = piece_colours(body.material_names, workspace.session.paints);
   return screen_from_linear(glm::min(1.6 * colours[(row.number - 1) % colours.size()], 1.0));
 }
 
@@ -342,7 +342,7 @@ void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
                       const HideChosen& hide_chosen) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
-  const SortedPieces sorted = set_specks_apart(rows, specks(workspace.work.document));
+  const SortedPieces sorted = set_specks_apart(rows, specks(workspace.session.document));
   begin_asked_rename(sorted);
   const size_t count = rows_to_list(sorted, specks_unfolded_).size();
   const float height = height_of_rows(std::min(count, kRowsInSight) + 1);

@@ -246,12 +246,14 @@ class PrepareFeature : public Feature {
             .tip = tip,
             .run =
                 [this, tool] {
-                  workspace_.panels.show(kPreparePanel);
+                  workspace_.services.panels.show(kPreparePanel);
                   preparation_.tool = tool;
                   preparation_.times = 1;
                 },
             .checked =
-                [this, tool] { return workspace_.panels.shows(kPreparePanel) && preparation_.tool == tool; }};
+                [this, tool] {
+                  return workspace_.services.panels.shows(kPreparePanel) && preparation_.tool == tool;
+                }};
   }
 
   std::vector<PieceRow> pieces() const {
@@ -279,9 +281,9 @@ class PrepareFeature : public Feature {
 
   // Returns true if the world is at rest, so that a copy is worth its time.
   bool world_rests() const {
-    const Document& document = workspace_.work.document;
+    const Document& document = workspace_.session.document;
     const bool queued = document.waiting() > 0 && !document.queue().only_cools();
-    return !workspace_.plays && !workspace_.cutting() && !queued && !workspace_.changes.is_pending() &&
+    return !workspace_.links.plays && !workspace_.cutting() && !queued && !workspace_.changes.is_pending() &&
            !workspace_.changes.is_asked() && !workspace_.opening.loader.busy();
   }
 
@@ -293,14 +295,14 @@ class PrepareFeature : public Feature {
 
 void PrepareFeature::after_queue(double) {
   const bool seen =
-      workspace_.settings.prepare_preview && workspace_.panels.shows(kPreparePanel) && world_rests();
+      workspace_.settings.prepare_preview && workspace_.services.panels.shows(kPreparePanel) && world_rests();
   const std::vector<PieceRow> pieces = seen ? this->pieces() : std::vector<PieceRow>();
   const Preparation preparation = with_numbers(preparation_, pieces, workspace_.world());
   if (!seen || why_no_preview(workspace_.world(), pieces, preparation) != nullptr) {
     preview_.drop();
   } else {
     preview_.follow(workspace_.world(), pieces, preparation);
-    preview_.wait(workspace_.background_wait);
+    preview_.wait(workspace_.screen.background_wait);
   }
   const auto wire = preview_.shown() != nullptr ? preview_.shown()->wire : nullptr;
   if (workspace_.view.look.wire == wire) return;

@@ -139,7 +139,7 @@ class FileLoader {
 };
 
 // The open document, its origin and its saved state.
-struct OpenWork {
+struct DocumentSession {
   Document document;
   std::vector<std::filesystem::path> files;  // that the document was read from
   std::optional<World> as_loaded;            // a copy; nullopt if the world is too large
@@ -153,19 +153,21 @@ struct OpenWork {
   std::string saved_head = "{}";    // SceneDescription::others in the file
 
   static constexpr size_t kNothing = static_cast<size_t>(-1);
+  const World& world() const { return document.world(); }
 };
 
 // The files that the document was read from, and its meshes.
-inline InputFiles inputs_of(const OpenWork& work) {
-  InputFiles inputs = input_files(work.files);
-  inputs.add_meshes(work.scene);
-  inputs.add_meshes(work.document.journal());
+inline InputFiles inputs_of(const DocumentSession& session) {
+  InputFiles inputs = input_files(session.files);
+  inputs.add_meshes(session.scene);
+  inputs.add_meshes(session.document.journal());
   return inputs;
 }
 
 struct Opening {
   FileLoader loader;
-  std::vector<LeftWork> left_work;  // of crashed editors, not offered yet
+  std::optional<World> partial_world;  // of a replay, shown on the empty stage
+  std::vector<LeftWork> left_work;     // of crashed editors, not offered yet
 };
 
 // Cancels reading and reports it; the open work is unchanged. Precondition: the loader is busy.

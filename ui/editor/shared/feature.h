@@ -24,7 +24,7 @@ struct PanelPart {
 };
 
 // A part of the editor with its panels, overlay, actions, keys and mouse input. Features are independent of
-// each other; they share state through Workspace. The frame loop calls each function for all features, in
+// each other; they share parts of the Workspace. The frame loop calls each function for all features, in
 // the order of make_features().
 class Feature {
  public:

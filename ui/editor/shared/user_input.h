@@ -77,7 +77,7 @@ struct Press {
 };
 
 // A use of the mouse from the press of a button in the viewport until its release. The pointer is at
-// Workspace::pointer; events carry their time and the modifier keys.
+// PointerInput::pointer; events carry their time and the modifier keys.
 class Interaction {
  public:
   virtual ~Interaction() = default;

@@ -25,6 +25,7 @@ struct ViewState {
   Layout layout;
   Area legends;                                  // the part of the viewport that legends cover
   std::map<std::string, std::string> shortcuts;  // bound chords by action
+  const World* second_world = nullptr;           // in the right half of a split view; null: not split
   bool in_second = false;   // the pointer is in the right half of a split view, or its drag began there
   bool picture_old = true;  // the viewport needs a redraw
   bool heat_old = false;    // its temperatures do, after cooling

@@ -17,7 +17,8 @@ constexpr double kZoomPerNotch = 0.88;
 
 // Returns the motion of the pointer since the last call, in heights of the viewport.
 Vec2 way_of(const Workspace& workspace, Vec2& last) {
-  return (workspace.pointer - std::exchange(last, workspace.pointer)) / workspace.view.pane().size.y;
+  return (workspace.input.pointer - std::exchange(last, workspace.input.pointer)) /
+         workspace.view.pane().size.y;
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ void Pan::move(const InputEvent&) {
 }
 
 void zoom(Workspace& workspace, double notches) {
-  const Vec2 p = workspace.view.in_picture(workspace.pointer);
+  const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
   workspace.view.camera.zoom(std::pow(kZoomPerNotch, notches * workspace.settings.wheel_speed), p.x, p.y,
                              workspace.view.aspect());
 }
@@ -53,7 +54,7 @@ std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions&
 
 std::optional<Vec3> point_under_pointer(const Workspace& workspace) {
   const auto surface = surface_point(workspace.world(), workspace.view.look,
-                                     FirstPicture(workspace.view).ray(workspace.pointer));
+                                     FirstPicture(workspace.view).ray(workspace.input.pointer));
   return surface ? std::optional(surface->at) : std::nullopt;
 }
 
@@ -67,7 +68,7 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
 
 void choose_under_pointer(Workspace& workspace, bool add) {
   if (workspace.view.in_second) return workspace.message.say("Select pieces in the left half.", true);
-  const Vec2 p = workspace.view.in_picture(workspace.pointer);
+  const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
   const std::optional<Pick> seen =
       pick(workspace.world(), workspace.view.look, workspace.view.seen().ray(p.x, p.y));
   if (seen) {

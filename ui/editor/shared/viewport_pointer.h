@@ -9,7 +9,7 @@ namespace kerf {
 // Drags of the camera: around its pivot, and parallel to the view plane.
 class Orbit : public Interaction {
  public:
-  explicit Orbit(Workspace& workspace) : workspace_(workspace), last_(workspace.pointer) {}
+  explicit Orbit(Workspace& workspace) : workspace_(workspace), last_(workspace.input.pointer) {}
   void move(const InputEvent&) override;
   const char* words() const override { return "Orbiting"; }
 
@@ -20,7 +20,7 @@ class Orbit : public Interaction {
 
 class Pan : public Interaction {
  public:
-  explicit Pan(Workspace& workspace) : workspace_(workspace), last_(workspace.pointer) {}
+  explicit Pan(Workspace& workspace) : workspace_(workspace), last_(workspace.input.pointer) {}
   void move(const InputEvent&) override;
   const char* words() const override { return "Panning"; }
 
@@ -47,9 +47,7 @@ std::optional<Vec3> point_under_pointer(const Workspace& workspace);
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);
 
 // Whether a press selects pieces: with Ctrl, every tool does.
-inline bool picks(const Workspace& workspace, const Press& press) {
-  return workspace.tool == kPickTool || press.control;
-}
+inline bool picks(const PointerInput& input, const Press& press) { return input.picks() || press.control; }
 
 // Selects the piece under the pointer; `add` keeps the rest of the selection.
 void choose_under_pointer(Workspace& workspace, bool add);

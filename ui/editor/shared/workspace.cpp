@@ -6,17 +6,15 @@
 
 namespace kerf {
 
-Workspace::Workspace() = default;
-
 const char* Workspace::why_time_stands_still() const {
   if (opening.loader.busy()) return "A file is being opened.";
-  for (const auto& disabled_reason : time_holds) {
+  for (const auto& disabled_reason : links.time_holds) {
     if (const char* why = disabled_reason()) return why;
   }
   return world().live_faces() == 0 ? "The scene is empty: nothing can move." : nullptr;
 }
 
-std::vector<std::filesystem::path> Workspace::not_taken(std::vector<std::filesystem::path> files) const {
+std::vector<std::filesystem::path> FeatureLinks::not_taken(std::vector<std::filesystem::path> files) const {
   std::erase_if(files, [this](const std::filesystem::path& file) {
     return std::any_of(file_takers.begin(), file_takers.end(),
                        [&](const auto& takes) { return takes(file); });
@@ -26,14 +24,15 @@ std::vector<std::filesystem::path> Workspace::not_taken(std::vector<std::filesys
 
 bool cancel_stroke(Workspace& workspace) {
   if (!workspace.beam.cutting()) return false;
-  if (workspace.beam.release(workspace.work.document)) workspace.message.say("Missed: the beam met nothing.");
+  if (workspace.beam.release(workspace.session.document))
+    workspace.message.say("Missed: the beam met nothing.");
   return true;
 }
 
-void stand_together(Workspace& workspace) {
-  if (workspace.view.spread == 0) return;
-  workspace.view.spread = 0;
-  spread_pieces(workspace.world(), 0, workspace.view.look);
+void stand_together(const World& world, ViewState& view) {
+  if (view.spread == 0) return;
+  view.spread = 0;
+  spread_pieces(world, 0, view.look);
 }
 
 UserAction tool_action(Workspace& workspace, const char* tool, const char* name, const char* shortcut,
@@ -44,11 +43,11 @@ UserAction tool_action(Workspace& workspace, const char* tool, const char* name,
           .tip = tip,
           .run =
               [&workspace, tool, has_panel] {
-                if (workspace.held && workspace.held->cuts()) cancel_stroke(workspace);
-                workspace.tool = tool;
-                if (has_panel) workspace.panels.show(tool);
+                if (workspace.input.held && workspace.input.held->cuts()) cancel_stroke(workspace);
+                workspace.input.tool = tool;
+                if (has_panel) workspace.services.panels.show(tool);
               },
-          .checked = [&workspace, tool] { return workspace.tool == tool; }};
+          .checked = [&workspace, tool] { return workspace.input.tool == tool; }};
 }
 
 UserAction picture_action(ViewState& view, const char* id, const char* name, const char* tip,

@@ -161,8 +161,8 @@ WorldChanges::Change edit_all(std::vector<PieceId> pieces,
 }
 
 Renderer& WorldChanges::renderer() const {
-  KERF_ASSERT(workspace_.picture != nullptr);
-  return workspace_.picture->first();
+  KERF_ASSERT(workspace_.screen.picture != nullptr);
+  return workspace_.screen.picture->first();
 }
 
 // The queue
@@ -186,12 +186,12 @@ void WorldChanges::ask(const Command& command) {
 }
 
 void WorldChanges::process_requests() {
-  groups_.follow(workspace_.work.document);
+  groups_.follow(workspace_.session.document);
   for (size_t left = asked_.size(); left > 0 && !asked_.empty() && !pending_; --left) {
     Asked next = std::move(asked_.front());
     asked_.pop_front();
     if (!next.always && workspace_.opening.loader.busy()) continue;  // the open work is about to be replaced
-    if (next.is_one && !group_) group_ = {workspace_.work.document.history().position(), next.name};
+    if (next.is_one && !group_) group_ = {workspace_.session.document.history().position(), next.name};
     if (!next.run()) {
       asked_.push_front(std::move(next));
       return;
@@ -203,7 +203,7 @@ void WorldChanges::process_requests() {
 // Ends the group when its change is complete.
 void WorldChanges::end_group() {
   if (!group_ || pending_) return;
-  groups_.add(group_->from, workspace_.work.document, group_->name);
+  groups_.add(group_->from, workspace_.session.document, group_->name);
   group_.reset();
 }
 
@@ -229,12 +229,12 @@ void WorldChanges::forget() {
 // --------------------------------------------------------------------------------------------------------
 
 void WorldChanges::apply(const Command& command) {
-  change(command_label(command, workspace_.view.frame.unit), is_quick(workspace_.work.document, command),
+  change(command_label(command, workspace_.view.frame.unit), is_quick(workspace_.session.document, command),
          [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
 void WorldChanges::travel_to(size_t position, const std::string& said) {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   const UndoStack& history = document.history();
   change(
       "Jumping to a history step", is_small(document) && history.holds_images(position, history.position()),
@@ -242,7 +242,7 @@ void WorldChanges::travel_to(size_t position, const std::string& said) {
 }
 
 void WorldChanges::step_through_history(bool back) {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   const std::string did = back ? "Undo: " : "Redo: ";
   groups_.follow(document);
   const StepGroups::Group* group = groups_.at(document, back);
@@ -266,7 +266,7 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
   KERF_ASSERT(!pending_);
   workspace_.message.say("");
   if (!said_later_.empty()) workspace_.message.note(std::exchange(said_later_, ""), false);
-  if (quick) return show_outcome(what(workspace_.work.document, nullptr), {}, said);
+  if (quick) return show_outcome(what(workspace_.session.document, nullptr), {}, said);
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
   change.title = title;
@@ -288,7 +288,7 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
 bool WorldChanges::step(const Part& part) {
   KERF_ASSERT(!pending_);
   if (do_beside(part)) return false;
-  const Result<StepResult> step = part(workspace_.work.document);
+  const Result<StepResult> step = part(workspace_.session.document);
   if (!step) {
     show_failed_step(step.error());
     return false;
@@ -298,29 +298,29 @@ bool WorldChanges::step(const Part& part) {
 }
 
 bool WorldChanges::can_cut() const {
-  return workspace_.work.document.waiting() > 0 && !workspace_.holds_back();
+  return workspace_.session.document.waiting() > 0 && !workspace_.links.holds_back();
 }
 
 void WorldChanges::cut() {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   if (!can_cut() || pending_) return;
-  const double began = workspace_.clock->seconds();
+  const double began = workspace_.screen.clock->seconds();
   const bool cools = document.queue().only_cools(),
              beam = workspace_.beam.cutting() || document.queue().pending().holds_beam();
-  while (can_cut() && workspace_.clock->seconds() < workspace_.cut_until) {
+  while (can_cut() && workspace_.screen.clock->seconds() < workspace_.screen.cut_until) {
     if (!step([](Document& d) { return d.step(kMovesOfStep); })) break;
   }
   if (beam) workspace_.beam.find_strike(document);
   if (workspace_.view.spread > 0)
     spread_pieces(document.world(), workspace_.view.spread, workspace_.view.look);
-  workspace_.cut_seconds += workspace_.clock->seconds() - began;
+  workspace_.screen.cut_seconds += workspace_.screen.clock->seconds() - began;
   if (!cools) workspace_.view.picture_old = true;
-  if (cools && !workspace_.cools_unseen) workspace_.view.heat_old = true;
-  workspace_.statistics.world_changed = true;
+  if (cools && !workspace_.links.cools_unseen) workspace_.view.heat_old = true;
+  workspace_.services.statistics.world_changed = true;
 }
 
 bool WorldChanges::do_beside(const Part& part) {
-  const char* title = why_beside(workspace_.work.document);
+  const char* title = why_beside(workspace_.session.document);
   if (title == nullptr) return false;
   const auto step = std::make_shared<StepResult>();
   const auto prepared = std::make_shared<PreparedBodies>();
@@ -339,7 +339,7 @@ bool WorldChanges::do_beside(const Part& part) {
   change.then = [this, step, prepared](const Outcome& done) {
     if (!done.ok()) return show_failed_step(done.error());
     follow_step(*step, std::move(*prepared));
-    workspace_.statistics.world_changed = true;
+    workspace_.services.statistics.world_changed = true;
   };
   pending_ = std::move(change);
   return true;
@@ -347,43 +347,43 @@ bool WorldChanges::do_beside(const Part& part) {
 
 void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) {
   if (step.last) workspace_.beam.reach(step.last->to);
-  renderer().follow(workspace_.work.document.world(), step.delta, std::move(prepared));
+  renderer().follow(workspace_.world(), step.delta, std::move(prepared));
   if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
-    renderer().send_faces(workspace_.work.document.world());
+    renderer().send_faces(workspace_.world());
   follow_released(step.delta);
   const bool came = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
                                 [](const BodyDelta& body) { return !body.new_pieces.empty(); });
   if (came || workspace_.view.numbers.waits()) {
-    workspace_.view.numbers.follow(workspace_.work.document.world(), false,
-                                   pieces_may_return(workspace_.work.document.history()),
+    workspace_.view.numbers.follow(workspace_.world(), false,
+                                   pieces_may_return(workspace_.session.document.history()),
                                    workspace_.view.look.pieces);
   }
-  workspace_.statistics.chart.record_step(step);
+  workspace_.services.statistics.chart.record_step(step);
   tell_left_open(step.delta);
 }
 
 // Reports solid bodies that a stroke left open: shows the first, and logs all.
 void WorldChanges::tell_left_open(const Delta& delta) {
   for (size_t i = delta.left_open.size(); i-- > 1;)
-    workspace_.message.note(left_open_text(delta.left_open[i], workspace_.work.document.world()), true);
+    workspace_.message.note(left_open_text(delta.left_open[i], workspace_.world()), true);
   if (!delta.left_open.empty())
-    workspace_.message.say(left_open_text(delta.left_open.front(), workspace_.work.document.world()), true);
+    workspace_.message.say(left_open_text(delta.left_open.front(), workspace_.world()), true);
 }
 
 // Pieces that came off become bodies when time passes.
 void WorldChanges::follow_released(const Delta& delta) {
   if (delta.came.empty() && delta.detached.empty()) return;
-  const World& world = workspace_.work.document.world();
+  const World& world = workspace_.world();
   ViewOptions& look = workspace_.view.look;
   follow_world(world, delta, look.pieces);
-  workspace_.view.numbers.follow(world, false, pieces_may_return(workspace_.work.document.history()),
+  workspace_.view.numbers.follow(world, false, pieces_may_return(workspace_.session.document.history()),
                                  look.pieces);
   followed(delta);
 }
 
 void WorldChanges::show_failed_step(const Error& error) {
   cancel_stroke(workspace_);
-  renderer().resend(workspace_.work.document.world());
+  renderer().resend(workspace_.world());
   workspace_.message.say(error.message, true);
 }
 
@@ -402,28 +402,28 @@ void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared,
 }
 
 void WorldChanges::tell_done() {
-  if (said_later_.empty() || workspace_.work.document.queue().pending().holds_beam()) return;
+  if (said_later_.empty() || workspace_.session.document.queue().pending().holds_beam()) return;
   workspace_.message.say(std::exchange(said_later_, ""));
 }
 
 void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
-  const World& world = workspace_.work.document.world();
+  const World& world = workspace_.world();
   renderer().follow(world, delta, std::move(prepared));
   ViewOptions& look = workspace_.view.look;
   follow_world(world, delta, look.pieces);
-  workspace_.view.numbers.follow(world, true, pieces_may_return(workspace_.work.document.history()),
+  workspace_.view.numbers.follow(world, true, pieces_may_return(workspace_.session.document.history()),
                                  look.pieces);
   if (workspace_.view.spread > 0) spread_pieces(world, workspace_.view.spread, look);
   followed(delta);
-  workspace_.view.picture_old = workspace_.statistics.world_changed = true;
+  workspace_.view.picture_old = workspace_.services.statistics.world_changed = true;
 }
 
 void WorldChanges::show_world(const World& world, Renderer& renderer) const {
-  if (workspace_.work.as_loaded) {
-    renderer.show(*workspace_.work.as_loaded, workspace_.work.paints);
+  if (workspace_.session.as_loaded) {
+    renderer.show(*workspace_.session.as_loaded, workspace_.session.paints);
     renderer.resend(world);
   } else {
-    renderer.show(world, workspace_.work.paints);
+    renderer.show(world, workspace_.session.paints);
   }
 }
 

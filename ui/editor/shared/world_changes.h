@@ -156,7 +156,7 @@ class WorldChanges {
   // pending because it makes bodies of many faces.
   using Part = std::function<Result<StepResult>(Document&)>;
   bool step(const Part& part);
-  // Executes queued moves until Workspace::cut_until, unless they wait for the user.
+  // Executes queued moves until ScreenContext::cut_until, unless they wait for the user.
   void cut();
   // Returns true if moves are queued that cut() may execute.
   bool can_cut() const;

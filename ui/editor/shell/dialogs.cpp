@@ -304,14 +304,14 @@ class Dialogs : public Feature {
 
   bool handle_event(const InputEvent& event, bool) override;
   bool clear_selection() override {
-    const bool shown = shortcuts_shown_ || workspace_.messages_shown;
-    shortcuts_shown_ = workspace_.messages_shown = false;
+    const bool shown = shortcuts_shown_ || workspace_.services.messages_shown;
+    shortcuts_shown_ = workspace_.services.messages_shown = false;
     return shown;
   }
-  bool awaits_focus() const override { return workspace_.browser.open || palette_.open; }
+  bool awaits_focus() const override { return workspace_.services.browser.open || palette_.open; }
   void draw_windows() override;
   void add_landmarks(Landmarks& landmarks) const override {
-    if (workspace_.browser.open) landmarks.mark("browser", {workspace_.pointer, Vec2(1)});
+    if (workspace_.services.browser.open) landmarks.mark("browser", {workspace_.input.pointer, Vec2(1)});
   }
 
  private:
@@ -327,9 +327,9 @@ class Dialogs : public Feature {
 
 std::vector<UserAction> Dialogs::column_actions() {
   bool& shown = workspace_.settings.side_shown;
-  std::vector<UserAction> actions = tab_actions(workspace_.panels);
+  std::vector<UserAction> actions = tab_actions(workspace_.services.panels);
   actions.push_back({.id = "view.panels", .name = "Panels", .items = [this] {
-                       return panel_actions(catalogue_.panels, workspace_.panels);
+                       return panel_actions(catalogue_.panels, workspace_.services.panels);
                      }});
   actions.push_back({.id = "view.sidebar",
                      .name = "Sidebar",
@@ -362,15 +362,15 @@ std::vector<UserAction> Dialogs::help_actions() {
       UserAction{.id = "help.messages",
                  .name = "Messages",
                  .tip = "All messages of the status bar, in full. A click on its message shows them too.",
-                 .run = [this] { workspace_.messages_shown = !workspace_.messages_shown; },
-                 .checked = [this] { return workspace_.messages_shown; }},
+                 .run = [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
+                 .checked = [this] { return workspace_.services.messages_shown; }},
   };
 }
 
 bool Dialogs::handle_event(const InputEvent& event, bool) {
   if (event.kind != InputEvent::Kind::kKey) return false;
-  if (workspace_.browser.open) {
-    browser_key(workspace_.browser, event.button);
+  if (workspace_.services.browser.open) {
+    browser_key(workspace_.services.browser, event.button);
   } else if (palette_.open) {
     palette_key(palette_, event.button);
   } else if (page_.shown && !is_text_field_active()) {
@@ -383,14 +383,15 @@ bool Dialogs::handle_event(const InputEvent& event, bool) {
 
 void Dialogs::draw_windows() {
   draw_shortcut_sheet(shortcuts_shown_, catalogue_.actions, catalogue_.gestures);
-  draw_message_log(workspace_.messages_shown, workspace_.message);
+  draw_message_log(workspace_.services.messages_shown, workspace_.message);
   draw_settings_page(page_, workspace_.settings, catalogue_.usual);
   const Area& picture = workspace_.view.layout.viewport;
   draw_palette(palette_, catalogue_.actions, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
                static_cast<float>(picture.at.y + ImGui::GetFontSize()));
-  const bool was_open = workspace_.browser.open;
-  draw_file_browser(workspace_.browser);
-  if (was_open && !workspace_.browser.open) workspace_.settings.folder = workspace_.browser.folder;
+  const bool was_open = workspace_.services.browser.open;
+  draw_file_browser(workspace_.services.browser);
+  if (was_open && !workspace_.services.browser.open)
+    workspace_.settings.folder = workspace_.services.browser.folder;
 }
 
 }  // namespace

@@ -89,15 +89,15 @@ ViewOptions look_of_second(const ViewOptions& first, double spread, const World&
 // changes are sent with the next drawn one.
 void send(Workspace& workspace) {
   if (!workspace.view.picture_old && !workspace.view.heat_old) return;
-  Renderer& renderer = workspace.picture->first();
-  if (!workspace.window->draws() && !renderer.is_sending() && !workspace.cools) return;
+  Renderer& renderer = workspace.screen.picture->first();
+  if (!workspace.screen.window->draws() && !renderer.is_sending() && !workspace.links.cools) return;
   const size_t before = renderer.uploaded_bytes();
-  const double until = workspace.clock->seconds() + kSendingSeconds;
-  while (renderer.is_sending() && workspace.clock->seconds() < until)
+  const double until = workspace.screen.clock->seconds() + kSendingSeconds;
+  while (renderer.is_sending() && workspace.screen.clock->seconds() < until)
     renderer.send_faces(workspace.shown_world());
   renderer.catch_up(workspace.shown_world());
   if (renderer.uploaded_bytes() > before)
-    workspace.statistics.chart.record_sent(renderer.uploaded_bytes() - before);
+    workspace.services.statistics.chart.record_sent(renderer.uploaded_bytes() - before);
 }
 
 }  // namespace
@@ -105,25 +105,25 @@ void send(Workspace& workspace) {
 EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded,
                            const EditorOptions& options)
     : window_(window), options_(options), landmarks_(options.landmarks), picture_(std::move(picture)) {
-  workspace_.picture = &picture_;
-  workspace_.window = &window;
-  workspace_.clock = &window.clock();
-  if (window.script() != nullptr) workspace_.background_wait = kLongest;
+  workspace_.screen.picture = &picture_;
+  workspace_.screen.window = &window;
+  workspace_.screen.clock = &window.clock();
+  if (window.script() != nullptr) workspace_.screen.background_wait = kLongest;
   workspace_.settings = std::move(loaded.settings);
   workspace_.view.look.antialias = workspace_.settings.antialias;
   workspace_.view.look.show = default_show();
   threads_.follow(workspace_.settings.threads);
   features_ = make_features(workspace_, catalogue_);
   saved_ = workspace_.settings;
-  catalogue_.gather(features_, workspace_.panels);
+  catalogue_.gather(features_, workspace_.services.panels);
   workspace_.changes.followed = [this](const Delta& delta) {
     for (const auto& feature : features_) feature->on_world_changed(delta);
   };
-  workspace_.replaced = [this] {
-    workspace_.held.reset();
+  workspace_.links.replaced = [this] {
+    workspace_.input.held.reset();
     for (const auto& feature : features_) feature->on_document_opened();
   };
-  workspace_.landmarks = &landmarks_;
+  workspace_.screen.landmarks = &landmarks_;
   keep_landmarks(&landmarks_);
   report_entries_to(&workspace_.message);
 }
@@ -147,13 +147,13 @@ void EditorScreen::tell(const std::string& fault) {
 
 void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& scene) {
   KERF_ASSERT(wants_game());
-  workspace_.leaves = Workspace::Leaves::kNot;
+  workspace_.links.leaves = Leaves::kNot;
   workspace_.settings.palette = look.palette;
   workspace_.view.picture_old = true;
   title_.clear();
   keep_landmarks(&landmarks_);
   report_entries_to(&workspace_.message);
-  if (!scene.empty()) workspace_.open({scene});
+  if (!scene.empty()) workspace_.links.open({scene});
 }
 
 void EditorScreen::close(bool left_by_user) {
@@ -161,8 +161,8 @@ void EditorScreen::close(bool left_by_user) {
     thread_.stop();
     finish_change();
   }
-  workspace_.beam.release(workspace_.work.document);
-  workspace_.held.reset();
+  workspace_.beam.release(workspace_.session.document);
+  workspace_.input.held.reset();
   for (const auto& feature : features_) feature->on_exit(left_by_user);
   report_entries_to(nullptr);
   save_settings();
@@ -200,7 +200,7 @@ KeyboardHold EditorScreen::keyboard_hold() const {
 
 void EditorScreen::hear(const Input& input) {
   if (thread_.busy()) {
-    if (busy_.hear(input, thread_)) workspace_.quit();
+    if (busy_.hear(input, thread_)) workspace_.links.quit();
     return;
   }
   lay_out_window();
@@ -208,8 +208,8 @@ void EditorScreen::hear(const Input& input) {
   std::vector<InputEvent> events = busy_.take_heard();
   events.insert(events.end(), input.events.begin(), input.events.end());
   for (const InputEvent& event : events) hear_event(event);
-  if (!input.drops.empty()) workspace_.open(input.drops);
-  if (input.close) workspace_.quit();
+  if (!input.drops.empty()) workspace_.links.open(input.drops);
+  if (input.close) workspace_.links.quit();
 }
 
 // Releases of keys, and characters, are handled by ImGui alone.
@@ -252,9 +252,9 @@ void EditorScreen::hear_key(const InputEvent& event) {
 void EditorScreen::escape() {
   bool stopped = false;
   for (const auto& feature : features_) stopped = feature->cancel() || stopped;
-  if (workspace_.held && workspace_.held->over()) workspace_.held.reset();
+  if (workspace_.input.held && workspace_.input.held->over()) workspace_.input.held.reset();
   if (stopped) return;
-  if (workspace_.held && workspace_.held->cancel()) return workspace_.held.reset();
+  if (workspace_.input.held && workspace_.input.held->cancel()) return workspace_.input.held.reset();
   for (const auto& feature : features_) {
     if (feature->clear_selection()) return;
   }
@@ -273,13 +273,13 @@ void EditorScreen::advance() {
   workspace_.changes.process_requests();
   easing_ = workspace_.view.camera.advance(std::min(seconds, Workspace::kLongestStep));
   if (easing_) workspace_.view.picture_old = true;
-  workspace_.cut_until = window_.clock().seconds() + std::max(kCutSeconds, picture_.seconds());
-  workspace_.cut_seconds = 0;
+  workspace_.screen.cut_until = window_.clock().seconds() + std::max(kCutSeconds, picture_.seconds());
+  workspace_.screen.cut_seconds = 0;
   for (const auto& feature : features_) feature->update(seconds);
   workspace_.changes.cut();
   if (!workspace_.changes.is_pending()) workspace_.changes.tell_done();
   for (const auto& feature : features_) feature->after_queue(seconds);
-  if (workspace_.held && workspace_.held->over()) workspace_.held.reset();
+  if (workspace_.input.held && workspace_.input.held->over()) workspace_.input.held.reset();
   send(workspace_);
 }
 
@@ -291,8 +291,8 @@ void EditorScreen::finish_change() {
 void EditorScreen::lay_out_window() {
   const double em = ImGui::GetFontSize(), bar = ImGui::GetFrameHeight();
   const Settings& settings = workspace_.settings;
-  Layout layout = lay_out(window_.size(), em, bar, bar, panel_sizes(workspace_.panels, settings));
-  if (workspace_.second != nullptr) layout = split_in_two(layout, settings.split_share);
+  Layout layout = lay_out(window_.size(), em, bar, bar, panel_sizes(workspace_.services.panels, settings));
+  if (workspace_.view.second_world != nullptr) layout = split_in_two(layout, settings.split_share);
   ViewState& view = workspace_.view;
   if (layout.first.size != view.layout.first.size || layout.second.size != view.layout.second.size)
     view.picture_old = true;
@@ -337,18 +337,18 @@ void EditorScreen::draw_panels() {
   draw_menu_bar(catalogue_.actions);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(to_im(layout.viewport.at), to_im(layout.viewport.at + layout.viewport.size));
-  workspace_.badges.begin_frame();
+  workspace_.services.badges.begin_frame();
   for (const auto& feature : features_) feature->draw_overlay(list);
-  if (workspace_.held) workspace_.held->draw(list);
+  if (workspace_.input.held) workspace_.input.held->draw(list);
   list.PopClipRect();
-  draw_panel_areas(layout, catalogue_.panels, workspace_.panels, workspace_.settings);
+  draw_panel_areas(layout, catalogue_.panels, workspace_.services.panels, workspace_.settings);
   draw_splitters(layout, workspace_.settings);
-  const char* hint = workspace_.held ? workspace_.held->words() : nullptr;
+  const char* hint = workspace_.input.held ? workspace_.input.held->words() : nullptr;
   for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->status_hint();
-  if (!workspace_.held && !workspace_.statistics.shown.work.empty())
-    hint = workspace_.statistics.shown.work.c_str();
-  if (draw_status_bar(layout.status, hint, workspace_.message, workspace_.statistics.shown))
-    workspace_.messages_shown = true;
+  if (!workspace_.input.held && !workspace_.services.statistics.shown.work.empty())
+    hint = workspace_.services.statistics.shown.work.c_str();
+  if (draw_status_bar(layout.status, hint, workspace_.message, workspace_.services.statistics.shown))
+    workspace_.services.messages_shown = true;
   if (picture_.first().is_sending() && !workspace_.opening.loader.busy())
     draw_progress(layout.viewport, "Uploading to GPU", picture_.first().sent_share(), false);
   for (const auto& feature : features_) feature->draw_windows();
@@ -361,16 +361,16 @@ void EditorScreen::draw_picture() {
   view.look.by_day = workspace_.settings.theme == Theme::kLight;
   std::optional<BeamPicture> beam;  // its glare would hide the effect of a stage
   if (!view.look.stage && !workspace_.stroke_waits())
-    beam = workspace_.beam.picture(workspace_.work.document);
+    beam = workspace_.beam.picture(workspace_.session.document);
   const Shot first{workspace_.shown_world(), view.seen_first(), view.look, beam, layout.first};
   const PictureChange change = view.picture_old ? PictureChange::kAll
                                : view.heat_old  ? PictureChange::kHeat
                                                 : PictureChange::kNothing;
-  ShadowStatistics& shadows = workspace_.statistics.shadows;
-  if (layout.split() && workspace_.second != nullptr) {
-    const ViewOptions look = look_of_second(view.look, view.spread, *workspace_.second);
+  ShadowStatistics& shadows = workspace_.services.statistics.shadows;
+  if (layout.split() && workspace_.view.second_world != nullptr) {
+    const ViewOptions look = look_of_second(view.look, view.spread, *workspace_.view.second_world);
     const double aspect = layout.second.size.x / layout.second.size.y;
-    const Shot second{*workspace_.second, view.camera.view(aspect), look, beam, layout.second};
+    const Shot second{*workspace_.view.second_world, view.camera.view(aspect), look, beam, layout.second};
     new_picture_ = picture_.draw(first, &second, change, window_, shadows);
   } else {
     new_picture_ = picture_.draw(first, nullptr, change, window_, shadows);
@@ -383,27 +383,27 @@ void EditorScreen::draw_picture() {
 void EditorScreen::drawn() {
   if (busy_frame_) return;
   for (const auto& feature : features_) feature->on_captured(Feature::Captured::kWindow);
-  if (workspace_.title != title_) window_.set_title(title_ = workspace_.title);
+  if (workspace_.screen.title != title_) window_.set_title(title_ = workspace_.screen.title);
   if (!workspace_.changes.is_pending()) return;
   busy_.keep(window_.pixel_size());
-  thread_.start(workspace_.work.document, *workspace_.changes.take_pending());
+  thread_.start(workspace_.session.document, *workspace_.changes.take_pending());
   if (thread_.is_over(window_.script() != nullptr ? kLongest : kMissable)) finish_change();
 }
 
 // Landmarks are written after the frame, when it is known whether another one follows without input.
 void EditorScreen::took(const FrameTime& time) {
-  Statistics& statistics = workspace_.statistics;
+  Statistics& statistics = workspace_.services.statistics;
   const double beside = busy_frame_ ? time.whole : time.before - picture_seconds_;
   statistics.frames.add(1000 * time.whole);
   statistics.between_pictures.add(1000 * beside);
   if (busy_frame_) return;
   const Renderer& renderer = picture_.first();
   if (renderer.is_sending() || renderer.is_loading_images()) workspace_.view.picture_old = true;
-  if (workspace_.cut_seconds > 0) {
+  if (workspace_.screen.cut_seconds > 0) {
     statistics.cutting_frames.add(1000 * time.whole);
     statistics.between_cutting_pictures.add(1000 * beside);
   }
-  if (new_picture_) picture_.took(time.whole - workspace_.cut_seconds);
+  if (new_picture_) picture_.took(time.whole - workspace_.screen.cut_seconds);
   const ImVec2 at = ImGui::GetIO().MousePos;
   landmarks_.mark(workspace_.view.layout);
   if (is_popup_open()) landmarks_.mark("popup", {{at.x, at.y}, Vec2(1)});

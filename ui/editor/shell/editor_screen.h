@@ -87,11 +87,11 @@ class EditorScreen : public Screen {
   bool moving() const override;
   double least_frame() const override;
   void rest() override;
-  bool over() const override { return workspace_.leaves == Workspace::Leaves::kForGood || wants_game(); }
+  bool over() const override { return workspace_.links.leaves == Leaves::kForGood || wants_game(); }
   std::optional<std::string> answer(const std::string& what) const override;
 
   // Returns true if the screen ends only until the player returns from the game.
-  bool wants_game() const { return workspace_.leaves == Workspace::Leaves::kForTheGame && !thread_.busy(); }
+  bool wants_game() const { return workspace_.links.leaves == Leaves::kForTheGame && !thread_.busy(); }
   // Called after the game, with a scene to open or an empty path.
   void come_back(const GuiLook& look, const std::filesystem::path& scene);
 

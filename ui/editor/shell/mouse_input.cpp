@@ -64,30 +64,31 @@ std::unique_ptr<Interaction> begin(Workspace& workspace, const Features& feature
 }  // namespace
 
 void hear_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free) {
-  workspace.pointer = event.at;
-  workspace.over_picture = free && workspace.view.layout.viewport.contains(event.at);
-  if (!workspace.held) workspace.view.in_second = workspace.view.layout.second.contains(event.at);
+  PointerInput& input = workspace.input;
+  input.pointer = event.at;
+  input.viewport_hovered = free && workspace.view.layout.viewport.contains(event.at);
+  if (!input.held) workspace.view.in_second = workspace.view.layout.second.contains(event.at);
   switch (event.kind) {
     case InputEvent::Kind::kPress:
-      if (!workspace.held && workspace.over_picture) workspace.held = begin(workspace, features, event);
+      if (!input.held && input.viewport_hovered) input.held = begin(workspace, features, event);
       break;
     case InputEvent::Kind::kMove:
-      if (workspace.held) workspace.held->move(event);
+      if (input.held) input.held->move(event);
       break;
     case InputEvent::Kind::kRelease:
-      if (!workspace.held) break;
-      workspace.held->release(event);
-      if (!workspace.held->cuts()) workspace.held.reset();
+      if (!input.held) break;
+      input.held->release(event);
+      if (!input.held->cuts()) input.held.reset();
       break;
     case InputEvent::Kind::kWheel:
-      if (workspace.over_picture && !(workspace.held && workspace.held->cuts())) zoom(workspace, event.wheel);
+      if (input.viewport_hovered && !(input.held && input.held->cuts())) zoom(workspace, event.wheel);
       break;
     case InputEvent::Kind::kKey:
     case InputEvent::Kind::kKeyUp:
     case InputEvent::Kind::kText:
       break;
   }
-  if (workspace.held && workspace.held->over()) workspace.held.reset();
+  if (input.held && input.held->over()) input.held.reset();
 }
 
 }  // namespace kerf

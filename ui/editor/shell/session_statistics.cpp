@@ -93,8 +93,8 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
 }  // namespace
 
 nlohmann::ordered_json session_report(const Workspace& workspace) {
-  const Document& document = workspace.work.document;
-  const Statistics& statistics = workspace.statistics;
+  const Document& document = workspace.session.document;
+  const Statistics& statistics = workspace.services.statistics;
   return {
       {"frames", statistics.frames.frames()},
       {"frame_ms", times_of(statistics.frames)},
@@ -121,17 +121,18 @@ nlohmann::ordered_json session_report(const Workspace& workspace) {
 }
 
 void bring_up_to_date(Workspace& workspace) {
-  Statistics& statistics = workspace.statistics;
+  Statistics& statistics = workspace.services.statistics;
   ShownStatistics& shown = statistics.shown;
   shown.unit = workspace.view.frame.unit;
-  const World* as_loaded = workspace.work.as_loaded ? &*workspace.work.as_loaded : nullptr;
-  shown.frame_ms = 1000 * workspace.picture->seconds();
-  shown.memory = memory_statistics(std::array{&workspace.world(), workspace.second, as_loaded},
-                                   workspace.work.document.history().bytes(), workspace.picture->memory());
+  const World* as_loaded = workspace.session.as_loaded ? &*workspace.session.as_loaded : nullptr;
+  shown.frame_ms = 1000 * workspace.screen.picture->seconds();
+  shown.memory =
+      memory_statistics(std::array{&workspace.world(), workspace.view.second_world, as_loaded},
+                        workspace.session.document.history().bytes(), workspace.screen.picture->memory());
   const bool depth_missing = statistics.depth_wanted && !shown.tree_depth;
   if (!std::exchange(statistics.world_changed, false) && !depth_missing) return;
-  count_world(shown, workspace.work.document, statistics.depth_wanted);
-  record_stroke(shown, workspace.work.document);
+  count_world(shown, workspace.session.document, statistics.depth_wanted);
+  record_stroke(shown, workspace.session.document);
 }
 
 namespace {

@@ -249,8 +249,8 @@ constexpr double kSpeedStep = 2;
 class SingleStepFeature : public Feature {
  public:
   explicit SingleStepFeature(Workspace& workspace) : workspace_(workspace) {
-    workspace.holds_back = [this] { return cut_.holds_back(); };
-    workspace.time_holds.push_back(
+    workspace.links.holds_back = [this] { return cut_.holds_back(); };
+    workspace.links.time_holds.push_back(
         [this] { return stages_.wishes.on ? "Bodies do not move in step mode." : nullptr; });
   }
 
@@ -259,7 +259,7 @@ class SingleStepFeature : public Feature {
              [this] {
                if (stages_.wishes.on) draw_query_walk(stages_.log);
              }},
-            {"single_step", [this] { panel_.draw(stages_, workspace_.work.document, workspace_.view); }}};
+            {"single_step", [this] { panel_.draw(stages_, workspace_.session.document, workspace_.view); }}};
   }
   std::vector<UserAction> actions() override { return joined({beginnings(), steps(), view_actions()}); }
 
@@ -277,8 +277,8 @@ class SingleStepFeature : public Feature {
 
   void draw_overlay(ImDrawList&) override {
     if (!stages_.wishes.on) return;
-    workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Step mode: " + state_text(),
-                           "single step badge");
+    workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode, "Step mode: " + state_text(),
+                                    "single step badge");
     if (stages_.log.done() > 0) draw_stage_caption(stages_.log, workspace_.view.layout.first);
   }
   void write_session_log(nlohmann::ordered_json& report) const override {
@@ -295,7 +295,7 @@ class SingleStepFeature : public Feature {
  private:
   // Describes what single steps do or wait for.
   std::string state_text() const;
-  const char* why_no_next() const { return why_no_next_stage(stages_, workspace_.work.document); }
+  const char* why_no_next() const { return why_no_next_stage(stages_, workspace_.session.document); }
   std::vector<UserAction> beginnings();
   std::vector<UserAction> steps();
   std::vector<UserAction> view_actions();
@@ -312,7 +312,7 @@ std::string SingleStepFeature::state_text() const {
   if (cut_.waits_for_earlier())
     return cut_.wants_more() ? "an earlier stroke is cut first, then the next stage"
                              : "an earlier stroke is cut first";
-  const size_t waiting = workspace_.work.document.waiting();
+  const size_t waiting = workspace_.session.document.waiting();
   if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
   if (waiting > 0 && stages_.wishes.playing) return "playing";
   if (waiting > 0) return with_shortcut(workspace_.view, "next stage", "stages.next");
@@ -321,7 +321,7 @@ std::string SingleStepFeature::state_text() const {
 
 std::vector<UserAction> SingleStepFeature::beginnings() {
   StageWishes& wishes = stages_.wishes;
-  const auto why_not_start = [this] { return why_not_again(workspace_.work.document); };
+  const auto why_not_start = [this] { return why_not_again(workspace_.session.document); };
   const auto why_no_play = [this, why_not_start]() -> const char* {
     return stages_.wishes.playing || why_no_next() == nullptr ? nullptr : why_not_start();
   };
@@ -342,7 +342,7 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
                  .name = "Play Stages",
                  .shortcut = "Space",
                  .tip = "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
-                 .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.work.document); },
+                 .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.session.document); },
                  .checked = [&wishes] { return wishes.playing; },
                  .disabled_reason = why_no_play,
                  .has_key_when = [&wishes] { return wishes.on; }},
@@ -365,12 +365,13 @@ std::vector<UserAction> SingleStepFeature::steps() {
                      },
                  .disabled_reason = disabled_reason,
                  .has_key_when = while_on},
-      UserAction{.id = "stages.previous",
-                 .name = "Previous Stage",
-                 .shortcut = ",",
-                 .tip = "Undoes the last stage, to the bit.",
-                 .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
-                 .disabled_reason = [this] { return why_no_stage_back(stages_, workspace_.work.document); }},
+      UserAction{
+          .id = "stages.previous",
+          .name = "Previous Stage",
+          .shortcut = ",",
+          .tip = "Undoes the last stage, to the bit.",
+          .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
+          .disabled_reason = [this] { return why_no_stage_back(stages_, workspace_.session.document); }},
       UserAction{.id = "stages.finish_segment",
                  .name = "Finish Segment",
                  .shortcut = "Shift+.",

@@ -47,19 +47,19 @@ constexpr double kQuickSeconds = 0.100;  // above this time, going back runs in 
 }  // namespace
 
 StageCut::Key StageCut::key_now() const {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   return {document.revision(), document.history().position(), stages_.log.forgotten()};
 }
 
 bool StageCut::can_go_on() const {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   return document.waiting() > 0 && document.queue().next_is_of_last_step();
 }
 
 bool StageCut::holds_back() const { return stages_.wishes.on && from_its_start_ && can_go_on(); }
 
 bool StageCut::waits_for_earlier() const {
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   return stages_.wishes.on && document.waiting() > 0 && !document.queue().next_is_of_last_step();
 }
 
@@ -100,11 +100,11 @@ void StageCut::follow() {
 
 // Restarts a stroke that was partly executed without single steps, if possible.
 void StageCut::begin() {
-  single_.emplace(workspace_.work.document);
+  single_.emplace(workspace_.session.document);
   spent_ = 0;
   StageWishes& wishes = stages_.wishes;
   if (!wishes.start_again) wishes.stop();
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   from_its_start_ = !can_go_on() || document.history().last().waiting();
   if (!from_its_start_ && can_restart_stroke(document)) wishes.start_again = true;
   stages_.runs_on = !from_its_start_ && !wishes.start_again;
@@ -115,7 +115,7 @@ void StageCut::go_back(size_t stages) {
   const size_t done = stages_.log.done();
   wishes.start_again = false;
   wishes.stage.reset();
-  if (!can_restart_stroke(workspace_.work.document)) return;
+  if (!can_restart_stroke(workspace_.session.document)) return;
   stages = std::min(stages, done);
   const double again = static_cast<double>(stages - single_->resumes_after(stages));
   const double before = spent_;
@@ -134,9 +134,9 @@ void StageCut::go_back(size_t stages) {
 }
 
 void StageCut::go_on() {
-  const double began = workspace_.clock->seconds();
-  const auto spent = [&] { return workspace_.clock->seconds() - began; };
-  const double budget = std::max(kStageSeconds, workspace_.statistics.shown.frame_ms / 1000);
+  const double began = workspace_.screen.clock->seconds();
+  const auto spent = [&] { return workspace_.screen.clock->seconds() - began; };
+  const double budget = std::max(kStageSeconds, workspace_.services.statistics.shown.frame_ms / 1000);
   const size_t before = stages_.log.done();
   while (holds_back() && wants_more() && due_ >= 1 && spent() < budget) {
     if (!next()) break;
@@ -150,7 +150,7 @@ void StageCut::go_on() {
 // Requests made while earlier strokes are cut are kept.
 void StageCut::drop_fulfilled() {
   StageWishes& wishes = stages_.wishes;
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   const bool over = document.waiting() == 0 && !document.queue().in_stroke();
   if (over || (wishes.stage && *wishes.stage <= stages_.log.done())) {
     const bool playing = wishes.playing && !over;
@@ -170,20 +170,20 @@ bool StageCut::next() {
 }
 
 void StageCut::note(const StageRecord& stage) {
-  stages_.log.note(workspace_.work.document.world(), stage, workspace_.view.frame.unit);
+  stages_.log.note(workspace_.world(), stage, workspace_.view.frame.unit);
 }
 
 void StageCut::show() {
   const StageRecord* last = stages_.log.last();
   if (last != nullptr && last->move) {
-    const World::Bounds bounds = workspace_.work.document.world().bounds();
+    const World::Bounds bounds = workspace_.world().bounds();
     const Pose& pose = last->move->to;
-    workspace_.beam.take_over(workspace_.work.document.history().last_settings(),
+    workspace_.beam.take_over(workspace_.session.document.history().last_settings(),
                               glm::length(0.5 * (bounds.min + bounds.max) - pose.origin));
     workspace_.beam.reach(pose);
   }
-  workspace_.beam.find_strike(workspace_.work.document);
-  workspace_.view.picture_old = workspace_.statistics.world_changed = true;
+  workspace_.beam.find_strike(workspace_.session.document);
+  workspace_.view.picture_old = workspace_.services.statistics.world_changed = true;
 }
 
 }  // namespace kerf

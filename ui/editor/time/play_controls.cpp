@@ -98,7 +98,7 @@ void ask_to_pin(Workspace& workspace, bool pinned) {
   const char* name = pinned ? "Pin pieces" : "Unpin pieces";
   const auto run = [&workspace, name, pinned] {
     cancel_stroke(workspace);
-    workspace.changes.change(name, is_small(workspace.work.document),
+    workspace.changes.change(name, is_small(workspace.session.document),
                              edit_all(chosen_ids(workspace.view.look.pieces), [pinned](const PieceId& p) {
                                return PinPiece{p, pinned};
                              }));
@@ -271,7 +271,7 @@ void draw_statistics(const TickStatistics& statistics) {
 }
 
 void BodiesPanel::draw_environment(Workspace& workspace) {
-  const World& world = workspace.work.document.world();
+  const World& world = workspace.world();
   const FileFrame& frame = workspace.view.frame;
   Environment around = world.environment();
   const double metres = metres_per_unit(frame.unit);
@@ -308,7 +308,7 @@ void BodiesPanel::draw(Workspace& workspace, PlayState& play) {
   draw_pin(workspace);
   for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
     draw_switch(workspace.view, id);
-  draw_statistics(workspace.work.document.queue().physics().statistics());
+  draw_statistics(workspace.session.document.queue().physics().statistics());
 }
 
 // Returns true if the history up to its position contains playback.
@@ -333,18 +333,18 @@ class TimeFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
-    if (!picks(workspace_, press) || !play_.playing) return nullptr;
-    const auto spring = spring_at(workspace_.world(), workspace_.view, workspace_.pointer);
+    if (!picks(workspace_.input, press) || !play_.playing) return nullptr;
+    const auto spring = spring_at(workspace_.world(), workspace_.view, workspace_.input.pointer);
     return spring ? std::make_unique<Pull>(*this, *spring) : nullptr;
   }
   const char* status_hint() const override {
-    return workspace_.tool == kPickTool && play_.playing ? "Select: drag to pull a piece, click to select it"
-                                                         : nullptr;
+    return workspace_.input.picks() && play_.playing ? "Select: drag to pull a piece, click to select it"
+                                                     : nullptr;
   }
 
   void update(double) override {
-    if (dynamic_cast<const Pull*>(workspace_.held.get()) == nullptr) spring_.reset();
-    workspace_.cools_unseen = cooling_.passes_unseen();
+    if (dynamic_cast<const Pull*>(workspace_.input.held.get()) == nullptr) spring_.reset();
+    workspace_.links.cools_unseen = cooling_.passes_unseen();
   }
   void after_queue(double seconds) override;
   bool needs_redraw() const override { return cooling_.moving() || play_.playing || play_.one_tick; }
@@ -354,11 +354,13 @@ class TimeFeature : public Feature {
 
   void draw_overlay(ImDrawList&) override {
     if (spring_) draw_spring(*spring_, workspace_.world(), workspace_.view);
-    const bool stands = !play_.playing && !workspace_.cools && has_played(workspace_.work.document.history());
+    const bool stands =
+        !play_.playing && !workspace_.links.cools && has_played(workspace_.session.document.history());
     if (play_.playing || stands)
-      draw_play_badge(play_, reached_, workspace_.world(), workspace_.view, workspace_.badges);
+      draw_play_badge(play_, reached_, workspace_.world(), workspace_.view, workspace_.services.badges);
     if (workspace_.settings.heat_held && is_hot(workspace_.world()))
-      workspace_.badges.draw(workspace_.view, Badges::Sign::kMode, "Temperatures frozen", "heat badge");
+      workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode, "Temperatures frozen",
+                                      "heat badge");
   }
   void write_session_log(nlohmann::ordered_json& report) const override;
 
@@ -367,7 +369,7 @@ class TimeFeature : public Feature {
   class Pull : public Interaction {
    public:
     Pull(TimeFeature& feature, const Spring& spring)
-        : feature_(feature), pressed_at_(feature.workspace_.pointer), spring_(spring) {}
+        : feature_(feature), pressed_at_(feature.workspace_.input.pointer), spring_(spring) {}
 
     void move(const InputEvent&) override;
     void release(const InputEvent& event) override {
@@ -393,24 +395,25 @@ class TimeFeature : public Feature {
 };
 
 void TimeFeature::Pull::move(const InputEvent&) {
-  if (!pulls_ && glm::length(feature_.workspace_.pointer - pressed_at_) > kClickReach) {
+  if (!pulls_ && glm::length(feature_.workspace_.input.pointer - pressed_at_) > kClickReach) {
     pulls_ = true;
     feature_.spring_ = spring_;
   }
-  if (feature_.spring_) stretch(*feature_.spring_, feature_.workspace_.view, feature_.workspace_.pointer);
+  if (feature_.spring_)
+    stretch(*feature_.spring_, feature_.workspace_.view, feature_.workspace_.input.pointer);
 }
 
 void TimeFeature::after_queue(double seconds) {
   flow_.advance(seconds);
   cooling_.advance(seconds);
-  workspace_.cools = cooling_.flows();
-  workspace_.plays = play_.playing;
+  workspace_.links.cools = cooling_.flows();
+  workspace_.links.plays = play_.playing;
   reached_.follow(play_.playing, workspace_.world().clock(), seconds);
-  workspace_.statistics.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
+  workspace_.services.statistics.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
   // The viewport is redrawn whenever contacts may have changed.
   if (workspace_.changes.is_pending() || !workspace_.view.picture_old) return;
   workspace_.view.look.bodies = gather_body_marks(
-      workspace_.world(), workspace_.work.document.queue().physics(), workspace_.view.look.show);
+      workspace_.world(), workspace_.session.document.queue().physics(), workspace_.view.look.show);
 }
 
 nlohmann::ordered_json heat_of(const World& world) {

@@ -36,7 +36,7 @@ constexpr double kSeenOnScale = 8;                // K above ambient, a step of 
 
 void TimeFlow::advance(double seconds) {
   if (!may_go_on()) return end();
-  const Document& document = workspace_.work.document;
+  const Document& document = workspace_.session.document;
   pace_.due += std::min(seconds, kLongestLag) * play_.speed().of_real_time * kTicksPerSecond;
   if (workspace_.changes.is_pending() || document.waiting() > 0) {
     pace_.slow_down();
@@ -53,14 +53,14 @@ void TimeFlow::advance(double seconds) {
 void TimeFlow::end() {
   pace_.due = 0;
   before_ground_.reset();
-  if (!begun_ || workspace_.changes.is_pending() || workspace_.work.document.waiting() > 0) return;
-  mark_state(workspace_.work.document, workspace_.work.marks, true);
+  if (!begun_ || workspace_.changes.is_pending() || workspace_.session.document.waiting() > 0) return;
+  mark_state(workspace_.session.document, workspace_.session.marks, true);
   begun_ = false;
 }
 
 // Ends playback if required.
 bool TimeFlow::may_go_on() {
-  const size_t position = workspace_.work.document.history().position();
+  const size_t position = workspace_.session.document.history().position();
   const bool undone = position < std::exchange(position_, position);
   if (!play_.playing && !play_.one_tick) return false;
   if (workspace_.changes.is_pending()) return true;
@@ -73,8 +73,8 @@ bool TimeFlow::may_go_on() {
 // Returns false while something else must be done first.
 bool TimeFlow::begin() {
   if (begun_) return true;
-  Document& document = workspace_.work.document;
-  stand_together(workspace_);
+  Document& document = workspace_.session.document;
+  stand_together(workspace_.world(), workspace_.view);
   const Environment fitting = fitting_environment(document.world(), workspace_.view.frame);
   if (fitting != document.world().environment()) {
     if (document.queue().in_stroke()) return false;
@@ -92,7 +92,7 @@ bool TimeFlow::begin() {
 }
 
 void TimeFlow::queue_spring() {
-  Document& document = workspace_.work.document;
+  Document& document = workspace_.session.document;
   if (!spring_ && document.world().spring()) document.apply(ReleaseBody{});
   if (spring_ && document.world().spring() != spring_)
     document.apply(DragBody{spring_->piece, spring_->at, spring_->to});
@@ -100,36 +100,36 @@ void TimeFlow::queue_spring() {
 
 // Queues ticks up to a full minute at most.
 void TimeFlow::queue_ticks(Ticks ticks) {
-  OpenWork& work = workspace_.work;
-  const Ticks of_minute = work.document.world().clock() % CommandQueue::kTicksToForget;
-  if (of_minute == 0) mark_state(work.document, work.marks, true);
+  DocumentSession& session = workspace_.session;
+  const Ticks of_minute = session.world().clock() % CommandQueue::kTicksToForget;
+  if (of_minute == 0) mark_state(session.document, session.marks, true);
   ticks = std::min(ticks, CommandQueue::kTicksToForget - of_minute);
   pace_.take(ticks);
   queue_spring();
-  work.document.apply(AdvanceTime{ticks, true});
+  session.document.apply(AdvanceTime{ticks, true});
 }
 
 // Cooling
 // --------------------------------------------------------------------------------------------------------
 
 bool Cooling::flows() const {
-  const UndoStack& history = workspace_.work.document.history();
+  const UndoStack& history = workspace_.session.document.history();
   const bool stands = play_.playing || play_.one_tick || workspace_.settings.heat_held ||
                       workspace_.changes.is_pending() || workspace_.why_time_stands_still() != nullptr;
-  return !stands && history.position() == history.size() && is_hot(workspace_.work.document.world());
+  return !stands && history.position() == history.size() && is_hot(workspace_.world());
 }
 
 bool Cooling::is_seen() const {
   const double least = workspace_.view.look.show.heat ? kAmbient + kSeenOnScale : kTintedFrom;
-  return workspace_.picture->first().warmest() > least;
+  return workspace_.screen.picture->first().warmest() > least;
 }
 
 bool Cooling::moving() const {
-  return flows() && (is_seen() || workspace_.clock->seconds() - passed_at_ >= kRest);
+  return flows() && (is_seen() || workspace_.screen.clock->seconds() - passed_at_ >= kRest);
 }
 
 void Cooling::advance(double seconds) {
-  Document& document = workspace_.work.document;
+  Document& document = workspace_.session.document;
   if (!flows()) {
     pace_.due = 0;
     unseen_ = false;
@@ -148,7 +148,7 @@ void Cooling::advance(double seconds) {
   pace_.take(ticks);
   document.apply(AdvanceTime{ticks, false, true});
   unseen_ = !seen;
-  passed_at_ = workspace_.clock->seconds();
+  passed_at_ = workspace_.screen.clock->seconds();
 }
 
 }  // namespace kerf

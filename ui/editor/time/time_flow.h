@@ -115,7 +115,9 @@ class Cooling {
   // Returns true if a frame is due although nothing else changes.
   bool moving() const;
   // Returns true if only ticks that do not change the viewport are queued.
-  bool passes_unseen() const { return unseen_ && !workspace_.work.document.queue().pending().holds_beam(); }
+  bool passes_unseen() const {
+    return unseen_ && !workspace_.session.document.queue().pending().holds_beam();
+  }
   // Returns true if something cools over time. The renderer reports how long that is visible.
   bool flows() const;
 

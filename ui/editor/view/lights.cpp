@@ -342,12 +342,12 @@ constexpr const char* kLightPanel = "light";
 
 class LightFeature : public Feature {
  public:
-  explicit LightFeature(Workspace& workspace) : workspace_(workspace) {}
+  LightFeature(const DocumentSession& session, ViewState& view, const PointerInput& input, Services& services)
+      : session_(session), view_(view), input_(input), services_(services) {}
 
   std::vector<PanelPart> panel_parts() override {
-    return {{kLightPanel, [this] {
-               draw_light_panel(workspace_.view, workspace_.world().bounds(), workspace_.statistics.shadows);
-             }}};
+    return {{kLightPanel,
+             [this] { draw_light_panel(view_, session_.world().bounds(), services_.statistics.shadows); }}};
   }
   std::vector<UserAction> actions() override { return light_actions(); }
   std::vector<Gesture> gestures() const override {
@@ -355,90 +355,92 @@ class LightFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {
-    const auto light = light_under(workspace_.view, workspace_.pointer);
+    const auto light = light_under(view_, input_.pointer);
     if (!light || !shows_handles()) return nullptr;
     return std::make_unique<PlainDrag>("Moving a light", [this, light = *light](const InputEvent&) {
-      drag_light(workspace_.view, light, workspace_.pointer);
+      drag_light(view_, light, input_.pointer);
     });
   }
 
-  void on_document_opened() override { workspace_.view.look.shadow.inspected = 0; }
+  void on_document_opened() override { view_.look.shadow.inspected = 0; }
 
   void draw_overlay(ImDrawList& list) override {
-    if (shows_handles() && !workspace_.cutting()) draw_light_handles(workspace_.view, list);
+    if (shows_handles() && !is_cutting(input_, session_.document)) draw_light_handles(view_, list);
   }
   void add_landmarks(Landmarks& landmarks) const override {
-    for (size_t i = 0; i < workspace_.view.look.lights.size() && shows_handles(); ++i) {
-      if (const auto handle = light_handle(workspace_.view, i))
+    for (size_t i = 0; i < view_.look.lights.size() && shows_handles(); ++i) {
+      if (const auto handle = light_handle(view_, i))
         landmarks.mark("light " + std::to_string(i), {*handle, Vec2(0)});
     }
   }
   // Reports the position of each light, and its handle in the window if visible.
   void write_session_log(nlohmann::ordered_json& report) const override {
     nlohmann::ordered_json& all = report["lights"] = nlohmann::ordered_json::array();
-    for (size_t i = 0; i < workspace_.view.look.lights.size(); ++i) {
-      const Vec3& at = workspace_.view.look.lights[i].at;
+    for (size_t i = 0; i < view_.look.lights.size(); ++i) {
+      const Vec3& at = view_.look.lights[i].at;
       nlohmann::ordered_json light{{"at", {at.x, at.y, at.z}}};
-      const auto handle = light_handle(workspace_.view, i);
+      const auto handle = light_handle(view_, i);
       if (handle && shows_handles()) light["handle"] = {handle->x, handle->y};
       all.push_back(light);
     }
-    const auto& wrong = workspace_.statistics.shadows.wrong;
+    const auto& wrong = services_.statistics.shadows.wrong;
     report["pixels_that_rays_have_otherwise"] =
         wrong ? nlohmann::ordered_json(*wrong) : nlohmann::ordered_json();
   }
 
  private:
-  bool shows_handles() const { return workspace_.panels.shows(kLightPanel); }
+  bool shows_handles() const { return services_.panels.shows(kLightPanel); }
   std::vector<UserAction> light_actions();
   std::vector<UserAction> presets();
 
-  Workspace& workspace_;
+  const DocumentSession& session_;
+  ViewState& view_;
+  const PointerInput& input_;
+  Services& services_;
 };
 
 std::vector<UserAction> LightFeature::presets() {
   std::vector<UserAction> actions;
   for (const LightPreset& preset : light_presets()) {
     actions.push_back({.name = preset.name, .tip = preset.meaning});
-    actions.back().run = [&workspace = workspace_, &preset] {
-      ViewOptions& look = workspace.view.look;
-      look.lights = lights_of(preset, workspace.world().bounds(), workspace.view.camera.up_axis());
-      look.shadow.inspected = 0;
-      workspace.view.picture_old = true;
+    actions.back().run = [this, &preset] {
+      view_.look.lights = lights_of(preset, session_.world().bounds(), view_.camera.up_axis());
+      view_.look.shadow.inspected = 0;
+      view_.picture_old = true;
     };
   }
   return actions;
 }
 
 std::vector<UserAction> LightFeature::light_actions() {
-  ViewState& view = workspace_.view;
-  ViewOptions& look = view.look;
-  UserAction add = picture_action(view, "light.add", "Add Light",
+  ViewOptions& look = view_.look;
+  UserAction add = picture_action(view_, "light.add", "Add Light",
                                   "Adds a directional light; drag its handle while the Light panel is open.",
-                                  [&view] { add_light(view.look, view.camera.up_axis()); });
+                                  [this] { add_light(view_.look, view_.camera.up_axis()); });
   add.disabled_reason = [&look] {
     return look.lights.size() < kMaxLights ? nullptr : "There are already four lights, the maximum.";
   };
   UserAction remove =
-      picture_action(view, "light.remove", "Remove Light", "Removes the light shown in the Light panel.",
+      picture_action(view_, "light.remove", "Remove Light", "Removes the light shown in the Light panel.",
                      [&look] { remove_light(look); });
   remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
-  UserAction next =
-      picture_action(view, "light.next", "Next Light", "Selects the next light in the Light panel.", [&look] {
-        KERF_ASSERT(!look.lights.empty());
-        look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
-      });
+  UserAction next = picture_action(view_, "light.next", "Next Light",
+                                   "Selects the next light in the Light panel.", [&look] {
+                                     KERF_ASSERT(!look.lights.empty());
+                                     look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
+                                   });
   next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
   return {UserAction{.id = "light.preset", .name = "Light Preset", .items = [this] { return presets(); }},
           add, remove, next,
-          flag_action(view, "light.paper_look", "Paper Shadow Style", look.shadow.paper_look,
+          flag_action(view_, "light.paper_look", "Paper Shadow Style", look.shadow.paper_look,
                       "Draws shadows as transparent black instead of omitting the light.")};
 }
 
 }  // namespace
 
 std::unique_ptr<Feature> light_feature(Workspace& workspace) {
-  return std::make_unique<LightFeature>(workspace);
+  return std::make_unique<LightFeature>(workspace.session, workspace.view, workspace.input,
+                                        workspace.services);
 }
 
 }  // namespace kerf

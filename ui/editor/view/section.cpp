@@ -217,14 +217,13 @@ void draw_text(ViewState& view, Message& message) {
 
 class DragOfPlane : public Interaction {
  public:
-  DragOfPlane(Workspace& workspace, SectionDrag drag) : workspace_(workspace), drag_(std::move(drag)) {}
+  DragOfPlane(ViewState& view, const PointerInput& input, SectionDrag drag)
+      : view_(view), input_(input), drag_(std::move(drag)) {}
 
   const SectionDrag& drag() const { return drag_; }
-  void move(const InputEvent&) override {
-    show(workspace_.view, drag_.to(workspace_.view.in_picture(workspace_.pointer)));
-  }
+  void move(const InputEvent&) override { show(view_, drag_.to(view_.in_picture(input_.pointer))); }
   bool cancel() override {
-    show(workspace_.view, drag_.from());
+    show(view_, drag_.from());
     return true;
   }
   const char* words() const override {
@@ -233,52 +232,37 @@ class DragOfPlane : public Interaction {
   }
 
  private:
-  Workspace& workspace_;
+  ViewState& view_;
+  const PointerInput& input_;
   SectionDrag drag_;
 };
 
 using Edit = std::function<void(ViewState&)>;
 
-// Shows the plane first if it is hidden.
-UserAction edit_action(Workspace& workspace, const char* id, const char* name, const char* tip, Edit edit) {
-  UserAction action{.id = id, .name = name, .tip = tip};
-  action.run = [&workspace, edit = std::move(edit)] {
-    workspace.view.look.show.section = true;
-    place_section(workspace.view, workspace.world());
-    if (workspace.view.look.section) edit(workspace.view);
-  };
-  return action;
-}
-
-UserAction across(Workspace& workspace, const char* id, const char* name, int axis) {
-  return edit_action(workspace, id, name,
-                     "Turns the plane about its point and hides the side towards the eye.",
-                     [axis](ViewState& view) { turn_section_across(view, axis); });
-}
-
 class SectionFeature : public Feature {
  public:
-  explicit SectionFeature(Workspace& workspace) : workspace_(workspace) {}
+  SectionFeature(const DocumentSession& session, ViewState& view, const PointerInput& input, Message& message)
+      : session_(session), view_(view), input_(input), message_(message) {}
 
   std::vector<PanelPart> panel_parts() override {
     return {{"view.section", [this] { draw_rows(); }}};
   }
 
   std::vector<UserAction> actions() override {
-    return {edit_action(workspace_, "section.flip", "Flip Section Plane",
-                        "Swaps the visible and the hidden side.", flip_section),
-            across(workspace_, "section.across_x", "Section Plane Across X", 0),
-            across(workspace_, "section.across_y", "Section Plane Across Y", 1),
-            across(workspace_, "section.across_z", "Section Plane Across Z", 2),
-            edit_action(workspace_, "section.face_view", "Align Section Plane to View",
+    return {edit_action("section.flip", "Flip Section Plane", "Swaps the visible and the hidden side.",
+                        flip_section),
+            across("section.across_x", "Section Plane Across X", 0),
+            across("section.across_y", "Section Plane Across Y", 1),
+            across("section.across_z", "Section Plane Across Z", 2),
+            edit_action("section.face_view", "Align Section Plane to View",
                         "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
-            edit_action(workspace_, "section.copy", "Copy Section Plane",
+            edit_action("section.copy", "Copy Section Plane",
                         "Copies the plane as text for kerf render --section.",
-                        [this](ViewState& view) { copy_section(view, workspace_.message); }),
+                        [this](ViewState& view) { copy_section(view, message_); }),
             UserAction{.id = "section.paste",
                        .name = "Paste Section Plane",
                        .tip = "Sets the plane from text in the clipboard.",
-                       .run = [this] { paste_section(workspace_.view, workspace_.message); }}};
+                       .run = [this] { paste_section(view_, message_); }}};
   }
 
   std::vector<Gesture> gestures() const override {
@@ -287,58 +271,73 @@ class SectionFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {
-    auto drag = section_drag_at(workspace_.view, workspace_.pointer);
-    return drag ? std::make_unique<DragOfPlane>(workspace_, std::move(*drag)) : nullptr;
+    auto drag = section_drag_at(view_, input_.pointer);
+    return drag ? std::make_unique<DragOfPlane>(view_, input_, std::move(*drag)) : nullptr;
   }
 
-  void update(double) override { place_section(workspace_.view, workspace_.world()); }
+  void update(double) override { place_section(view_, session_.world()); }
 
   void on_document_opened() override {
-    workspace_.view.look.section.reset();
-    workspace_.view.look.show.section = false;
+    view_.look.section.reset();
+    view_.look.show.section = false;
   }
 
   void draw_overlay(ImDrawList& list) override {
-    if (workspace_.cutting()) return;
-    const auto* held = dynamic_cast<const DragOfPlane*>(workspace_.held.get());
-    draw_section(workspace_.view, workspace_.world().bounds(),
-                 workspace_.points() ? std::optional(workspace_.pointer) : std::nullopt,
+    if (is_cutting(input_, session_.document)) return;
+    const auto* held = dynamic_cast<const DragOfPlane*>(input_.held.get());
+    draw_section(view_, session_.world().bounds(),
+                 input_.points() ? std::optional(input_.pointer) : std::nullopt,
                  held != nullptr ? std::optional(held->drag()) : std::nullopt, list);
   }
 
-  void add_landmarks(Landmarks& landmarks) const override {
-    mark_handles(section_handles(workspace_.view), landmarks);
-  }
+  void add_landmarks(Landmarks& landmarks) const override { mark_handles(section_handles(view_), landmarks); }
 
  private:
+  // Shows the plane first if it is hidden.
+  UserAction edit_action(const char* id, const char* name, const char* tip, Edit edit) {
+    UserAction action{.id = id, .name = name, .tip = tip};
+    action.run = [this, edit = std::move(edit)] {
+      view_.look.show.section = true;
+      place_section(view_, session_.world());
+      if (view_.look.section) edit(view_);
+    };
+    return action;
+  }
+  UserAction across(const char* id, const char* name, int axis) {
+    return edit_action(id, name, "Turns the plane about its point and hides the side towards the eye.",
+                       [axis](ViewState& view) { turn_section_across(view, axis); });
+  }
   void draw_rows();
 
-  Workspace& workspace_;
+  const DocumentSession& session_;
+  ViewState& view_;
+  const PointerInput& input_;
+  Message& message_;
   NumberFields fields_;
 };
 
 // Draws fields for point and normal, in file units, and buttons that flip, turn, copy and paste the plane.
 void SectionFeature::draw_rows() {
-  ViewState& view = workspace_.view;
-  if (shown_section(view.look) == nullptr || !begin_properties("section plane")) return;
-  SectionPlane plane = *view.look.section;
+  if (shown_section(view_.look) == nullptr || !begin_properties("section plane")) return;
+  SectionPlane plane = *view_.look.section;
   bool typed = fields_.vector("Section", plane.point, "%.5g", "Point on the plane, about which it turns.",
-                              file_unit(view.frame.unit), workspace_.world().loaded_bounds().diagonal());
+                              file_unit(view_.frame.unit), session_.world().loaded_bounds().diagonal());
   typed |= fields_.vector("Normal", plane.normal, "%.4g",
                           "Normal of the plane, of any length. The side it points to is hidden.");
   if (typed && plane.normal != Vec3(0)) {
-    view.look.section = SectionPlane::facing(plane.point, plane.normal);
-    view.picture_old = true;
+    view_.look.section = SectionPlane::facing(plane.point, plane.normal);
+    view_.picture_old = true;
   }
-  draw_turns(view);
-  draw_text(view, workspace_.message);
+  draw_turns(view_);
+  draw_text(view_, message_);
   end_properties();
 }
 
 }  // namespace
 
 std::unique_ptr<Feature> section_feature(Workspace& workspace) {
-  return std::make_unique<SectionFeature>(workspace);
+  return std::make_unique<SectionFeature>(workspace.session, workspace.view, workspace.input,
+                                          workspace.message);
 }
 
 }  // namespace kerf

@@ -58,17 +58,17 @@ constexpr double kScaleStep = 0.125;
 // A press on the axes: a click looks along an axis, a drag orbits.
 class PressOnAxes : public Interaction {
  public:
-  explicit PressOnAxes(Workspace& workspace) : workspace_(workspace), pressed_at_(workspace.pointer) {}
+  explicit PressOnAxes(Workspace& workspace) : workspace_(workspace), pressed_at_(workspace.input.pointer) {}
 
   void move(const InputEvent& event) override {
     if (orbit_) {
       orbit_->move(event);
-    } else if (glm::length(workspace_.pointer - pressed_at_) > kClickReach) {
+    } else if (glm::length(workspace_.input.pointer - pressed_at_) > kClickReach) {
       orbit_.emplace(workspace_);
     }
   }
   void release(const InputEvent&) override {
-    const auto axis = orbit_ ? std::nullopt : axis_end_under(workspace_.view, workspace_.pointer);
+    const auto axis = orbit_ ? std::nullopt : axis_end_under(workspace_.view, workspace_.input.pointer);
     if (axis) workspace_.view.camera.turn_to(axis->view.yaw, axis->view.pitch);
   }
   const char* words() const override { return orbit_ ? orbit_->words() : nullptr; }
@@ -79,18 +79,17 @@ class PressOnAxes : public Interaction {
   std::optional<Orbit> orbit_;
 };
 
-void copy_view(Workspace& workspace) {
-  ImGui::SetClipboardText(
-      view_text({workspace.view.seen().near().eye, workspace.view.camera.pivot()}).c_str());
-  workspace.message.say("Copied the camera as text");
+void copy_view(const ViewState& view, Message& message) {
+  ImGui::SetClipboardText(view_text({view.seen().near().eye, view.camera.pivot()}).c_str());
+  message.say("Copied the camera as text");
 }
 
-void paste_view(Workspace& workspace) {
+void paste_view(ViewState& view, Message& message) {
   const char* text = ImGui::GetClipboardText();
-  const Result<View> view = parse_view_text(text != nullptr ? text : "");
-  if (!view) return workspace.message.say(view.error().message, true);
-  workspace.view.camera.look(view->eye, view->target);
-  workspace.message.say("");
+  const Result<View> pasted = parse_view_text(text != nullptr ? text : "");
+  if (!pasted) return message.say(pasted.error().message, true);
+  view.camera.look(pasted->eye, pasted->target);
+  message.say("");
 }
 
 void change_scale(Settings& settings, double by) {
@@ -114,15 +113,15 @@ UserAction look_action(ViewState& view, size_t which) {
   return action;
 }
 
-UserAction switch_action(Workspace& workspace, const ViewSwitch& s) {
+UserAction switch_action(ViewState& view, Message& message, const ViewSwitch& s) {
   UserAction action{.id = action_id(s), .name = action_name(s), .tip = s.tip};
   if (s.key != 0) action.shortcut = std::string(1, s.key);
-  action.run = [&view = workspace.view, &message = workspace.message, &s] {
+  action.run = [&view, &message, &s] {
     s.flip(view.look);
     view.picture_old = true;
     if (!s.is_two_state()) message.say(std::string(s.label) + ": " + s.states[s.get(view.look)]);
   };
-  action.checked = [&view = workspace.view, &s] { return s.get(view.look) != 0; };
+  action.checked = [&view, &s] { return s.get(view.look) != 0; };
   return action;
 }
 
@@ -151,14 +150,15 @@ class ViewFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {
-    return is_on_axes(workspace_.view, workspace_.pointer) ? std::make_unique<PressOnAxes>(workspace_)
-                                                           : nullptr;
+    return is_on_axes(workspace_.view, workspace_.input.pointer) ? std::make_unique<PressOnAxes>(workspace_)
+                                                                 : nullptr;
   }
 
   void draw_overlay(ImDrawList& list) override {
-    draw_axes_gizmo(workspace_.view, workspace_.pointer_over_picture(), list);
-    workspace_.view.legends = draw_legends(legends_of(workspace_.view.look, workspace_.statistics.shadows),
-                                           under_label(workspace_.view.layout));
+    draw_axes_gizmo(workspace_.view, workspace_.input.pointer_in_viewport(), list);
+    workspace_.view.legends =
+        draw_legends(legends_of(workspace_.view.look, workspace_.services.statistics.shadows),
+                     under_label(workspace_.view.layout));
   }
   void add_landmarks(Landmarks& landmarks) const override {
     for (const AxisEnd& end : axis_ends(workspace_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});
@@ -187,12 +187,12 @@ std::vector<UserAction> ViewFeature::text_of_view_actions() {
                  .name = "Copy Camera",
                  .shortcut = "Ctrl+C",
                  .tip = "Copies the position of the camera as text.",
-                 .run = [this] { copy_view(workspace_); }},
+                 .run = [this] { copy_view(workspace_.view, workspace_.message); }},
       UserAction{.id = "view.paste_camera",
                  .name = "Paste Camera",
                  .shortcut = "Ctrl+V",
                  .tip = "Sets the camera from text in the clipboard.",
-                 .run = [this] { paste_view(workspace_); }},
+                 .run = [this] { paste_view(workspace_.view, workspace_.message); }},
   };
 }
 
@@ -227,7 +227,7 @@ std::vector<UserAction> ViewFeature::camera_actions() {
 std::vector<UserAction> ViewFeature::switch_actions() {
   std::vector<UserAction> actions;
   for (const ViewSwitch& each : view_switches()) {
-    if (each.label[0] != '\0') actions.push_back(switch_action(workspace_, each));
+    if (each.label[0] != '\0') actions.push_back(switch_action(workspace_.view, workspace_.message, each));
   }
   return actions;
 }

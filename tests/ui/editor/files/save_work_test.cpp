@@ -22,28 +22,30 @@ class SaveWork : public testing::Test {
     write_text(folder_ / "plate.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
     auto work = open_file(folder_ / "plate.obj");
     ASSERT_TRUE(work.ok());
-    work_.document = Document(std::move(work->scene.world));
-    work_.scene = std::move(work->scene);
-    work_.saved_lights = view_.look.lights;
-    work_.files = {folder_ / "plate.obj"};
+    session_.document = Document(std::move(work->scene.world));
+    session_.scene = std::move(work->scene);
+    session_.saved_lights = view_.look.lights;
+    session_.files = {folder_ / "plate.obj"};
   }
   void cut() {
     CutSettings settings;
     settings.laser.radius = 0.05;
-    work_.document.apply(BeginStroke{settings, {{0.2, 1, 0.2}, {0, -1, 0}}});
-    work_.document.apply(EndStroke{});
-    while (work_.document.waiting() > 0) ASSERT_TRUE(work_.document.step(1).ok());
+    session_.document.apply(BeginStroke{settings, {{0.2, 1, 0.2}, {0, -1, 0}}});
+    session_.document.apply(EndStroke{});
+    while (session_.document.waiting() > 0) ASSERT_TRUE(session_.document.step(1).ok());
   }
 
   TemporaryFolder folder_;
-  std::string title() const { return window_title(work_, view_.look.lights); }
-  bool unsaved() const { return is_unsaved(work_, view_.look.lights); }
-  bool save(const std::filesystem::path& file) { return save_work(work_, view_, file, settings_, message_); }
+  std::string title() const { return window_title(session_, view_.look.lights); }
+  bool unsaved() const { return is_unsaved(session_, view_.look.lights); }
+  bool save(const std::filesystem::path& file) {
+    return save_work(session_, view_, file, settings_, message_);
+  }
   bool may_go() {
-    return may_leave(decisions_, work_, view_.look.lights, [] {});
+    return may_leave(decisions_, session_, view_.look.lights, [] {});
   }
 
-  OpenWork work_;
+  DocumentSession session_;
   ViewState view_;
   Settings settings_;
   Message message_;
@@ -55,7 +57,7 @@ TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
   EXPECT_EQ(title(), "plate.obj - Kerf");
   cut();
   EXPECT_EQ(title(), "plate.obj* - Kerf");
-  EXPECT_EQ(suggested_name(work_), "plate.kerf");
+  EXPECT_EQ(suggested_name(session_), "plate.kerf");
   ASSERT_TRUE(save(folder_ / "mine"));
   EXPECT_EQ(title(), "mine.kerf - Kerf");
   view_.look.lights.front().intensity *= 2;
@@ -64,19 +66,19 @@ TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
 
 TEST_F(SaveWork, nothing_is_unsaved_once_all_that_came_since_is_undone) {
   cut();
-  work_.document.apply(Undo{});
+  session_.document.apply(Undo{});
   EXPECT_FALSE(unsaved());
-  work_.document.apply(Redo{});
+  session_.document.apply(Redo{});
   EXPECT_TRUE(unsaved());
   ASSERT_TRUE(save(folder_ / "mine.kerf"));
-  work_.document.apply(Undo{});
+  session_.document.apply(Undo{});
   EXPECT_TRUE(unsaved());
-  work_.document.apply(Redo{});
+  session_.document.apply(Redo{});
   EXPECT_FALSE(unsaved());
-  work_.document.apply(Undo{});
+  session_.document.apply(Undo{});
   cut();
   EXPECT_TRUE(unsaved());  // as many strokes as were saved, but another one
-  work_.document.apply(Undo{});
+  session_.document.apply(Undo{});
   EXPECT_TRUE(unsaved());
 }
 
@@ -107,7 +109,7 @@ TEST_F(SaveWork, a_file_that_cannot_be_written_leaves_the_work_unsaved) {
   EXPECT_FALSE(save(folder_.path() / "no" / "mine.kerf"));
   EXPECT_TRUE(message_.is_error);
   EXPECT_TRUE(unsaved());
-  EXPECT_TRUE(work_.file.empty());
+  EXPECT_TRUE(session_.file.empty());
 }
 
 TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
@@ -136,11 +138,11 @@ TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
 
 TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
   cut();
-  ASSERT_TRUE(record_hashes(work_.scene).ok());
+  ASSERT_TRUE(record_hashes(session_.scene).ok());
   {
     Autosave dead(folder_ / "state");
-    dead.begin(work_.scene, {}, {folder_ / "workshop.json"});
-    ASSERT_TRUE(dead.follow(work_.document, {}).ok());
+    dead.begin(session_.scene, {}, {folder_ / "workshop.json"});
+    ASSERT_TRUE(dead.follow(session_.document, {}).ok());
   }
   std::vector<std::string> faults;
   ask_about_left_work(decisions_, find_left_work(folder_ / "state", faults));
@@ -150,11 +152,11 @@ TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
 
 TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor_left) {
   cut();
-  ASSERT_TRUE(record_hashes(work_.scene).ok());
+  ASSERT_TRUE(record_hashes(session_.scene).ok());
   {
     Autosave dead(folder_ / "state");
-    dead.begin(work_.scene, {});
-    ASSERT_TRUE(dead.follow(work_.document, {}).ok());
+    dead.begin(session_.scene, {});
+    ASSERT_TRUE(dead.follow(session_.document, {}).ok());
   }
   std::vector<std::string> faults;
   left_work_ = find_left_work(folder_ / "state", faults);

@@ -17,11 +17,11 @@ struct RulerBench {
   RulerBench() {
     World world;
     world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
-    workspace.work.document = Document(std::move(world));
+    workspace.session.document = Document(std::move(world));
     workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
     workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
     workspace.view.camera.finish();
-    workspace.tool = kRulerTool;
+    workspace.input.tool = kRulerTool;
   }
   Vec2 seen(const Vec3& p) const { return FirstPicture(workspace.view).place_of(p).value(); }
   void hear(InputEvent::Kind kind, Vec2 at) {
@@ -39,7 +39,7 @@ struct RulerBench {
     }
   }
   nlohmann::json kept() const {
-    return nlohmann::json::parse(workspace.work.scene.others).value("rulers", nlohmann::json());
+    return nlohmann::json::parse(workspace.session.scene.others).value("rulers", nlohmann::json());
   }
 
   test::EditorFeatures editor;
@@ -54,7 +54,7 @@ TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cu
   ASSERT_EQ(bench.kept().size(), 1u);
   EXPECT_LT(bench.kept()[0]["from"][0], 0);
   EXPECT_GT(bench.kept()[0]["to"][0], 0);
-  EXPECT_EQ(bench.workspace.work.document.history().totals().strokes, 0u);
+  EXPECT_EQ(bench.workspace.session.document.history().totals().strokes, 0u);
   bench.run("ruler.undo");
   EXPECT_TRUE(bench.kept().is_null());
 }
@@ -76,7 +76,8 @@ TEST(RulerFeature, a_drag_of_an_end_moves_it_and_is_one_step_of_the_undo) {
 
 TEST(RulerFeature, shows_what_the_head_of_an_opened_document_holds) {
   RulerBench bench;
-  bench.workspace.work.scene.others = R"({"rulers": [{"name": "axle", "from": [0, 0, 1], "to": [0, 1, 0]}]})";
+  bench.workspace.session.scene.others =
+      R"({"rulers": [{"name": "axle", "from": [0, 0, 1], "to": [0, 1, 0]}]})";
   for (const auto& feature : bench.editor.features) feature->on_document_opened();
   nlohmann::ordered_json report;
   for (const auto& feature : bench.editor.features) feature->write_session_log(report);

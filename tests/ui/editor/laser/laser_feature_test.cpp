@@ -18,15 +18,15 @@ TEST(LaserFeature, the_last_stroke_can_be_cut_again_and_where_there_is_none_it_s
   Workspace workspace;
   World world;
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
-  workspace.work.document = Document(std::move(world));
+  workspace.session.document = Document(std::move(world));
   const auto laser = laser_feature(workspace);
   EXPECT_NE(why_no_recut(*laser), nullptr);
   CutSettings settings;
   settings.laser.radius = 0.1;
-  workspace.work.document.apply(BeginStroke{settings, {{0, 0, 5}, {0, 0, -1}}});
+  workspace.session.document.apply(BeginStroke{settings, {{0, 0, 5}, {0, 0, -1}}});
   EXPECT_NE(why_no_recut(*laser), nullptr);
-  workspace.work.document.apply(EndStroke{});
-  while (workspace.work.document.waiting() > 0) ASSERT_TRUE(workspace.work.document.step(8).ok());
+  workspace.session.document.apply(EndStroke{});
+  while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
   EXPECT_EQ(why_no_recut(*laser), nullptr);
 }
 
@@ -34,17 +34,17 @@ TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_mov
   Workspace workspace;
   World world;
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
-  workspace.work.document = Document(std::move(world));
+  workspace.session.document = Document(std::move(world));
   const auto laser = laser_feature(workspace);
   EXPECT_FALSE(laser->cancel());
   CutSettings settings;
   settings.laser.radius = 0.1;
-  workspace.work.document.apply(BeginStroke{settings, {{-0.5, 0, 5}, {0, 0, -1}}});
-  workspace.work.document.apply(MoveBeam{{{0.5, 0, 5}, {0, 0, -1}}, 1});
-  workspace.work.document.apply(EndStroke{});
+  workspace.session.document.apply(BeginStroke{settings, {{-0.5, 0, 5}, {0, 0, -1}}});
+  workspace.session.document.apply(MoveBeam{{{0.5, 0, 5}, {0, 0, -1}}, 1});
+  workspace.session.document.apply(EndStroke{});
   EXPECT_TRUE(laser->cancel());  // in the frame in which the button was released
   EXPECT_TRUE(workspace.changes.is_asked());
-  while (workspace.work.document.waiting() > 0) ASSERT_TRUE(workspace.work.document.step(8).ok());
+  while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
   EXPECT_FALSE(laser->cancel());
 }
 

@@ -154,14 +154,14 @@ struct Bench {
   Bench() {
     World world;
     id = world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
-    workspace.work.document = Document(std::move(world));
+    workspace.session.document = Document(std::move(world));
     workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
     workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
     workspace.view.camera.finish();
     workspace.view.look.pieces[{id, 0}].selected = true;
-    workspace.tool = kPickTool;
+    workspace.input.tool = kPickTool;
     const Area& area = workspace.view.layout.first;
-    workspace.pointer = area.at + 0.5 * area.size;
+    workspace.input.pointer = area.at + 0.5 * area.size;
   }
   void run(const std::string& action) {
     for (const UserAction& a : feature->actions()) {
@@ -175,7 +175,7 @@ struct Bench {
   const PieceLook& look() { return workspace.view.look.pieces[{id, 0}]; }
   std::vector<PieceHandle> handles() const {
     return piece_handles(workspace.view, pivot_shown(workspace.view, std::nullopt,
-                                                     workspace.tool == kPickTool, workspace.world()));
+                                                     workspace.input.tool == kPickTool, workspace.world()));
   }
 
   Workspace workspace;
@@ -198,7 +198,7 @@ TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
 TEST(Moving, ends_with_the_command_that_moves_the_piece) {
   Bench b;
   Moving moving(b.workspace.view);
-  moving.begin(b.workspace.world(), Kind::kMove, b.workspace.pointer);
+  moving.begin(b.workspace.world(), Kind::kMove, b.workspace.input.pointer);
   EXPECT_TRUE(moving.key(GLFW_KEY_Y) && moving.key(GLFW_KEY_2));
   const auto command = moving.confirm();
   ASSERT_TRUE(command);
@@ -241,7 +241,7 @@ TEST(PieceHandles, are_found_where_they_are_drawn_and_only_with_the_tool_that_pi
   }
   const Area& area = b.workspace.view.layout.first;
   EXPECT_FALSE(handle_under(handles, area.at + Vec2(5)));
-  b.workspace.tool = kLaserTool;
+  b.workspace.input.tool = kLaserTool;
   EXPECT_TRUE(b.handles().empty());
 }
 

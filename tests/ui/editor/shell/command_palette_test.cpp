@@ -72,9 +72,9 @@ TEST_F(Palette, the_actions_of_panels_change_what_the_panels_show) {
   EXPECT_EQ(workspace.view.look.lights.size(), 2u);
   run("remove light");
   EXPECT_EQ(workspace.view.look.lights.size(), 1u);
-  const bool shown = workspace.panels.shows("tree");
+  const bool shown = workspace.services.panels.shows("tree");
   run("panels tree");
-  EXPECT_NE(workspace.panels.shows("tree"), shown);
+  EXPECT_NE(workspace.services.panels.shows("tree"), shown);
 }
 
 }  // namespace

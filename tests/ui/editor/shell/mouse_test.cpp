@@ -20,7 +20,7 @@ struct MouseBench {
   MouseBench() {
     World world;
     world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
-    workspace.work.document = Document(std::move(world));
+    workspace.session.document = Document(std::move(world));
     workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
     workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
     workspace.view.camera.finish();
@@ -28,7 +28,7 @@ struct MouseBench {
   }
   void hear(const InputEvent& event) { hear_mouse(workspace, editor.features, event, true); }
   void cut() {
-    while (workspace.work.document.waiting() > 0) ASSERT_TRUE(workspace.work.document.step(8).ok());
+    while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
   }
   uint64_t hash() const { return state_hash(workspace.world()); }
 
@@ -63,7 +63,7 @@ TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames)
     fast.hear(e);
     fast.cut();
   }
-  EXPECT_GT(slow.workspace.work.document.history().totals().removed_faces, 100u);
+  EXPECT_GT(slow.workspace.session.document.history().totals().removed_faces, 100u);
   EXPECT_EQ(slow.hash(), fast.hash());
 }
 
@@ -71,7 +71,7 @@ TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
   MouseBench bench;
   for (const InputEvent& e : arc()) bench.hear(e);
   std::vector<double> times;
-  for (const Command& c : bench.workspace.work.document.journal()) {
+  for (const Command& c : bench.workspace.session.document.journal()) {
     if (const auto* move = std::get_if<MoveBeam>(&c)) times.push_back(move->time);
   }
   ASSERT_EQ(times.size(), 40u);
@@ -102,20 +102,20 @@ TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_clo
 
 TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
   MouseBench bench;
-  bench.workspace.tool = kPickTool;
+  bench.workspace.input.tool = kPickTool;
   for (const InputEvent& e : arc()) bench.hear(e);
-  EXPECT_EQ(bench.workspace.work.document.history().totals().strokes, 0u);
-  EXPECT_EQ(bench.workspace.held, nullptr);
+  EXPECT_EQ(bench.workspace.session.document.history().totals().strokes, 0u);
+  EXPECT_EQ(bench.workspace.input.held, nullptr);
 }
 
 TEST(Mouse, a_stroke_that_is_cancelled_lets_go_of_the_mouse) {
   MouseBench bench;
   bench.hear(arc()[0]);
   bench.hear(arc()[1]);
-  ASSERT_NE(bench.workspace.held, nullptr);
+  ASSERT_NE(bench.workspace.input.held, nullptr);
   EXPECT_TRUE(cancel_stroke(bench.workspace));
   bench.hear(arc()[2]);
-  EXPECT_EQ(bench.workspace.held, nullptr);
+  EXPECT_EQ(bench.workspace.input.held, nullptr);
   EXPECT_FALSE(bench.workspace.beam.cutting());
 }
 

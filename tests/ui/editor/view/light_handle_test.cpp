@@ -23,11 +23,11 @@ TEST(LightFeature, a_press_on_a_handle_moves_the_light_while_the_panel_is_unfold
   workspace.view.camera.look({0, 1, 8}, {0, 0, 0});
   workspace.view.camera.finish();
   const auto feature = light_feature(workspace);
-  workspace.pointer = light_handle(workspace.view, 0).value();
-  const InputEvent event{InputEvent::Kind::kPress, workspace.pointer};
+  workspace.input.pointer = light_handle(workspace.view, 0).value();
+  const InputEvent event{InputEvent::Kind::kPress, workspace.input.pointer};
   EXPECT_EQ(feature->begin_interaction({event}), nullptr);
-  workspace.panels.add("light", Tab::kView, Dock::kColumn, false);
-  workspace.panels.show("light");
+  workspace.services.panels.add("light", Tab::kView, Dock::kColumn, false);
+  workspace.services.panels.show("light");
   EXPECT_NE(feature->begin_interaction({event}), nullptr);
   workspace.settings.side_shown = false;
   EXPECT_EQ(feature->begin_interaction({event}), nullptr);

@@ -88,7 +88,7 @@ bool ProgressLine::update(double fraction) {
   return true;
 }
 
-Error stopped() { return failed("stopped before it was done"); }
+Error stopped() { return failed("interrupted"); }
 
 Error error_or_stopped(const Error& error) { return interrupted() ? stopped() : error; }
 

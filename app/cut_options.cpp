@@ -32,23 +32,23 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.range("range", o.range, "MIN,MAX: the part of the beam that cuts, in metres (0 to 10 diagonals)");
   v.choice("pattern", o.pattern, {"volume", "rays4"}, "volume or rays4 (volume)");
   v.choice("scheme", o.scheme, {"one-to-four", "longest-edge"},
-           "How faces are split: one-to-four or longest-edge (longest-edge)");
-  v.choice("rim", o.rim, {"faces", "smooth"}, "Rim of the cut: faces or smooth (faces)");
+           "Subdivision of faces: one-to-four or longest-edge (longest-edge)");
+  v.choice("rim", o.rim, {"faces", "smooth"}, "Rim of the cut: faces (jagged) or smooth (faces)");
   v.flag("solid", o.solid,
-         "The meshes are solids: walls along the kerf close the pieces (implies --rim smooth)");
+         "The meshes are solids: walls cap the cut, so pieces are closed (implies --rim smooth)");
   v.text("cut-material", o.cut_material,
          "Material of the cut faces of solids: one of the mesh, or a new one (cut)");
   v.flag("turn-shells", o.turn_shells,
-         "Turn closed parts inside others that face the same way, which makes them cavities");
+         "Flip closed parts inside others that face the same way, which makes them cavities");
   v.number("target-edge", o.target_edge, kPositive,
            "Longest edge under the beam in metres (radius/4; thermal: radius)");
   v.number("tolerance", o.tolerance, kPositive,
-           "Instead: how far removed faces may reach out of the beam, in metres");
-  v.whole("depth", o.depth, 0, Resolution::kLargestDepth, "Instead: levels under the base face");
+           "Instead: maximum overshoot of removed faces beyond the beam, in metres");
+  v.whole("depth", o.depth, 0, Resolution::kLargestDepth, "Instead: maximum refinement level");
   v.whole("steps", o.steps, 1, 1'000'000, "Number of steps per stroke (as many as the sweep needs)");
   v.choice("model", o.model, {"geometric", "thermal"},
-           "Removal of faces: geometric removes them at once, thermal heats each until it has the "
-           "energy that its material needs (geometric)");
+           "Cut mode: geometric removes faces at once, thermal when they have absorbed enough energy "
+           "(geometric)");
   v.text("material", o.material, "Material of the sheets (mild-steel); kerf materials lists them");
   v.number("power", o.power, kPositive, "Beam power in watts (2000, or that of the path file)");
   v.choice("assist", o.assist, {"none", "oxygen"},
@@ -59,8 +59,7 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.flag("recentre", o.recentre,
          "Write coordinates relative to an origin near the meshes, stated in the report (\"origin\")");
   v.number("settle", o.settle, kFall,
-           "Simulate this many seconds of falling after the last stroke, and write the pieces where "
-           "they are then");
+           "Simulate this many seconds of falling after the last stroke before the pieces are written");
   v.number("ground", o.ground, kFinite,
            "With --settle: height of the ground in metres (the lowest point of all meshes)");
   v.number("thickness", o.thickness, kThickness.range, "Thickness of the sheets, in metres (0.001)");
@@ -200,7 +199,7 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
                       "), cut together, - for one on standard input, or a scene (.json)")
       ->required();
   command.add_option("--path", o.path,
-                     "The strokes of the laser (JSON), or - for standard input; without it no stroke is cut");
+                     "The strokes of the laser (JSON), or - for standard input; default: no strokes");
   command.add_option("-o,--out", o.out, "The folder for the pieces and report.json")->required();
   Offer offer{command};
   visit_options(o, offer);

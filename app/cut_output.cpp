@@ -35,12 +35,12 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const 
   };
   std::string text;
   if (strokes == 0) {
-    text = "nothing was cut, because there is no stroke";
+    text = "no strokes given";
   } else if (job.removed_faces == 0 && job.thermal && job.statistics.met_s > 0) {
     text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
            std::to_string(std::lround(100 * job.depth_fraction())) + " % of the thickness";
   } else if (job.removed_faces == 0) {
-    text = count(strokes, "stroke") + " met nothing";
+    text = count(strokes, "stroke") + " hit nothing";
   } else {
     text = count(strokes, "stroke") + " removed " + count(job.removed_faces, "face") + " (" +
            area_text(job.removed_area) + ")";
@@ -57,7 +57,7 @@ std::string missed_text(const CutJob& job, const std::string& file) {
     text += "/strokes/" + std::to_string(job.missed[i]);
   }
   if (named < count) text += " and " + std::to_string(count - named) + " more";
-  return text + " met nothing: no mesh is where the beam goes";
+  return text + " hit nothing: no mesh is in the path of the beam";
 }
 
 namespace {

@@ -146,9 +146,10 @@ class PlayRun {
     if (const Status s = write_report(match); !s) return s;
     if (const Status s = write_record(match); !s) return s;
     const Standing& standing = match.standing();
-    std::cerr << "kerf: " << result_of(match) << " after " << seconds_of_ticks(standing.ticks) << " s with "
-              << standing.score << " points, " << standing.enemies_destroyed << " destroyed, "
-              << standing.pieces << " pieces cut off\n";
+    std::cerr << "kerf: " << result_of(match) << " after " << seconds_of_ticks(standing.ticks)
+              << " s: " << standing.score << " points, " << standing.enemies_destroyed
+              << (standing.enemies_destroyed == 1 ? " wreck, " : " wrecks, ") << standing.pieces
+              << " pieces\n";
     return Done{};
   }
 

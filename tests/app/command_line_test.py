@@ -408,7 +408,7 @@ class CommandLine(unittest.TestCase):
         self.write("some.json", json.dumps({"strokes": [far, *ACROSS["strokes"], far]}))
         done = self.run_here("cut", "plate.obj", "--path", "some.json", "--out", "out", "--journal", "some.kerf")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stderr.splitlines()[0], "kerf: warning: some.json: /strokes/0 and /strokes/2 met nothing: "
+        self.assertEqual(done.stderr.splitlines()[0], "kerf: warning: some.json: /strokes/0 and /strokes/2 hit nothing: "
                                                       "no mesh is where the beam goes")
         self.assertEqual(json.loads(self.read("out/report.json"))["missed"], [0, 2])
         done = self.run_here("replay", "some.kerf", "--out", "again")
@@ -493,7 +493,7 @@ class CommandLine(unittest.TestCase):
         self.assertRegex(done.stderr, r"^kerf: 1 stroke removed [0-9 ]+ faces \([0-9.]+ cm²\); "
                                       r"2 pieces and report.json are in out\n$")
         done = self.run_here("cut", "plate.obj", "--out", "whole")
-        self.assertEqual(done.stderr, "kerf: nothing was cut, because there is no stroke; "
+        self.assertEqual(done.stderr, "kerf: no strokes given; "
                                       "1 piece and report.json are in whole\n")
 
     def test_the_example_of_a_path_file_in_the_readme_of_app_and_in_the_help_cuts_the_car_in_two(self):

@@ -67,7 +67,7 @@ class OnATerminal(unittest.TestCase):
             self.assertTrue(run.read_until(b"kerf: loading long.obj"), run.shown)
             run.process.send_signal(signal.SIGINT)
             self.assertEqual(run.finish(), 130, run.shown)
-            self.assertTrue(run.shown.endswith(b"\r\x1b[Kkerf: stopped before it was done\r\n"), run.shown[-60:])
+            self.assertTrue(run.shown.endswith(b"\r\x1b[Kkerf: interrupted\r\n"), run.shown[-60:])
         self.assertEqual(sorted(os.listdir(self.folder.name)), ["across.json", "long.obj", "plate.obj"])
 
 

@@ -50,9 +50,9 @@ void draw_scores(const std::vector<HighScore>& scores, const std::string& title,
     const bool is_now = i + 1 == now;
     ImGui::PushStyleColor(ImGuiCol_Text, is_now ? colours::accent() : colours::text());
     const std::string outcome =
-        std::string(s.won ? "won   " : "lost  ") + std::to_string(s.enemies_destroyed) + " destroyed  ";
+        std::string(s.won ? "won   " : "lost  ") + std::to_string(s.enemies_destroyed) + " wrecks  ";
     ImGui::Text("%2zu  %6.0f  %s%s%s", i + 1, s.score, fights ? outcome.c_str() : "",
-                clock_text(s.seconds).c_str(), is_now ? "  this match" : "");
+                clock_text(s.seconds).c_str(), is_now ? "  (this match)" : "");
     ImGui::PopStyleColor();
   }
   ImGui::Spacing();
@@ -82,22 +82,22 @@ void combo(const char* label, Enum& value, const std::array<const char*, n>& nam
 void draw_settings(const MenuView& view) {
   GameSettings& s = view.settings;
   ImGui::PushItemWidth(11 * ImGui::GetFontSize());
-  combo("Difficulty of the next match", s.difficulty, std::array{"Easy", "Normal", "Hard"});
-  slider("Sensitivity of the aim", s.sensitivity, GameSettings::kMinSensitivity,
-         GameSettings::kMaxSensitivity, "%.2f");
-  slider("Field of view", s.field_of_view, GameSettings::kMinView, GameSettings::kMaxView, "%.0f degrees");
+  combo("Difficulty (Next Match)", s.difficulty, std::array{"Easy", "Normal", "Hard"});
+  slider("Aim Sensitivity", s.sensitivity, GameSettings::kMinSensitivity, GameSettings::kMaxSensitivity,
+         "%.2f");
+  slider("Field of View", s.field_of_view, GameSettings::kMinView, GameSettings::kMaxView, "%.0f\u00b0");
   double percent = 100 * s.volume;
   slider("Volume", percent, 0, 100, "%.0f %%");
   s.volume = percent / 100;
-  combo("Picture", s.preset, std::array{"Automatic", "Low", "Medium", "High"});
+  combo("Graphics Quality", s.preset, std::array{"Automatic", "Low", "Medium", "High"});
   combo("Colours", view.look.palette, std::array{"Red and green", "Orange and blue"});
   ImGui::PopItemWidth();
-  ImGui::Checkbox("Invert the aim", &s.invert);
-  ImGui::Checkbox("Aim help", &s.aim_help);
-  ImGui::Checkbox("Guide at the beginning", &s.guide);
+  ImGui::Checkbox("Invert Vertical Aim", &s.invert);
+  ImGui::Checkbox("Aim Assist", &s.aim_help);
+  ImGui::Checkbox("Show Controls at Start", &s.guide);
   mark_last_item("guide");
-  ImGui::Checkbox("Shake in crashes", &s.shake);
-  ImGui::Checkbox("Frames a second", &s.show_speed);
+  ImGui::Checkbox("Camera Shake", &s.shake);
+  ImGui::Checkbox("Show FPS", &s.show_speed);
 }
 
 void draw_views(ViewOptions& look) {
@@ -123,8 +123,8 @@ std::string words_on_course(const MatchResult& result) {
     return std::to_string(n) + " " + (n == 1 ? one : more) + ", ";
   };
   std::string words;
-  if (!result.ended) words += count(result.score.enemies_destroyed, "enemy destroyed", "enemies destroyed");
-  words += count(result.pieces, "piece cut off", "pieces cut off");
+  if (!result.ended) words += count(result.score.enemies_destroyed, "wreck", "wrecks");
+  words += count(result.pieces, "piece cut", "pieces cut");
   if (!result.ended) words += count(result.wheels_lost, "wheel lost", "wheels lost");
   return words + clock_text(result.score.seconds);
 }
@@ -135,17 +135,15 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   MenuChoice choice = MenuChoice::kNone;
   dim_match();
   begin_menu("Pause", 0.5f);
-  menu_heading("Pause");
+  menu_heading("Paused");
   if (menu_button("Resume (Esc)", "resume")) choice = MenuChoice::kResume;
   if (menu_button("Restart (R)", "restart")) choice = MenuChoice::kRestart;
-  if (menu_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
-  if (view.ways.starts && menu_button("Another match: mode, level, car", "title"))
-    choice = MenuChoice::kTitle;
-  if (menu_button(view.ways.from_editor ? "Back to the editor" : "Quit", "leave"))
-    choice = MenuChoice::kLeave;
+  if (menu_button("Open in Editor", "inspect")) choice = MenuChoice::kInspect;
+  if (view.ways.starts && menu_button("Change Mode, Difficulty or Car", "title")) choice = MenuChoice::kTitle;
+  if (menu_button(view.ways.from_editor ? "Back to Editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::Spacing();
   if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) draw_settings(view);
-  if (ImGui::CollapsingHeader("Debug views")) draw_views(view.view);
+  if (ImGui::CollapsingHeader("Debug Views")) draw_views(view.view);
   ImGui::End();
   return choice;
 }
@@ -153,32 +151,32 @@ MenuChoice draw_pause_menu(const MenuView& view) {
 MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways) {
   using Replay = MatchReplay::State;
   MenuChoice choice = MenuChoice::kNone;
-  if (replay == Replay::kPlaying) draw_caption("The best ten seconds");
+  if (replay == Replay::kPlaying) draw_caption("Highlight");
   begin_menu("Result", 0.04f);
   menu_heading(result.won ? "Won" : result.ended ? "Time is up" : "Lost", 2.2f);
   if (!result.ended) ImGui::Text("%s", result.why.c_str());
   ImGui::Text("Score %.0f", result.score.score);
   ImGui::TextUnformatted(words_on_course(result).c_str());
   ImGui::Spacing();
-  draw_scores(result.scores, "Best scores (" + result.score.rules + ", " + result.score.difficulty + ")",
+  draw_scores(result.scores, "High Scores: " + result.score.rules + ", " + result.score.difficulty,
               result.rank, !result.ended);
-  if (menu_button("Play again (R)", "restart")) choice = MenuChoice::kRestart;
+  if (menu_button("Play Again (R)", "restart")) choice = MenuChoice::kRestart;
   ImGui::BeginDisabled(replay != Replay::kOver);
-  const char* label = replay == Replay::kPreparing ? "The best ten seconds are prepared ..."
-                      : replay == Replay::kPlaying ? "The best ten seconds"
-                                                   : "The best ten seconds again (B)";
+  const char* label = replay == Replay::kPreparing ? "Preparing highlight..."
+                      : replay == Replay::kPlaying ? "Highlight"
+                                                   : "Watch Highlight Again (B)";
   if (menu_button(label, "replay")) choice = MenuChoice::kReplay;
   ImGui::EndDisabled();
-  if (menu_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
-  if (ways.starts && menu_button("Another match: mode, level, car", "title")) choice = MenuChoice::kTitle;
-  if (menu_button(ways.from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
+  if (menu_button("Open in Editor", "inspect")) choice = MenuChoice::kInspect;
+  if (ways.starts && menu_button("Change Mode, Difficulty or Car", "title")) choice = MenuChoice::kTitle;
+  if (menu_button(ways.from_editor ? "Back to Editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::End();
   return choice;
 }
 
 namespace {
 
-constexpr const char* kWhatIsPlayed[] = {
+constexpr const char* kModeSummaries[] = {
     "Survive five waves of enemy cars before time runs out. You have three cars.",
     "Dismantle a van in two minutes. Intact parts score most.",
     "No enemies. Press V to spawn a car to cut.",
@@ -216,21 +214,20 @@ MenuChoice draw_start_menu(const StartView& view) {
   ImGui::TextUnformatted("Your car has a laser. Anything that you cut falls off.");
   ImGui::Spacing();
   bool other = draw_choice("Mode", s.mode, kModeTitles);
-  ImGui::TextWrapped("%s", kWhatIsPlayed[static_cast<size_t>(s.mode)]);
+  ImGui::TextWrapped("%s", kModeSummaries[static_cast<size_t>(s.mode)]);
   ImGui::Spacing();
   if (s.mode == GameMode::kWaves)
-    other = draw_choice("Level", s.difficulty, std::array{"Easy", "Normal", "Hard"}) || other;
-  other = draw_choice("Your car", s.vehicle, kVehicleTitles) || other;
-  ImGui::TextDisabled("How to wreck a car");
-  ImGui::TextWrapped("%s",
-                     "Cut out its engine or its driver's seat. Cut through a hub to take off the wheel.");
+    other = draw_choice("Difficulty", s.difficulty, std::array{"Easy", "Normal", "Hard"}) || other;
+  other = draw_choice("Car", s.vehicle, kVehicleTitles) || other;
+  ImGui::TextDisabled("How to Wreck a Car");
+  ImGui::TextWrapped("%s", "Cut out its engine or driver's seat. Cut through a hub to take off the wheel.");
   ImGui::Spacing();
-  draw_scores(view.scores, "Best scores", 0, s.mode == GameMode::kWaves);
+  draw_scores(view.scores, "High Scores", 0, s.mode == GameMode::kWaves);
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
   if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
   ImGui::PopStyleColor();
-  if (menu_button("The first lesson", "lesson")) choice = MenuChoice::kLesson;
-  if (menu_button(view.from_editor ? "Back to the editor (Esc)" : "Quit (Esc)", "leave"))
+  if (menu_button("Tutorial", "lesson")) choice = MenuChoice::kLesson;
+  if (menu_button(view.from_editor ? "Back to Editor (Esc)" : "Quit (Esc)", "leave"))
     choice = MenuChoice::kLeave;
   ImGui::End();
   return choice == MenuChoice::kNone && other ? MenuChoice::kOther : choice;

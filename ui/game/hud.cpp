@@ -77,7 +77,7 @@ namespace {
 using Align = HudPaint::Align;
 
 constexpr ImU32 kBad = IM_COL32(0xff, 0x6a, 0x4d, 255);
-constexpr const char* kSkip = "Enter: skip the tutorial";
+constexpr const char* kSkip = "Enter: skip tutorial";
 constexpr ImU32 kText = colours::kPictureText, kSecondary = colours::kPictureSecondary;
 
 std::string number(double x) { return std::to_string(static_cast<long>(std::lround(x))); }
@@ -132,7 +132,7 @@ void draw_bars(const HudView& view, const HudPaint& paint) {
   paint.bar({x, y + 1.2f * paint.em()}, width, "heat", gun.heat, gun.overheated ? kBad : colours::accent(),
             true);
   if (gun.overheated)
-    paint.text({x + width + 0.6f * paint.em(), y + 0.9f * paint.em()}, "overheated", kBad, 0.9f);
+    paint.text({x + width + 0.6f * paint.em(), y + 0.9f * paint.em()}, "OVERHEATED", kBad, 0.9f);
 }
 
 // The plan of a vehicle on the screen, with its front up.
@@ -218,7 +218,7 @@ std::string words_on_wave(const Match& match) {
   const Standing& standing = match.standing();
   if (match.rules().description.targets) return "dismantle the target";
   std::string words =
-      "wave " + std::to_string(standing.wave + 1) + " of " + std::to_string(match.rules().waves.size());
+      "wave " + std::to_string(standing.wave + 1) + "/" + std::to_string(match.rules().waves.size());
   if (standing.cars_left == 0) return words + ", last car";
   return words + ", " + std::to_string(standing.cars_left) +
          (standing.cars_left == 1 ? " car left" : " cars left");
@@ -245,7 +245,7 @@ void draw_state(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
   if (!view.machine.empty()) paint.text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
   if (view.match.is_disabled())
-    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "Laser lost. Press G to give up this car",
+    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "Laser lost. Press G to take your next car",
                kBad, 1.4f, Align::kMiddle);
 }
 
@@ -371,8 +371,8 @@ void draw_guide(const HudPaint& paint, bool spawns) {
   std::vector<const char*> lines{"WASD: drive. Space: handbrake",
                                  "Mouse: aim. Left button: fire. Wheel: beam width",
                                  "Cut off enemy wheels, lasers, engines and driver's seats",
-                                 "C: switch camera", "Esc: pause. H: hide this help"};
-  if (spawns) lines.insert(lines.end() - 1, "V: spawn a car to cut");
+                                 "C: switch camera", "Esc: pause. H: hide help"};
+  if (spawns) lines.insert(lines.end() - 1, "V: spawn car");
   const float em = paint.em();
   float width = 0;
   for (const char* line : lines) width = std::max(width, paint.width_of(line, 1));

@@ -90,22 +90,26 @@ void HudState::tell(const Match& match, const Event& event) {
       }
       return;
     case Kind::kPieceOff:
-      if (event.points > 0) say("piece cut off", event.points, true);
+      if (event.points > 0) say("piece cut", event.points, true);
       return;
     case Kind::kWheelLost:
       if (!what || event.part >= what->wheels.size()) return say("a wheel came off", event.points, !own);
-      return say(whose + name_of_wheel(*what, event.part) + " came off", event.points, !own);
+      return say(
+          own ? whose + name_of_wheel(*what, event.part) + " came off" : name_of_wheel(*what, event.part),
+          event.points, !own);
     case Kind::kTurretLost:
     case Kind::kBarrelLost:
-      return say(whose + "laser came off", event.points, !own);
+      return say(own || !what ? whose + "laser came off" : what->name + " disarmed", event.points, !own);
     case Kind::kVitalLost:
       if (!what || event.part >= what->vitals.size()) return say("a part was cut off", event.points, !own);
-      return say(whose + name_of_vital(*what, event.part) + " was cut off", event.points, !own);
+      return say((own ? "you lost your " : "") + std::string(name_of_vital(*what, event.part)) +
+                     (own ? "" : " cut out"),
+                 event.points, !own);
     case Kind::kInHalves:
-      return say(own ? "you were cut in half" : "cut in half", event.points, !own, true);
+      return say(own ? "you were cut in half" : "cut in half!", event.points, !own, true);
     case Kind::kKilled:
-      return say(own ? "you are wrecked" : "the " + (what ? what->name : "enemy") + " is wrecked",
-                 event.points, !own, true);
+      return say(own ? "you're wrecked" : (what ? what->name : "enemy") + " wrecked", event.points, !own,
+                 true);
     case Kind::kOverheated:
       if (own) say("laser overheated", 0, false);
       return;

@@ -113,8 +113,8 @@ std::string verdict(const GraphState& graph) {
   const size_t rest = graph.total() - graph.reached();
   if (!graph.separated()) return "Not separated: the search reached every face that was connected before.";
   const size_t others = graph.sets() - 1;
-  return "Separated: the search did not reach " + count_text(rest, "face") + " in " +
-         count_text(others, "other part") + ".";
+  return "Separated: " + count_text(rest, "face") + " in " + count_text(others, "other part") +
+         (rest == 1 ? " was" : " were") + " not reached.";
 }
 
 // Describes the search by Kerf, which differs from this one.

@@ -379,7 +379,7 @@ void RulerFeature::choose_file_to_export() {
 std::string RulerFeature::export_to(const std::filesystem::path& file) {
   const Status written = write_file_atomically(file, list_.to_csv());
   if (!written) return written.error().message;
-  workspace_.message.say("Written: " + file.string());
+  workspace_.message.say("Exported: " + file.string());
   return "";
 }
 

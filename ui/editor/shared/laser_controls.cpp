@@ -73,7 +73,7 @@ namespace {
 
 bool rule_row(ResolutionControls& to) {
   return choice_row(
-      "Split to", "##rule", to.rule, "Edge length\0Tolerance\0Depth\0", nullptr,
+      "Refine by", "##rule", to.rule, "Edge length\0Tolerance\0Depth\0", nullptr,
       "When faces under the beam are small enough: by edge length, by overshoot of the removed area, or by "
       "number of splits.");
 }

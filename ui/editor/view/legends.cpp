@@ -59,7 +59,7 @@ Legend legend_of_boxes(const ViewOptions& look) {
 }
 
 Legend legend_of_counts() {
-  Legend legend{"Surfaces that keep the light away", {{kLit, "none"}}};
+  Legend legend{"Occluders (Shadow Count)", {{kLit, "none"}}};
   for (size_t i = 0; i < kCounts.size(); ++i)
     legend.rows.push_back({kCounts[i], std::to_string(i + 1) + (i + 1 == kCounts.size() ? " or more" : "")});
   return legend;

@@ -32,7 +32,7 @@ static kerf_result take_mesh(const float* vertices, size_t vertex_count, const u
   double* wide = malloc(3 * vertex_count * sizeof *wide);
   if (wide == NULL) return KERF_FAILED;
   for (size_t i = 0; i < 3 * vertex_count; ++i) wide[i] = vertices[i];
-  const kerf_result result = kerf_mesh_make(wide, vertex_count, faces, face_count, out);
+  const kerf_result result = kerf_mesh_create(wide, vertex_count, faces, face_count, out);
   free(wide);
   return result;
 }
@@ -70,21 +70,21 @@ static int give_surface(const kerf_mesh* piece, const double centre[3], surface*
  * failure. */
 static rigid_body* cut(const kerf_mesh* mesh, const kerf_stroke* stroke, size_t* count) {
   const kerf_cut_settings settings = {.rim = KERF_RIM_SMOOTH};
-  const kerf_control one_thread = {.threads = 1}; /* the engine needs the other cores */
+  const kerf_call_options one_thread = {.threads = 1}; /* the engine needs the other cores */
   kerf_world* world = NULL;
   kerf_mesh** pieces = NULL;
   rigid_body* bodies = NULL;
   size_t made = 0;
   *count = 0;
-  if (kerf_world_make(&world) != KERF_OK || kerf_world_add(world, mesh, "mesh", &one_thread) != KERF_OK ||
+  if (kerf_world_create(&world) != KERF_OK || kerf_world_add(world, mesh, "mesh", &one_thread) != KERF_OK ||
       kerf_world_cut(world, stroke, 1, &settings, &one_thread, NULL) != KERF_OK ||
       kerf_world_pieces(world, &one_thread, &pieces, &made) != KERF_OK) {
-    fprintf(stderr, "engine_extension: %s\n", kerf_message());
+    fprintf(stderr, "engine_extension: %s\n", kerf_last_error());
   } else if ((bodies = calloc(made, sizeof *bodies)) != NULL) {
     for (*count = 0; *count < made; ++*count) {
       rigid_body* body = bodies + *count;
       kerf_mesh_info info;
-      kerf_mesh_describe(pieces[*count], &info);
+      kerf_mesh_get_info(pieces[*count], &info);
       body->mass = info.mass;
       for (int k = 0; k < 3; ++k) body->centre[k] = info.centroid[k];
       for (int k = 0; k < 6; ++k) body->inertia[k] = info.inertia[k];
@@ -92,7 +92,7 @@ static rigid_body* cut(const kerf_mesh* mesh, const kerf_stroke* stroke, size_t*
     }
   }
   kerf_pieces_free(pieces, made);
-  kerf_world_free(world);
+  kerf_world_destroy(world);
   return bodies;
 }
 
@@ -102,11 +102,11 @@ int main(void) {
                             -1, 1, -.5f, 1, 1, -.5f, 1, 1, .5f, -1, 1, .5f};
   const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 5, 1, 0, 4, 5,
                             1, 6, 2, 1, 5, 6, 2, 7, 3, 2, 6, 7, 3, 4, 0, 3, 7, 4};
-  const kerf_key keys[] = {{0, {0.2, 3, -2}, {0, -1, 0}}, {1, {0.2, 3, 2}, {0, -1, 0}}};
+  const kerf_keyframe keys[] = {{0, {0.2, 3, -2}, {0, -1, 0}}, {1, {0.2, 3, 2}, {0, -1, 0}}};
   const kerf_stroke stroke = {keys, 2, 0.01, {0, 10}, 0};
   kerf_mesh* box = NULL;
   if (take_mesh(vertices, 8, faces, 12, &box) != KERF_OK) {
-    fprintf(stderr, "engine_extension: %s\n", kerf_message());
+    fprintf(stderr, "engine_extension: %s\n", kerf_last_error());
     return 1;
   }
   size_t count = 0;
@@ -115,6 +115,6 @@ int main(void) {
     printf("rigid body of %zu corners, %.3f kg, centre %.3f %.3f %.3f\n", bodies[i].shape.corners,
            bodies[i].mass, bodies[i].centre[0], bodies[i].centre[1], bodies[i].centre[2]);
   free_bodies(bodies, count);
-  kerf_mesh_free(box);
+  kerf_mesh_destroy(box);
   return count == 2 ? 0 : 1;
 }

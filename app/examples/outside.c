@@ -3,26 +3,26 @@
 #include <stdio.h>
 
 static int ended(kerf_result result) {
-  if (result != KERF_OK) fprintf(stderr, "outside_c: %s\n", kerf_message());
+  if (result != KERF_OK) fprintf(stderr, "outside_c: %s\n", kerf_last_error());
   return result != KERF_OK;
 }
 
 int main(void) {
   const double vertices[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
-  const kerf_key keys[] = {{0, {0.5, -1, 1}, {0, 0, -1}}, {1, {0.5, 2, 1}, {0, 0, -1}}};
+  const kerf_keyframe keys[] = {{0, {0.5, -1, 1}, {0, 0, -1}}, {1, {0.5, 2, 1}, {0, 0, -1}}};
   const kerf_stroke stroke = {keys, 2, 0.01, {0, 10}, 0};
   kerf_mesh* square = NULL;
   kerf_world* world = NULL;
   kerf_mesh** pieces = NULL;
   size_t count = 0;
-  int bad = ended(kerf_mesh_make(vertices, 4, faces, 2, &square)) || ended(kerf_world_make(&world)) ||
+  int bad = ended(kerf_mesh_create(vertices, 4, faces, 2, &square)) || ended(kerf_world_create(&world)) ||
             ended(kerf_world_add(world, square, "square", NULL)) ||
             ended(kerf_world_cut(world, &stroke, 1, NULL, NULL, NULL)) ||
             ended(kerf_world_pieces(world, NULL, &pieces, &count));
   if (!bad) printf("%zu pieces\n", count);
   kerf_pieces_free(pieces, count);
-  kerf_world_free(world);
-  kerf_mesh_free(square);
+  kerf_world_destroy(world);
+  kerf_mesh_destroy(square);
   return bad;
 }

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 int main(int argc, char** argv) try {
-  if (argc != 2) throw kerf::BadInput("usage: outside MESH");
+  if (argc != 2) throw kerf::InvalidArgument("usage: outside MESH");
   const kerf::Mesh mesh = kerf::Mesh::read(argv[1]);
   double low[3], high[3];
   std::copy_n(mesh.vertices().data(), 3, low);

@@ -10,15 +10,15 @@ namespace {
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-std::string type_of(const py::handle& given) { return Py_TYPE(given.ptr())->tp_name; }
+std::string type_of(const py::handle& object) { return Py_TYPE(object.ptr())->tp_name; }
 
 // Throws the pending error of the interpreter, if any.
 void throw_if_raised() {
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
 }
 
-std::array<double, 3> vector_of(const py::handle& given, const std::string& name) {
-  const auto array = Doubles::ensure(given);
+std::array<double, 3> vector_of(const py::handle& object, const std::string& name) {
+  const auto array = Doubles::ensure(object);
   if (!array) PyErr_Clear();
   if (!array || array.ndim() != 1 || array.size() != 3)
     throw py::value_error(name + " must be three numbers");
@@ -26,25 +26,25 @@ std::array<double, 3> vector_of(const py::handle& given, const std::string& name
 }
 
 // Returns a sequence of exactly `members` members, or an empty object.
-py::sequence sequence_of(const py::handle& given, size_t members) {
-  const bool is_one = py::isinstance<py::sequence>(given) && !py::isinstance<py::str>(given);
-  if (!is_one || py::len(given) != members) return py::reinterpret_steal<py::sequence>(py::handle());
-  return py::reinterpret_borrow<py::sequence>(given);
+py::sequence sequence_of(const py::handle& object, size_t members) {
+  const bool is_one = py::isinstance<py::sequence>(object) && !py::isinstance<py::str>(object);
+  if (!is_one || py::len(object) != members) return py::reinterpret_steal<py::sequence>(py::handle());
+  return py::reinterpret_borrow<py::sequence>(object);
 }
 
 }  // namespace
 
-std::string path_argument(const py::handle& given) {
+std::string path_argument(const py::handle& object) {
   PyObject* bytes = nullptr;
-  if (PyUnicode_FSConverter(given.ptr(), &bytes) == 0) throw py::error_already_set();
+  if (PyUnicode_FSConverter(object.ptr(), &bytes) == 0) throw py::error_already_set();
   return py::reinterpret_steal<py::bytes>(bytes);
 }
 
-std::string text_argument(const py::handle& given, const char* name) {
-  if (!py::isinstance<py::str>(given))
-    throw py::type_error(std::string(name) + ": must be a str, not " + type_of(given));
+std::string text_argument(const py::handle& object, const char* name) {
+  if (!py::isinstance<py::str>(object))
+    throw py::type_error(std::string(name) + ": must be a str, not " + type_of(object));
   Py_ssize_t size = 0;
-  const char* text = PyUnicode_AsUTF8AndSize(given.ptr(), &size);
+  const char* text = PyUnicode_AsUTF8AndSize(object.ptr(), &size);
   throw_if_raised();
   const std::string copy(text, static_cast<size_t>(size));
   if (copy.find('\0') != std::string::npos)
@@ -52,20 +52,20 @@ std::string text_argument(const py::handle& given, const char* name) {
   return copy;
 }
 
-double number_argument(const py::handle& given, const std::string& name) {
-  const double number = PyFloat_AsDouble(given.ptr());
+double number_argument(const py::handle& object, const std::string& name) {
+  const double number = PyFloat_AsDouble(object.ptr());
   if (number != -1 || PyErr_Occurred() == nullptr) return number;
   const bool is_too_large = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
   PyErr_Clear();
   if (is_too_large) throw py::value_error(name + ": is too large for a float");
-  throw py::type_error(name + ": must be a number, not " + type_of(given));
+  throw py::type_error(name + ": must be a number, not " + type_of(object));
 }
 
-int whole_argument(const py::handle& given, const char* name) {
-  const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
+int int_argument(const py::handle& object, const char* name) {
+  const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(object.ptr()));
   if (!index) {
     PyErr_Clear();
-    throw py::type_error(std::string(name) + ": must be an int, not " + type_of(given));
+    throw py::type_error(std::string(name) + ": must be an int, not " + type_of(object));
   }
   int overflow = 0;
   const long number = PyLong_AsLongAndOverflow(index.ptr(), &overflow);
@@ -73,8 +73,8 @@ int whole_argument(const py::handle& given, const char* name) {
   return static_cast<int>(std::clamp<long>(number, INT_MIN, INT_MAX));
 }
 
-std::vector<double> triples_argument(const py::handle& given, const char* name) {
-  const auto array = Doubles::ensure(given);
+std::vector<double> triples_argument(const py::handle& object, const char* name) {
+  const auto array = Doubles::ensure(object);
   if (!array) {
     PyErr_Clear();
     throw py::value_error(std::string(name) + ": must be an array of numbers of shape (n, 3)");
@@ -84,8 +84,8 @@ std::vector<double> triples_argument(const py::handle& given, const char* name) 
   return {array.data(), array.data() + array.size()};
 }
 
-std::vector<uint32_t> faces_argument(const py::handle& given) {
-  const auto any = py::array::ensure(given);
+std::vector<uint32_t> faces_argument(const py::handle& object) {
+  const auto any = py::array::ensure(object);
   if (!any) PyErr_Clear();
   if (!any || (any.dtype().kind() != 'i' && any.dtype().kind() != 'u'))
     throw py::value_error("faces: must be an integer array of shape (m, 3)");
@@ -95,41 +95,41 @@ std::vector<uint32_t> faces_argument(const py::handle& given) {
   for (size_t i = 0; i < indices.size(); ++i) {
     const int64_t v = array.data()[i];
     if (v < 0 || v > int64_t{0xffffffff})
-      throw py::value_error("faces: number " + std::to_string(i / 3) + " refers to vertex " +
+      throw py::value_error("faces[" + std::to_string(i / 3) + "]" + " references vertex " +
                             std::to_string(v));
     indices[i] = static_cast<uint32_t>(v);
   }
   return indices;
 }
 
-Mesh mesh_argument(const py::handle& given, const char* name) {
-  if (py::isinstance<Mesh>(given)) return given.cast<const Mesh&>();
-  const auto attribute = [&](const char* key) { return py::getattr(given, key, py::none()); };
+Mesh mesh_argument(const py::handle& object, const char* name) {
+  if (py::isinstance<Mesh>(object)) return object.cast<const Mesh&>();
+  const auto attribute = [&](const char* key) { return py::getattr(object, key, py::none()); };
   const py::object vertices = attribute("vertices");
-  const py::object faces = py::hasattr(given, "faces") ? attribute("faces") : attribute("triangles");
+  const py::object faces = py::hasattr(object, "faces") ? attribute("faces") : attribute("triangles");
   if (vertices.is_none() || faces.is_none())
     throw py::type_error(std::string(name) +
                          ": must be a kerf.Mesh or an object with vertices and faces (or triangles), not " +
-                         type_of(given));
+                         type_of(object));
   const std::vector<double> positions = triples_argument(vertices, "vertices");
   return Mesh(positions, faces_argument(faces));
 }
 
-std::array<double, 2> range_argument(const py::handle& given) {
-  const py::sequence ends = sequence_of(given, 2);
+std::array<double, 2> range_argument(const py::handle& object) {
+  const py::sequence ends = sequence_of(object, 2);
   if (!ends) throw py::value_error("range: must be (min, max)");
   return {number_argument(ends[0], "range"), number_argument(ends[1], "range")};
 }
 
-std::vector<Key> keys_argument(const py::handle& given) {
-  if (!py::isinstance<py::iterable>(given))
-    throw py::type_error("keys: must be a sequence of (time, origin, direction), not " + type_of(given));
-  std::vector<Key> keys;
-  for (const py::handle member : given) {
+std::vector<Keyframe> keys_argument(const py::handle& object) {
+  if (!py::isinstance<py::iterable>(object))
+    throw py::type_error("keys: must be a sequence of (time, origin, direction), not " + type_of(object));
+  std::vector<Keyframe> keys;
+  for (const py::handle member : object) {
     const std::string where = "keys: number " + std::to_string(keys.size());
     const py::sequence parts = sequence_of(member, 3);
     if (!parts) throw py::value_error(where + " must be (time, origin, direction)");
-    Key key{};
+    Keyframe key{};
     key.time = PyFloat_AsDouble(py::object(parts[0]).ptr());
     if (PyErr_Occurred() != nullptr) {
       PyErr_Clear();
@@ -144,38 +144,38 @@ std::vector<Key> keys_argument(const py::handle& given) {
   return keys;
 }
 
-std::vector<Stroke> strokes_argument(const py::handle& given) {
-  if (py::isinstance<Stroke>(given)) return {given.cast<const Stroke&>()};
-  if (!py::isinstance<py::iterable>(given))
-    throw py::type_error("strokes: must be a kerf.Stroke or a sequence of them, not " + type_of(given));
+std::vector<Stroke> strokes_argument(const py::handle& object) {
+  if (py::isinstance<Stroke>(object)) return {object.cast<const Stroke&>()};
+  if (!py::isinstance<py::iterable>(object))
+    throw py::type_error("strokes: must be a kerf.Stroke or a sequence of them, not " + type_of(object));
   std::vector<Stroke> strokes;
-  for (const py::handle stroke : given) {
+  for (const py::handle stroke : object) {
     const std::string name = "strokes: number " + std::to_string(strokes.size());
     strokes.push_back(instance_argument<Stroke>(stroke, name.c_str(), "kerf.Stroke"));
   }
   return strokes;
 }
 
-Control control_argument(const py::object& progress, unsigned threads) {
+CallOptions options_argument(const py::object& progress, unsigned threads) {
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::milliseconds kBetween{20};
+  static constexpr std::chrono::milliseconds kInterval{20};
   if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
     throw py::type_error("progress: must be callable, not " + type_of(progress));
-  Control control;
-  control.threads = threads;
-  control.progress = [progress, next = Clock::time_point::min()](double share) mutable {
+  CallOptions options;
+  options.threads = threads;
+  options.progress = [progress, next = Clock::time_point::min()](double fraction) mutable {
     if (Clock::now() < next) return true;
     const py::gil_scoped_acquire lock;
-    next = Clock::now() + kBetween;
+    next = Clock::now() + kInterval;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (progress.is_none()) return true;
-    const py::object result = progress(share);
+    const py::object result = progress(fraction);
     if (result.is_none()) return true;
-    const int go_on = PyObject_IsTrue(result.ptr());
-    if (go_on < 0) throw py::error_already_set();
-    return go_on != 0;
+    const int is_continued = PyObject_IsTrue(result.ptr());
+    if (is_continued < 0) throw py::error_already_set();
+    return is_continued != 0;
   };
-  return control;
+  return options;
 }
 
 }  // namespace kerf::python

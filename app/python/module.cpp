@@ -1,5 +1,4 @@
-// The Python module: kerf.h with NumPy arrays. Calls release the interpreter lock while Kerf works, and
-// Ctrl-C ends them.
+// The Python module: kerf.h with NumPy arrays. Calls release the GIL, and Ctrl-C ends them.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -22,7 +21,7 @@ struct MissingFile {
   std::string path;
 };
 
-// Runs work on a file with the interpreter lock released. Throws MissingFile if the work fails because
+// Runs work on a file with the GIL released. Throws MissingFile if the work fails because
 // `needed`, the file or the folder to write in, does not exist.
 template <typename Work>
 auto on_file(const std::string& path, const std::filesystem::path& needed, Work work) {
@@ -31,7 +30,7 @@ auto on_file(const std::string& path, const std::filesystem::path& needed, Work 
     return work();
   } catch (const kerf::Cancelled&) {
     throw;
-  } catch (const kerf::Failure&) {
+  } catch (const kerf::Error&) {
     std::error_code error;
     if (std::filesystem::status(needed, error).type() != std::filesystem::file_type::not_found) throw;
     throw MissingFile{path};
@@ -43,7 +42,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-// Parses a JSON text, which is made with the interpreter lock released.
+// Parses the JSON text that `make` returns; it runs with the GIL released.
 template <typename Make>
 py::object object_of(Make make) {
   std::string text;
@@ -56,7 +55,7 @@ py::object object_of(Make make) {
 
 // Returns a read-only array of shape (n, 3) that refers to memory of a mesh and keeps it alive.
 template <typename T>
-py::array_t<T> look_at(std::span<const T> numbers, const kerf::Mesh& mesh) {
+py::array_t<T> array_view(std::span<const T> numbers, const kerf::Mesh& mesh) {
   auto keeper = std::make_unique<kerf::Mesh>(mesh);
   const py::capsule owner(keeper.get(), [](void* m) { delete static_cast<kerf::Mesh*>(m); });
   (void)keeper.release();
@@ -65,8 +64,8 @@ py::array_t<T> look_at(std::span<const T> numbers, const kerf::Mesh& mesh) {
   return array;
 }
 
-// Returns the same of shape (n,).
-py::array_t<double> look_along(std::span<const double> numbers, const kerf::Mesh& mesh) {
+// Like array_view(), of shape (n,).
+py::array_t<double> scalar_view(std::span<const double> numbers, const kerf::Mesh& mesh) {
   auto keeper = std::make_unique<kerf::Mesh>(mesh);
   const py::capsule owner(keeper.get(), [](void* m) { delete static_cast<kerf::Mesh*>(m); });
   (void)keeper.release();
@@ -76,25 +75,25 @@ py::array_t<double> look_along(std::span<const double> numbers, const kerf::Mesh
 }
 
 template <typename T>
-py::array_t<T> copied(const std::vector<T>& numbers) {
+py::array_t<T> array_copy(const std::vector<T>& numbers) {
   return py::array_t<T>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
-double positive_argument(const py::object& given, const char* name, const char* unit) {
-  const double number = number_argument(given, name);
+double positive_argument(const py::object& object, const char* name, const char* unit) {
+  const double number = number_argument(object, name);
   if (number > 0) return number;
   throw py::value_error(std::string(name) + ": must be a number of " + unit + " greater than zero");
 }
 
 // Set an attribute of a stroke; None means the default.
-void set_radius(kerf::Stroke& stroke, const py::object& given) {
-  stroke.radius = given.is_none() ? 0 : positive_argument(given, "radius", "metres");
+void set_radius(kerf::Stroke& stroke, const py::object& object) {
+  stroke.radius = object.is_none() ? 0 : positive_argument(object, "radius", "metres");
 }
-void set_range(kerf::Stroke& stroke, const py::object& given) {
-  stroke.range = given.is_none() ? std::array<double, 2>{} : range_argument(given);
+void set_range(kerf::Stroke& stroke, const py::object& object) {
+  stroke.range = object.is_none() ? std::array<double, 2>{} : range_argument(object);
 }
-void set_power(kerf::Stroke& stroke, const py::object& given) {
-  stroke.power = given.is_none() ? 0 : positive_argument(given, "power", "watts");
+void set_power(kerf::Stroke& stroke, const py::object& object) {
+  stroke.power = object.is_none() ? 0 : positive_argument(object, "power", "watts");
 }
 
 kerf::Stroke make_stroke(const py::object& keys, const py::object& radius, const py::object& range,
@@ -118,7 +117,7 @@ py::object range_of(const kerf::Stroke& stroke) {
 }
 py::list keys_of(const kerf::Stroke& stroke) {
   py::list keys;
-  for (const kerf::Key& key : stroke.keys) {
+  for (const kerf::Keyframe& key : stroke.keys) {
     const auto vector = [](const double(&v)[3]) { return py::make_tuple(v[0], v[1], v[2]); };
     keys.append(py::make_tuple(key.time, vector(key.origin), vector(key.direction)));
   }
@@ -143,7 +142,7 @@ std::string text_of(const kerf::Stroke& stroke) {
 }
 
 kerf::CutSettings settings_of(const py::object& target_edge, const py::object& tolerance,
-                              const py::object& levels, const py::object& rim, const py::object& scheme,
+                              const py::object& max_level, const py::object& rim, const py::object& scheme,
                               const py::object& model, const py::object& material) {
   kerf::CutSettings settings;
   settings.rim =
@@ -155,44 +154,45 @@ kerf::CutSettings settings_of(const py::object& target_edge, const py::object& t
       model, "model", {{"geometric", KERF_MODEL_GEOMETRIC}, {"thermal", KERF_MODEL_THERMAL}});
   settings.target_edge = optional_argument(target_edge, number_argument, "target_edge");
   settings.tolerance = optional_argument(tolerance, number_argument, "tolerance");
-  settings.levels = optional_argument(levels, whole_argument, "levels");
+  settings.max_level = optional_argument(max_level, int_argument, "max_level");
   if (!material.is_none()) settings.material = text_argument(material, "material");
   return settings;
 }
 
 py::dict cut(kerf::World& world, const py::object& strokes, const py::object& target_edge,
-             const py::object& tolerance, const py::object& levels, const py::object& rim,
+             const py::object& tolerance, const py::object& max_level, const py::object& rim,
              const py::object& scheme, const py::object& model, const py::object& material,
              const py::object& progress, const py::object& threads) {
   const std::vector<kerf::Stroke> list = strokes_argument(strokes);
   const kerf::CutSettings settings =
-      settings_of(target_edge, tolerance, levels, rim, scheme, model, material);
-  const kerf::Control control =
-      control_argument(progress, static_cast<unsigned>(whole_argument(threads, "threads")));
+      settings_of(target_edge, tolerance, max_level, rim, scheme, model, material);
+  const kerf::CallOptions options =
+      options_argument(progress, static_cast<unsigned>(int_argument(threads, "threads")));
   kerf::CutResult result{};
   {
     const py::gil_scoped_release unlocked;
-    result = world.cut(list, settings, control);
+    result = world.cut(list, settings, options);
   }
-  py::dict told;
-  told["removed_faces"] = result.removed_faces;
-  told["removed_area"] = result.removed_area;
-  told["seconds"] = result.seconds;
-  return told;
+  py::dict dict;
+  dict["removed_faces"] = result.removed_faces;
+  dict["removed_area"] = result.removed_area;
+  dict["seconds"] = result.seconds;
+  return dict;
 }
 
 // Crossings of rays as NumPy arrays.
 struct HitArrays {
-  py::array first, distance, body, face;
+  py::array offsets, distance, body, face;
 };
 
 HitArrays arrays_of(const kerf::Hits& hits) {
-  return {copied(hits.first), copied(hits.distances), copied(hits.bodies), copied(hits.faces)};
+  return {array_copy(hits.offsets), array_copy(hits.distances), array_copy(hits.bodies),
+          array_copy(hits.faces)};
 }
 
-template <typename Ask>
-HitArrays ask_rays(const py::object& origins, const py::object& directions, const py::object& range,
-                   Ask ask) {
+template <typename Trace>
+HitArrays trace_rays(const py::object& origins, const py::object& directions, const py::object& range,
+                     Trace trace) {
   const std::vector<double> from = triples_argument(origins, "origins"),
                             along = triples_argument(directions, "directions");
   std::array<double, 2> within{0, std::numeric_limits<double>::max()};
@@ -200,7 +200,7 @@ HitArrays ask_rays(const py::object& origins, const py::object& directions, cons
   kerf::Hits hits;
   {
     const py::gil_scoped_release unlocked;
-    hits = ask(from, along, within);
+    hits = trace(from, along, within);
   }
   return arrays_of(hits);
 }
@@ -228,13 +228,14 @@ void add_mesh(py::module_& m) {
            "such as a mesh of Trimesh or Open3D.\n\n"
            "Raises TypeError for an object without them, otherwise like Mesh(vertices, faces).")
       .def_property_readonly(
-          "vertices", [](const kerf::Mesh& mesh) { return look_at(mesh.vertices(), mesh); },
+          "vertices", [](const kerf::Mesh& mesh) { return array_view(mesh.vertices(), mesh); },
           "Positions, float64 of shape (n, 3), metres. Read-only.")
       .def_property_readonly(
-          "faces", [](const kerf::Mesh& mesh) { return look_at(mesh.faces(), mesh); },
+          "faces", [](const kerf::Mesh& mesh) { return array_view(mesh.faces(), mesh); },
           "Vertex indices, uint32 of shape (m, 3). Read-only.")
       .def_property_readonly(
-          "temperatures", [](const kerf::Mesh& mesh) { return look_along(mesh.temperatures(), mesh); },
+          "face_temperatures",
+          [](const kerf::Mesh& mesh) { return scalar_view(mesh.face_temperatures(), mesh); },
           "Face temperatures of a piece, float64 of shape (m,), kelvin; empty for any other mesh. Read-only.")
       .def_property_readonly("area", &kerf::Mesh::area, "Area, m^2.")
       .def_property_readonly("name", &kerf::Mesh::name,
@@ -276,7 +277,7 @@ void add_mesh(py::module_& m) {
           "__deepcopy__", [](const kerf::Mesh& mesh, const py::object&) { return mesh; }, py::arg("memo"))
       .def(py::pickle(
           [](const kerf::Mesh& mesh) {
-            return py::make_tuple(look_at(mesh.vertices(), mesh), look_at(mesh.faces(), mesh));
+            return py::make_tuple(array_view(mesh.vertices(), mesh), array_view(mesh.faces(), mesh));
           },
           [](const py::tuple& state) {
             const std::vector<double> positions = triples_argument(state[0], "vertices");
@@ -291,8 +292,8 @@ void add_mesh(py::module_& m) {
       "read",
       [](const py::object& path, const py::object& progress) {
         const std::string file = path_argument(path);
-        const kerf::Control control = control_argument(progress, 0);
-        return on_file(file, file, [&] { return kerf::Mesh::read(file, control); });
+        const kerf::CallOptions options = options_argument(progress, 0);
+        return on_file(file, file, [&] { return kerf::Mesh::read(file, options); });
       },
       py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
       "Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh.\n\n"
@@ -336,17 +337,17 @@ void add_stroke(py::module_& m) {
 
 void add_world(py::module_& m) {
   py::class_<HitArrays>(m, "Hits", "Crossings of k rays with surfaces, n in total.")
-      .def_readonly("first", &HitArrays::first,
-                    "all_hits: uint64 of shape (k + 1,); hits of ray i are first[i] to first[i + 1] - 1. "
+      .def_readonly("offsets", &HitArrays::offsets,
+                    "all_hits: uint64 of shape (k + 1,); hits of ray i are offsets[i] to offsets[i + 1] - 1. "
                     "nearest_hits: empty.")
       .def_readonly("distance", &HitArrays::distance, "float64 of shape (n,), metres; inf on a miss.")
       .def_readonly("body", &HitArrays::body,
                     "uint32 of shape (n,), in the order of adding; 2^32 - 1 on a miss.")
       .def_readonly("face", &HitArrays::face,
-                    "uint32 of shape (n,), slots of the faces in their bodies; 2^32 - 1 on a miss.")
+                    "uint32 of shape (n,), face indices in their bodies; 2^32 - 1 on a miss.")
       .def(py::pickle(
           [](const HitArrays& hits) {
-            return py::make_tuple(hits.first, hits.distance, hits.body, hits.face);
+            return py::make_tuple(hits.offsets, hits.distance, hits.body, hits.face);
           },
           [](const py::tuple& state) {
             return HitArrays{state[0], state[1], state[2], state[3]};
@@ -360,8 +361,8 @@ void add_world(py::module_& m) {
           "open",
           [](const py::object& path, const py::object& progress) {
             const std::string file = path_argument(path);
-            const kerf::Control control = control_argument(progress, 0);
-            return on_file(file, file, [&] { return std::make_unique<kerf::World>(file, control); });
+            const kerf::CallOptions options = options_argument(progress, 0);
+            return on_file(file, file, [&] { return std::make_unique<kerf::World>(file, options); });
           },
           py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
           "Opens a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.\n\n"
@@ -372,9 +373,9 @@ void add_world(py::module_& m) {
           [](kerf::World& world, const py::object& mesh, const py::object& name) {
             const kerf::Mesh added = mesh_argument(mesh, "mesh");
             const std::string text = text_argument(name, "name");
-            const kerf::Control control = control_argument(py::none(), 0);
+            const kerf::CallOptions options = options_argument(py::none(), 0);
             const py::gil_scoped_release unlocked;
-            world.add(added, text, control);
+            world.add(added, text, options);
           },
           py::arg("mesh"), py::arg("name") = "mesh",
           "Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick.\n\n"
@@ -382,19 +383,19 @@ void add_world(py::module_& m) {
           "name: without null characters.\n\n"
           "Raises TypeError for another object, ValueError for bad arrays or a bad name, and Busy.")
       .def("cut", &cut, py::arg("strokes"), py::kw_only(), py::arg("target_edge") = py::none(),
-           py::arg("tolerance") = py::none(), py::arg("levels") = py::none(), py::arg("rim") = "faces",
+           py::arg("tolerance") = py::none(), py::arg("max_level") = py::none(), py::arg("rim") = "faces",
            py::arg("scheme") = "longest-edge", py::arg("model") = "geometric",
            py::arg("material") = py::none(), py::arg("progress") = py::none(), py::arg("threads") = 0,
            "Cuts all bodies with strokes, in order, all or nothing.\n\n"
            "strokes: a Stroke or an iterable of them.\n"
            "target_edge: longest edge under the beam in metres; None: a quarter of the radius.\n"
            "tolerance: instead, how far the removed area may reach beyond the beam, in metres.\n"
-           "levels: instead, levels under the base face, 0 to 24.\n"
+           "max_level: instead, the maximum refinement level, 0 to 24.\n"
            "rim: \"faces\" removes every face that the beam touches, \"smooth\" cuts faces along the beam.\n"
-           "scheme: \"longest-edge\" or \"one-to-four\", how faces are split.\n"
-           "model: \"geometric\" removes faces at once, \"thermal\" if they have absorbed enough energy.\n"
+           "scheme: \"longest-edge\" or \"one-to-four\", the subdivision of faces.\n"
+           "model: \"geometric\" removes faces at once, \"thermal\" when they have absorbed enough energy.\n"
            "material: new material of all bodies, a name from `kerf materials`; None: unchanged.\n"
-           "progress: called with the completed share, 0 to 1, at most fifty times a second; returns False "
+           "progress: called with the completed part, 0 to 1, at most fifty times a second; returns False "
            "to stop.\n"
            "threads: maximum number of threads, 0 to 1024; 0: one per processor.\n\n"
            "Returns a dict of removed_faces, removed_area (m^2) and seconds.\n\n"
@@ -403,20 +404,20 @@ void add_world(py::module_& m) {
       .def_property_readonly(
           "pieces",
           [](const kerf::World& world) {
-            const kerf::Control control = control_argument(py::none(), 0);
+            const kerf::CallOptions options = options_argument(py::none(), 0);
             const py::gil_scoped_release unlocked;
-            return world.pieces(control);
+            return world.pieces(options);
           },
           "The pieces of all bodies as meshes in world coordinates, largest area first. Raises Busy.")
       .def(
           "nearest_hits",
           [](const kerf::World& world, const py::object& origins, const py::object& directions,
              const py::object& range) {
-            const kerf::Control control = control_argument(py::none(), 0);
-            return ask_rays(origins, directions, range,
-                            [&](const auto& from, const auto& along, const auto& within) {
-                              return world.nearest_hits(from, along, within, control);
-                            });
+            const kerf::CallOptions options = options_argument(py::none(), 0);
+            return trace_rays(origins, directions, range,
+                              [&](const auto& from, const auto& along, const auto& within) {
+                                return world.nearest_hits(from, along, within, options);
+                              });
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
           "Finds the first surface that each of n rays crosses and returns Hits of shape (n,).\n\n"
@@ -427,11 +428,11 @@ void add_world(py::module_& m) {
           "all_hits",
           [](const kerf::World& world, const py::object& origins, const py::object& directions,
              const py::object& range) {
-            const kerf::Control control = control_argument(py::none(), 0);
-            return ask_rays(origins, directions, range,
-                            [&](const auto& from, const auto& along, const auto& within) {
-                              return world.all_hits(from, along, within, control);
-                            });
+            const kerf::CallOptions options = options_argument(py::none(), 0);
+            return trace_rays(origins, directions, range,
+                              [&](const auto& from, const auto& along, const auto& within) {
+                                return world.all_hits(from, along, within, options);
+                              });
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
           "Finds all surfaces that each of n rays crosses, nearest first, and returns Hits. Arguments and "
@@ -459,7 +460,7 @@ void add_world(py::module_& m) {
           "changed after a cut, and Error if a file cannot be written.")
       .def(
           "report", [](const kerf::World& world) { return object_of([&] { return world.report(); }); },
-          "Returns the report of all cuts so far, with the keys of the report.json of `kerf cut`.")
+          "Returns a report of all cuts, with the keys of the report.json of `kerf cut`.")
       .def(
           "graph", [](const kerf::World& world) { return object_of([&] { return world.graph(); }); },
           "Returns the component graph of the faces, as written by `kerf inspect --graph`.")
@@ -479,22 +480,20 @@ struct Exceptions {
 };
 
 // Adds an exception class to the module; `bases` is one class or a tuple of them.
-PyObject* add_exception(py::module_& m, const char* name, const char* meaning, const py::handle& bases) {
-  PyObject* made =
-      PyErr_NewExceptionWithDoc(("kerf." + std::string(name)).c_str(), meaning, bases.ptr(), nullptr);
-  if (made == nullptr) throw py::error_already_set();
-  m.attr(name) = py::handle(made);
-  return made;
+PyObject* add_exception(py::module_& m, const char* name, const char* doc, const py::handle& bases) {
+  PyObject* created =
+      PyErr_NewExceptionWithDoc(("kerf." + std::string(name)).c_str(), doc, bases.ptr(), nullptr);
+  if (created == nullptr) throw py::error_already_set();
+  m.attr(name) = py::handle(created);
+  return created;
 }
 
 void add_exceptions(py::module_& m) {
   static Exceptions classes{};
-  classes.error =
-      add_exception(m, "Error", "A call that failed; it has changed nothing.", PyExc_RuntimeError);
+  classes.error = add_exception(m, "Error", "A failed call; it has changed nothing.", PyExc_RuntimeError);
   classes.cancelled =
       add_exception(m, "Cancelled", "A call that its progress callback cancelled.", classes.error);
-  classes.busy =
-      add_exception(m, "Busy", "A call that cannot run while another one uses the world.", classes.error);
+  classes.busy = add_exception(m, "Busy", "A call on a world that another call uses.", classes.error);
   const py::tuple bases = py::make_tuple(py::handle(PyExc_FileNotFoundError), py::handle(PyExc_ValueError));
   classes.file_not_found = add_exception(m, "FileNotFound", "A path without a file.", bases);
   py::register_exception_translator([](std::exception_ptr thrown) {
@@ -504,13 +503,13 @@ void add_exceptions(py::module_& m) {
       const auto path = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(missing.path.c_str()));
       const py::tuple values = py::make_tuple(ENOENT, std::strerror(ENOENT), path);
       PyErr_SetObject(classes.file_not_found, values.ptr());
-    } catch (const kerf::BadInput& fault) {
+    } catch (const kerf::InvalidArgument& fault) {
       PyErr_SetString(PyExc_ValueError, fault.what());
     } catch (const kerf::Cancelled& fault) {
       PyErr_SetString(classes.cancelled, fault.what());
     } catch (const kerf::Busy& fault) {
       PyErr_SetString(classes.busy, fault.what());
-    } catch (const kerf::Failure& fault) {
+    } catch (const kerf::Error& fault) {
       PyErr_SetString(classes.error, fault.what());
     }
   });

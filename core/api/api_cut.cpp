@@ -25,7 +25,7 @@ bool are_finite(const double* numbers, size_t count) {
   return true;
 }
 
-Status add_key(const kerf_key& key, const std::string& where, StrokePath& path) {
+Status add_key(const kerf_keyframe& key, const std::string& where, StrokePath& path) {
   if (!are_finite(&key.time, 1) || !are_finite(key.origin, 3) || !are_finite(key.direction, 3))
     return bad_input(where + ": its numbers must be finite");
   const Vec3 direction(key.direction[0], key.direction[1], key.direction[2]);
@@ -77,10 +77,10 @@ Status check(const kerf_cut_settings& s) {
   if (!is_length(s.target_edge))
     return bad_input("target_edge: must be a length in metres greater than zero");
   if (!is_length(s.tolerance)) return bad_input("tolerance: must be a length in metres greater than zero");
-  if (s.levels_plus_one < 0 || s.levels_plus_one > Resolution::kLargestDepth + 1)
-    return bad_input("levels: must be from 0 to " + std::to_string(Resolution::kLargestDepth));
-  if ((s.target_edge > 0) + (s.tolerance > 0) + (s.levels_plus_one > 0) > 1)
-    return bad_input("target_edge, tolerance and levels: set only one of them");
+  if (s.max_level < -1 || s.max_level > Resolution::kLargestDepth)
+    return bad_input("max_level: must be from 0 to " + std::to_string(Resolution::kLargestDepth));
+  if ((s.target_edge > 0) + (s.tolerance > 0) + (s.max_level != 0) > 1)
+    return bad_input("target_edge, tolerance and max_level: set only one of them");
   if (!is_either(number_in(s.rim), KERF_RIM_FACES, KERF_RIM_SMOOTH))
     return bad_input("rim: must be faces or smooth");
   if (!is_either(number_in(s.scheme), KERF_SCHEME_LONGEST_EDGE, KERF_SCHEME_ONE_TO_FOUR))
@@ -102,8 +102,8 @@ CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, do
   if (s.target_edge > 0) resolution.target_edge = s.target_edge;
   if (s.tolerance > 0) resolution.tolerance = s.tolerance;
   if (s.tolerance > 0) resolution.rule = Resolution::Rule::kTolerance;
-  if (s.levels_plus_one > 0) resolution.depth = s.levels_plus_one - 1;
-  if (s.levels_plus_one > 0) resolution.rule = Resolution::Rule::kDepth;
+  if (s.max_level != 0) resolution.depth = std::max(s.max_level, 0);
+  if (s.max_level != 0) resolution.rule = Resolution::Rule::kDepth;
   return settings;
 }
 
@@ -226,7 +226,7 @@ nlohmann::ordered_json settings_of_first(const std::vector<std::vector<Command>>
 
 Status cut(kerf_world& world, std::span<const kerf_stroke> strokes, const kerf_cut_settings& settings,
            const Progress& progress, CutJob& job) {
-  if (const Status right = check(settings); !right) return right;
+  if (const Status valid = check(settings); !valid) return valid;
   Document& document = world.document;
   if (!world.bounds && !strokes.empty()) return bad_input("the world has no mesh; add one before a cut");
   const double diagonal = world.bounds ? world.bounds->diagonal() : 0;
@@ -244,8 +244,8 @@ Status cut(kerf_world& world, std::span<const kerf_stroke> strokes, const kerf_c
   if (const Status done = cut_all(other ? *other : document, *commands, progress, job); !done) return done;
   if (world.settings.is_null()) world.settings = settings_of_first(*commands);
   if (!other) return Done{};
-  if (!document.journal().empty()) world.beginning.lose();
-  world.beginning.set_substance(*substance);
+  if (!document.journal().empty()) world.initial_state.mark_unrecorded();
+  world.initial_state.set_substance(*substance);
   document = std::move(*other);
   return Done{};
 }
@@ -254,13 +254,14 @@ Status cut(kerf_world& world, std::span<const kerf_stroke> strokes, const kerf_c
 }  // namespace kerf
 
 kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t stroke_count,
-                           const kerf_cut_settings* settings, const kerf_control* control,
+                           const kerf_cut_settings* settings, const kerf_call_options* options,
                            kerf_cut_result* result) {
-  if (strokes == nullptr && stroke_count > 0) return kerf::told(KERF_BAD_INPUT, "strokes: must not be null");
+  if (strokes == nullptr && stroke_count > 0)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "strokes: must not be null");
   const auto begin = std::chrono::steady_clock::now();
   kerf_cut_result done{};
   const kerf_result how =
-      kerf::change_world(world, control, [&](const kerf::Progress& progress) -> kerf::Status {
+      kerf::change_world(world, options, [&](const kerf::Progress& progress) -> kerf::Status {
         kerf::CutJob job;
         const kerf::Status cut =
             kerf::cut(*world, {strokes, stroke_count}, settings == nullptr ? kerf_cut_settings{} : *settings,

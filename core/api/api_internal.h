@@ -21,22 +21,22 @@
 namespace kerf {
 
 // Runs a function of the library with Kerf's floating-point modes and at most as many threads as the caller
-// allows. Converts exceptions to results and stores the message of an error for kerf_message().
+// allows. Converts exceptions to results and stores the message of an error for kerf_last_error().
 class Call {
  public:
-  // `control` may be null.
-  explicit Call(const kerf_control* control);
+  // `options` may be null.
+  explicit Call(const kerf_call_options* options);
 
   // Returns the result of the work: that of its status, or of the exception that it throws.
   kerf_result run(const std::function<Status(const Progress&)>& work);
 
  private:
-  kerf_control control_{};
+  kerf_call_options options_{};
   bool stopped_ = false;
 };
 
 // Stores the message of an error for this thread and returns its code.
-kerf_result told(kerf_result result, const char* message) noexcept;
+kerf_result set_error(kerf_result result, const char* message) noexcept;
 
 // Returns the last message stored in this thread.
 const char* last_message();
@@ -67,14 +67,14 @@ Soup soup_of(const kerf_mesh& mesh);
 // The initial state in the journal of a world: the bodies of the scene that was opened, followed by the
 // added bodies in their initial state. A world has no journal once it is changed after a cut in a way that
 // the journal cannot represent.
-class Beginning {
+class InitialState {
  public:
   void open(SceneDescription scene) { scene_ = std::move(scene); }
   void add(const kerf_mesh& mesh, const std::string& name) { added_.push_back({mesh, name}); }
   // Records a new material of all bodies.
   void set_substance(const Substance& substance);
   // Records that the journal no longer reproduces the world.
-  void lose() { lost_ = true; }
+  void mark_unrecorded() { unrecorded_ = true; }
 
   // Writes the journal of the document, and next to it the added meshes. Returns a bad-input error if there
   // is no journal; fails if a file cannot be written.
@@ -89,7 +89,7 @@ class Beginning {
   SceneDescription scene_;
   std::vector<Added> added_;
   Sheet sheet_;  // of the added bodies
-  bool lost_ = false;
+  bool unrecorded_ = false;
 };
 
 // The calls that use a world: one that changes it, or any number that read it.
@@ -112,7 +112,7 @@ class WorldUsers {
 // The world of the C interface: a document that keeps no history between cuts.
 struct kerf_world {
   kerf::Document document;
-  kerf::Beginning beginning;
+  kerf::InitialState initial_state;
   kerf::CutJob job;                           // cuts of the library, for the report
   nlohmann::ordered_json settings = nullptr;  // of the first cut
   // Bounds of all meshes as they were added, independent of cuts; the defaults of strokes follow from them.
@@ -123,11 +123,11 @@ struct kerf_world {
 namespace kerf {
 
 // Runs work that reads a world. Returns the result of Call::run(), or KERF_BUSY if another call changes it.
-kerf_result read_world(const kerf_world* world, const kerf_control* control,
+kerf_result read_world(const kerf_world* world, const kerf_call_options* options,
                        const std::function<Status(const Document&, const Progress&)>& work);
 
 // Runs work that changes a world. Returns the result of Call::run(), or KERF_BUSY if another call uses it.
-kerf_result change_world(kerf_world* world, const kerf_control* control,
+kerf_result change_world(kerf_world* world, const kerf_call_options* options,
                          const std::function<Status(const Progress&)>& work);
 
 }  // namespace kerf

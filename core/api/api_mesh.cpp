@@ -19,7 +19,7 @@ constexpr size_t kMaxElements = size_t{1} << 31;
 bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 // Converts the usable triangles of a file, over its welded positions.
-Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
+Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   WeldedTriangles welded(soup.positions);
   for (size_t t = 0; t < soup.triangles.size(); ++t) {
     const std::array<uint32_t, 3>& corners = soup.triangles[t];
@@ -36,8 +36,8 @@ Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   return Done{};
 }
 
-Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count,
-                 kerf_mesh& mesh) {
+Status create_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count,
+                   kerf_mesh& mesh) {
   if (vertices == nullptr || vertex_count == 0) return bad_input("vertices: must not be empty");
   if (faces == nullptr || face_count == 0) return bad_input("faces: must not be empty");
   if (vertex_count > kMaxElements || face_count > kMaxElements)
@@ -46,7 +46,7 @@ Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* fa
   for (size_t v = 0; v < vertex_count; ++v) {
     for (int k = 0; k < 3; ++k) {
       const double x = vertices[3 * v + static_cast<size_t>(k)];
-      if (!std::isfinite(x)) return bad_input("vertices: number " + std::to_string(v) + " is not finite");
+      if (!std::isfinite(x)) return bad_input("vertices[" + std::to_string(v) + "] is not finite");
       mesh.positions[v][k] = x;
     }
   }
@@ -55,7 +55,7 @@ Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* fa
     for (size_t i = 0; i < 3; ++i) {
       const uint32_t v = faces[3 * f + i];
       if (v >= vertex_count) {
-        return bad_input("faces: number " + std::to_string(f) + " refers to vertex " + std::to_string(v) +
+        return bad_input("faces[" + std::to_string(f) + "] references vertex " + std::to_string(v) +
                          ", but the number of vertices is " + std::to_string(vertex_count));
       }
       mesh.triangles[f][i] = v;
@@ -95,27 +95,28 @@ Soup soup_of(const kerf_mesh& mesh) {
 
 const char* kerf_version(void) { return kerf::kVersion; }
 
-const char* kerf_message(void) { return kerf::last_message(); }
+const char* kerf_last_error(void) { return kerf::last_message(); }
 
-kerf_result kerf_mesh_read(const char* path, const kerf_control* control, kerf_mesh** out) {
-  if (path == nullptr || out == nullptr) return kerf::told(KERF_BAD_INPUT, "path and out: must not be null");
-  return kerf::Call(control).run([&](const kerf::Progress& progress) -> kerf::Status {
+kerf_result kerf_mesh_read(const char* path, const kerf_call_options* options, kerf_mesh** out) {
+  if (path == nullptr || out == nullptr)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "path and out: must not be null");
+  return kerf::Call(options).run([&](const kerf::Progress& progress) -> kerf::Status {
     auto soup = kerf::read_mesh(path, &progress);
     if (!soup) return soup.error();
     auto mesh = std::make_unique<kerf_mesh>();
-    if (const auto taken = kerf::take_soup(std::move(*soup), path, *mesh); !taken) return taken;
+    if (const auto taken = kerf::convert_soup(std::move(*soup), path, *mesh); !taken) return taken;
     kerf::measure(*mesh);
     *out = mesh.release();
     return kerf::Done{};
   });
 }
 
-kerf_result kerf_mesh_make(const double* vertices, size_t vertex_count, const uint32_t* faces,
-                           size_t face_count, kerf_mesh** out) {
-  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+kerf_result kerf_mesh_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
+                             size_t face_count, kerf_mesh** out) {
+  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
   return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
     auto mesh = std::make_unique<kerf_mesh>();
-    const kerf::Status made = kerf::make_mesh(vertices, vertex_count, faces, face_count, *mesh);
+    const kerf::Status made = kerf::create_mesh(vertices, vertex_count, faces, face_count, *mesh);
     if (!made) return made;
     kerf::measure(*mesh);
     *out = mesh.release();
@@ -123,11 +124,11 @@ kerf_result kerf_mesh_make(const double* vertices, size_t vertex_count, const ui
   });
 }
 
-void kerf_mesh_free(kerf_mesh* mesh) { delete mesh; }
+void kerf_mesh_destroy(kerf_mesh* mesh) { delete mesh; }
 
 kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path) {
   if (mesh == nullptr || path == nullptr)
-    return kerf::told(KERF_BAD_INPUT, "mesh and path: must not be null");
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "mesh and path: must not be null");
   return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
     const std::filesystem::path file = path;
     const auto format = kerf::mesh_format(file.extension().string());
@@ -152,11 +153,11 @@ const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh) {
   return mesh == nullptr ? nullptr : mesh->triangles.data()->data();
 }
 
-const double* kerf_mesh_temperatures(const kerf_mesh* mesh) {
+const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh) {
   return mesh == nullptr || mesh->temperatures.empty() ? nullptr : mesh->temperatures.data();
 }
 
-void kerf_mesh_describe(const kerf_mesh* mesh, kerf_mesh_info* info) {
+void kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info) {
   if (info == nullptr) return;
   *info = mesh == nullptr ? kerf_mesh_info{} : mesh->info;
   info->name = mesh == nullptr ? "" : mesh->name.c_str();

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kRaysTogether = 1024;
+constexpr size_t kRaysPerBatch = 1024;
 
 // Rays as given by the caller.
 struct Rays {
@@ -36,10 +36,10 @@ Result<Rays> rays_of(const double* origins, const double* directions, size_t n, 
   };
   for (size_t i = 0; i < n; ++i) {
     if (!is_finite(rays.vector(origins, i)))
-      return bad_input("origins: number " + std::to_string(i) + " is not finite");
+      return bad_input("origins[" + std::to_string(i) + "] is not finite");
     const Vec3 direction = rays.vector(directions, i);
     if (!is_finite(direction) || direction == Vec3(0))
-      return bad_input("directions: number " + std::to_string(i) + " is zero or not finite");
+      return bad_input("directions[" + std::to_string(i) + "] is zero or not finite");
   }
   return rays;
 }
@@ -80,7 +80,7 @@ std::vector<BodyId> ids_of(const World& world) {
 
 // Owner of the arrays of a kerf_hits.
 struct HitArrays {
-  std::vector<size_t> first{0};
+  std::vector<size_t> offsets{0};
   std::vector<double> distances;
   std::vector<uint32_t> bodies, faces;
 };
@@ -88,7 +88,7 @@ struct HitArrays {
 Status find_all(const World& world, const Rays& rays, const Progress& progress, HitArrays& out) {
   const std::vector<BodyId> ids = ids_of(world);
   std::vector<std::vector<Hit>> hits(rays.count);
-  const bool done = for_each_range(rays.count, kRaysTogether, &progress, [&](size_t begin, size_t end) {
+  const bool done = for_each_range(rays.count, kRaysPerBatch, &progress, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) append_all(world, ids, rays.pose(i), rays.range, hits[i]);
   });
   if (!done) return cancelled();
@@ -98,7 +98,7 @@ Status find_all(const World& world, const Rays& rays, const Progress& progress, 
       out.bodies.push_back(hit.body);
       out.faces.push_back(hit.face);
     }
-    out.first.push_back(out.distances.size());
+    out.offsets.push_back(out.distances.size());
   }
   return Done{};
 }
@@ -107,16 +107,16 @@ Status find_all(const World& world, const Rays& rays, const Progress& progress, 
 }  // namespace kerf
 
 kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origins, const double* directions,
-                                    size_t n, const double range[2], const kerf_control* control,
+                                    size_t n, const double range[2], const kerf_call_options* options,
                                     double* distances, uint32_t* bodies, uint32_t* faces) {
   return kerf::read_world(
-      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+      world, options, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
         const auto rays = kerf::rays_of(origins, directions, n, range);
         if (!rays) return rays.error();
         const auto ids = kerf::ids_of(document.world());
         std::vector<kerf::Hit> hits(n);
         const bool done =
-            kerf::for_each_range(n, kerf::kRaysTogether, &progress, [&](size_t begin, size_t end) {
+            kerf::for_each_range(n, kerf::kRaysPerBatch, &progress, [&](size_t begin, size_t end) {
               for (size_t i = begin; i < end; ++i)
                 hits[i] = kerf::nearest(document.world(), ids, rays->pose(i), rays->range);
             });
@@ -131,18 +131,18 @@ kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origi
 }
 
 kerf_result kerf_world_all_hits(const kerf_world* world, const double* origins, const double* directions,
-                                size_t n, const double range[2], const kerf_control* control,
+                                size_t n, const double range[2], const kerf_call_options* options,
                                 kerf_hits* out) {
-  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
   return kerf::read_world(
-      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+      world, options, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
         const auto rays = kerf::rays_of(origins, directions, n, range);
         if (!rays) return rays.error();
         auto arrays = std::make_unique<kerf::HitArrays>();
         const kerf::Status found = kerf::find_all(document.world(), *rays, progress, *arrays);
         if (!found) return found;
-        *out = {arrays->distances.size(), arrays->first.data(), arrays->distances.data(),
-                arrays->bodies.data(),    arrays->faces.data(), nullptr};
+        *out = {arrays->distances.size(), arrays->offsets.data(), arrays->distances.data(),
+                arrays->bodies.data(),    arrays->faces.data(),   nullptr};
         out->owner = arrays.release();
         return kerf::Done{};
       });

@@ -34,12 +34,12 @@ constexpr unsigned kMaxThreads = 1024;
 constexpr const char* kNoMemory = "out of memory";
 
 // Message of this thread; kNoMemory if there was too little memory to store one.
-struct Kept {
+struct StoredError {
   std::string text;
   bool lacks_memory = false;
 };
-Kept& kept() {
-  static thread_local Kept message;
+StoredError& stored_error() {
+  static thread_local StoredError message;
   return message;
 }
 
@@ -67,48 +67,49 @@ class DefaultArithmetic {
 
 }  // namespace
 
-kerf_result told(kerf_result result, const char* message) noexcept {
+kerf_result set_error(kerf_result result, const char* message) noexcept {
   try {
-    kept() = {message, false};
+    stored_error() = {message, false};
     // A name in it, such as that of a file, may contain line breaks.
     std::ranges::replace_if(
-        kept().text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        stored_error().text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   } catch (const std::bad_alloc&) {
-    kept().lacks_memory = true;
+    stored_error().lacks_memory = true;
   }
   return result;
 }
 
-const char* last_message() { return kept().lacks_memory ? kNoMemory : kept().text.c_str(); }
+const char* last_message() { return stored_error().lacks_memory ? kNoMemory : stored_error().text.c_str(); }
 
-Call::Call(const kerf_control* control) {
-  if (control != nullptr) control_ = *control;
+Call::Call(const kerf_call_options* options) {
+  if (options != nullptr) options_ = *options;
 }
 
 kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
-  if (control_.threads > kMaxThreads) return told(KERF_BAD_INPUT, "threads: must be from 0 to 1024");
+  if (options_.threads > kMaxThreads)
+    return set_error(KERF_INVALID_ARGUMENT, "threads: must be from 0 to 1024");
   const DefaultArithmetic arithmetic;
   const Progress progress{[&](double share) {
-    stopped_ = stopped_ || (control_.progress != nullptr && control_.progress(share, control_.user) != 0);
+    stopped_ = stopped_ || (options_.progress != nullptr && options_.progress(share, options_.user) != 0);
     return !stopped_;
   }};
   try {
     Status status = Done{};
-    with_threads(control_.threads, [&] { status = work(progress); });
+    with_threads(options_.threads, [&] { status = work(progress); });
     if (status) return KERF_OK;
-    if (stopped_) return told(KERF_CANCELLED, "cancelled");
+    if (stopped_) return set_error(KERF_CANCELLED, "cancelled");
     const bool bad = status.error().code == ErrorCode::kBadInput;
-    return told(bad ? KERF_BAD_INPUT : KERF_FAILED, status.error().message.c_str());
+    return set_error(bad ? KERF_INVALID_ARGUMENT : KERF_FAILED, status.error().message.c_str());
   } catch (const std::bad_alloc&) {
-    return told(KERF_FAILED, kNoMemory);
+    return set_error(KERF_FAILED, kNoMemory);
   } catch (const std::exception& fault) {
-    return told(KERF_FAILED, fault.what());
+    return set_error(KERF_FAILED, fault.what());
   } catch (...) {
-    return told(KERF_FAILED, "the call failed with an unknown exception");
+    return set_error(KERF_FAILED, "the call failed with an unknown exception");
   }
 }
 
-void Beginning::set_substance(const Substance& substance) {
+void InitialState::set_substance(const Substance& substance) {
   const auto give = [&](Sheet& sheet) {
     sheet.substance = substance;
     sheet.density = substance.density;
@@ -117,8 +118,8 @@ void Beginning::set_substance(const Substance& substance) {
   give(sheet_);
 }
 
-Status Beginning::save(const Document& document, const std::filesystem::path& file) const {
-  if (lost_)
+Status InitialState::save(const Document& document, const std::filesystem::path& file) const {
+  if (unrecorded_)
     return bad_input(
         "the world has no journal because a body was added or the material changed after a cut; save the "
         "scene instead");
@@ -164,24 +165,25 @@ bool WorldUsers::begin_changing() {
   return users_.compare_exchange_strong(none, kChanging, std::memory_order_acquire);
 }
 
-kerf_result read_world(const kerf_world* world, const kerf_control* control,
+kerf_result read_world(const kerf_world* world, const kerf_call_options* options,
                        const std::function<Status(const Document&, const Progress&)>& work) {
-  if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
+  if (world == nullptr) return set_error(KERF_INVALID_ARGUMENT, "world: must not be null");
   if (!world->users.begin_reading())
-    return told(KERF_BUSY,
-                "the world is in use by a call that changes it; try again after that call has returned");
+    return set_error(KERF_BUSY,
+                     "the world is in use by a call that changes it; try again after that call has returned");
   const kerf_result result =
-      Call(control).run([&](const Progress& progress) { return work(world->document, progress); });
+      Call(options).run([&](const Progress& progress) { return work(world->document, progress); });
   world->users.end_reading();
   return result;
 }
 
-kerf_result change_world(kerf_world* world, const kerf_control* control,
+kerf_result change_world(kerf_world* world, const kerf_call_options* options,
                          const std::function<Status(const Progress&)>& work) {
-  if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
+  if (world == nullptr) return set_error(KERF_INVALID_ARGUMENT, "world: must not be null");
   if (!world->users.begin_changing())
-    return told(KERF_BUSY, "the world is in use by another call; try again after that call has returned");
-  const kerf_result result = Call(control).run(work);
+    return set_error(KERF_BUSY,
+                     "the world is in use by another call; try again after that call has returned");
+  const kerf_result result = Call(options).run(work);
   world->users.end_changing();
   return result;
 }
@@ -209,8 +211,8 @@ Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, c
   if (!body) return body.error();
   World world = to.document.world();
   world.add(std::move(*body));
-  to.beginning.add(mesh, name);
-  if (!to.document.journal().empty()) to.beginning.lose();
+  to.initial_state.add(mesh, name);
+  if (!to.document.journal().empty()) to.initial_state.mark_unrecorded();
   to.job.record_loaded(loaded);
   grow(to.bounds, world.bounds());
   to.document = Document(std::move(world));
@@ -222,7 +224,7 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
   auto file = open_file(path, &opening);
   if (!file) return file.error();
-  to.beginning.open(file->scene);
+  to.initial_state.open(file->scene);
   Document& document = to.document;
   document = Document(std::move(file->scene.world));
   for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
@@ -244,7 +246,7 @@ struct Part {
   std::vector<FaceId> faces;
 };
 
-void weigh_piece(const Extract& e, const Body& body, kerf_mesh_info& info) {
+void set_piece_mass(const Extract& e, const Body& body, kerf_mesh_info& info) {
   const MassProperties mass = mass_of(e, body.sheet);
   info.mass = mass.mass;
   const glm::dmat3& m = mass.inertia;
@@ -256,7 +258,7 @@ std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
   Extract e = extract_faces(*part.body, part.faces);
   auto mesh = std::make_unique<kerf_mesh>();
   mesh->name = part.body->name_of(part.body->label(part.faces.front()));
-  weigh_piece(e, *part.body, mesh->info);
+  set_piece_mass(e, *part.body, mesh->info);
   mesh->info.area = e.area;
   mesh->info.boundary_edges = e.boundary_edges;
   mesh->volume = e.volume;
@@ -326,17 +328,18 @@ Result<std::vector<std::unique_ptr<kerf_mesh>>> pieces_of(const World& world, co
 }  // namespace
 }  // namespace kerf
 
-kerf_result kerf_world_make(kerf_world** out) {
-  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+kerf_result kerf_world_create(kerf_world** out) {
+  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
   return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
     *out = new kerf_world;
     return kerf::Done{};
   });
 }
 
-kerf_result kerf_world_open(const char* path, const kerf_control* control, kerf_world** out) {
-  if (path == nullptr || out == nullptr) return kerf::told(KERF_BAD_INPUT, "path and out: must not be null");
-  return kerf::Call(control).run([&](const kerf::Progress& progress) -> kerf::Status {
+kerf_result kerf_world_open(const char* path, const kerf_call_options* options, kerf_world** out) {
+  if (path == nullptr || out == nullptr)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "path and out: must not be null");
+  return kerf::Call(options).run([&](const kerf::Progress& progress) -> kerf::Status {
     auto world = std::make_unique<kerf_world>();
     const kerf::Status opened = kerf::open_world(path, *world, progress);
     if (opened) *out = world.release();
@@ -344,22 +347,22 @@ kerf_result kerf_world_open(const char* path, const kerf_control* control, kerf_
   });
 }
 
-void kerf_world_free(kerf_world* world) { delete world; }
+void kerf_world_destroy(kerf_world* world) { delete world; }
 
 kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
-                           const kerf_control* control) {
-  if (mesh == nullptr) return kerf::told(KERF_BAD_INPUT, "mesh: must not be null");
-  return kerf::change_world(world, control, [&](const kerf::Progress& progress) {
+                           const kerf_call_options* options) {
+  if (mesh == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "mesh: must not be null");
+  return kerf::change_world(world, options, [&](const kerf::Progress& progress) {
     return kerf::add_body(*world, *mesh, name, progress);
   });
 }
 
-kerf_result kerf_world_pieces(const kerf_world* world, const kerf_control* control, kerf_mesh*** out,
+kerf_result kerf_world_pieces(const kerf_world* world, const kerf_call_options* options, kerf_mesh*** out,
                               size_t* count) {
   if (out == nullptr || count == nullptr)
-    return kerf::told(KERF_BAD_INPUT, "out and count: must not be null");
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "out and count: must not be null");
   return kerf::read_world(
-      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+      world, options, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
         auto pieces = kerf::pieces_of(document.world(), progress);
         if (!pieces) return pieces.error();
         auto list = std::make_unique<kerf_mesh*[]>(pieces->size());
@@ -376,7 +379,7 @@ void kerf_pieces_free(kerf_mesh** pieces, size_t count) {
 }
 
 kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder) {
-  if (folder == nullptr) return kerf::told(KERF_BAD_INPUT, "folder: must not be null");
+  if (folder == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "folder: must not be null");
   return kerf::read_world(world, nullptr,
                           [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
                             if (document.world().live_faces() == 0)
@@ -387,16 +390,16 @@ kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder) {
 }
 
 kerf_result kerf_world_save_journal(const kerf_world* world, const char* path) {
-  if (path == nullptr) return kerf::told(KERF_BAD_INPUT, "path: must not be null");
+  if (path == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "path: must not be null");
   return kerf::read_world(world, nullptr, [&](const kerf::Document& document, const kerf::Progress&) {
-    return world->beginning.save(document, path);
+    return world->initial_state.save(document, path);
   });
 }
 
-kerf_result kerf_world_report(const kerf_world* world, const kerf_control* control, char** out) {
-  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+kerf_result kerf_world_report(const kerf_world* world, const kerf_call_options* options, char** out) {
+  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
   return kerf::read_world(
-      world, control, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+      world, options, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
         auto pieces = kerf::pieces_of(document.world(), progress);
         if (!pieces) return pieces.error();
         std::vector<kerf::WrittenPiece> written;
@@ -410,7 +413,7 @@ kerf_result kerf_world_report(const kerf_world* world, const kerf_control* contr
 }
 
 kerf_result kerf_world_hash(const kerf_world* world, char out[17]) {
-  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
   return kerf::read_world(world, nullptr,
                           [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
                             const std::string text = kerf::hash_text(kerf::state_hash(document.world()));
@@ -420,7 +423,7 @@ kerf_result kerf_world_hash(const kerf_world* world, char out[17]) {
 }
 
 kerf_result kerf_world_graph(const kerf_world* world, char** out) {
-  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
   return kerf::read_world(world, nullptr,
                           [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
                             std::ostringstream text;

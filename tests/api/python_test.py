@@ -65,9 +65,9 @@ class Module(unittest.TestCase):
             with self.assertRaises(ValueError) as raised:
                 bad()
             self.assertGreater(len(str(raised.exception)), 10)
-        for levels in (-1, 25, 10**30, -10**30):
-            with self.assertRaisesRegex(ValueError, '^levels: must be from 0 to 24$'):
-                self.world.cut(slot(self.mesh), levels=levels)
+        for level in (-1, 25, 10**30, -10**30):
+            with self.assertRaisesRegex(ValueError, '^max_level: must be from 0 to 24$'):
+                self.world.cut(slot(self.mesh), max_level=level)
 
     def test_an_argument_of_the_wrong_type_is_a_type_error_that_names_it(self):
         cut, stroke = self.world.cut, slot(self.mesh)
@@ -77,8 +77,8 @@ class Module(unittest.TestCase):
                           ('range', lambda: kerf.Stroke([], range=('0', 1))), ('keys', lambda: kerf.Stroke(5)),
                           ('PathLike', lambda: kerf.read(5)), ('PathLike', lambda: kerf.World.open(None)),
                           ('PathLike', lambda: self.world.save_journal(5)), ('PathLike', lambda: self.mesh.write(None)),
-                          ('PathLike', lambda: self.world.save_scene(1.5)), ('levels', lambda: cut(stroke, levels=2.5)),
-                          ('levels', lambda: cut(stroke, levels='2')), ('threads', lambda: cut(stroke, threads=None)),
+                          ('PathLike', lambda: self.world.save_scene(1.5)), ('max_level', lambda: cut(stroke, max_level=2.5)),
+                          ('max_level', lambda: cut(stroke, max_level='2')), ('threads', lambda: cut(stroke, threads=None)),
                           ('target_edge', lambda: cut(stroke, target_edge='1')), ('rim', lambda: cut(stroke, rim=1)),
                           ('material', lambda: cut(stroke, material=1)), ('progress', lambda: cut(stroke, progress=1)),
                           ('raduis', lambda: kerf.Stroke([], raduis=1)), ('resolution', lambda: cut(stroke, resolution=1))):
@@ -161,7 +161,7 @@ class Module(unittest.TestCase):
                          tuple(f'<kerf.Mesh {name}of {len(self.mesh.faces)} faces>' for name in ('', '"ball" ')))
         hits = self.world.all_hits([[0, 9, 0]] * 2, [[0, -1, 0]] * 2)
         same = pickle.loads(pickle.dumps(hits))
-        for name in ('first', 'distance', 'body', 'face'):
+        for name in ('offsets', 'distance', 'body', 'face'):
             np.testing.assert_array_equal(getattr(same, name), getattr(hits, name))
         with self.assertRaises(TypeError):
             pickle.dumps(self.world)
@@ -215,7 +215,7 @@ class Module(unittest.TestCase):
 
         def read():
             return (self.world.hash, [p.area for p in self.world.pieces], self.world.report()['pieces'], self.world.graph(),
-                    self.world.nearest_hits(2 * v, along).distance.tolist(), self.world.all_hits(2 * v, along).first.tolist())
+                    self.world.nearest_hits(2 * v, along).distance.tolist(), self.world.all_hits(2 * v, along).offsets.tolist())
         wanted, results = read(), []
 
         def ask():
@@ -234,7 +234,7 @@ class Module(unittest.TestCase):
         shares = []
         begin = time.monotonic()
         for k in range(8):
-            self.world.cut(slot(self.mesh), levels=k // 4 + 4, threads=1, progress=shares.append)
+            self.world.cut(slot(self.mesh), max_level=k // 4 + 4, threads=1, progress=shares.append)
         most = 8 + 50 * (time.monotonic() - begin)
         self.assertLessEqual(len(shares), most)
         self.assertGreaterEqual(len(shares), 8)  # at least once a call

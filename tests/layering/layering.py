@@ -64,9 +64,9 @@ BUILD_FOLDER = re.compile(r'build(-.*)?$')
 SOURCE = re.compile(r'\.(h|hh|hpp|hxx|inl|ipp|c|cc|cpp|cxx)$')
 INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
 TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
-# What outsiders include is installed as it lies: the standard library and each other alone.
-FACE = {'core/kerf.h', 'core/kerf_c.h'}
-FACE_USERS = ('core/api/', 'app/python/', 'app/examples/', 'tests/api/', 'tests/fuzz/library/')
+# Public headers are installed as it lies: the standard library and each other alone.
+PUBLIC_HEADERS = {'core/kerf.h', 'core/kerf_c.h'}
+PUBLIC_HEADER_USERS = ('core/api/', 'app/python/', 'app/examples/', 'tests/api/', 'tests/fuzz/library/')
 # Private headers: for their own folder, its tests, and the benchmarks, fuzzers and references of the tests.
 INTERNAL = re.compile(r'(core|ui|app)/.*_internal\.h$')
 INTERNAL_USERS = ('tests/bench/', 'tests/fuzz/', 'tests/support/')
@@ -96,7 +96,7 @@ def stray_entries(root):
 
 
 def unnamed_folders(root):
-    folders = {os.path.dirname(path) for path in sources(root) if path not in FACE}
+    folders = {os.path.dirname(path) for path in sources(root) if path not in PUBLIC_HEADERS}
     return sorted(folder for folder in folders if folder.split('/')[0] in ORDERS and not has_place(folder))
 
 
@@ -130,10 +130,10 @@ def objection(path, operand):
     if not target:
         return 'an include through a macro hides its arrow'
     quoted, name = target[1], target[1] or target[2]
-    if path in FACE:
-        own = quoted and f'core/{name}' in FACE
+    if path in PUBLIC_HEADERS:
+        own = quoted and f'core/{name}' in PUBLIC_HEADERS
         return None if own or (not quoted and '/' not in name) else f'{name}: outsiders have the standard library alone'
-    if name in FACE and not path.startswith(FACE_USERS):
+    if name in PUBLIC_HEADERS and not path.startswith(PUBLIC_HEADER_USERS):
         return f'{name}: it is for outsiders, and core/api makes it'
     if name.split('/')[0] in SOURCE_FOLDERS:
         if not quoted or os.path.normpath(name) != name:

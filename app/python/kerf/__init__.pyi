@@ -28,13 +28,13 @@ class _Triangles(Protocol):
     def triangles(self) -> npt.ArrayLike: ...
 
 class Error(RuntimeError):
-    """A call that failed; it has changed nothing."""
+    """A failed call; it has changed nothing."""
 
 class Cancelled(Error):
     """A call that its progress callback cancelled."""
 
 class Busy(Error):
-    """A call that cannot run while another one uses the world."""
+    """A call on a world that another call uses."""
 
 class FileNotFound(FileNotFoundError, ValueError):
     """A path without a file."""
@@ -56,7 +56,7 @@ class Mesh:
     def faces(self) -> npt.NDArray[np.uint32]:
         """Vertex indices, shape (m, 3)."""
     @property
-    def temperatures(self) -> npt.NDArray[np.float64]:
+    def face_temperatures(self) -> npt.NDArray[np.float64]:
         """Face temperatures of a piece, shape (m,), kelvin; empty for any other mesh."""
     @property
     def area(self) -> float:
@@ -107,8 +107,8 @@ class Hits:
     """Crossings of k rays with surfaces, n in total."""
 
     @property
-    def first(self) -> npt.NDArray[np.uint64]:
-        """all_hits: shape (k + 1,); hits of ray i are first[i] to first[i + 1] - 1. nearest_hits: empty."""
+    def offsets(self) -> npt.NDArray[np.uint64]:
+        """all_hits: shape (k + 1,); hits of ray i are offsets[i] to offsets[i + 1] - 1. nearest_hits: empty."""
     @property
     def distance(self) -> npt.NDArray[np.float64]:
         """Shape (n,), metres; inf on a miss."""
@@ -117,7 +117,7 @@ class Hits:
         """Shape (n,), in the order of adding; 2^32 - 1 on a miss."""
     @property
     def face(self) -> npt.NDArray[np.uint32]:
-        """Shape (n,), slots of the faces in their bodies; 2^32 - 1 on a miss."""
+        """Shape (n,), face indices in their bodies; 2^32 - 1 on a miss."""
 
 class World:
     """The bodies that a laser cuts."""
@@ -132,7 +132,7 @@ class World:
         *,
         target_edge: float | None = None,
         tolerance: float | None = None,
-        levels: int | None = None,
+        max_level: int | None = None,
         rim: Literal["faces", "smooth"] = "faces",
         scheme: Literal["longest-edge", "one-to-four"] = "longest-edge",
         model: Literal["geometric", "thermal"] = "geometric",

@@ -25,7 +25,7 @@ void require(bool holds, const std::string& what) {
 kerf_result checked(kerf_result result) {
   require(result >= KERF_OK && result <= KERF_BUSY, "a result that does not exist");
   if (result == KERF_OK) return result;
-  const std::string message = kerf_message();
+  const std::string message = kerf_last_error();
   require(!message.empty(), "a failure without a sentence");
   require(message.find_first_of("\r\n") == std::string::npos, "a message of several lines: " + message);
   return result;
@@ -44,11 +44,11 @@ void visit(const kerf_mesh* mesh) {
     require(std::isfinite(kerf_mesh_vertices(mesh)[i]), "a position that is not finite");
   for (size_t i = 0; i < 3 * faces; ++i)
     require(kerf_mesh_faces(mesh)[i] < vertices, "a face with a vertex that is not there");
-  const double* temperatures = kerf_mesh_temperatures(mesh);
+  const double* temperatures = kerf_mesh_face_temperatures(mesh);
   for (size_t i = 0; temperatures != nullptr && i < faces; ++i)
     require(temperatures[i] >= 0, "a temperature below 0 K");
   kerf_mesh_info info;
-  kerf_mesh_describe(mesh, &info);
+  kerf_mesh_get_info(mesh, &info);
   require(info.name != nullptr, "a mesh whose name is null");
 }
 
@@ -74,16 +74,16 @@ Session::Session(ByteSource& bytes, std::filesystem::path folder)
   append_plate(1 + static_cast<uint32_t>(bytes_.below(6)), vertices, faces);
   kerf_mesh* plate = nullptr;
   kerf_world* made = nullptr;
-  checked(kerf_mesh_make(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &plate));
-  checked(kerf_world_make(&made));
+  checked(kerf_mesh_create(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &plate));
+  checked(kerf_world_create(&made));
   require(kerf_world_add(made, plate, nullptr, nullptr) == KERF_OK, "a plate that cannot be added");
   keep(plate);
   keep(made);
 }
 
 Session::~Session() {
-  for (kerf_world* world : worlds_) kerf_world_free(world);
-  for (kerf_mesh* mesh : meshes_) kerf_mesh_free(mesh);
+  for (kerf_world* world : worlds_) kerf_world_destroy(world);
+  for (kerf_mesh* mesh : meshes_) kerf_mesh_destroy(mesh);
 }
 
 void Session::act() {
@@ -201,7 +201,7 @@ int Session::on_progress(double share, void* user) {
     char hash[17];
     const kerf_result asked = checked(kerf_world_hash(patience.calls_with, hash));
     require(asked == KERF_OK || asked == KERF_BUSY, "a query within a call that is neither done nor busy");
-    require(checked(kerf_world_add(patience.calls_with, nullptr, nullptr, nullptr)) == KERF_BAD_INPUT,
+    require(checked(kerf_world_add(patience.calls_with, nullptr, nullptr, nullptr)) == KERF_INVALID_ARGUMENT,
             "null");
     require(checked(kerf_world_cut(patience.calls_with, nullptr, 0, nullptr, nullptr, nullptr)) == KERF_BUSY,
             "a world that is changed while it is in use");
@@ -209,7 +209,7 @@ int Session::on_progress(double share, void* user) {
   return --patience.calls_left < 0;
 }
 
-const kerf_control* Session::control(kerf_world* in_use) {
+const kerf_call_options* Session::control(kerf_world* in_use) {
   constexpr unsigned kThreads[] = {0, 1, 2, 3, 1024, 1025, ~0u};
   patience_ = {kMaxPatience, nullptr};
   if (chance(4)) patience_.calls_left = static_cast<int>(bytes_.below(32));
@@ -220,11 +220,11 @@ const kerf_control* Session::control(kerf_world* in_use) {
 }
 
 kerf_stroke Session::stroke() {
-  std::vector<kerf_key>& keys = keys_.emplace_back();
+  std::vector<kerf_keyframe>& keys = keys_.emplace_back();
   const size_t count = bytes_.below(5);
   const bool is_usual = !chance(8);
   for (size_t k = 0; k < count; ++k) {
-    kerf_key key{static_cast<double>(k), {0, 1, 0}, {0, -1, 0}};
+    kerf_keyframe key{static_cast<double>(k), {0, 1, 0}, {0, -1, 0}};
     key.origin[0] = bytes_.between(-1, 2);
     key.origin[2] = bytes_.between(-1, 2);
     if (!is_usual) {
@@ -247,7 +247,7 @@ kerf_stroke Session::stroke() {
 void Session::keep(kerf_mesh* mesh) {
   visit(mesh);
   if (meshes_.size() == kMaxMeshes) {
-    kerf_mesh_free(meshes_.front());
+    kerf_mesh_destroy(meshes_.front());
     meshes_.erase(meshes_.begin());
   }
   meshes_.push_back(mesh);
@@ -255,7 +255,7 @@ void Session::keep(kerf_mesh* mesh) {
 
 void Session::keep(kerf_world* world) {
   if (worlds_.size() == kMaxWorlds) {
-    kerf_world_free(worlds_.front());
+    kerf_world_destroy(worlds_.front());
     worlds_.erase(worlds_.begin());
   }
   worlds_.push_back(world);
@@ -264,7 +264,7 @@ void Session::keep(kerf_world* world) {
 kerf_result Session::change(kerf_world* world, const std::function<kerf_result()>& call) {
   const std::string before = hash_of(world);
   const kerf_result result = checked(call());
-  const std::string message = kerf_message();
+  const std::string message = kerf_last_error();
   if (result != KERF_OK)
     require(hash_of(world) == before, "a call that failed and changed the world: " + message);
   return result;
@@ -289,7 +289,7 @@ void Session::make_mesh() {
   const uint32_t* corners = or_null(faces.data());
   kerf_mesh** out = or_null(&made);
   const kerf_result result =
-      checked(kerf_mesh_make(positions, vertices.size() / 3, corners, faces.size() / 3, out));
+      checked(kerf_mesh_create(positions, vertices.size() / 3, corners, faces.size() / 3, out));
   require((result == KERF_OK) == (made != nullptr), "a mesh without a result");
   if (made != nullptr) keep(made);
 }
@@ -311,17 +311,17 @@ void Session::write_mesh() {
 }
 
 void Session::inspect_mesh() {
-  kerf_mesh_describe(mesh(), nullptr);
+  kerf_mesh_get_info(mesh(), nullptr);
   visit(mesh());
-  require(std::strlen(kerf_version()) > 0 && kerf_message() != nullptr, "no version");
+  require(std::strlen(kerf_version()) > 0 && kerf_last_error() != nullptr, "no version");
 }
 
 // -- Worlds
 
 void Session::make_world() {
-  checked(kerf_world_make(nullptr));
+  checked(kerf_world_create(nullptr));
   kerf_world* made = nullptr;
-  if (checked(kerf_world_make(&made)) == KERF_OK) keep(made);
+  if (checked(kerf_world_create(&made)) == KERF_OK) keep(made);
 }
 
 void Session::open_world() {
@@ -341,7 +341,7 @@ void Session::add() {
   kerf_world* to = world();
   const kerf_mesh* added = mesh();
   const char* given = or_null(name.c_str());
-  const kerf_control* how = control(to);
+  const kerf_call_options* how = control(to);
   change(to, [&] { return kerf_world_add(to, added, given, how); });
 }
 
@@ -351,19 +351,19 @@ void Session::cut() {
   std::vector<kerf_stroke> strokes;
   for (size_t i = bytes_.below(4); i > 0; --i) strokes.push_back(stroke());
   kerf_cut_settings settings{};
-  const auto choose = [&](auto& field, int number) { std::memcpy(&field, &number, sizeof number); };
-  choose(settings.rim, static_cast<int>(bytes_.below(2)));
-  choose(settings.scheme, static_cast<int>(bytes_.below(2)));
-  if (chance(8)) choose(settings.rim, bytes_.byte() - 8);
-  if (chance(8)) choose(settings.scheme, bytes_.byte() - 8);
-  if (chance(4)) choose(settings.model, static_cast<int>(bytes_.below(2)));
-  if (chance(32)) choose(settings.model, bytes_.byte() - 8);
+  const auto select = [&](auto& field, int number) { std::memcpy(&field, &number, sizeof number); };
+  select(settings.rim, static_cast<int>(bytes_.below(2)));
+  select(settings.scheme, static_cast<int>(bytes_.below(2)));
+  if (chance(8)) select(settings.rim, bytes_.byte() - 8);
+  if (chance(8)) select(settings.scheme, bytes_.byte() - 8);
+  if (chance(4)) select(settings.model, static_cast<int>(bytes_.below(2)));
+  if (chance(32)) select(settings.model, bytes_.byte() - 8);
   if (chance(8)) settings.target_edge = length();
   if (chance(8)) settings.tolerance = length();
-  if (chance(8)) settings.levels_plus_one = bytes_.byte() - 8;
+  if (chance(8)) settings.max_level = bytes_.byte() - 8;
   if (chance(8)) settings.material = kMaterials[bytes_.below(std::size(kMaterials))];
   kerf_world* in = world();
-  const kerf_control* how = control(in);
+  const kerf_call_options* how = control(in);
   kerf_cut_result done{7, 7, 7};
   const kerf_stroke* given = or_null(strokes.data());
   const kerf_cut_settings* set = or_null(&settings);
@@ -377,7 +377,7 @@ void Session::take_pieces() {
   kerf_mesh** pieces = nullptr;
   size_t count = 0;
   checked(kerf_world_pieces(of, nullptr, nullptr, &count));
-  const kerf_control* how = control(of);
+  const kerf_call_options* how = control(of);
   const kerf_result result = change(of, [&] { return kerf_world_pieces(of, how, &pieces, &count); });
   if (result != KERF_OK) return require(pieces == nullptr && count == 0, "pieces of a call that failed");
   for (size_t i = 0; i < count; ++i) {
@@ -405,7 +405,7 @@ void Session::cast_rays() {
   const double* origins = or_null(from.data());
   const double* directions = or_null(along.data());
   uint32_t* hit_faces = or_null(faces.data());
-  const kerf_control* how = control(of);
+  const kerf_call_options* how = control(of);
   const kerf_result near = change(of, [&] {
     return kerf_world_nearest_hits(of, origins, directions, n, within, how, distances.data(), bodies.data(),
                                    hit_faces);
@@ -420,11 +420,11 @@ void Session::cast_rays() {
       change(of, [&] { return kerf_world_all_hits(of, origins, directions, n, within, how, &hits); });
   require((all == KERF_OK) == (hits.owner != nullptr), "hits without a result");
   if (all == KERF_OK && near == KERF_OK) {
-    require(hits.first[n] == hits.count, "hits that are not counted");
+    require(hits.offsets[n] == hits.count, "hits that are not counted");
     for (size_t i = 0; i < n; ++i) {
-      const bool is_hit = hits.first[i] < hits.first[i + 1];
+      const bool is_hit = hits.offsets[i] < hits.offsets[i + 1];
       require(is_hit == std::isfinite(distances[i]), "a nearest hit that is none of all hits");
-      if (is_hit) require(hits.distances[hits.first[i]] == distances[i], "a nearer hit than the nearest");
+      if (is_hit) require(hits.distances[hits.offsets[i]] == distances[i], "a nearer hit than the nearest");
     }
   }
   kerf_hits_free(&hits);
@@ -442,7 +442,7 @@ void Session::save_scene() {
   kerf_world* again = nullptr;
   const auto file = std::filesystem::path(folder) / "scene.json";
   const kerf_result opened = checked(kerf_world_open(file.c_str(), nullptr, &again));
-  require(opened == KERF_OK, std::string("a scene that cannot be opened: ") + kerf_message());
+  require(opened == KERF_OK, std::string("a scene that cannot be opened: ") + kerf_last_error());
   keep(again);
 }
 
@@ -455,7 +455,7 @@ void Session::save_journal() {
   kerf_world* again = nullptr;
   if (!file.ends_with(".kerf")) return;
   const kerf_result opened = checked(kerf_world_open(file.c_str(), nullptr, &again));
-  require(opened == KERF_OK, std::string("a journal that cannot be opened: ") + kerf_message());
+  require(opened == KERF_OK, std::string("a journal that cannot be opened: ") + kerf_last_error());
   require(hash_of(again) == hash_of(of), "a journal that leads to another state");
   keep(again);
 }
@@ -466,7 +466,7 @@ void Session::report() {
   checked(kerf_world_report(of, nullptr, nullptr));
   checked(kerf_world_graph(of, nullptr));
   checked(kerf_world_hash(of, nullptr));
-  const kerf_control* how = control(of);
+  const kerf_call_options* how = control(of);
   if (checked(kerf_world_report(of, how, &text)) == KERF_OK) require(std::strlen(text) > 2, "no report");
   kerf_text_free(std::exchange(text, nullptr));
   if (checked(kerf_world_graph(of, &text)) == KERF_OK) require(std::strlen(text) > 2, "no graph");
@@ -476,14 +476,14 @@ void Session::report() {
 
 void Session::free_one() {
   if (chance(2) && !meshes_.empty()) {
-    kerf_mesh_free(meshes_.back());
+    kerf_mesh_destroy(meshes_.back());
     meshes_.pop_back();
   } else if (!worlds_.empty()) {
-    kerf_world_free(worlds_.back());
+    kerf_world_destroy(worlds_.back());
     worlds_.pop_back();
   }
-  kerf_mesh_free(nullptr);
-  kerf_world_free(nullptr);
+  kerf_mesh_destroy(nullptr);
+  kerf_world_destroy(nullptr);
 }
 
 }  // namespace kerf::fuzz

@@ -60,7 +60,7 @@ class Session {
   std::string path();
   kerf_world* world();
   kerf_mesh* mesh();
-  const kerf_control* control(kerf_world* in_use);
+  const kerf_call_options* control(kerf_world* in_use);
   kerf_stroke stroke();
   void keep(kerf_mesh* mesh);
   void keep(kerf_world* world);
@@ -74,8 +74,8 @@ class Session {
   std::vector<kerf_world*> worlds_;
   std::vector<kerf_mesh*> meshes_;
   Patience patience_{};
-  kerf_control control_{};
-  std::vector<std::vector<kerf_key>> keys_;  // of the strokes of a cut
+  kerf_call_options control_{};
+  std::vector<std::vector<kerf_keyframe>> keys_;  // of the strokes of a cut
 };
 
 }  // namespace kerf::fuzz

@@ -31,7 +31,7 @@ void warn(const std::string& warning) {
   std::cerr << "kerf: warning: " << with_stream_names(warning) << '\n';
 }
 
-void tell(const MeshReport& report) {
+void print_repairs(const MeshReport& report) {
   for (const std::string& warning : report.warnings) warn(warning);
   for (const std::string& note : dropped_notes(report.repairs)) std::cerr << "kerf: note: " << note << '\n';
 }
@@ -42,7 +42,7 @@ constexpr std::chrono::milliseconds kBetweenUpdates{100};
 // Shorter work shows nothing.
 constexpr std::chrono::milliseconds kBeforeFirst{200};
 constexpr const char* kClearLine = "\r\x1b[K";
-constexpr size_t kLongestWork = 60;  // a wrapped line could not be overwritten
+constexpr size_t kMaxWork = 60;  // a wrapped line could not be overwritten
 
 volatile std::sig_atomic_t interrupt_seen = 0;
 
@@ -54,7 +54,7 @@ void catch_interrupts() {
   std::signal(SIGTERM, remember);
 }
 
-void let_interrupts_end() {
+void end_on_interrupt() {
   const auto end = [](int signal) { ::_exit(kSignalStatus + signal); };
   std::signal(SIGINT, end);
   std::signal(SIGTERM, end);
@@ -69,7 +69,7 @@ ProgressLine::ProgressLine(std::string work)
       terminal_(!quiet && ::isatty(STDERR_FILENO) == 1),
       next_(std::chrono::steady_clock::now() + kBeforeFirst) {
   work_ = with_stream_names(std::move(work_));
-  if (work_.size() > kLongestWork) work_ = work_.substr(0, kLongestWork - 3) + "...";
+  if (work_.size() > kMaxWork) work_ = work_.substr(0, kMaxWork - 3) + "...";
 }
 
 ProgressLine::~ProgressLine() {

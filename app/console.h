@@ -23,7 +23,7 @@ void summarize(const std::string& outcome);
 void warn(const std::string& warning);
 
 // Prints warnings and notes on dropped elements of a mesh file, one line each on standard error.
-void tell(const MeshReport& report);
+void print_repairs(const MeshReport& report);
 
 // Added to the number of the signal that ended the program, as in shells: 130 for Ctrl-C, 143 for SIGTERM.
 inline constexpr int kSignalStatus = 128;
@@ -35,7 +35,7 @@ bool interrupted();
 // Returns the exit status for the signal, 130 or 143; 0 if the flag is not set.
 int interrupt_status();
 // Makes both signals end the program at once with that status, for work that does not check the flag.
-void let_interrupts_end();
+void end_on_interrupt();
 
 // Shows the progress of a long computation and lets Ctrl-C stop it (see catch_interrupts): one line on
 // standard error, "kerf: cutting 42 %", overwritten at most ten times a second and erased by the destructor.

@@ -153,7 +153,7 @@ class CutRun {
         return options_.provenance.empty() ? load_mesh(body.mesh) : load_mesh_with_corners(body.mesh);
       }();
       if (!built) return built.error();
-      tell(built->report);
+      print_repairs(built->report);
       job_.record_loaded(built->report);
       job_.notes.insert(job_.notes.end(), built->report.warnings.begin(), built->report.warnings.end());
       loaded_notes_ = job_.notes.size();
@@ -212,8 +212,8 @@ class CutRun {
   Status cut(const StrokePath& stroke, const Progress& progress) {
     const CutSettings settings = stroke_settings(options_, stroke, diagonal_);
     job_.thermal = settings.model == Model::kThermal;
-    if (job_.thermal && scales_removal(settings) && !told_scaled_) {
-      told_scaled_ = true;
+    if (job_.thermal && scales_removal(settings) && !warned_scaled_) {
+      warned_scaled_ = true;
       std::cerr
           << "kerf: faces may be wider than the kerf (two radii) at this resolution: each is removed for "
              "the energy of a strip as wide as the kerf\n";
@@ -301,7 +301,7 @@ class CutRun {
   double diagonal_ = 0;
   CutJob job_;
   size_t loaded_notes_ = 0;  // the first notes of job_, reported on loading
-  bool told_scaled_ = false;
+  bool warned_scaled_ = false;
 };
 
 }  // namespace

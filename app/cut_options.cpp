@@ -44,7 +44,7 @@ void visit_options(CutOptions& o, Visitor& v) {
            "Longest edge under the beam in metres (radius/4; thermal: radius)");
   v.number("tolerance", o.tolerance, kPositive,
            "Instead: maximum overshoot of removed faces beyond the beam, in metres");
-  v.whole("depth", o.depth, 0, Resolution::kLargestDepth, "Instead: maximum refinement level");
+  v.whole("depth", o.depth, 0, Resolution::kMaxDepth, "Instead: maximum refinement level");
   v.whole("steps", o.steps, 1, 1'000'000, "Number of steps per stroke (as many as the sweep needs)");
   v.choice("model", o.model, {"geometric", "thermal"},
            "Cut mode: geometric removes faces at once, thermal when they have absorbed enough energy "

@@ -86,8 +86,8 @@ Json to_json(const World& world, const StageRecord& record) {
   stage["words"] = stage_label(record, FileUnit::kMetre);
   if (record.kind == Kind::kHit || record.kind == Kind::kHitAgain) stage["hit"] = to_json(record.hit);
   for (const BodyDelta& d : record.done.delta.bodies) {
-    stage["born"] = to_json(d.born);
-    stage["gone"] = to_json(d.gone);
+    stage["born"] = to_json(d.added);
+    stage["gone"] = to_json(d.dead);
     stage["relabelled"] = to_json(d.relabelled);
     stage["pieces"] = d.new_pieces;
   }

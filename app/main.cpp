@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
   // An exceeded quota and a closed pipe become failed writes instead of signals.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
-  kerf::let_interrupts_end();
+  kerf::end_on_interrupt();
   // A fixed threshold returns large arrays to the system when they are freed; glibc would raise it otherwise.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   // Keeps the memory that a software renderer frees and allocates again with each frame.

@@ -79,7 +79,7 @@ class PrepareRun {
       return s;
     auto built = load_mesh(options_.mesh);
     if (!built) return built.error();
-    tell(built->report);
+    print_repairs(built->report);
     world_.add(make_body("", std::move(*built)));
     const size_t before = world_.live_faces();
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
@@ -101,7 +101,7 @@ class PrepareRun {
       if (options_.faces) target.faces = static_cast<size_t>(*options_.faces);
       if (options_.error) target.error = *options_.error;
       if (const auto s = step("simplifying", SimplifyPiece{{}, target}); !s) return s;
-      tell_what_stayed(target.faces);
+      report_remaining(target.faces);
     }
     if (options_.subdivide) {
       if (world_.live_faces() > kMaxToSubdivide) return bad_input("--subdivide: the mesh has too many faces");
@@ -122,7 +122,7 @@ class PrepareRun {
     return done ? Status(Done{}) : done.error();
   }
 
-  void tell_what_stayed(size_t target) const {
+  void report_remaining(size_t target) const {
     if (target == 0 || world_.live_faces() <= target) return;
     std::cerr << "kerf: note: " << world_.live_faces()
               << " faces are left, because removing more would move boundaries or features or flip a "

@@ -29,7 +29,7 @@ Status render(const RenderArguments& a) {
   Result<OpenedFile> work = load_file(a.file);
   if (!work) return work.error();
   if (const auto s = inputs_of(a.file, *work).check("--out", a.out); !s) return s;
-  let_interrupts_end();
+  end_on_interrupt();
   if (const auto s = show_as_asked(a.picture, work->scene, a.file, *options); !s) return s;
   return render_picture(std::move(*work), *options, a.out);
 }

@@ -224,7 +224,7 @@ class ReplayRun {
   Status film(const Replay& replay, const Document& document, const StepResult* step) {
     if (!film_) return Done{};
     if (lasting_[replay.applied() - 1]) return film_->follow(document, step);
-    film_->leave_out(document, step);
+    film_->skip(document, step);
     return Done{};
   }
 

@@ -200,7 +200,7 @@ class PlayRun {
   Status play_in_window() {
     GameOptions options;
     options.setup = setup_;
-    options.chosen_difficulty = !arguments_.difficulty.empty();
+    options.selected_difficulty = !arguments_.difficulty.empty();
     const Settings settings = read_settings(settings_file()).settings;
     options.look = {settings.theme, settings.palette, static_cast<float>(settings.ui_scale), false};
     options.bot = arguments_.driver == "bot";
@@ -211,7 +211,7 @@ class PlayRun {
     if (!arguments_.size.empty()) {
       if (const Status s = unpack(parse_size(arguments_.size), size); !s) return s;
     }
-    let_interrupts_end();
+    end_on_interrupt();
     WindowOptions window{size.width, size.height, {}};
     if (!arguments_.events.empty()) window.events = arguments_.events;
     auto outcome = kerf::play(options, window);
@@ -225,7 +225,7 @@ class PlayRun {
   }
 
   // F5 in the editor returns to the match.
-  static Status inspect(LeftMatch left, const View& view) {
+  static Status inspect(SuspendedMatch left, const View& view) {
     const auto scene = save_match_as_scene(*left.match, view);
     if (!scene) return scene.error();
     EditorOptions options;

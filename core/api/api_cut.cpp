@@ -77,8 +77,8 @@ Status check(const kerf_cut_settings& s) {
   if (!is_length(s.target_edge))
     return bad_input("target_edge: must be a length in metres greater than zero");
   if (!is_length(s.tolerance)) return bad_input("tolerance: must be a length in metres greater than zero");
-  if (s.max_level < -1 || s.max_level > Resolution::kLargestDepth)
-    return bad_input("max_level: must be from 0 to " + std::to_string(Resolution::kLargestDepth));
+  if (s.max_level < -1 || s.max_level > Resolution::kMaxDepth)
+    return bad_input("max_level: must be from 0 to " + std::to_string(Resolution::kMaxDepth));
   if ((s.target_edge > 0) + (s.tolerance > 0) + (s.max_level != 0) > 1)
     return bad_input("target_edge, tolerance and max_level: set only one of them");
   if (!is_either(number_in(s.rim), KERF_RIM_FACES, KERF_RIM_SMOOTH))

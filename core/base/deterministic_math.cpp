@@ -59,7 +59,7 @@ SinCos sin_cos(double radians) {
   }
 }
 
-double arc_tangent(double y, double x) {
+double det::atan2(double y, double x) {
   const double a = std::abs(x), b = std::abs(y);
   if (a == 0 && b == 0) return 0;
   double angle = a >= b ? arc_tangent_of_ratio(b / a) : kPi / 2 - arc_tangent_of_ratio(a / b);
@@ -72,7 +72,7 @@ double wrapped(double radians) {
   return radians - static_cast<double>(rounded(radians / (2 * kPi))) * (2 * kPi);
 }
 
-glm::dquat turn_about(const Vec3& axis, double radians) {
+glm::dquat axis_angle(const Vec3& axis, double radians) {
   const SinCos half = sin_cos(0.5 * radians);
   return {half.cos, half.sin * axis};
 }
@@ -82,11 +82,11 @@ Vec3 direction_of(double heading, double pitch) {
   return {p.cos * h.sin, p.sin, p.cos * h.cos};
 }
 
-double heading_of(const Vec3& direction) { return arc_tangent(direction.x, direction.z); }
+double heading_of(const Vec3& direction) { return det::atan2(direction.x, direction.z); }
 
 double pitch_of(const Vec3& direction) {
   const double across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-  return arc_tangent(direction.y, across);
+  return det::atan2(direction.y, across);
 }
 
 }  // namespace kerf

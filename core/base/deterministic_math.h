@@ -23,12 +23,14 @@ struct SinCos {
 };
 SinCos sin_cos(double radians);
 // Returns the angle of the vector (x, y) from the x axis, from -pi to pi; 0 for the zero vector.
-double arc_tangent(double y, double x);
+namespace det {
+double atan2(double y, double x);
+}
 // Wraps an angle to [-pi, pi]. Precondition: finite, with a magnitude below 1e9.
 double wrapped(double radians);
 
 // Returns the rotation about a unit axis by the right-hand rule.
-glm::dquat turn_about(const Vec3& axis, double radians);
+glm::dquat axis_angle(const Vec3& axis, double radians);
 
 // Directions in the game. A heading is an angle about +Y, 0 along +Z and positive to the left, towards +X; a
 // pitch is the angle above the horizontal plane.
@@ -36,13 +38,15 @@ Vec3 direction_of(double heading, double pitch);
 double heading_of(const Vec3& direction);
 double pitch_of(const Vec3& direction);
 
+namespace det {
+
 // Returns e^x from sums and products alone, bit-identical on every machine. The relative error is below
 // 1e-15. Precondition: x is from -700 to 700.
 //
 // Method: x = n ln 2 + r with |r| <= ln 2 / 2, e^r by its Taylor series, and 2^n by the bits of a double. ln
 // 2 is the sum of two doubles, the first with so few digits that its product with n is exact (W. J. Cody, W.
 // Waite: Software Manual for the Elementary Functions, 1980).
-constexpr double exponential(double x) {
+constexpr double exp(double x) {
   assert(x >= -700 && x <= 700);
   constexpr double kLn2High = 0x1.62e42feep-1, kLn2Low = 0x1.a39ef35793c76p-33;
   constexpr double kPerLn2 = 1.4426950408889634;
@@ -59,7 +63,7 @@ constexpr double exponential(double x) {
 // error is below 1e-15 of the larger of 1 and the result. Precondition: x is a normal positive number.
 //
 // Method: x = 2^n m with m near 1, and ln m = 2 artanh((m - 1) / (m + 1)) by its series.
-constexpr double logarithm(double x) {
+constexpr double log(double x) {
   assert(x >= 0x1p-1022 && x <= 0x1.fffffffffffffp1023);
   constexpr double kLn2 = 0.69314718055994531, kRoot2 = 1.4142135623730951;
   constexpr int kTerms = 11;
@@ -75,6 +79,8 @@ constexpr double logarithm(double x) {
   for (int k = kTerms; k >= 0; --k) sum = sum * squared + 1.0 / (2 * k + 1);
   return static_cast<double>(n) * kLn2 + 2 * s * sum;
 }
+
+}  // namespace det
 
 // An order-independent sum of up to 2^32 numbers below 16 in absolute value. Each is truncated to kBits
 // fractional bits; the sum of those is exact.

@@ -18,7 +18,7 @@ using Vec3 = glm::dvec3;
 inline double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 // The lexicographic order of positions.
-inline bool precedes(const Vec3& a, const Vec3& b) {
+inline bool lexicographic_less(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }

@@ -36,22 +36,22 @@ class Pace {
   static constexpr size_t kReports = 32;
 
   Pace(const Progress* progress, size_t items)
-      : progress_(progress), items_(items), every_(items / kReports + 1), left_(every_) {}
+      : progress_(progress), items_(items), interval_(items / kReports + 1), left_(interval_) {}
 
   // Must be called after each item. Returns false if the loop should stop.
-  bool step() { return --left_ > 0 || tell(); }
+  bool step() { return --left_ > 0 || report(); }
 
  private:
-  bool tell() {
-    left_ = every_;
-    told_ += every_;
-    const double done = static_cast<double>(told_) / static_cast<double>(items_);
+  bool report() {
+    left_ = interval_;
+    reported_ += interval_;
+    const double done = static_cast<double>(reported_) / static_cast<double>(items_);
     return !progress_ || progress_->report(std::min(1.0, done));
   }
 
   const Progress* progress_;
-  size_t items_, every_, left_;
-  size_t told_ = 0;  // items at the last report
+  size_t items_, interval_, left_;
+  size_t reported_ = 0;  // items at the last report
 };
 
 // Divides a progress among consecutive stages of a computation in proportion to their durations.

@@ -26,9 +26,9 @@ Error write_error(const std::filesystem::path& path, int code) {
 // Returns the path of a new hidden file in the directory of the target, and its descriptor. The umask
 // determines the permissions of the file. A negative descriptor means failure, with the reason in errno.
 std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& target) {
-  constexpr size_t kLongestStem = 200;  // of the 255 bytes that a file name may have
+  constexpr size_t kMaxStem = 200;  // of the 255 bytes that a file name may have
   const std::string stem =
-      "." + target.filename().string().substr(0, kLongestStem) + "." + std::to_string(::getpid());
+      "." + target.filename().string().substr(0, kMaxStem) + "." + std::to_string(::getpid());
   for (int attempt = 0;; ++attempt) {
     const std::filesystem::path path = target.parent_path() / (stem + "-" + std::to_string(attempt) + ".tmp");
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -5,13 +5,13 @@
 
 namespace kerf {
 
-const Shuffle& Shuffle::chosen() {
-  static const Shuffle chosen = [] {
+const Shuffle& Shuffle::selected() {
+  static const Shuffle selected = [] {
     Shuffle shuffle;
     if (const char* seed = std::getenv("KERF_SHUFFLE")) shuffle.seed_ = std::strtoull(seed, nullptr, 10);
     return shuffle;
   }();
-  return chosen;
+  return selected;
 }
 
 bool Shuffle::once_in(uint64_t times) const {

@@ -55,7 +55,7 @@ class Random {
 class Shuffle {
  public:
   // The instance of this process; reads the environment once.
-  static const Shuffle& chosen();
+  static const Shuffle& selected();
 
   bool on() const { return seed_ != 0; }
   // Returns a generator for one decision, identified by `about`; the same for equal seeds and decisions.

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-void* take_chunk(size_t bytes) {
+void* allocate_chunk(size_t bytes) {
   KERF_ASSERT(bytes > 0 && bytes % kHugePage == 0);
   // Maps one huge page more than requested and unmaps both ends, so that the remainder is aligned.
   const size_t taken = bytes + kHugePage;
@@ -24,7 +24,7 @@ void* take_chunk(size_t bytes) {
   return reinterpret_cast<void*>(aligned);
 }
 
-void give_chunk(void* chunk, size_t bytes) {
+void free_chunk(void* chunk, size_t bytes) {
   KERF_ASSERT(reinterpret_cast<uintptr_t>(chunk) % kHugePage == 0 && bytes % kHugePage == 0);
   munmap(chunk, bytes);
 }

@@ -21,9 +21,9 @@ namespace kerf {
 inline constexpr size_t kHugePage = size_t{2} << 20;
 
 // Allocate and free a chunk. Precondition: `bytes` is a positive multiple of kHugePage, the same for both
-// calls. take_chunk throws std::bad_alloc.
-void* take_chunk(size_t bytes);
-void give_chunk(void* chunk, size_t bytes);
+// calls. allocate_chunk throws std::bad_alloc.
+void* allocate_chunk(size_t bytes);
+void free_chunk(void* chunk, size_t bytes);
 
 // Requests huge pages for the chunk, which saves TLB misses. This is only a hint.
 void advise_huge_pages(void* chunk, size_t bytes);
@@ -139,7 +139,7 @@ class Records {
     reserved_ = size;
     while (capacity() < size) {
       const size_t wanted = std::min(size - capacity(), kChunk) * sizeof(T);
-      chunks_.push_back(static_cast<T*>(take_chunk(kChunkBytes)));
+      chunks_.push_back(static_cast<T*>(allocate_chunk(kChunkBytes)));
       // Huge pages suit arrays that are filled at once. Adding records one by one would wait for a whole huge
       // page to be cleared, which pays only if they are then read at random.
       const bool whole = huge_growth_ && size * sizeof(T) >= kHugePage / 2;
@@ -239,7 +239,7 @@ class Records {
 
   void leave_small() {
     if (small_ == 0) return;
-    T* chunk = static_cast<T*>(take_chunk(kChunkBytes));
+    T* chunk = static_cast<T*>(allocate_chunk(kChunkBytes));
     std::memcpy(static_cast<void*>(chunk), static_cast<const void*>(chunks_[0]), used_ * sizeof(T));
     std::free(chunks_[0]);
     chunks_[0] = chunk;
@@ -269,7 +269,7 @@ class Records {
       if (small_ > 0)
         std::free(chunk);
       else
-        give_chunk(chunk, kChunkBytes);
+        free_chunk(chunk, kChunkBytes);
     }
     chunks_.clear();
   }

@@ -11,22 +11,22 @@
 
 namespace kerf {
 
-// `co_await worked(units)` in a resumable computation reports the work done since the last report. One unit
-// is the work of one face in a slice of a cut, about a third of a microsecond. The computation pauses there
-// once it has done kPartOfWork units since the last pause.
-struct Worked {
+// `co_await yield_after(units)` in a resumable computation reports the work done since the last report. One
+// unit is the work of one face in a slice of a cut, about a third of a microsecond. The computation pauses
+// there once it has done kPartOfWork units since the last pause.
+struct YieldAfter {
   size_t units;
 };
-inline Worked worked(size_t units) { return {units}; }
+inline YieldAfter yield_after(size_t units) { return {units}; }
 inline constexpr size_t kPartOfWork = 1500;
 
 // The stack of waiting computations, the innermost last, and their work since the last pause.
-struct WaitingComputations {
+struct TaskStack {
   std::vector<std::coroutine_handle<>> waiting;
   size_t units = 0;
   bool is_paused = false;
 
-  bool is_part_done(Worked more) {
+  bool is_part_done(YieldAfter more) {
     units += more.units;
     if (units < kPartOfWork) return false;
     units = 0;
@@ -35,29 +35,29 @@ struct WaitingComputations {
 };
 
 // A computation in parts that yields a T: a coroutine that reports its work, awaits others of its kind by
-// `co_await other(...)`, and ends by `co_return value`. It starts with the first call of go_on(); objects
+// `co_await other(...)`, and ends by `co_return value`. It starts with the first call of resume(); objects
 // that its arguments refer to must outlive it. Its result does not depend on when it is resumed. An exception
-// leaves go_on(), which must not be called again then.
+// leaves resume(), which must not be called again then.
 template <typename T>
-class [[nodiscard]] Resumable {
+class [[nodiscard]] Task {
  public:
   struct promise_type;
 
-  Resumable(Resumable&& other) noexcept
+  Task(Task&& other) noexcept
       : coroutine_(std::exchange(other.coroutine_, {})), all_(std::move(other.all_)) {}
-  Resumable& operator=(Resumable&& other) noexcept {
+  Task& operator=(Task&& other) noexcept {
     std::swap(coroutine_, other.coroutine_);
     std::swap(all_, other.all_);
     return *this;
   }
-  ~Resumable() {
+  ~Task() {
     if (coroutine_) coroutine_.destroy();
   }
 
   // Runs the next part. Returns true if the computation is complete. Precondition: it was not.
-  bool go_on() {
+  bool resume() {
     if (!all_) {
-      all_ = std::make_unique<WaitingComputations>();
+      all_ = std::make_unique<TaskStack>();
       begin(*all_);
     }
     KERF_ASSERT(!all_->waiting.empty());
@@ -74,25 +74,25 @@ class [[nodiscard]] Resumable {
 
  private:
   template <typename Other>
-  friend class Resumable;
+  friend class Task;
 
-  explicit Resumable(std::coroutine_handle<promise_type> coroutine) : coroutine_(coroutine) {}
+  explicit Task(std::coroutine_handle<promise_type> coroutine) : coroutine_(coroutine) {}
 
-  void begin(WaitingComputations& all) {
+  void begin(TaskStack& all) {
     coroutine_.promise().all = &all;
     all.waiting.push_back(coroutine_);
   }
 
   std::coroutine_handle<promise_type> coroutine_;
-  std::unique_ptr<WaitingComputations> all_;  // of the outermost computation
+  std::unique_ptr<TaskStack> all_;  // of the outermost computation
 };
 
 template <typename T>
-struct Resumable<T>::promise_type {
-  WaitingComputations* all = nullptr;
+struct Task<T>::promise_type {
+  TaskStack* all = nullptr;
   std::optional<T> result;
 
-  // Returns to go_on(), which resumes the computation that awaits this one.
+  // Returns to resume(), which resumes the computation that awaits this one.
   struct End {
     bool await_ready() const noexcept { return false; }
     void await_suspend(std::coroutine_handle<promise_type> own) const noexcept {
@@ -107,32 +107,30 @@ struct Resumable<T>::promise_type {
     void await_resume() const noexcept {}
   };
   template <typename Other>
-  struct WaitFor {
-    Resumable<Other>& other;
+  struct Await {
+    Task<Other>& other;
     bool await_ready() const noexcept { return false; }
     void await_suspend(std::coroutine_handle<promise_type> own) const { other.begin(*own.promise().all); }
     Other await_resume() const { return other.take(); }
   };
 
-  Resumable get_return_object() {
-    return Resumable(std::coroutine_handle<promise_type>::from_promise(*this));
-  }
+  Task get_return_object() { return Task(std::coroutine_handle<promise_type>::from_promise(*this)); }
   std::suspend_always initial_suspend() const noexcept { return {}; }
   End final_suspend() const noexcept { return {}; }
   void return_value(T value) { result.emplace(std::move(value)); }
   void unhandled_exception() const { throw; }
 
-  PauseIf await_transform(Worked work) { return {all->is_part_done(work)}; }
+  PauseIf await_transform(YieldAfter work) { return {all->is_part_done(work)}; }
   template <typename Other>
-  WaitFor<Other> await_transform(Resumable<Other>&& other) const {
+  Await<Other> await_transform(Task<Other>&& other) const {
     return {other};
   }
 };
 
 // Runs a computation to completion.
 template <typename T>
-T at_once(Resumable<T> computation) {
-  while (!computation.go_on()) {
+T run_to_completion(Task<T> computation) {
+  while (!computation.resume()) {
   }
   return computation.take();
 }

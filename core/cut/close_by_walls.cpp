@@ -56,12 +56,12 @@ void sort_faces(std::vector<FaceId>& faces) {
 
 }  // namespace
 
-Resumable<Done> WallClosing::find_open_faces() {
+Task<Done> WallClosing::find_open_faces() {
   constexpr uint32_t kTogether = 4096;
   std::vector<SheetSide> open;
   for (uint32_t edge = 0; edge < mesh().edge_slots(); edge += kTogether) {
     append_sheet_sides_in(mesh(), edge, edge + kTogether, open);
-    co_await worked(kTogether / 32);
+    co_await yield_after(kTogether / 32);
   }
   for (const SheetSide& s : open) open_faces_.push_back(s.side.face);
   sort_faces(open_faces_);
@@ -92,7 +92,7 @@ bool WallClosing::is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const
 }
 
 // Finds the sides along the rim of parts closed before the stroke; reports where others are open.
-Resumable<Done> WallClosing::find_sides() {
+Task<Done> WallClosing::find_sides() {
   sides_.clear();
   left_open_.clear();
   std::vector<FaceId> elsewhere;
@@ -100,7 +100,7 @@ Resumable<Done> WallClosing::find_sides() {
   std::vector<SheetSide> open;
   SidesOfRings seen;
   for (const FaceId f : open_faces_) {
-    co_await worked(1);
+    co_await yield_after(1);
     open.clear();
     append_sheet_sides_of(mesh(), f, open);
     for (const auto& [s, is_shared] : open) {
@@ -153,7 +153,7 @@ void WallClosing::append_connected(FaceId f, SidesOfRings& seen, std::vector<Fac
 }
 
 // Returns the faces of the connected parts that contain the given faces.
-Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>& faces) {
+Task<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>& faces) {
   std::vector<bool> reached(mesh().face_slots());
   SidesOfRings seen;
   std::vector<FaceId> waiting, neighbours;
@@ -169,13 +169,13 @@ Resumable<std::vector<bool>> WallClosing::parts_around(const std::vector<FaceId>
     neighbours.clear();
     append_connected(f, seen, neighbours);
     for (const FaceId n : neighbours) reach(n);
-    co_await worked(1);
+    co_await yield_after(1);
   }
   co_return reached;
 }
 
 // Returns the index of the connected part of each face, for parts with sides along the rim.
-Resumable<std::vector<uint32_t>> WallClosing::parts_with_sides() {
+Task<std::vector<uint32_t>> WallClosing::parts_with_sides() {
   std::vector<uint32_t> part(mesh().face_slots(), kNoPart);
   SidesOfRings seen;
   std::vector<FaceId> waiting, neighbours;
@@ -194,7 +194,7 @@ Resumable<std::vector<uint32_t>> WallClosing::parts_with_sides() {
         part[n.index] = parts;
         waiting.push_back(n);
       }
-      co_await worked(1);
+      co_await yield_after(1);
     }
     ++parts;
   }
@@ -214,7 +214,7 @@ bool WallClosing::is_ear(std::span<const RimSide> of_face) const {
 // Removes ears: faces along the rim that have all corners on the rim and all sides open, or all but one
 // that lies on the boundary too. Without them the rim is as near to the boundary; with them it would turn
 // back on itself. Removes specks too. Returns true if any face was removed.
-Resumable<bool> WallClosing::remove_ears() {
+Task<bool> WallClosing::remove_ears() {
   std::vector<FaceId> ears;
   const SpeckSearch specks(*distance_, sides_);
   for (size_t i = 0; i < sides_.size();) {
@@ -224,7 +224,7 @@ Resumable<bool> WallClosing::remove_ears() {
     if (is_ear(std::span(sides_).subspan(i, end - i))) ears.push_back(f);
     specks.append(*rim_, f, ears);
     i = end;
-    co_await worked(2);
+    co_await yield_after(2);
   }
   if (ears.empty()) co_return false;
   sort_faces(ears);
@@ -242,14 +242,14 @@ void WallClosing::remove(std::vector<FaceId> faces) {
 
 const Mesh& WallClosing::mesh() const { return rim_->mesh(); }
 
-bool WallClosing::go_on(RimState& rim) {
+bool WallClosing::resume(RimState& rim) {
   rim_ = &rim;
   if (!distance_) distance_.emplace(rim.region, moves_);
   if (!closing_) closing_.emplace(close());
-  return closing_->go_on();
+  return closing_->resume();
 }
 
-Resumable<ClosedRim> WallClosing::close() {
+Task<ClosedRim> WallClosing::close() {
   constexpr int kMaxRounds = 8;
   ClosedRim closed;
   co_await find_open_faces();
@@ -275,7 +275,7 @@ Resumable<ClosedRim> WallClosing::close() {
           left_open("a wall would join two pieces", mesh().position(patch.rim[0])).message);
       continue;
     }
-    co_await worked(kPartOfWork);
+    co_await yield_after(kPartOfWork);
     const std::vector<FaceId> walls = co_await add(patch);
     closed.walls.insert(closed.walls.end(), walls.begin(), walls.end());
     beside.insert(beside.end(), patch.beside_wall.begin(), patch.beside_wall.end());
@@ -306,11 +306,11 @@ bool WallClosing::joins_pieces(const WallPatch& patch) const {
   return false;
 }
 
-Resumable<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
+Task<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
   constexpr size_t kTogether = 256;
   std::vector<VertexId> vertices = patch.rim;
   for (const Vec3& p : patch.added) vertices.push_back(rim_->step.edit.add_vertex(p));
-  co_await worked(vertices.size() / 4);
+  co_await yield_after(vertices.size() / 4);
   FaceAddition addition(std::move(vertices), patch.faces);
   std::vector<FaceId> walls, beside;
   is_adding_ = true;
@@ -320,11 +320,11 @@ Resumable<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
       beside.push_back(patch.beside_wall[patch.wall_of_face[i]]);
     const std::vector<FaceId> added = rim_->step.edit.add_walls(addition, beside);
     walls.insert(walls.end(), added.begin(), added.end());
-    co_await worked(4 * added.size());
+    co_await yield_after(4 * added.size());
   }
-  while (!rim_->step.edit.part_fans(addition, kTogether)) co_await worked(kTogether / 2);
+  while (!rim_->step.edit.part_fans(addition, kTogether)) co_await yield_after(kTogether / 2);
   for (size_t i = 0; i < patch.sides.size(); ++i) {
-    co_await worked(1);
+    co_await yield_after(1);
     rim_->step.edit.join_parts(patch.sides[i].face, patch.beside_wall[patch.wall_of_side[i]]);
   }
   is_adding_ = false;

@@ -32,7 +32,7 @@ class WallClosing {
 
   // Does the next part. Returns true if it was the last one. Preconditions: the body, the region and the
   // rim's state are as the last part left them, and the tree is up to date.
-  bool go_on(RimState& rim);
+  bool resume(RimState& rim);
 
   // Returns true while only some of the walls exist; then the last part must be done before anything else.
   bool is_adding() const { return is_adding_; }
@@ -44,20 +44,20 @@ class WallClosing {
   // Sides on edges of several sheets whose ring was visited: face and corner.
   using SidesOfRings = std::set<std::pair<FaceId, VertexId>>;
 
-  Resumable<ClosedRim> close();
-  Resumable<Done> find_open_faces();
-  Resumable<Done> find_sides();
+  Task<ClosedRim> close();
+  Task<Done> find_open_faces();
+  Task<Done> find_sides();
   bool is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const;
-  Resumable<std::vector<bool>> parts_around(const std::vector<FaceId>& faces);
-  Resumable<std::vector<uint32_t>> parts_with_sides();
+  Task<std::vector<bool>> parts_around(const std::vector<FaceId>& faces);
+  Task<std::vector<uint32_t>> parts_with_sides();
   void append_connected(FaceId f, SidesOfRings& seen, std::vector<FaceId>& out);
-  Resumable<bool> remove_ears();
+  Task<bool> remove_ears();
   bool is_at_rim(const Mesh::Side& side);
   bool is_ear(std::span<const RimSide> of_face) const;
   void remove(std::vector<FaceId> faces);
   std::vector<std::pair<FaceId, int>> crossings(const Vec3& p, const Vec3& direction) const;
   bool joins_pieces(const WallPatch& patch) const;
-  Resumable<std::vector<FaceId>> add(const WallPatch& patch);
+  Task<std::vector<FaceId>> add(const WallPatch& patch);
   const Mesh& mesh() const;
 
   std::vector<BeamMove> moves_;
@@ -67,7 +67,7 @@ class WallClosing {
   std::vector<RimSide> sides_;      // along the rim, of parts that were closed before the stroke; by face
   std::vector<std::string> left_open_;
   bool is_adding_ = false;
-  std::optional<Resumable<ClosedRim>> closing_;
+  std::optional<Task<ClosedRim>> closing_;
 };
 
 }  // namespace kerf

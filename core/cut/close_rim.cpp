@@ -66,7 +66,7 @@ size_t find_near(RimState& rim, uint32_t i) {
 
 // Moves the next faces from the heap to the list. Returns true if the heap is empty.
 bool sort_near(RimState& rim) {
-  const size_t at_once = 8 * faces_together();
+  const size_t at_once = 8 * faces_per_batch();
   std::vector<FaceId>& heap = rim.work.waiting;
   for (size_t i = 0; i < at_once && !heap.empty(); ++i) {
     std::pop_heap(heap.begin(), heap.end(), std::greater<>());
@@ -99,7 +99,7 @@ class RimBite {
       const Result<Reached> reached = go_through(rim, sweep_of(id, path, swept));
       if (!reached) return reached.error();
       if (const BodyDelta* changes = take_changes(step, result))
-        work_.changed.insert(work_.changed.end(), changes->born.begin(), changes->born.end());
+        work_.changed.insert(work_.changed.end(), changes->added.begin(), changes->added.end());
       result.statistics.add(step.statistics);
       if (*reached == Reached::kEndOfBody) {
         const size_t bodies = work_.bodies + 1;
@@ -112,7 +112,7 @@ class RimBite {
       }
     }
     result.delta.left_open = std::move(left_open_);
-    hold_what_joints_hold(world_, result.delta);
+    apply_joints(world_, result.delta);
     return true;
   }
 
@@ -123,7 +123,7 @@ class RimBite {
     do {
       if (!work_.is_uninterruptible() && !progress_.report(0)) return cancelled();
       const Stage before = work_.stage;
-      const Result<bool> over = go_on(rim, sweep);
+      const Result<bool> over = close_part(rim, sweep);
       if (!over) return over.error();
       if (*over) return Reached::kEndOfBody;
       follow_with_tree(rim);
@@ -152,11 +152,11 @@ class RimBite {
       ListStage{Stage::kListNear, list_near_rim, Stage::kSettle},
       ListStage{Stage::kSettle, settle_on_rim, Stage::kClip},
       ListStage{Stage::kClip, clip_at_rim, Stage::kChoose},
-      ListStage{Stage::kChoose, choose_within_rim, Stage::kRemove},
-      ListStage{Stage::kChooseBesideRim, choose_beside_rim, Stage::kFlip}};
+      ListStage{Stage::kChoose, select_within_rim, Stage::kRemove},
+      ListStage{Stage::kChooseBesideRim, select_beside_rim, Stage::kFlip}};
 
   // Does the next part of a stage. Returns true if the body is completed.
-  Result<bool> go_on(RimState& rim, const Sweep& sweep) {
+  Result<bool> close_part(RimState& rim, const Sweep& sweep) {
     switch (work_.stage) {
       case Stage::kSweep:
       case Stage::kFindNear:
@@ -191,7 +191,7 @@ class RimBite {
     const Stopwatch watch(rim.step.statistics.query_s);
     size_t& next = work_.next;
     if (work_.stage == Stage::kSweep) {
-      const size_t end = std::min(sweep.moves.size(), next + faces_together());
+      const size_t end = std::min(sweep.moves.size(), next + faces_per_batch());
       for (; next < end; ++next) add_to_region(rim, sweep.moves[next], sweep.in_body_frame);
       taken_ += kLightPart;
       if (next == sweep.moves.size()) go_to(Stage::kFindNear);
@@ -216,7 +216,7 @@ class RimBite {
       if (const Status refined = refine_rim(rim); !refined) return refined;
       if (work_.waiting.empty()) go_to(Stage::kListInPlane);
     } else if (work_.stage == Stage::kSplitInTheWay) {
-      if (split_in_the_way(rim)) fit_again_or_settle();
+      if (split_in_the_way(rim)) refit_or_settle();
     } else if (work_.stage == Stage::kFlip) {
       if (flip_near_rim(rim)) flip_again_or_close();
     } else {
@@ -227,7 +227,7 @@ class RimBite {
     return Done{};
   }
 
-  void fit_again_or_settle() {
+  void refit_or_settle() {
     constexpr int kMaxRounds = 4;
     if (++work_.rounds < kMaxRounds && !work_.waiting.empty()) return go_to(Stage::kRefine);
     work_.waiting.clear();
@@ -253,7 +253,7 @@ class RimBite {
     if (!work_.closing)
       work_.closing = std::make_shared<WallClosing>(moves_in_body(rim.step.body().placement, sweep));
     taken_ += kPartOfWork;
-    if (!work_.closing->go_on(rim)) return false;
+    if (!work_.closing->resume(rim)) return false;
     end_bite();
     ClosedRim closed = work_.closing->take();
     for (std::string& why : closed.left_open) left_open_.push_back({rim.step.id, std::move(why)});
@@ -264,7 +264,7 @@ class RimBite {
   // Returns true if all walls are heated.
   bool heat(const RimState& rim) {
     KERF_ASSERT(work_.waiting.empty() || (rim.step.body().solid && settings_.heat_width > 0));
-    const size_t end = std::min(work_.waiting.size(), work_.next + 8 * faces_together());
+    const size_t end = std::min(work_.waiting.size(), work_.next + 8 * faces_per_batch());
     heat_walls(world_, rim.step, std::span(work_.waiting).subspan(work_.next, end - work_.next));
     taken_ += end - std::exchange(work_.next, end);
     return end == work_.waiting.size();
@@ -272,7 +272,7 @@ class RimBite {
 
   void separate_pieces(BodyStep& step) {
     taken_ += separate(world_, step, {}, settings_.search_a_move);
-    ask_joints(world_, world_.body(step.id), {}, work_.removed);
+    request_joints(world_, world_.body(step.id), {}, work_.removed);
   }
 
   void go_to(Stage stage) {

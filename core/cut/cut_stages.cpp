@@ -23,10 +23,10 @@ bool within_beam(const BodyStep& step, FaceId f) {
 
 }  // namespace
 
-size_t faces_together() {
+size_t faces_per_batch() {
   static const size_t faces = [] {
     constexpr size_t kVaried[] = {1, 17, 128, 3000};
-    const Shuffle& shuffle = Shuffle::chosen();
+    const Shuffle& shuffle = Shuffle::selected();
     return shuffle.on() ? kVaried[shuffle.random(2).below(std::size(kVaried))] : 128;
   }();
   return faces;
@@ -54,7 +54,7 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
 // Removes a green pair as a whole: if the beam touches either half, or, for a smooth rim, contains both.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
   std::vector<FaceId> going;
-  const size_t end = std::min(move.hit.size(), move.removed + faces_together());
+  const size_t end = std::min(move.hit.size(), move.removed + faces_per_batch());
   for (; move.removed < end; ++move.removed) {
     const FaceId f = move.hit[move.removed];
     if (!step.mesh().is_live(f)) continue;  // removed with the other half of its pair
@@ -88,7 +88,7 @@ double overshoot(const BodyStep& step, const Triangle& t) {
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, const Triangle& element, FaceId f) {
   const Resolution& r = settings.resolution;
   const int level = step.mesh().data(f).halvings / 2;
-  if (level >= Resolution::kLargestDepth) return true;
+  if (level >= Resolution::kMaxDepth) return true;
   switch (r.rule) {
     case Resolution::Rule::kDepth:
       return level >= r.depth;
@@ -108,7 +108,7 @@ class Refinement {
       : step_(step), settings_(settings), to_split_(to_split) {}
 
   Status run() {
-    for (size_t looked_at = 0; looked_at < faces_together() && !to_split_.empty(); ++looked_at) {
+    for (size_t visited = 0; visited < faces_per_batch() && !to_split_.empty(); ++visited) {
       const FaceId f = to_split_.back();
       to_split_.pop_back();
       if (!must_split(f)) continue;
@@ -116,7 +116,7 @@ class Refinement {
       const std::span<const Replacement> splits = split_by_scheme(step_, settings_.resolution.scheme, f);
       for (size_t i = splits.size(); i-- > 0;) {
         const Replacement& r = splits[i];
-        to_split_.insert(to_split_.end(), r.born.begin(), r.born.begin() + r.born_count);
+        to_split_.insert(to_split_.end(), r.added.begin(), r.added.begin() + r.added_count);
       }
       if (step_.mesh().live_faces() > settings_.max_faces) return too_many_faces(settings_);
     }

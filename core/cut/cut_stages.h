@@ -23,19 +23,19 @@ struct BodyStep {
 
 // Returns the number of faces that are processed between updates of the tree, and the minimum work of a
 // step: 128 unless Shuffle varies it. The result of a cut does not depend on it.
-size_t faces_together();
+size_t faces_per_batch();
 
 // The stages, in the order in which cut_step calls them.
 // Sets the volumes that the beam sweeps in a move given in world coordinates or in the frame of the body.
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame = false);
 // Finds the faces that the beam touches, each once, ascending.
 void hit(BodyStep& step, std::vector<FaceId>& faces);
-// Processes the next faces_together() faces of move.to_split. Fails at settings.max_faces or on
+// Processes the next faces_per_batch() faces of move.to_split. Fails at settings.max_faces or on
 // cancellation.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
 // Returns true if a face need not be split under the beam of the move. Precondition: the face is live.
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f);
-// Removes the next faces_together() faces of move.hit; with `only_within` only those entirely within the
+// Removes the next faces_per_batch() faces of move.hit; with `only_within` only those entirely within the
 // beam of the move. With `keeps_beside`, also lists their neighbours in the move.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside);
 // Removes faces. If only one half of a green pair is removed, the other becomes an ordinary face.
@@ -46,15 +46,15 @@ std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, Face
 // Calls BodyEdit::update_tree and measures its time.
 void update_tree(BodyStep& step);
 // Searches for separated parts, visiting about `most` faces; see kerf::settle. Returns the number of faces
-// visited and relabelled. `hit`: the faces of which some were removed since the last search.
+// visited and relabelled. `hit`: faces, some of them removed since the last search.
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most,
                 EditPolicy policy = EditPolicy::kAllowEdits);
-// Once no search is open: separates parts that joints no longer hold (see hold_parts), and assigns cavities
-// to the pieces around them (see hold_cavities).
-void hold_what_joints_hold(World& world, Delta& delta, Hold hold = Hold::kStill);
+// Once no search is open: separates parts that joints no longer hold (see separate_by_joints), and assigns
+// cavities to the pieces around them (see assign_cavities).
+void apply_joints(World& world, Delta& delta, JointMode mode = JointMode::kRigid);
 // Ends the step of a body and adds its changes and statistics to the result.
 void end_step(BodyStep& step, StepResult& result);
-// Adds the changes only. Returns them, valid until the result changes, or null if there are none.
+// Adds the changes alone. Returns them, valid until the result changes; null if there are none.
 const BodyDelta* take_changes(BodyStep& step, StepResult& result);
 // Returns the error of a cut that exceeds settings.max_faces.
 Error too_many_faces(const CutSettings& settings);

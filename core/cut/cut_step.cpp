@@ -41,7 +41,7 @@ std::vector<BodyId> cuttable(const World& world) {
   return ids;
 }
 
-bool meets_anything(const World& world, const Laser& laser, const BeamMove& move) {
+bool hits_anything(const World& world, const Laser& laser, const BeamMove& move) {
   const double far = reach(world, laser, move.from.origin);
   if (subdivisions(move, laser.radius, far) > kMaxParts) return true;
   const std::vector<BeamMove> parts = subdivide(move, laser.radius, far);
@@ -51,8 +51,8 @@ bool meets_anything(const World& world, const Laser& laser, const BeamMove& move
   });
 }
 
-bool meets_anything(const World& world, const Laser& laser, const Pose& pose) {
-  return meets_anything(world, laser, {pose, pose, 0});
+bool hits_anything(const World& world, const Laser& laser, const Pose& pose) {
+  return hits_anything(world, laser, {pose, pose, 0});
 }
 
 void StepStatistics::add(const StepStatistics& other) {
@@ -87,17 +87,17 @@ class Bite {
     bodies_.emplace_back(id, world.body(id));
   }
 
-  // Executes at most `most_parts` parts of a move within the bite. Returns true if the move is finished.
-  Result<bool> take(const BeamMove& move, size_t most_parts = kNoLimit) {
-    const bool stage_by_stage = most_parts != kNoLimit;
+  // Executes at most `max_parts` parts of a move within the bite. Returns true if the move is finished.
+  Result<bool> take(const BeamMove& move, size_t max_parts = kNoLimit) {
+    const bool stage_by_stage = max_parts != kNoLimit;
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
       BodyStep& step = bodies_[move_.bodies];
       sweep(step, settings_.laser, move, in_body_frame_);
       do {
         const size_t faces = faces_ahead();
-        if (most_parts-- == 0 || (taken_ > 0 && taken_ + faces > settings_.bite)) return false;
+        if (max_parts-- == 0 || (taken_ > 0 && taken_ + faces > settings_.bite)) return false;
         taken_ += faces;
-        if (const Status done = go_on(step); !done) return done.error();
+        if (const Status done = run_stage(step); !done) return done.error();
         if (!stage_by_stage && is_missed(step)) move_.stage = Stage::kFind;
       } while (move_.stage != Stage::kFind);
     }
@@ -105,7 +105,7 @@ class Bite {
     return true;
   }
 
-  void leave_joints() { holds_parts_ = false; }
+  void skip_joints() { applies_joints_ = false; }
 
   void end(StepResult& result) {
     for (BodyStep& step : bodies_) end_step(step, result);
@@ -117,14 +117,14 @@ class Bite {
 
   // Returns the number of faces of the next part, without those that it finds or searches.
   size_t faces_ahead() const {
-    const auto together = [](size_t faces) { return std::clamp<size_t>(faces, 1, faces_together()); };
+    const auto clamped = [](size_t faces) { return std::clamp<size_t>(faces, 1, faces_per_batch()); };
     switch (move_.stage) {
       case Stage::kFind:
         return 1;
       case Stage::kRefine:
-        return together(move_.to_split.size());
+        return clamped(move_.to_split.size());
       case Stage::kRemove:
-        return together(move_.hit.size() - move_.removed);
+        return clamped(move_.hit.size() - move_.removed);
       case Stage::kFindAgain:
       case Stage::kSeparate:
         return move_.hit.size();
@@ -138,7 +138,7 @@ class Bite {
   }
 
   // Does the next part of a move through a body.
-  Status go_on(BodyStep& step) {
+  Status run_stage(BodyStep& step) {
     switch (move_.stage) {
       case Stage::kFind:
         find(step);
@@ -177,7 +177,7 @@ class Bite {
   size_t separate_parts(BodyStep& step) {
     if (!step.body().solid || !settings_.smooth())
       return separate(world_, step, move_.hit, settings_.search_a_move);
-    ask_joints(world_, world_.body(step.id), move_.hit, false);
+    request_joints(world_, world_.body(step.id), move_.hit, false);
     return 0;
   }
 
@@ -191,7 +191,7 @@ class Bite {
 
   void end_move() {
     move_.bodies = 0;
-    if (holds_parts_) hold_what_joints_hold(world_, held_);
+    if (applies_joints_) apply_joints(world_, held_);
   }
 
   World& world_;
@@ -200,20 +200,20 @@ class Bite {
   const Progress& progress_;
   std::vector<BodyStep> bodies_;
   bool in_body_frame_ = false;  // of the moves
-  bool holds_parts_ = true;
+  bool applies_joints_ = true;
   Delta held_;        // changes made by joints
   size_t taken_ = 0;  // faces
 };
 
-// Executes moves like cut_step, but at most `most_parts` parts of each.
+// Executes moves like cut_step, but at most `max_parts` parts of each.
 Result<StepResult> cut(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
-                       size_t most_parts, UnfinishedMove& unfinished, const Progress* progress) {
+                       size_t max_parts, UnfinishedMove& unfinished, const Progress* progress) {
   if (settings.model == Model::kThermal) return thermal_step(world, settings, moves, progress);
   StepResult result;
   const Progress asked = share_of(progress, 0, 1);
   Bite bite(world, settings, unfinished, asked);
   for (const BeamMove& move : moves) {
-    const Result<bool> through = bite.take(move, most_parts);
+    const Result<bool> through = bite.take(move, max_parts);
     if (!through) {
       unfinished = UnfinishedMove{};
       return through.error();
@@ -227,7 +227,7 @@ Result<StepResult> cut(World& world, const CutSettings& settings, std::span<cons
 }
 
 Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
-                           std::span<const BeamMove> moves, bool holds_parts, const Progress* progress) {
+                           std::span<const BeamMove> moves, bool applies_joints, const Progress* progress) {
   KERF_ASSERT(!world.body(id).hidden);
   StepResult result;
   UnfinishedMove whole;
@@ -235,7 +235,7 @@ Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
   at_once.bite = std::numeric_limits<size_t>::max();
   const Progress asked = share_of(progress, 0, 1);
   Bite bite(world, id, at_once, whole, asked);
-  if (!holds_parts) bite.leave_joints();
+  if (!applies_joints) bite.skip_joints();
   for (const BeamMove& move : moves) {
     if (const Result<bool> through = bite.take(move); !through) return through.error();
   }
@@ -266,14 +266,15 @@ Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId i
 }
 
 // Includes hidden bodies: one may have been hidden during a search, for whose end is_settled waits.
-StepResult go_on_separating(World& world, size_t most, Hold hold) {
+StepResult go_on_separating(World& world, size_t most, JointMode mode) {
   StepResult result;
   for (const BodyId id : world.ids()) {
     BodyStep step(id, world.body(id));
-    separate(world, step, {}, most, hold == Hold::kStill ? EditPolicy::kNoEdits : EditPolicy::kAllowEdits);
+    separate(world, step, {}, most,
+             mode == JointMode::kRigid ? EditPolicy::kNoEdits : EditPolicy::kAllowEdits);
     end_step(step, result);
   }
-  hold_what_joints_hold(world, result.delta, hold);
+  apply_joints(world, result.delta, mode);
   return result;
 }
 
@@ -284,16 +285,16 @@ bool is_settled(const World& world) {
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most, EditPolicy policy) {
   const Stopwatch watch(step.statistics.separate_s);
   const size_t visited = step.edit.separate(most, policy);
-  ask_joints(world, world.body(step.id), hit, visited > 0);
+  request_joints(world, world.body(step.id), hit, visited > 0);
   return visited;
 }
 
-void hold_what_joints_hold(World& world, Delta& delta, Hold hold) {
+void apply_joints(World& world, Delta& delta, JointMode mode) {
   for (const BodyId id : world.ids()) {
-    if (cavities_asked(world.body(id)) && is_settled(world.body(id)))
-      hold_cavities(id, world.body(id), delta);
+    if (cavities_requested(world.body(id)) && is_settled(world.body(id)))
+      assign_cavities(id, world.body(id), delta);
   }
-  if (joints_asked(world) && is_settled(world)) hold_asked_parts(world, hold, delta);
+  if (joints_requested(world) && is_settled(world)) separate_requested_by_joints(world, mode, delta);
 }
 
 const BodyDelta* take_changes(BodyStep& step, StepResult& result) {
@@ -310,7 +311,7 @@ const BodyDelta* take_changes(BodyStep& step, StepResult& result) {
 
 void end_step(BodyStep& step, StepResult& result) {
   if (const BodyDelta* changes = take_changes(step, result)) {
-    for (const FaceId f : changes->born) {
+    for (const FaceId f : changes->added) {
       step.statistics.largest_cosine =
           std::max(step.statistics.largest_cosine, largest_cosine(step.mesh().triangle(f)));
     }

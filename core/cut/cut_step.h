@@ -26,9 +26,9 @@ std::vector<BodyId> cuttable(const World& world);
 // Returns true if a beam touches a face of such a body during a move in world coordinates. If not, the move
 // removes and heats nothing. A move of very many parts (see subdivide) counts as touching. O(log n) per
 // part. Preconditions: directions are unit vectors and not opposite.
-bool meets_anything(const World& world, const Laser& laser, const BeamMove& move);
+bool hits_anything(const World& world, const Laser& laser, const BeamMove& move);
 // The same for a stationary beam.
-bool meets_anything(const World& world, const Laser& laser, const Pose& pose);
+bool hits_anything(const World& world, const Laser& laser, const Pose& pose);
 
 // A vertex near the boundary of a stroke and its target on the boundary. `other` is the end of the edge
 // along which it would move, invalid if it would move within the plane of its faces.
@@ -118,10 +118,10 @@ struct Resolution {
   Rule rule = Rule::kTargetEdge;
   double target_edge = 0.0025;  // m, > 0
   double tolerance = 0.00125;   // m, > 0
-  int depth = 4;                // levels, 0 .. kLargestDepth: one split into four, or two into two
+  int depth = 4;                // levels, 0 .. kMaxDepth: one split into four, or two into two
   Rim rim = Rim::kFaces;        // a pattern of rays has no volume and always leaves kFaces
 
-  static constexpr int kLargestDepth = 24;
+  static constexpr int kMaxDepth = 24;
   friend bool operator==(const Resolution&, const Resolution&) = default;
 };
 
@@ -244,9 +244,9 @@ Result<StepResult> close_rim(World& world, const CutSettings& settings, std::spa
 bool is_settled(const World& world);
 
 // Continues these searches in all bodies, including hidden ones, visiting `most` faces in each. Once all
-// are finished, applies the joints in the mode `hold`. Precondition with Hold::kStill: nothing edits the
+// are finished, applies the joints in the mode `hold`. Precondition with JointMode::kRigid: nothing edits the
 // bodies until is_settled().
-StepResult go_on_separating(World& world, size_t most, Hold hold = Hold::kStill);
+StepResult go_on_separating(World& world, size_t most, JointMode mode = JointMode::kRigid);
 
 // Executes moves of the beam through one body like cut_body, but leaves the separation of parts that joints
 // no longer hold to the next call of go_on_separating(): for callers that cut many bodies between two

@@ -15,7 +15,7 @@ namespace {
 
 bool may_split(RimState& rim, FaceId f) {
   const double least = kRimLeastEdge * rim.radius();
-  return rim.mesh().data(f).halvings < 2 * Resolution::kLargestDepth &&
+  return rim.mesh().data(f).halvings < 2 * Resolution::kMaxDepth &&
          longest_edge2(rim.mesh().triangle(f)) > least * least;
 }
 
@@ -29,18 +29,19 @@ bool fails(RimState& rim, FaceId f) {
 // The beam may be near one half of a green pair only, and the faces that replace it may span both halves.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
   for (const Replacement& r : split_by_scheme(rim.step, rim.settings.resolution.scheme, f)) {
-    const std::span<const FaceId> gone(r.gone.data(), r.gone_count), born(r.born.data(), r.born_count);
+    const std::span<const FaceId> removed(r.removed.data(), r.removed_count),
+        added(r.added.data(), r.added_count);
     const auto is_near = [&](FaceId g) { return rim.region.is_near(g); };
-    if (std::none_of(gone.begin(), gone.end(), is_near)) continue;
-    std::remove_copy_if(born.begin(), born.end(), std::back_inserter(rim.faces), is_near);
-    parts.insert(parts.end(), born.begin(), born.end());
-    rim.region.inherit(born, gone);
+    if (std::none_of(removed.begin(), removed.end(), is_near)) continue;
+    std::remove_copy_if(added.begin(), added.end(), std::back_inserter(rim.faces), is_near);
+    parts.insert(parts.end(), added.begin(), added.end());
+    rim.region.inherit(added, removed);
   }
 }
 
 Status refine_rim(RimState& rim) {
   std::vector<FaceId>& waiting = rim.work.waiting;
-  for (size_t tests = 0; tests < faces_together() && !waiting.empty(); ++tests) {
+  for (size_t tests = 0; tests < faces_per_batch() && !waiting.empty(); ++tests) {
     if (rim.mesh().live_faces() > rim.settings.max_faces) return too_many_faces(rim.settings);
     const FaceId f = waiting.back();
     waiting.pop_back();
@@ -52,27 +53,27 @@ Status refine_rim(RimState& rim) {
 namespace {
 
 // Returns true if b is processed before a. Entries that compare equal are equal.
-bool comes_later(const RimSnap& a, const RimSnap& b) {
+bool is_processed_later(const RimSnap& a, const RimSnap& b) {
   const auto key = [](const RimSnap& s) { return std::tie(s.share, s.vertex, s.other, s.face); };
   return key(b) < key(a);
 }
 
 void push(std::vector<RimSnap>& snaps, const RimSnap& snap) {
   snaps.push_back(snap);
-  std::push_heap(snaps.begin(), snaps.end(), comes_later);
+  std::push_heap(snaps.begin(), snaps.end(), is_processed_later);
 }
 
 RimSnap pop(std::vector<RimSnap>& snaps) {
-  std::pop_heap(snaps.begin(), snaps.end(), comes_later);
+  std::pop_heap(snaps.begin(), snaps.end(), is_processed_later);
   const RimSnap nearest = snaps.back();
   snaps.pop_back();
   return nearest;
 }
 
-// Calls visit(snap) for the next faces_together() entries, nearest first. Returns true if none is left.
+// Calls visit(snap) for the next faces_per_batch() entries, nearest first. Returns true if none is left.
 template <typename Visit>
 bool visit_nearest(std::vector<RimSnap>& snaps, Visit visit) {
-  for (size_t i = 0; i < faces_together() && !snaps.empty(); ++i) visit(pop(snaps));
+  for (size_t i = 0; i < faces_per_batch() && !snaps.empty(); ++i) visit(pop(snaps));
   return snaps.empty();
 }
 
@@ -294,7 +295,7 @@ bool clip_at_rim(RimState& rim) {
   });
 }
 
-bool choose_within_rim(RimState& rim) {
+bool select_within_rim(RimState& rim) {
   return visit_next(rim, rim.faces, [&](FaceId f) {
     if (rim.inside(f)) rim.work.waiting.push_back(f);
   });
@@ -378,7 +379,7 @@ bool on_rim(RimState& rim, FaceId f) {
 
 }  // namespace
 
-bool choose_beside_rim(RimState& rim) {
+bool select_beside_rim(RimState& rim) {
   return visit_next(rim, rim.faces, [&](FaceId f) {
     if (rim.mesh().is_live(f) && on_rim(rim, f)) rim.work.waiting.push_back(f);
   });

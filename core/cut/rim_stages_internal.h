@@ -44,7 +44,7 @@ struct RimState {
   void record_distance(VertexId v, double d);
 };
 
-// The stages; close_rim.cpp holds their order. Each call handles at most faces_together() items and, in
+// The stages; close_rim.cpp holds their order. Each call handles at most faces_per_batch() items and, in
 // most stages, returns true when the stage is over. The boxes of the tree are updated after each call and
 // thus depend on this number, as in the steps of a stroke.
 
@@ -62,16 +62,16 @@ bool settle_on_rim(RimState& rim);
 // Splits a face by the scheme. Appends its parts and those of other faces near the boundary that it entails.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
 bool clip_at_rim(RimState& rim);
-bool choose_within_rim(RimState& rim);
+bool select_within_rim(RimState& rim);
 bool remove_within_rim(RimState& rim);
-bool choose_beside_rim(RimState& rim);
+bool select_beside_rim(RimState& rim);
 bool flip_near_rim(RimState& rim);
-// Calls visit(item) for the next faces_together() items of a list that may grow meanwhile. Returns true at
+// Calls visit(item) for the next faces_per_batch() items of a list that may grow meanwhile. Returns true at
 // the end of the list, and resets work.next for the next list.
 template <typename Item, typename Visit>
 bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
   size_t& next = rim.work.next;
-  for (size_t i = 0; i < faces_together() && next < list.size(); ++i) visit(Item(list[next++]));
+  for (size_t i = 0; i < faces_per_batch() && next < list.size(); ++i) visit(Item(list[next++]));
   if (next < list.size()) return false;
   next = 0;
   return true;

@@ -32,7 +32,7 @@ void Burn::emit(const Pose& pose, double joules) {
   EnergyLedger& ledger = world_.edit_energy();
   ledger.emitted += joules;
   double absorbed = 0, waits = 0;
-  met_.clear();
+  pose_hits_.clear();
   for (const BundleRay& ray : turned_bundle(bundle_, ledger.poses++)) {
     waits += emit_ray(ray_at(settings_.laser, ray, pose), joules * ray.share, pose, absorbed);
   }
@@ -61,27 +61,27 @@ void Burn::emit_waiting(bool splits) {
 // Adds to the absorbed energy (J); returns the energy that waits.
 double Burn::emit_ray(const Pose& ray, double joules, const Pose& axis, double& absorbed) {
   double left = joules;
-  find_meetings(ray);
-  for (size_t i = 0; i < meetings_.size() && left > 0; ++i) {
-    const Meeting& at = meetings_[i];
-    if (is_gone(at)) continue;
+  find_hits(ray);
+  for (size_t i = 0; i < ray_hits_.size() && left > 0; ++i) {
+    const Meeting& at = ray_hits_[i];
+    if (is_removed(at)) continue;
     const Body& body = world_.body(bodies_[at.body].id);
     const double share = absorptivity(body.sheet.substance, settings_.laser.wavelength);
     if (share <= 0) break;
-    if (must_wait(at, left * share)) {
+    if (needs_to_wait(at, left * share)) {
       wait(at, {ray, axis, left, 0});
       return left;
     }
     const double taken = spend(at, left * share);
-    if (settings_.laser.assist == Assist::kOxygen) met_.push_back(at);
+    if (settings_.laser.assist == Assist::kOxygen) pose_hits_.push_back(at);
     absorbed += taken;
-    left = is_gone(at) ? std::max(0.0, left - taken / share) : 0;
+    left = is_removed(at) ? std::max(0.0, left - taken / share) : 0;
   }
   return 0;
 }
 
 // Returns true if the energy (J) would remove a wide face that must be split first.
-bool Burn::must_wait(const Meeting& at, double joules) const {
+bool Burn::needs_to_wait(const Meeting& at, double joules) const {
   const Body& body = world_.body(bodies_[at.body].id);
   return splits_ && is_wide(triangle_area(body.mesh.triangle(at.face))) &&
          joules >= removal_energy(body, at.face) - body.heat.energy_of(body.mesh, at.face) &&
@@ -97,10 +97,10 @@ void Burn::wait(const Meeting& at, WaitingRay ray) {
 }
 
 // Returns the faces of a body that were met and are not removed, each once.
-std::vector<FaceId> Burn::faces_met(size_t b) const {
+std::vector<FaceId> Burn::hit_faces(size_t b) const {
   std::vector<FaceId> met;
-  for (const Meeting& at : met_) {
-    if (at.body == b && !is_gone(at)) met.push_back(at.face);
+  for (const Meeting& at : pose_hits_) {
+    if (at.body == b && !is_removed(at)) met.push_back(at.face);
   }
   std::sort(met.begin(), met.end());
   met.erase(std::unique(met.begin(), met.end()), met.end());
@@ -115,7 +115,7 @@ double Burn::spread(size_t b, std::span<const FaceId> faces, double joules) {
   if (all <= 0) return 0;
   for (const FaceId f : faces) {
     const double own = joules * triangle_area(body.mesh.triangle(f)) / all;
-    if (!must_wait({0, b, f}, own)) taken += spend({0, b, f}, own);
+    if (!needs_to_wait({0, b, f}, own)) taken += spend({0, b, f}, own);
   }
   return taken;
 }
@@ -126,7 +126,7 @@ void Burn::burn(double area, double speed) {
     const Body& body = world_.body(bodies_[b].id);
     const Sheet& sheet = body.sheet;
     if (sheet.substance.burnt_share == 0) continue;
-    std::vector<FaceId> faces = faces_met(b);
+    std::vector<FaceId> faces = hit_faces(b);
     const auto on_fire = [&](FaceId f) {
       return body.heat.temperature(body.mesh, f, sheet.substance, sheet.thickness) >= kKindling;
     };
@@ -142,21 +142,21 @@ void Burn::burn(double area, double speed) {
 std::optional<double> Burn::reach(const Pose& pose) {
   std::optional<double> farthest;
   for (const BundleRay& ray : bundle_) {
-    find_meetings(ray_at(settings_.laser, ray, pose));
-    if (!meetings_.empty()) farthest = std::max(farthest.value_or(0), meetings_.front().length);
+    find_hits(ray_at(settings_.laser, ray, pose));
+    if (!ray_hits_.empty()) farthest = std::max(farthest.value_or(0), ray_hits_.front().length);
   }
   return farthest;
 }
 
-void Burn::find_meetings(const Pose& ray) {
-  meetings_.clear();
+void Burn::find_hits(const Pose& ray) {
+  ray_hits_.clear();
   for (size_t b = 0; b < bodies_.size(); ++b) {
     const Body& body = world_.body(bodies_[b].id);
     hits_.clear();
     body.tree.crossings(body.mesh, body.placement.to_body(ray), settings_.laser.range, hits_);
-    for (const RayHit& hit : hits_) meetings_.push_back({hit.length, b, hit.face});
+    for (const RayHit& hit : hits_) ray_hits_.push_back({hit.length, b, hit.face});
   }
-  std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
+  std::sort(ray_hits_.begin(), ray_hits_.end(), [](const Meeting& a, const Meeting& b) {
     return std::tie(a.length, a.body, a.face) < std::tie(b.length, b.body, b.face);
   });
 }
@@ -173,8 +173,8 @@ double Burn::spend(const Meeting& at, double joules) {
     return joules;
   }
   body.heat.set_energy(body.mesh, at.face, before + needed);
-  burned.gone.push_back(at.face);
-  burned.gone_slots.insert(at.face.index);
+  burned.removed.push_back(at.face);
+  burned.removed_slots.insert(at.face.index);
   return needed;
 }
 
@@ -239,7 +239,7 @@ class ThermalMoves {
       if (const Status done = take_part(part, 1 / (kSpacingsASample * bundle_spacing(face_) * parts)); !done)
         return done;
     }
-    hold_what_joints_hold(world_, held_);
+    apply_joints(world_, held_);
     return Done{};
   }
 
@@ -282,13 +282,13 @@ class ThermalMoves {
     return move.from.origin != move.to.origin || move.from.direction != move.to.direction;
   }
 
-  Status take_part(const BeamMove& part, double most_samples) {
+  Status take_part(const BeamMove& part, double max_samples) {
     ++taken_;
     const bool meets = find_reach(part);
     if (meets) {
       if (const Status refined = refine_reached(part); !refined) return refined;
     }
-    emit(part, most_samples);
+    emit(part, max_samples);
     double depth = remove_gone();
     while (burn_.any_waiting()) {
       const Result<bool> splits = refine_coarse(part);
@@ -300,7 +300,7 @@ class ThermalMoves {
       met_s_ += part.seconds;
       depth_s_ += depth * part.seconds;
     }
-    let_heat_flow(world_, part.seconds);
+    step_heat(world_, part.seconds);
     return progress_.report(0) ? Status(Done{}) : Status(cancelled());
   }
 
@@ -357,11 +357,11 @@ class ThermalMoves {
     return std::min({depth(t[0]), depth(t[1]), depth(t[2])}) > reach_ + settings_.laser.radius;
   }
 
-  void emit(const BeamMove& part, double most_samples) {
+  void emit(const BeamMove& part, double max_samples) {
     const EnergyLedger& ledger = world_.energy();
     const double joules = emitted_energy(settings_.laser, ledger.beam_on, ledger.beam_on + part.seconds);
     world_.edit_energy().beam_on += part.seconds;
-    const double samples = moves(part) ? std::max(1.0, std::ceil(most_samples)) : 1;
+    const double samples = moves(part) ? std::max(1.0, std::ceil(max_samples)) : 1;
     const double way = settings_.laser.assist == Assist::kOxygen ? way_on_surface(part) : 0;
     for (double i = 0; i < samples; ++i) {
       burn_.emit(between(part, (i + 0.5) / samples), joules / samples);
@@ -382,12 +382,12 @@ class ThermalMoves {
     double depth = 0;
     for (size_t b = 0; b < burned_.size(); ++b) {
       BurnedBody& burned = burned_[b];
-      depth = std::max(depth, burned.gone.empty() ? burned.deepest : 1.0);
-      std::sort(burned.gone.begin(), burned.gone.end());
-      if (!burned.gone.empty()) remove_faces(steps_[b], burned.gone);
-      taken_ += separate(world_, steps_[b], burned.gone, settings_.search_a_move);
-      burned.gone.clear();
-      burned.gone_slots.clear();
+      depth = std::max(depth, burned.removed.empty() ? burned.deepest : 1.0);
+      std::sort(burned.removed.begin(), burned.removed.end());
+      if (!burned.removed.empty()) remove_faces(steps_[b], burned.removed);
+      taken_ += separate(world_, steps_[b], burned.removed, settings_.search_a_move);
+      burned.removed.clear();
+      burned.removed_slots.clear();
       burned.deepest = 0;
     }
     return std::min(depth, 1.0);

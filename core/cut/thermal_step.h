@@ -15,14 +15,14 @@ namespace kerf {
 // Faces of one body that rays heat. Private to core/cut.
 struct BurnedBody {
   BodyId id;
-  std::vector<FaceId> gone;                 // have reached their energy of removal
-  std::unordered_set<uint32_t> gone_slots;  // slots of these for lookup; never iterated
-  double deepest = 0;                       // max share of that energy over the other heated faces
-  std::vector<FaceId> coarse;  // would be removed if they did not have to be split first; each once
+  std::vector<FaceId> removed;                 // have reached their energy of removal
+  std::unordered_set<uint32_t> removed_slots;  // for lookup; never iterated
+  double deepest = 0;                          // maximum fraction of that energy over the other heated faces
+  std::vector<FaceId> coarse;                  // to be split before they can be removed; each once
 };
 
-// Distributes the energy that a beam emits (J) at a pose to the faces that its rays meet, and books it in
-// the ledger of the world; see thermal_step.
+// Distributes the energy (J) of a beam at a pose over the faces that its rays hit, and adds it to the energy
+// balance of the world; see thermal_step.
 class Burn {
  public:
   // Returns true if a face of the body with this index is as fine as the resolution requires.
@@ -37,20 +37,20 @@ class Burn {
   // faces that have reached their energy of removal.
   void emit(const Pose& pose, double joules);
 
-  // Returns true if rays wait: a wide face that is not fine is not removed; the ray that has the energy for
-  // it waits there, and the face is listed in `coarse`.
+  // Returns true if rays wait. A ray that has the energy to remove a wide coarse face waits there until the
+  // face, listed in `coarse`, is split.
   bool any_waiting() const { return !waiting_.empty(); }
-  // Returns the max distance of waiting rays from the axis (m).
+  // Returns the maximum distance of waiting rays from the axis (m).
   double waiting_within() const;
   // Emits the waiting energy. Without `splits`, rays do not wait again and remove such faces unsplit.
   void emit_waiting(bool splits);
 
-  // Adds the heat of burning in oxygen if a face met at the last pose is hot enough. It is shared by mass
-  // among all faces that were met, up to their energy of removal, since the burning melt flows over them
-  // (see core/heat/material.h). The beam cuts a kerf of `area` (m^2) at `speed` (m/s).
+  // Adds the heat of oxidation if a face hit at the last pose is hot enough. The heat is distributed by mass
+  // over all hit faces, up to their energy of removal, because the burning melt flows over them (see
+  // core/heat/material.h). The beam cuts a kerf of `area` (m^2) at `speed` (m/s).
   void burn(double area, double speed);
 
-  // Returns the max distance along the beam's rays to the first face that each meets (m); nullopt on a miss.
+  // Returns the maximum distance along the rays to their first hit (m); nullopt if all miss.
   std::optional<double> reach(const Pose& pose);
 
  private:
@@ -64,13 +64,13 @@ class Burn {
     double joules;
     double aside;  // distance of the face from the axis [m]
   };
-  void find_meetings(const Pose& ray);
-  bool is_gone(const Meeting& at) const { return bodies_[at.body].gone_slots.contains(at.face.index); }
+  void find_hits(const Pose& ray);
+  bool is_removed(const Meeting& at) const { return bodies_[at.body].removed_slots.contains(at.face.index); }
   double emit_ray(const Pose& ray, double joules, const Pose& axis, double& absorbed);
-  bool must_wait(const Meeting& at, double joules) const;
+  bool needs_to_wait(const Meeting& at, double joules) const;
   void wait(const Meeting& at, WaitingRay ray);
   double spend(const Meeting& at, double joules);
-  std::vector<FaceId> faces_met(size_t body) const;
+  std::vector<FaceId> hit_faces(size_t body) const;
   double spread(size_t body, std::span<const FaceId> faces, double joules);
   bool is_wide(double area) const;
   double removal_energy(const Body& body, FaceId f) const;
@@ -79,8 +79,8 @@ class Burn {
   const CutSettings& settings_;
   std::vector<BurnedBody>& bodies_;
   std::vector<BundleRay> bundle_;
-  std::vector<Meeting> meetings_;  // of one ray, nearest first
-  std::vector<Meeting> met_;       // by all rays at the last pose, if there is oxygen
+  std::vector<Meeting> ray_hits_;   // of one ray, nearest first
+  std::vector<Meeting> pose_hits_;  // by all rays at the last pose, if there is oxygen
   std::vector<RayHit> hits_;
   IsFine is_fine_;
   std::vector<WaitingRay> waiting_;
@@ -97,7 +97,7 @@ class Burn {
 // reflects the rest; once the face has its energy of removal, the ray continues with its remaining energy
 // to the next face behind. So the speed of a cut depends neither on the size of faces nor on the rate of
 // moves. Faces that reach their energy of removal are removed with it; after each part heat flows for the
-// duration of the part (let_heat_flow), and after each move separated pieces get their labels.
+// duration of the part (step_heat), and after each move separated pieces get their labels.
 //
 // A ray that has the energy for a face wider than the kerf (two radii) waits while the face can be split:
 // the removed parts are deleted, the face is split, and the ray continues. If the resolution forbids the

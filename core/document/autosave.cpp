@@ -209,8 +209,9 @@ Result<LockedFile> Autosave::create(std::string_view text) const {
   return LockedFile::create(folder_ / (stem + std::to_string(number) + kEnding), text);
 }
 
-std::vector<LeftWork> find_left_work(const fs::path& folder, std::vector<std::string>& faults) {
-  std::vector<LeftWork> left;
+std::vector<RecoverableDocument> find_recoverable_documents(const fs::path& folder,
+                                                            std::vector<std::string>& faults) {
+  std::vector<RecoverableDocument> left;
   std::error_code error;
   fs::directory_iterator at(folder, error);
   for (; !error && at != fs::directory_iterator(); at.increment(error)) {
@@ -227,8 +228,9 @@ std::vector<LeftWork> find_left_work(const fs::path& folder, std::vector<std::st
     std::error_code unknown;
     left.push_back({std::move(*file), std::move(*journal), strokes, fs::last_write_time(path, unknown)});
   }
-  std::sort(left.begin(), left.end(),
-            [](const LeftWork& a, const LeftWork& b) { return a.last_change > b.last_change; });
+  std::sort(left.begin(), left.end(), [](const RecoverableDocument& a, const RecoverableDocument& b) {
+    return a.last_change > b.last_change;
+  });
   return left;
 }
 

@@ -81,7 +81,7 @@ class Autosave {
 };
 
 // Unsaved work of a crashed editor. No other editor finds it while this object holds the lock.
-struct LeftWork {
+struct RecoverableDocument {
   LockedFile file;
   Journal journal;
   size_t strokes = 0;
@@ -90,6 +90,7 @@ struct LeftWork {
 
 // Finds the work of crashed editors in the folder, the latest first. Skips the locked files of running
 // editors. A file that cannot be read is left unchanged and adds a sentence to `faults`.
-std::vector<LeftWork> find_left_work(const std::filesystem::path& folder, std::vector<std::string>& faults);
+std::vector<RecoverableDocument> find_recoverable_documents(const std::filesystem::path& folder,
+                                                            std::vector<std::string>& faults);
 
 }  // namespace kerf

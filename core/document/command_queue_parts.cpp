@@ -31,7 +31,7 @@ size_t CommandQueue::next_makes_ready() const {
   size_t faces = 0;
   for (const BodyId id : world_.ids()) {
     const Body& body = world_.body(id);
-    if (has_pieces_off(body) || (!body.hidden && physics_.makes_collider(world_, id, beam)))
+    if (has_pieces_off(body) || (!body.hidden && physics_.needs_collider(world_, id, beam)))
       faces += body.mesh.live_faces();
   }
   return faces;
@@ -126,7 +126,7 @@ void CommandQueue::pass(Ticks ticks) {
 Result<StepResult> CommandQueue::move_bodies(size_t step, const Progress& progress) {
   StepResult all;
   if (world_.clock() % kTicksToForget == 0) forget_details(world_);
-  if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
+  if (!physics_.has_joints_cached()) separate_by_joints(world_, JointMode::kArticulated, all.delta);
   release_pieces(world_, history_.step(step).generation, all.delta);
   follow_with_spring(world_, all.delta);
   record_cut(step, all);
@@ -187,14 +187,14 @@ void CommandQueue::begin(size_t step) {
   history_.forget_behind(step);
   HistoryStep& begun = history_.step(step);
   // A step begins with the same state however the world reached its start.
-  const bool anew = begun.waiting();
-  if (anew) {
+  const bool newly_begun = begun.waiting();
+  if (newly_begun) {
     for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
     physics_.begin_step();
   }
   begun.begin(history_.window() > 0);
   recorder_.open(world_, step, begun.images() == HistoryStep::Images::kHeld);
-  if (anew && !world_.contact_memory().empty()) forget_details(world_);
+  if (newly_begun && !world_.contact_memory().empty()) forget_details(world_);
 }
 
 void CommandQueue::close() {

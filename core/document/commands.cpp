@@ -39,7 +39,7 @@ static void describe(Fields& f, CutSettings& s) {
   f.choice("rule", s.resolution.rule, kRules);
   f.number("target-edge", s.resolution.target_edge, kPositive);
   f.number("tolerance", s.resolution.tolerance, kPositive);
-  f.whole("depth", s.resolution.depth, 0, Resolution::kLargestDepth);
+  f.whole("depth", s.resolution.depth, 0, Resolution::kMaxDepth);
   f.choice("rim", s.resolution.rim, kRims);
   f.choice("model", s.model, kModels, Model::kGeometric);
   f.number("heat-width", s.heat_width, kPositive, 0);
@@ -114,7 +114,7 @@ void describe(Fields& f, HidePiece& c) {
 
 Result<Delta> HidePiece::run(World& world, uint32_t generation, const Progress*) const {
   return edit_piece(
-      world, piece, generation, &Delta::hid_or_showed,
+      world, piece, generation, &Delta::visibility_changed,
       [&](const Body& body) { return body.hidden != hidden; }, [&](Body& own) { own.hidden = hidden; });
 }
 
@@ -123,8 +123,8 @@ void describe(Fields& f, DeletePiece& c) { piece_field(f, c.piece); }
 Result<Delta> DeletePiece::run(World& world, uint32_t generation, const Progress*) const {
   if (!has_faces(world, piece)) return no_such_piece(piece);
   Delta delta, change;
-  change.went = {detach(world, piece, generation, delta)};
-  world.remove(change.went.front());
+  change.destroyed = {detach(world, piece, generation, delta)};
+  world.remove(change.destroyed.front());
   delta.append(std::move(change));
   return delta;
 }
@@ -139,7 +139,7 @@ Result<Delta> RenamePiece::run(World& world, uint32_t, const Progress*) const {
   Delta delta;
   Body& body = world.body(piece.body);
   if (body.name_of(piece.label) == name) return delta;
-  if (stands_alone(world, piece)) {
+  if (is_only_piece(world, piece)) {
     body.name = name;
     body.named = piece.label;
     body.piece_names.clear();
@@ -171,7 +171,7 @@ void describe(Fields& f, SetSheetProperties& c) {
 
 Result<Delta> SetSheetProperties::run(World& world, uint32_t generation, const Progress*) const {
   return edit_piece(
-      world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.sheet != sheet; },
+      world, piece, generation, &Delta::mass_changed, [&](const Body& body) { return body.sheet != sheet; },
       [&](Body& own) { own.sheet = sheet; });
 }
 
@@ -182,7 +182,7 @@ void describe(Fields& f, SetSolid& c) {
 
 Result<Delta> SetSolid::run(World& world, uint32_t generation, const Progress*) const {
   return edit_piece(
-      world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.solid != solid; },
+      world, piece, generation, &Delta::mass_changed, [&](const Body& body) { return body.solid != solid; },
       [&](Body& own) { make_solid(own, solid); });
 }
 
@@ -197,10 +197,10 @@ void describe(Fields& f, SimplifyPiece& c) {
 }
 
 Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progress* progress) const {
-  return remake_piece(
+  return remesh_piece(
       world, piece, generation,
-      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
-        return simplify(mesh, target, {heeded.kept, heeded.is_seam}, working, heeded.warm);
+      [&](const Mesh& mesh, const TrackedFaces& tracked, const Progress* working) {
+        return simplify(mesh, target, {tracked.kept, heeded.is_seam}, working, tracked.warm);
       },
       progress);
 }
@@ -213,10 +213,10 @@ void describe(Fields& f, SubdividePiece& c) {
 Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progress* progress) const {
   if (has_faces(world, piece) && world.body(piece.body).pieces[piece.label].faces > kMaxToSubdivide)
     return bad_input(piece_words(piece) + " has too many faces to be subdivided");
-  return remake_piece(
+  return remesh_piece(
       world, piece, generation,
-      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
-        return subdivide(mesh, scheme, {heeded.kept, heeded.is_seam}, working);
+      [&](const Mesh& mesh, const TrackedFaces& tracked, const Progress* working) {
+        return subdivide(mesh, scheme, {tracked.kept, heeded.is_seam}, working);
       },
       progress);
 }
@@ -227,10 +227,10 @@ void describe(Fields& f, SmoothPiece& c) {
 }
 
 Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress* progress) const {
-  return remake_piece(
+  return remesh_piece(
       world, piece, generation,
-      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
-        return smooth(mesh, times, {heeded.kept, heeded.is_seam}, working);
+      [&](const Mesh& mesh, const TrackedFaces& tracked, const Progress* working) {
+        return smooth(mesh, times, {tracked.kept, heeded.is_seam}, working);
       },
       progress);
 }
@@ -238,9 +238,9 @@ Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress
 void describe(Fields& f, TurnShells& c) { piece_field(f, c.piece); }
 
 Result<Delta> TurnShells::run(World& world, uint32_t generation, const Progress* progress) const {
-  return remake_piece(
+  return remesh_piece(
       world, piece, generation,
-      [](const Mesh& mesh, const HeededFaces&, const Progress* working) {
+      [](const Mesh& mesh, const TrackedFaces&, const Progress* working) {
         return turn_shells(mesh, working);
       },
       progress);
@@ -255,7 +255,7 @@ Result<Delta> AddMesh::run(World& world, uint32_t generation, const Progress* pr
   Result<Body> body = load_body(name, file, progress);
   if (!body) return body.error();
   Delta delta;
-  delta.came = {world.add(std::move(*body), generation)};
+  delta.created = {world.add(std::move(*body), generation)};
   return delta;
 }
 

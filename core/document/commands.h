@@ -189,7 +189,7 @@ struct SetSolid {
 };
 void describe(Fields& f, SetSolid& c);
 
-// Commands that replace the mesh of a piece and make it a body of its own (see remake_piece). run()
+// Commands that replace the mesh of a piece and make it a body of its own (see remesh_piece). run()
 // executes the command (see ImmediateCommand).
 
 // Simplifies a piece to a number of faces or to an error [m] (see simplify).

@@ -103,7 +103,7 @@ std::vector<PieceNode> piece_origins(const Document& document) {
 
 std::optional<DrawnGraph> graph_around_last_cut(const Document& document) {
   const CutGraph graph = cut_graph(document.world(), last_cut_faces(document.history()));
-  const std::optional<uint32_t> start = start_beside_cut(graph);
+  const std::optional<uint32_t> start = start_next_to_cut(graph);
   if (!start) return std::nullopt;
   return draw_graph(graph, traverse_cut(graph, *start), GraphScope::kAroundCut);
 }

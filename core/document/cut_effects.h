@@ -36,7 +36,7 @@ void count_cut_names(const World& world, const BodyDelta& delta, std::map<std::s
 std::vector<PieceNode> piece_origins(const Document& document);
 
 // The component graph around the last stroke that was not undone, ready to draw, with the traversal from
-// start_beside_cut() at its end; without a stroke, the graph of all bodies. Returns nullopt if no face is
+// start_next_to_cut() at its end; without a stroke, the graph of all bodies. Returns nullopt if no face is
 // live. Linear in the faces of the bodies that the stroke cut (see draw_graph).
 std::optional<DrawnGraph> graph_around_last_cut(const Document& document);
 

@@ -159,7 +159,7 @@ Outcome Document::finish(const Progress* progress) {
     return Done{};
   };
   if (const Status ran = run_queue(*this, how); !ran) {
-    all.delta.anew = true;
+    all.delta.replaced = true;
     all.fail(ran.error());
   }
   return all;
@@ -348,7 +348,7 @@ Outcome Document::replay(size_t position, const Progress* progress) {
   ++revision_;
   const size_t before = history().position(), written = journal_.size();
   queue_.start_with(std::move(*origin));
-  outcome.delta.anew = true;
+  outcome.delta.replaced = true;
   if (const Status done = replay_steps(position, &running); !done) outcome.fail(done.error());
   journal_.shrink(written);
   for (size_t i = history().position(); i < before; ++i) journal_.append(Undo{});
@@ -418,8 +418,8 @@ Status run_queue(Document& document, const QueueRun& how) {
     const Progress going = share_of(how.progress, std::max(0.0, 1 - static_cast<double>(left) / all), 1);
     if (!going.report(0)) return cancelled();
     const Result<StepResult> some = document.step(std::min(left, how.moves_a_step), &going);
-    const Status heard = how.told ? how.told(some) : some ? Status(Done{}) : Status(some.error());
-    if (!heard) return heard;
+    const Status status = how.told ? how.told(some) : some ? Status(Done{}) : Status(some.error());
+    if (!status) return status;
   }
   return Done{};
 }

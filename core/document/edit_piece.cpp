@@ -27,14 +27,14 @@ Error no_such_piece(const PieceId& piece) {
 }
 
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
-                         std::vector<BodyId> Delta::*told, const std::function<bool(const Body&)>& differs,
+                         std::vector<BodyId> Delta::*list, const std::function<bool(const Body&)>& differs,
                          const std::function<void(Body&)>& edit) {
   if (!has_faces(world, piece)) return no_such_piece(piece);
   Delta delta, change;
   if (!differs(world.body(piece.body))) return delta;
   const BodyId own = detach(world, piece, generation, delta);
   edit(world.body(own));
-  change.*told = {own};
+  change.*list = {own};
   delta.append(std::move(change));
   return delta;
 }
@@ -119,9 +119,9 @@ bool is_unchanged(const Remeshed& remeshed, const Mesh& mesh) {
 }
 
 void take_away(World& world, const PieceId& piece, std::span<const FaceId> faces, Delta& delta) {
-  if (stands_alone(world, piece)) {
+  if (is_only_piece(world, piece)) {
     world.remove(piece.body);
-    delta.went = {piece.body};
+    delta.destroyed = {piece.body};
     return;
   }
   BodyEdit(world.body(piece.body)).take_out(faces);
@@ -130,7 +130,7 @@ void take_away(World& world, const PieceId& piece, std::span<const FaceId> faces
 
 }  // namespace
 
-Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
+Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
                            const Progress* progress) {
   if (!has_faces(world, piece)) return no_such_piece(piece);
   const auto within = joints_within(world, piece);
@@ -139,26 +139,26 @@ Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generati
   ProgressShares shares(progress);
   const Progress working = shares.next(0.6), making = shares.next(0.4);
   const PieceCopy copy = copy_piece(body, piece.label);
-  const HeededFaces heeded{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh),
+  const TrackedFaces tracked{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh),
                            seam_test(body, copy)};
-  auto remeshed = remake(copy.mesh, heeded, &working);
+  auto remeshed = remake(copy.mesh, tracked, &working);
   if (!remeshed) return remeshed.error();
   if (remeshed->triangles.empty()) return failed(piece_words(piece) + " would have no faces left");
   Delta delta;
   if (is_unchanged(*remeshed, copy.mesh)) return delta;
   std::vector<MeshPart> parts;
   if (world.contains(body.loaded_as)) parts = world.body(body.loaded_as).named_parts;
-  auto made = remade_body(body, copy, *remeshed, parts, &making);
+  auto made = rebuilt_body(body, copy, *remeshed, parts, &making);
   if (!made) return made.error();
 
-  const bool alone = stands_alone(world, piece);
+  const bool alone = is_only_piece(world, piece);
   const uint32_t number = body.number;
   if (alone) made->ejected = body.ejected;
   take_away(world, piece, copy.faces, delta);
   const BodyId own = world.add(std::move(*made), generation);
   if (alone) world.body(own).number = number;
   if (!within->empty()) world.set_joints(carried_on(world.joints(), *within, own, copy, *remeshed));
-  delta.came = {own};
+  delta.created = {own};
   delta.detached = {{piece.body, piece.label, own, false}};
   return delta;
 }

@@ -19,22 +19,22 @@ std::string piece_words(const PieceId& piece);
 bool has_faces(const World& world, const PieceId& piece);
 Error no_such_piece(const PieceId& piece);
 
-// Makes the piece a body of its own of this generation if it is none (see detach), changes it by `edit`,
-// and adds it to the list `told` of the delta. Returns an empty delta if `differs`, called with the body of
-// the piece, returns false. Bad input if there is no such piece; the world is unchanged then.
+// Detaches the piece as a body of this generation if necessary (see detach), applies `edit` to it, and adds
+// it to `list` of the delta. Returns an empty delta if `differs` returns false for the body of the piece. Bad
+// input if there is no such piece; the world is unchanged then.
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
-                         std::vector<BodyId> Delta::*told, const std::function<bool(const Body&)>& differs,
+                         std::vector<BodyId> Delta::*list, const std::function<bool(const Body&)>& differs,
                          const std::function<void(Body&)>& edit);
 
-// The faces of a mesh that a tool must respect, each list ascending.
-struct HeededFaces {
+// Faces with constraints on remeshing, each list ascending.
+struct TrackedFaces {
   std::vector<FaceId> kept;                     // must not change
-  std::vector<FaceId> warm;                     // have energy or were hot
+  std::vector<FaceId> warm;                     // store heat, or did before
   std::function<bool(FaceId, FaceId)> is_seam;  // see RemeshLimits
 };
 
 using Remake =
-    std::function<Result<Remeshed>(const Mesh& mesh, const HeededFaces& heeded, const Progress* progress)>;
+    std::function<Result<Remeshed>(const Mesh& mesh, const TrackedFaces& tracked, const Progress* progress)>;
 
 // Replaces a piece by a new body of this generation with the mesh that `remake` returns. The body keeps the
 // label, the name, the placement and all other properties of the piece; its faces count as loaded, with the
@@ -44,7 +44,7 @@ using Remake =
 // Bad input if there is no such piece, or if joints hold it to a separately moving piece: the joint could
 // not name both. Fails like `remake`, if no face would be left, and with cancelled() when stopped;
 // `progress` may be null. On failure the world is unchanged. O(n log n) plus the cost of `remake`.
-Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
+Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
                            const Progress* progress);
 
 }  // namespace kerf

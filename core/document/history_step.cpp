@@ -113,7 +113,7 @@ void HistoryStep::record(const Delta& delta) {
   if (delta.changes_bodies()) follow_bodies(delta);
   for (const BodyDelta& b : delta.bodies) {
     Touched& touched = touched_[b.body];
-    for (const auto* faces : {&b.born, &b.gone})
+    for (const auto* faces : {&b.added, &b.dead})
       touched.corners.insert(touched.corners.end(), faces->begin(), faces->end());
     touched.labels.insert(touched.labels.end(), b.relabelled.begin(), b.relabelled.end());
     keep_cut_faces(b);
@@ -125,7 +125,7 @@ void HistoryStep::follow_bodies(const Delta& delta) {
   const auto follow = [&](auto& by_body) {
     std::remove_reference_t<decltype(by_body)> after;
     for (auto& [id, noted] : by_body) {
-      if (!lists(delta.went, id)) after[id_after(delta, id)] = std::move(noted);
+      if (!lists(delta.destroyed, id)) after[id_after(delta, id)] = std::move(noted);
     }
     by_body = std::move(after);
   };
@@ -158,7 +158,7 @@ void HistoryStep::drop_cut_faces() {
 // Visits the latest removals first, because the last removal that separates a piece is next to it. Faces
 // next to it at that time may have been removed later, with the label of the new piece.
 void HistoryStep::record_new_pieces(const World& world, const Delta& delta) {
-  constexpr size_t kMaxLookedAt = 20'000;
+  constexpr size_t kMaxVisited = 20'000;
   if (const std::optional<double> radius = beam_radius(commands_.front()))
     totals_.specks.merge(new_specks(world, delta, *radius));
   for (const BodyDelta& b : delta.bodies) {
@@ -169,7 +169,7 @@ void HistoryStep::record_new_pieces(const World& world, const Delta& delta) {
     const std::vector<CutFace>& faces = cut->second;
     std::set<uint32_t> unknown(b.new_pieces.begin(), b.new_pieces.end());
     std::unordered_map<uint32_t, uint32_t> label_then;  // of faces that were removed later; never iterated
-    const size_t end = faces.size() - std::min(faces.size(), kMaxLookedAt);
+    const size_t end = faces.size() - std::min(faces.size(), kMaxVisited);
     for (size_t i = faces.size(); i-- > end && !unknown.empty();) {
       label_then[faces[i].face.index] = faces[i].piece;
       for (const FaceId n : faces[i].neighbours) {
@@ -221,7 +221,7 @@ std::optional<size_t> HistoryStep::slots_before() const {
 
 // Lists the changes of the step; faces are classified by the present state of the world.
 Delta HistoryStep::delta(const World& world, bool back, const SavePoint* since) const {
-  Delta all = back ? bodies_taken_back(bodies_) : bodies_;
+  Delta all = back ? inverse_body_changes(bodies_) : bodies_;
   all.removed_faces = 0;
   all.removed_area = 0;
   all.removed_mass = 0;
@@ -230,7 +230,7 @@ Delta HistoryStep::delta(const World& world, bool back, const SavePoint* since) 
   for (const auto& [after, touched] : touched_) {
     const BodyId id = back ? id_before(bodies_, after) : after;
     // A body created in the step is listed as a whole, or no longer exists.
-    if (lists(bodies_.came, after) || !world.contains(id)) continue;
+    if (lists(bodies_.created, after) || !world.contains(id)) continue;
     const Mesh& mesh = world.body(id).mesh;
     BodyDelta body;
     body.body = id;
@@ -239,7 +239,7 @@ Delta HistoryStep::delta(const World& world, bool back, const SavePoint* since) 
     std::vector<FaceId> corners(at(touched.corners, before.first), touched.corners.end());
     std::vector<FaceId> labels(at(touched.labels, before.second), touched.labels.end());
     sort_each_once(corners);
-    for (const FaceId f : corners) (is_live(mesh, f) ? body.born : body.gone).push_back(f);
+    for (const FaceId f : corners) (is_live(mesh, f) ? body.added : body.dead).push_back(f);
     sort_each_once(labels);
     std::set_difference(labels.begin(), labels.end(), corners.begin(), corners.end(),
                         std::back_inserter(body.relabelled));

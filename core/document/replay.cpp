@@ -108,12 +108,12 @@ size_t Replay::end_of_undone() const {
 }
 
 // Reports the changes of an immediate command; the work of a queued one is reported by its steps.
-Status Replay::tell(const QueueRun& how, Outcome at_once) const {
-  if (!how.told) return at_once.ok() ? Status(Done{}) : Status(at_once.error());
-  if (!at_once.ok()) return how.told(at_once.error());
-  if (at_once.delta.empty() && document_.waiting() > 0) return Done{};
+Status Replay::report(const QueueRun& how, Outcome outcome) const {
+  if (!how.told) return outcome.ok() ? Status(Done{}) : Status(outcome.error());
+  if (!outcome.ok()) return how.told(outcome.error());
+  if (outcome.delta.empty() && document_.waiting() > 0) return Done{};
   StepResult result;
-  result.delta = std::move(at_once.delta);
+  result.delta = std::move(outcome.delta);
   return how.told(std::move(result));
 }
 
@@ -124,9 +124,9 @@ Status Replay::next(const QueueRun& how) {
   if (next_skip_ < skips_.size() && skips_[next_skip_].first == next_) return skip(how, skips_[next_skip_]);
   const size_t end = next_ < journal_.commands.size() ? std::max(end_of_stopped(), end_of_undone()) : next_;
   while (next_ < end) {
-    Outcome at_once = document_.apply(journal_.commands[next_++], how.progress);
+    Outcome outcome = document_.apply(journal_.commands[next_++], how.progress);
     document_.seal_journal();  // to keep the commands and their indices equal
-    if (const Status heard = tell(how, std::move(at_once)); !heard) return heard;
+    if (const Status status = report(how, std::move(outcome)); !status) return status;
   }
   const Status ran = run_queue(document_, how);
   compare();
@@ -141,14 +141,14 @@ Status Replay::skip(const QueueRun& how, const TimeSkip& skip) {
     document_.seal_journal();
   }
   const Ticks before = document_.world().clock();
-  const auto say = [&](const Result<StepResult>& step) -> Status {
+  const auto report_step = [&](const Result<StepResult>& step) -> Status {
     if (how.told) return how.told(step);
     return step ? Status(Done{}) : Status(step.error());
   };
   while (document_.waiting() > 0 && document_.world().clock() == before) {
-    if (const Status told = say(document_.step(1, how.progress)); !told) return told;
+    if (const Status told = report_step(document_.step(1, how.progress)); !told) return told;
   }
-  const Status told = say(document_.set_states(mark.bodies, mark.pairs));
+  const Status told = report_step(document_.set_states(mark.bodies, mark.pairs));
   skipped_ += skip.ticks;
   compare();
   return told;

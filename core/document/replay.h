@@ -68,7 +68,7 @@ class Replay {
   }
   size_t end_of_stopped() const;
   size_t end_of_undone() const;
-  Status tell(const QueueRun& how, Outcome at_once) const;
+  Status report(const QueueRun& how, Outcome outcome) const;
   Status skip(const QueueRun& how, const TimeSkip& skip);
   void compare();
   bool takes_bodies(const StateMark& mark);

@@ -163,7 +163,7 @@ Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* 
       if (told) told(*stage);
       changes.push_back(std::move(stage->done.delta));
     } else {
-      changes.front().anew = true;
+      changes.front().replaced = true;
       outcome.fail(stage.error());
     }
   }

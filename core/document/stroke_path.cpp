@@ -101,11 +101,11 @@ std::string path_file_text(std::span<const StrokePath> strokes) {
 
 namespace {
 
-constexpr double kLongestMove = 1e6;  // s, far below the limit of doubles
+constexpr double kMaxMove = 1e6;  // s, far below the limit of doubles
 
 double seconds_between(const Pose& a, const Pose& b, double speed) {
   const double seconds = glm::length(b.origin - a.origin) / speed;
-  return std::clamp(seconds, seconds_of_ticks(1), kLongestMove);
+  return std::clamp(seconds, seconds_of_ticks(1), kMaxMove);
 }
 
 double mean_speed(const StrokePath& stroke) {
@@ -160,7 +160,7 @@ void erase_key(StrokePath& stroke, size_t at) {
   stroke.times.erase(stroke.times.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-std::optional<std::string> why_no_cut(std::span<const StrokePath> strokes) {
+std::optional<std::string> rejection_reason(std::span<const StrokePath> strokes) {
   if (strokes.empty()) return "The path has no points.";
   for (size_t i = 0; i < strokes.size(); ++i) {
     const std::vector<Pose>& keys = strokes[i].keys;

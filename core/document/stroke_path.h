@@ -63,6 +63,6 @@ void insert_key(StrokePath& stroke, size_t at, const Pose& pose);
 void erase_key(StrokePath& stroke, size_t at);
 
 // The reason why a path file with these strokes would be rejected, one sentence; nullopt if there is none.
-std::optional<std::string> why_no_cut(std::span<const StrokePath> strokes);
+std::optional<std::string> rejection_reason(std::span<const StrokePath> strokes);
 
 }  // namespace kerf

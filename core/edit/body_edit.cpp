@@ -92,11 +92,11 @@ void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& a
 void BodyEdit::record_splits(size_t first) {
   for (size_t i = first; i < splits_.size(); ++i) {
     const Replacement& r = splits_[i];
-    edited_.insert(edited_.end(), r.born.begin(), r.born.begin() + r.born_count);
-    const int made = r.born_count - r.gone_count;
+    edited_.insert(edited_.end(), r.added.begin(), r.added.begin() + r.added_count);
+    const int made = r.added_count - r.removed_count;
     faces_made_ += static_cast<size_t>(made);
     record_replaced(*body_, r);
-    count(r.born[0], made, 0);
+    count(r.added[0], made, 0);
   }
 }
 
@@ -210,7 +210,7 @@ void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
     follow_area(body_->mesh.edit_data(faces[i]), before[i], area);
     moved_.push_back(faces[i]);
     edited_.push_back(faces[i]);
-    record_turned(*body_, faces[i], area - before[i]);
+    record_flipped(*body_, faces[i], area - before[i]);
     if (!one_piece) body_->edit_piece_of(faces[i]).moments += moments_of(faces[i]);
   }
 }
@@ -277,14 +277,14 @@ size_t BodyEdit::separate(size_t most, EditPolicy policy) {
   const SettleResult result = settle(*body_, most, policy);
   new_pieces_.insert(new_pieces_.end(), result.new_pieces.begin(), result.new_pieces.end());
   relabelled_.insert(relabelled_.end(), result.relabelled.begin(), result.relabelled.end());
-  return result.looked_at + result.relabelled.size();
+  return result.visited + result.relabelled.size();
 }
 
 BodyDelta BodyEdit::take_delta(BodyId id) {
   BodyDelta delta;
   delta.body = id;
   sort_each_once(edited_);
-  for (const FaceId f : edited_) (mesh().is_live(f) ? delta.born : delta.gone).push_back(f);
+  for (const FaceId f : edited_) (mesh().is_live(f) ? delta.added : delta.dead).push_back(f);
   sort_each_once(relabelled_);
   std::erase_if(relabelled_, [&](FaceId f) { return !mesh().is_live(f); });
   delta.relabelled = std::exchange(relabelled_, {});

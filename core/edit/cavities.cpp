@@ -101,12 +101,12 @@ uint32_t label_around(const Body& body, const std::vector<Enclosed>& components,
 
 }  // namespace
 
-bool cavities_asked(const Body& body) { return body.separation.cavities_asked; }
+bool cavities_requested(const Body& body) { return body.separation.cavities_requested; }
 
-void hold_cavities(BodyId id, Body& body, Delta& delta) {
-  if (!cavities_asked(body)) return;
+void assign_cavities(BodyId id, Body& body, Delta& delta) {
+  if (!cavities_requested(body)) return;
   KERF_ASSERT(is_settled(body));
-  body.separation.cavities_asked = false;
+  body.separation.cavities_requested = false;
   if (body.components.left.empty()) return;
   const std::vector<Enclosed> components = components_of(body);
   std::map<uint32_t, uint32_t> label_of;

@@ -81,7 +81,7 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
 
 }  // namespace
 
-bool stands_alone(const World& world, const PieceId& piece) {
+bool is_only_piece(const World& world, const PieceId& piece) {
   const Records<Piece>& pieces = world.body(piece.body).pieces;
   for (uint32_t p = 0; p < pieces.size(); ++p) {
     if (p != piece.label && pieces[p].faces > 0) return false;
@@ -92,7 +92,7 @@ bool stands_alone(const World& world, const PieceId& piece) {
 BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
   const Body& body = world.body(piece.body);
   KERF_ASSERT(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
-  if (stands_alone(world, piece)) return piece.body;
+  if (is_only_piece(world, piece)) return piece.body;
   const bool piece_goes = 2 * body.pieces[piece.label].faces <= body.mesh.live_faces();
   const std::vector<FaceId> going = body.faces_of(piece.label, piece_goes);
   const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
@@ -100,7 +100,7 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   const bool renamed = name_after(world.body(piece_goes ? own : piece.body), piece.label);
   if (!piece_goes) world.exchange_bodies(piece.body, own);
   Delta step;
-  step.came = {piece_goes ? own : piece.body};
+  step.created = {piece_goes ? own : piece.body};
   step.detached = {{piece.body, piece.label, own, !piece_goes}};
   if (renamed && !piece_goes) step.renamed = {own};
   step.bodies.push_back({piece_goes ? piece.body : own, {}, going, {}, {}, {}});
@@ -117,9 +117,9 @@ BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta&
   copy.named = piece.label;
   copy.piece_names.clear();
   Delta step;
-  step.came = {world.add(std::move(copy), generation)};
+  step.created = {world.add(std::move(copy), generation)};
   delta.append(step);
-  return step.came.front();
+  return step.created.front();
 }
 
 }  // namespace kerf

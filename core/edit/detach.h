@@ -6,7 +6,7 @@
 namespace kerf {
 
 // Returns true if no other piece of the same body has faces.
-bool stands_alone(const World& world, const PieceId& piece);
+bool is_only_piece(const World& world, const PieceId& piece);
 
 // Makes a piece a separate body and returns its id: a new body of this generation, or the old one if the
 // piece is its only one. The piece keeps its label, placement and name (see Body::name_of); the rest of the

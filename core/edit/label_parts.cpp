@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-void PartSearch::hand_out_labels(SettleResult& result) {
+void PartSearch::assign_labels(SettleResult& result) {
   std::vector<uint32_t> came_off;
   for (const Found& found : found_) {
     std::vector<uint32_t> parts;
@@ -15,7 +15,7 @@ void PartSearch::hand_out_labels(SettleResult& result) {
       if (search_.front_parent[i] != i || !front.exhausted() || front.faces == 0) continue;
       if (&body_.whole_of(search_.seed[i]) == found.whole) parts.push_back(i);
     }
-    if (found.rest_faces() == 0) leave_out_largest(parts);
+    if (found.rest_faces() == 0) drop_largest(parts);
     came_off.insert(came_off.end(), parts.begin(), parts.end());
   }
   std::sort(came_off.begin(), came_off.end(),
@@ -28,7 +28,7 @@ void PartSearch::hand_out_labels(SettleResult& result) {
     search_.new_label[i] = search_.new_label[root(search_.front_parent, i)];
 }
 
-void PartSearch::leave_out_largest(std::vector<uint32_t>& parts) const {
+void PartSearch::drop_largest(std::vector<uint32_t>& parts) const {
   double largest = 0, whole = 0;
   for (const uint32_t part : parts) {
     largest = std::max(largest, search_.fronts[part].area);
@@ -68,12 +68,12 @@ bool PartSearch::relabel(size_t most, SettleResult& result) {
     const uint32_t label = search_.label_to_be(f);
     if (body_.mesh.data(f).piece == label) continue;  // already labelled with the other half of its pair
     if (body_.mesh.data(f).element == FaceData::kNoElement) {
-      take_label(f, label, result);
+      assign_label(f, label, result);
       continue;
     }
     // Relabels both halves of a green pair at once: the faces that replace the pair take area from both.
     const OneToFour::Element pair = body_.refinement.element(body_.mesh, f);
-    for (int i = 0; i < pair.face_count; ++i) take_label(pair.faces[i], label, result);
+    for (int i = 0; i < pair.face_count; ++i) assign_label(pair.faces[i], label, result);
   }
   move_moments(std::span(result.relabelled).subspan(first));
   if (!complete) return false;
@@ -82,7 +82,7 @@ bool PartSearch::relabel(size_t most, SettleResult& result) {
   return true;
 }
 
-void PartSearch::take_label(FaceId f, uint32_t label, SettleResult& result) {
+void PartSearch::assign_label(FaceId f, uint32_t label, SettleResult& result) {
   moved_from_.push_back(std::exchange(body_.mesh.edit_data(f).piece, label));
   result.relabelled.push_back(f);
 }

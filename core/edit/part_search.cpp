@@ -30,9 +30,9 @@ std::vector<FaceId> faces_of(std::span<const std::pair<FaceId, FaceId>> ties, Pa
 }  // namespace
 
 TieClusters::TieClusters(std::span<const std::pair<FaceId, FaceId>> ties, PagedArray<uint32_t>& scratch)
-    : faces_(faces_of(ties, scratch)), together_(faces_.size()) {
+    : faces_(faces_of(ties, scratch)), clusters_(faces_.size()) {
   for (const auto& [removed, beside] : ties)
-    together_.unite(scratch.get(removed.index) - 1, scratch.get(beside.index) - 1);
+    clusters_.unite(scratch.get(removed.index) - 1, scratch.get(beside.index) - 1);
   for (const FaceId f : faces_) scratch.at(f.index) = 0;
 }
 
@@ -57,7 +57,7 @@ Vec3 middle_of(const Mesh& mesh, const SearchFront& front) {
 
 }  // namespace
 
-uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b) {
+uint32_t estimate_larger_front(const Body& body, uint32_t a, uint32_t b) {
   const OpenSearch& search = body.separation.search;
   const SearchFront &front_a = search.fronts[a], &front_b = search.fronts[b];
   KERF_ASSERT(!front_a.exhausted() && !front_b.exhausted());
@@ -79,9 +79,9 @@ uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b) {
 
 namespace {
 
-constexpr size_t kLongestTurn = 128;  // maximum number of faces visited in one turn
-constexpr size_t kLarge = 4096;       // minimum number of visited faces of a large front
-constexpr size_t kHandicap = 4;       // factor of the visited faces of a likely larger front
+constexpr size_t kMaxTurn = 128;  // maximum number of faces visited in one turn
+constexpr size_t kLarge = 4096;   // minimum number of visited faces of a large front
+constexpr size_t kHandicap = 4;   // factor of the visited faces of a likely larger front
 
 }  // namespace
 
@@ -146,8 +146,8 @@ void PartSearch::seed_components() {
   }
 }
 
-bool PartSearch::go_on(size_t most, SettleResult& result) {
-  if (search_.stage == OpenSearch::Stage::kGrow && grow(most, result)) hand_out_labels(result);
+bool PartSearch::continue_search(size_t most, SettleResult& result) {
+  if (search_.stage == OpenSearch::Stage::kGrow && grow(most, result)) assign_labels(result);
   if (search_.stage == OpenSearch::Stage::kRelabel) relabel(most, result);
   return search_.stage == OpenSearch::Stage::kNone;
 }
@@ -156,33 +156,33 @@ bool PartSearch::go_on(size_t most, SettleResult& result) {
 
 void PartSearch::record_replaced(const Replacement& replaced) {
   uint32_t mark = 0;  // the largest mark, i.e. that of a visited face if there is one
-  for (int i = 0; i < replaced.gone_count; ++i)
-    mark = std::max(mark, search_.mark.get(replaced.gone[i].index));
+  for (int i = 0; i < replaced.removed_count; ++i)
+    mark = std::max(mark, search_.mark.get(replaced.removed[i].index));
   if (mark == 0) return;
-  for (int i = 0; i < replaced.gone_count; ++i) {
-    const FaceId f = replaced.gone[i];
+  for (int i = 0; i < replaced.removed_count; ++i) {
+    const FaceId f = replaced.removed[i];
     const uint32_t own = search_.mark.get(f.index);
-    if (mark & ~own & OpenSearch::kLookedAt) record_looked_at(f, own != 0 ? own : mark, half_of(replaced));
+    if (mark & ~own & OpenSearch::kVisited) record_visited(f, own != 0 ? own : mark, half_of(replaced));
   }
-  for (int i = 0; i < replaced.born_count; ++i) {
-    uint32_t& own = search_.mark.at(replaced.born[i].index);
+  for (int i = 0; i < replaced.added_count; ++i) {
+    uint32_t& own = search_.mark.at(replaced.added[i].index);
     if (own == 0) own = mark;
-    look_again(replaced.born[i]);
+    revisit(replaced.added[i]);
   }
 }
 
 // Returns the area that each half of a green pair had before four faces of equal areas replaced the pair, of
 // which some, but not all, may have been bisected already.
 double PartSearch::half_of(const Replacement& replaced) const {
-  KERF_ASSERT(replaced.gone_count == 2 && replaced.born_count == 4);
+  KERF_ASSERT(replaced.removed_count == 2 && replaced.added_count == 4);
   double quarter = 0;
-  for (const FaceId f : replaced.born) quarter = std::max(quarter, triangle_area(body_.mesh.triangle(f)));
+  for (const FaceId f : replaced.added) quarter = std::max(quarter, triangle_area(body_.mesh.triangle(f)));
   return 2 * quarter;
 }
 
 // Marks a face as visited. One half of a green pair may not have been visited when the pair was split.
-void PartSearch::record_looked_at(FaceId f, uint32_t mark, double area) {
-  search_.mark.at(f.index) = mark | OpenSearch::kLookedAt;
+void PartSearch::record_visited(FaceId f, uint32_t mark, double area) {
+  search_.mark.at(f.index) = mark | OpenSearch::kVisited;
   SearchFront& front = *search_.front_of(f);
   ++front.faces;
   front.area += area;
@@ -193,22 +193,22 @@ void PartSearch::record_looked_at(FaceId f, uint32_t mark, double area) {
 void PartSearch::record_removed_part(FaceId f) {
   if (search_.stage != OpenSearch::Stage::kGrow) return;
   uint32_t mark = search_.mark.get(f.index);
-  if (mark & OpenSearch::kLookedAt) return;
+  if (mark & OpenSearch::kVisited) return;
   for (size_t i = 0; i < state_.neighbours.size() && mark == 0; ++i) {
     const uint32_t beside = search_.mark.get(state_.neighbours[i].index);
-    if (!(beside & OpenSearch::kLookedAt)) mark = beside;
+    if (!(beside & OpenSearch::kVisited)) mark = beside;
   }
   if (mark == 0) return;
   for (const FaceId n : state_.neighbours) reach(mark - 1, {n});
 }
 
-void PartSearch::record_turned(FaceId f, double area_gained) {
-  if (search_.stage == OpenSearch::Stage::kGrow && (search_.mark.get(f.index) & OpenSearch::kLookedAt) != 0)
+void PartSearch::record_flipped(FaceId f, double area_gained) {
+  if (search_.stage == OpenSearch::Stage::kGrow && (search_.mark.get(f.index) & OpenSearch::kVisited) != 0)
     search_.front_of(f)->area += area_gained;
-  look_again(f);
+  revisit(f);
 }
 
-void PartSearch::look_again(FaceId f) {
+void PartSearch::revisit(FaceId f) {
   if (search_.stage != OpenSearch::Stage::kGrow) return;
   if (SearchFront* front = search_.front_of(f)) front->frontier.push_back({f});
 }
@@ -216,13 +216,13 @@ void PartSearch::look_again(FaceId f) {
 // Growing ---------------------------------------------------------------------------------------------------
 
 void PartSearch::reach(uint32_t front, const ReachedFace& reached) {
-  const uint32_t mark = search_.mark.get(reached.face.index) & ~OpenSearch::kLookedAt;
-  if (mark == 0) return come_to(root(search_.front_parent, front), reached);
+  const uint32_t mark = search_.mark.get(reached.face.index) & ~OpenSearch::kVisited;
+  if (mark == 0) return reach_face(root(search_.front_parent, front), reached);
   if (mark != front + 1) merge(mark - 1, front);
 }
 
 // Precondition: `front` was not merged into another one, and no front has reached the face.
-void PartSearch::come_to(uint32_t front, const ReachedFace& reached) {
+void PartSearch::reach_face(uint32_t front, const ReachedFace& reached) {
   assert(body_.mesh.is_live(reached.face));
   search_.mark.at(reached.face.index) = front + 1;
   SearchFront& own = search_.fronts[front];
@@ -245,11 +245,11 @@ void PartSearch::merge(uint32_t a, uint32_t b) {
   }
   to.frontier.insert(to.frontier.end(), other.frontier.begin() + static_cast<std::ptrdiff_t>(other.next),
                      other.frontier.end());
-  to.looked_at += other.looked_at;
+  to.visited += other.visited;
   to.faces += other.faces;
   to.area += other.area;
   to.lowest = std::min(to.lowest, other.lowest);
-  to.compared = to.likely_larger = false;
+  to.compared = to.estimated_larger = false;
   other = SearchFront{};
   queue(into);
 }
@@ -306,7 +306,7 @@ bool PartSearch::must_grow(uint32_t front) {
 
 size_t PartSearch::rank_of(uint32_t front) const {
   const SearchFront& own = search_.fronts[front];
-  return own.looked_at * (compares_ && own.likely_larger ? kHandicap : 1);
+  return own.visited * (compares_ && own.estimated_larger ? kHandicap : 1);
 }
 
 // Estimates which of the last two fronts of a component is the larger part, if `front` is one of them and
@@ -314,13 +314,13 @@ size_t PartSearch::rank_of(uint32_t front) const {
 // growth order of the last two fronts may affect the result.
 bool PartSearch::compare(uint32_t front) {
   SearchFront& own = search_.fronts[front];
-  if (!compares_ || own.compared || own.looked_at < kLarge) return false;
+  if (!compares_ || own.compared || own.visited < kLarge) return false;
   if (found_of(front).faces > 0) return false;
   const uint32_t i = only_other(front);
-  if (i == kNoIndex || search_.fronts[i].looked_at < kLarge) return false;
+  if (i == kNoIndex || search_.fronts[i].visited < kLarge) return false;
   own.compared = search_.fronts[i].compared = true;
-  const uint32_t larger = likely_larger(body_, front, i);
-  search_.fronts[larger].likely_larger = true;
+  const uint32_t larger = estimate_larger_front(body_, front, i);
+  search_.fronts[larger].estimated_larger = true;
   queue(larger);
   return larger == front;
 }
@@ -342,13 +342,13 @@ uint32_t PartSearch::only_other(uint32_t front) const {
 bool PartSearch::grow(size_t most, SettleResult& result) {
   sum_up();
   while (!turns_.empty()) {
-    if (result.looked_at >= most) return false;
+    if (result.visited >= most) return false;
     const Turn turn = turns_.top();
     turns_.pop();
     const uint32_t i = turn.front;
     if (search_.front_parent[i] != i || rank_of(i) != turn.rank) continue;  // outdated
     if (search_.fronts[i].exhausted() || !must_grow(i) || compare(i)) continue;
-    result.looked_at += take_turn(i, std::clamp<size_t>(search_.fronts[i].looked_at / 32, 1, kLongestTurn));
+    result.visited += take_turn(i, std::clamp<size_t>(search_.fronts[i].visited / 32, 1, kMaxTurn));
   }
   return true;
 }
@@ -364,15 +364,15 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
     if (!walk_.is_live(at)) continue;
     const FaceId f = turn_[at].face;
     const uint32_t mark = search_.mark.get(f.index);
-    if (!(mark & OpenSearch::kLookedAt)) record_looked_at(f, mark, walk_.area(at));
+    if (!(mark & OpenSearch::kVisited)) record_visited(f, mark, walk_.area(at));
   }
-  search_.fronts[front].looked_at += turn_.size();
+  search_.fronts[front].visited += turn_.size();
   for (const ReachedFace& n : neighbours) reach(front, n);
   front = root(search_.front_parent, front);
   const SearchFront& own = search_.fronts[front];
   if (!own.exhausted()) {
     const std::span<const ReachedFace> ahead(own.frontier);
-    walk_.prefetch(ahead.last(std::min(ahead.size() - own.next, kLongestTurn)));
+    walk_.prefetch(ahead.last(std::min(ahead.size() - own.next, kMaxTurn)));
     queue(front);
   } else {
     --open_[root(search_.group_parent, search_.group[front])];
@@ -386,7 +386,7 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
 void PartSearch::take_from(SearchFront& front, size_t faces) {
   faces = std::min(faces, front.frontier.size() - front.next);
   const auto taken = static_cast<std::ptrdiff_t>(faces);
-  if (front.looked_at >= kLarge) {
+  if (front.visited >= kLarge) {
     turn_.assign(front.frontier.end() - taken, front.frontier.end());
     front.frontier.resize(front.frontier.size() - faces);
   } else {

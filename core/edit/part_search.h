@@ -15,8 +15,7 @@
 
 namespace kerf {
 
-// The connected components of a graph of faces whose edges are ties, i.e. pairs of a removed face and one of
-// its former neighbours.
+// Connected components of faces over ties: pairs of a removed face and a former neighbour.
 class TieClusters {
  public:
   // O(n). All items of `scratch` must be 0, and are 0 afterwards.
@@ -27,19 +26,18 @@ class TieClusters {
   // Returns the cluster of faces()[place]: the place of its first face. Precondition: place < faces().size().
   uint32_t cluster(uint32_t place) {
     assert(place < faces_.size());
-    return together_.find(place);
+    return clusters_.find(place);
   }
 
  private:
   std::vector<FaceId> faces_;
-  UnionFind together_;
+  UnionFind clusters_;
 };
 
-// Estimates which of two fronts of the open search of a body will become the larger part: faces sampled over
-// the component belong to the front that has reached them, or else to the one whose frontier is nearer in the
-// mean. Preconditions: both fronts grow in one component, and both have a frontier. Reads a few hundred
-// faces.
-uint32_t likely_larger(const Body& body, uint32_t a, uint32_t b);
+// Estimates which of two fronts of an open search will become the larger part. Samples faces of the component
+// and assigns each to the front that has reached it, or else to the nearer one. Preconditions: both fronts
+// grow in one component, and both have a frontier. Reads a few hundred faces.
+uint32_t estimate_larger_front(const Body& body, uint32_t a, uint32_t b);
 
 // Searches for the parts into which components were separated. A front of faces spreads breadth-first from
 // every former neighbour of a removed face, and fronts that meet are merged. The front with the fewest
@@ -59,15 +57,15 @@ class PartSearch {
         compares_(policy == EditPolicy::kNoEdits),
         walk_(body.mesh) {}
 
-  // Which fronts may belong to the same component. kClusters: those whose seeds were connected over removed
-  // faces, which suffices for the removals of one step. kComponents: all fronts whose faces have the same
-  // label and component, for removals during an open search.
+  // Fronts that may belong to the same component. kClusters: fronts whose seeds were connected over removed
+  // faces; sufficient for the removals of one step. kComponents: fronts whose faces have the same label and
+  // component, for removals during an open search.
   enum class Scope { kClusters, kComponents };
 
   // Starts a front at every live face of the recorded ties. Precondition: no search is open.
   void start(Scope scope);
   // Runs until `result` counts about `most` visited and as many relabelled faces. Returns true if complete.
-  bool go_on(size_t most, SettleResult& result);
+  bool continue_search(size_t most, SettleResult& result);
 
   // Updates the search for the removal of f. Preconditions: f is live and about to be removed,
   // state.neighbours holds its neighbours.
@@ -77,7 +75,7 @@ class PartSearch {
   void record_replaced(const Replacement& replaced);
 
   // Updates the search for a flip of an edge of f, which is visited again.
-  void record_turned(FaceId f, double area_gained);
+  void record_flipped(FaceId f, double area_gained);
 
  private:
   // The parts found of one component, and its remainder.
@@ -100,11 +98,11 @@ class PartSearch {
 
   void seed_clusters();
   void seed_components();
-  void record_looked_at(FaceId f, uint32_t mark, double area);
-  void look_again(FaceId f);
+  void record_visited(FaceId f, uint32_t mark, double area);
+  void revisit(FaceId f);
   double half_of(const Replacement& replaced) const;
   void reach(uint32_t front, const ReachedFace& reached);
-  void come_to(uint32_t front, const ReachedFace& reached);
+  void reach_face(uint32_t front, const ReachedFace& reached);
   void merge(uint32_t a, uint32_t b);
   void unite_groups(uint32_t a, uint32_t b);
 
@@ -121,12 +119,12 @@ class PartSearch {
   Found& found_of(uint32_t front);
 
   // In label_parts.cpp.
-  void hand_out_labels(SettleResult& result);
-  void leave_out_largest(std::vector<uint32_t>& parts) const;
+  void assign_labels(SettleResult& result);
+  void drop_largest(std::vector<uint32_t>& parts) const;
   void give_label(uint32_t part, SettleResult& result);
   bool relabel(size_t most, SettleResult& result);
   bool find_unlabelled(size_t most);
-  void take_label(FaceId f, uint32_t label, SettleResult& result);
+  void assign_label(FaceId f, uint32_t label, SettleResult& result);
   void move_moments(std::span<const FaceId> faces);
   void reset();
 

@@ -96,7 +96,7 @@ int64_t vanished_components(const Mesh& mesh, SeparationState& state) {
   return vanished;
 }
 
-bool may_have_come_apart(const Mesh& mesh, SeparationState& state) {
+bool may_be_separated(const Mesh& mesh, SeparationState& state) {
   if (state.cannot_know || (state.over_rings && state.any_closed)) return true;
   // A face without neighbours was the last one of a component, or of a few faces that earlier removals had
   // enclosed; that loop is included in the sum.
@@ -130,9 +130,9 @@ void record_replaced(Body& body, const Replacement& replaced) {
   if (!is_settled(body)) PartSearch(body).record_replaced(replaced);
 }
 
-void record_turned(Body& body, FaceId f, double area_gained) {
+void record_flipped(Body& body, FaceId f, double area_gained) {
   KERF_ASSERT(body.mesh.is_live(f));
-  if (!is_settled(body)) PartSearch(body).record_turned(f, area_gained);
+  if (!is_settled(body)) PartSearch(body).record_flipped(f, area_gained);
 }
 
 SettleResult settle(Body& body, size_t most, EditPolicy policy) {
@@ -140,7 +140,7 @@ SettleResult settle(Body& body, size_t most, EditPolicy policy) {
   SettleResult result;
   PartSearch search(body, policy);
   bool& again = state.search.asked_again;
-  if (may_have_come_apart(body.mesh, state)) {
+  if (may_be_separated(body.mesh, state)) {
     if (is_settled(body)) {
       search.start(PartSearch::Scope::kClusters);
     } else {
@@ -152,7 +152,7 @@ SettleResult settle(Body& body, size_t most, EditPolicy policy) {
       again = false;
       search.start(PartSearch::Scope::kComponents);
     } else {
-      search.go_on(most, result);
+      search.continue_search(most, result);
     }
     if (most != kNoLimit) break;  // ending a search and starting the next one takes one call each
   }
@@ -184,9 +184,9 @@ void join_parts(Body& body, FaceId a, FaceId b) {
 void search_from(Body& body, std::span<const FaceId> faces) {
   KERF_ASSERT(is_settled(body));
   SeparationState fresh;
-  fresh.joints_asked = body.separation.joints_asked;
+  fresh.joints_requested = body.separation.joints_requested;
   fresh.ties = std::move(body.separation.ties);
-  fresh.cavities_asked = true;
+  fresh.cavities_requested = true;
   for (const FaceId f : faces) fresh.ties.emplace_back(f, f);
   fresh.search.asked_again = true;
   body.separation = std::move(fresh);

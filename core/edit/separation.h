@@ -63,12 +63,12 @@ void record_replaced(Body& body, const Replacement& replaced);
 
 // Reports that the neighbours of a face changed by an edge flip, and the growth of its area (m^2).
 // Precondition: f is live.
-void record_turned(Body& body, FaceId f, double area_gained);
+void record_flipped(Body& body, FaceId f, double area_gained);
 
 struct SettleResult {
   std::vector<uint32_t> new_pieces;  // their labels, in the order of their lowest faces
   std::vector<FaceId> relabelled;    // faces that this call gave the label of a new piece, ascending
-  size_t looked_at = 0;              // number of faces that the search visited
+  size_t visited = 0;                // number of faces that the search visited
 };
 
 inline constexpr size_t kNoLimit = std::numeric_limits<size_t>::max();

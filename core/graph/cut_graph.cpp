@@ -104,7 +104,7 @@ CutTraversal traverse_cut(const CutGraph& graph, uint32_t start) {
   return result;
 }
 
-std::optional<uint32_t> start_beside_cut(const CutGraph& graph) {
+std::optional<uint32_t> start_next_to_cut(const CutGraph& graph) {
   if (graph.live == 0) return std::nullopt;
   const GraphLinks links = graph.links();
   const GraphComponents whole = find_components(links);
@@ -126,7 +126,7 @@ class RemovedEdges {
  public:
   explicit RemovedEdges(const std::vector<CutFace>& faces) {
     for (const CutFace& f : faces) places_.insert(places_.end(), f.corners.begin(), f.corners.end());
-    std::sort(places_.begin(), places_.end(), precedes);
+    std::sort(places_.begin(), places_.end(), lexicographic_less);
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
     linked_.resize(places_.size() + 1);
     reached_from_.resize(linked_.size());
@@ -137,7 +137,7 @@ class RemovedEdges {
   const Vec3& place(uint32_t vertex) const { return places_[vertex]; }
 
   uint32_t vertex_at(const Vec3& p) const {
-    const auto found = std::lower_bound(places_.begin(), places_.end(), p, precedes);
+    const auto found = std::lower_bound(places_.begin(), places_.end(), p, lexicographic_less);
     return found != places_.end() && *found == p ? static_cast<uint32_t>(found - places_.begin()) : kNoIndex;
   }
 
@@ -296,11 +296,11 @@ class LoopFinder {
 
 }  // namespace
 
-std::vector<LoopPath> loop_paths(const World& world, const CutFaces& removed, size_t most_visits) {
+std::vector<LoopPath> loop_paths(const World& world, const CutFaces& removed, size_t max_visits) {
   std::vector<LoopPath> paths;
   size_t before = 0;
   for (const auto& [id, faces] : removed) {
-    if (world.contains(id)) LoopFinder(id, world.body(id), faces).find(before, most_visits, paths);
+    if (world.contains(id)) LoopFinder(id, world.body(id), faces).find(before, max_visits, paths);
     before += faces.size();
   }
   return paths;

@@ -54,7 +54,7 @@ CutTraversal traverse_cut(const CutGraph& graph, uint32_t start);
 
 // Returns a start for traverse_cut: the lowest node adjacent to a removed face in the component with most
 // removed faces; the lowest node if no face was removed, nullopt if no face is live.
-std::optional<uint32_t> start_beside_cut(const CutGraph& graph);
+std::optional<uint32_t> start_next_to_cut(const CutGraph& graph);
 
 // A loop of removed faces closed by one of the removals (see CutLoops), as a polyline along their edges.
 struct LoopPath {
@@ -68,8 +68,7 @@ struct LoopPath {
 // through the faces removed before. Faces are matched by the positions of their corners, and split edges by
 // those of their midpoints. A loop is omitted if no path is found, as where it runs over a border that the
 // stroke only meets in single vertices, or if its body no longer exists. O(n log n) in the removed faces,
-// plus for each loop linear time in the faces removed before; the search stops after `most_visits` vertices.
-std::vector<LoopPath> loop_paths(const World& world, const CutFaces& removed,
-                                 size_t most_visits = 20'000'000);
+// plus for each loop linear time in the faces removed before; the search stops after `max_visits` vertices.
+std::vector<LoopPath> loop_paths(const World& world, const CutFaces& removed, size_t max_visits = 20'000'000);
 
 }  // namespace kerf

@@ -148,18 +148,18 @@ std::vector<uint32_t> around_cut(const CutGraph& graph) {
   if (removed == 0) return all_of(graph);
   const size_t most = std::max(DrawnGraph::kMost, 2 * removed);
   const GraphLinks links = graph.links();
-  std::vector<uint32_t> chosen(removed);
-  std::iota(chosen.begin(), chosen.end(), graph.live);
+  std::vector<uint32_t> selected(removed);
+  std::iota(selected.begin(), selected.end(), graph.live);
   std::vector<bool> seen(graph.nodes.size(), false);
-  for (const uint32_t node : chosen) seen[node] = true;
-  for (size_t i = 0; i < chosen.size(); ++i) {
-    for (const uint32_t other : links.of(chosen[i])) {
-      if (seen[other] || chosen.size() >= most) continue;
+  for (const uint32_t node : selected) seen[node] = true;
+  for (size_t i = 0; i < selected.size(); ++i) {
+    for (const uint32_t other : links.of(selected[i])) {
+      if (seen[other] || selected.size() >= most) continue;
       seen[other] = true;
-      chosen.push_back(other);
+      selected.push_back(other);
     }
   }
-  return chosen;
+  return selected;
 }
 
 // Divides nodes into clusters, some of which are opened.

@@ -190,7 +190,7 @@ class Ring {
   explicit Ring(const std::vector<Vec3>& removed)
       : middle_(mean_of(removed)), directions_(main_directions(covariance(removed, middle_))) {
     for (const Vec3& p : removed) {
-      turns_.push_back(turn_of(p));
+      turns_.push_back(doubled_area(p));
       radius_ += glm::length(flat(p)) / static_cast<double>(removed.size());
     }
     for (const Vec3& p : removed) inside_ += glm::length(flat(p)) < kInside * radius_ ? 1 : 0;
@@ -211,7 +211,7 @@ class Ring {
   }
   // Returns the position of a point on the unrolled ring in radii: path from the seam, signed distance.
   Vec2 unrolled(const Vec3& p) const {
-    double turn = turn_of(p) - seam_;
+    double turn = doubled_area(p) - seam_;
     while (turn < 0) turn += kTurn;
     while (turn >= kTurn) turn -= kTurn;
     const double up = glm::dot(p - middle_, directions_[2]), off = glm::length(flat(p)) - radius_;
@@ -220,7 +220,7 @@ class Ring {
   }
 
  private:
-  static constexpr double kTurn = 4;      // of an angle as turn_of() measures it
+  static constexpr double kTurn = 4;      // of an angle as doubled_area() measures it
   static constexpr double kInside = 0.3;  // of the mean radius
   static constexpr double kCircle = 2 * kPi;
 
@@ -228,7 +228,7 @@ class Ring {
     return {glm::dot(p - middle_, directions_[0]), glm::dot(p - middle_, directions_[1])};
   }
   // From 0 to kTurn, monotone in the angle and equal to it, in quarter turns, at multiples of an eighth.
-  double turn_of(const Vec3& p) const {
+  double doubled_area(const Vec3& p) const {
     const Vec2 v = flat(p);
     const double size = std::abs(v.x) + std::abs(v.y);
     if (!(size > 0)) return 0;

@@ -118,7 +118,7 @@ constexpr double kSecondRadiation = 1.438776877e-2;  // m K, Planck's h c / k
 double planck(double wavelength, double temperature) {
   const double squared = wavelength * wavelength;
   return 1e-30 /
-         (squared * squared * wavelength * (exponential(kSecondRadiation / (wavelength * temperature)) - 1));
+         (squared * squared * wavelength * (det::exp(kSecondRadiation / (wavelength * temperature)) - 1));
 }
 
 Vec3 tristimulus(double temperature) {

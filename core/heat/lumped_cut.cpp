@@ -52,12 +52,12 @@ double conduction_loss(double peclet) {
   KERF_ASSERT(peclet >= 0);
   if (peclet <= kLosses.front().peclet) return kLosses.front().loss;
   if (peclet >= kLosses.back().peclet)
-    return kLosses.back().loss * exponential(kFastExponent * logarithm(peclet / kLosses.back().peclet));
+    return kLosses.back().loss * det::exp(kFastExponent * det::log(peclet / kLosses.back().peclet));
   const auto* above =
       std::find_if(kLosses.begin(), kLosses.end(), [&](const Point& p) { return p.peclet > peclet; });
   const Point low = *(above - 1), high = *above;
-  const double share = logarithm(peclet / low.peclet) / logarithm(high.peclet / low.peclet);
-  return low.loss * exponential(share * logarithm(high.loss / low.loss));
+  const double share = det::log(peclet / low.peclet) / det::log(high.peclet / low.peclet);
+  return low.loss * det::exp(share * det::log(high.loss / low.loss));
 }
 
 namespace {

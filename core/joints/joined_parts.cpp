@@ -20,7 +20,7 @@ namespace kerf {
 namespace {
 
 // State of one side of a joint during the visit of faces.
-struct SideSoFar {
+struct SideState {
   std::optional<ConnectedPart> part;
   bool apart = false;
   bool reaches_pin = false;
@@ -80,7 +80,7 @@ bool is_near(const Vec3& point, double radius, const Triangle& t) {
 }
 
 void look_through(BodyId id, const Body& body, const Joints& joints, const Carriers& carriers,
-                  std::vector<SideSoFar>& sides) {
+                  std::vector<SideState>& sides) {
   for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
     const FaceId f(slot);
     if (!body.mesh.is_live(f)) continue;
@@ -88,7 +88,7 @@ void look_through(BodyId id, const Body& body, const Joints& joints, const Carri
     if (carried.empty()) continue;
     const ConnectedPart part = part_of(id, body, f);
     for (const uint32_t side : carried) {
-      SideSoFar& known = sides[side];
+      SideState& known = sides[side];
       if (!known.is_open(part)) continue;
       const Joint& joint = joints.all[side / 2];
       const JointSide& own = joint.sides[side % 2];
@@ -124,7 +124,7 @@ std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
   const std::vector<Joint>& all = world.joints().all;
   std::vector<HeldJoint> held;
   if (all.empty() || of.empty()) return held;
-  std::vector<SideSoFar> sides(2 * all.size());
+  std::vector<SideState> sides(2 * all.size());
   std::map<BodyId, Carriers> carriers;  // by the body as which faces were loaded
   for (const BodyId id : world.ids()) {
     const BodyId loaded_as = world.body(id).loaded_as;
@@ -134,7 +134,7 @@ std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
     if (!at->second.empty()) look_through(id, world.body(id), world.joints(), at->second, sides);
   }
   for (uint32_t j = 0; j < all.size(); ++j) {
-    const SideSoFar &a = sides[2 * j], &b = sides[2 * j + 1];
+    const SideState &a = sides[2 * j], &b = sides[2 * j + 1];
     if (a.holds() && b.holds()) held.push_back({j, {*a.part, *b.part}});
   }
   return held;
@@ -196,7 +196,7 @@ class NamedComponents {
 // Connected parts of all bodies with joints, and their grouping.
 class Groups {
  public:
-  Groups(const World& world, Hold hold, const LoadedBodies& of) : world_(world) {
+  Groups(const World& world, JointMode mode, const LoadedBodies& of) : world_(world) {
     const NamedComponents named(world.joints());
     for (const BodyId id : world.ids()) {
       if (!std::ranges::binary_search(of, world.body(id).loaded_as)) continue;
@@ -206,7 +206,7 @@ class Groups {
     unite_unnamed();
     for (const HeldJoint& held : held_joints(world, of)) {
       const bool turns = world.joints().all[held.joint].kind != Joint::Kind::kWeld;
-      const bool moves = hold == Hold::kMoving || held.parts[0].piece() != held.parts[1].piece();
+      const bool moves = mode == JointMode::kArticulated || held.parts[0].piece() != held.parts[1].piece();
       if (turns && moves) continue;
       together_.unite(index_of(held.parts[0]), index_of(held.parts[1]));
     }
@@ -318,37 +318,38 @@ class Groups {
   UnionFind together_{0};
 };
 
-void hold_parts_of(World& world, const LoadedBodies& of, Hold hold, Delta& delta) {
+void separate_loaded_by_joints(World& world, const LoadedBodies& of, JointMode mode, Delta& delta) {
   Delta step;
-  for (const auto& [id, label_of] : Groups(world, hold, of).changes())
+  for (const auto& [id, label_of] : Groups(world, mode, of).changes())
     step.bodies.push_back(move_components(id, world.body(id), label_of));
   for (const BodyId id : world.ids()) {
     KERF_ASSERT(is_settled(world.body(id)));
-    world.body(id).separation.joints_asked = false;
+    world.body(id).separation.joints_requested = false;
   }
   delta.append(std::move(step));
 }
 
 }  // namespace
 
-void hold_parts(World& world, Hold hold, Delta& delta) {
+void separate_by_joints(World& world, JointMode mode, Delta& delta) {
   const LoadedBodies all = bodies_with_joints(world.joints());
-  if (!all.empty()) hold_parts_of(world, all, hold, delta);
+  if (!all.empty()) separate_loaded_by_joints(world, all, mode, delta);
 }
 
-void hold_asked_parts(World& world, Hold hold, Delta& delta) {
+void separate_requested_by_joints(World& world, JointMode mode, Delta& delta) {
   LoadedBodies asked;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    if (body.separation.joints_asked) asked.push_back(body.loaded_as);
+    if (body.separation.joints_requested) asked.push_back(body.loaded_as);
   }
   std::ranges::sort(asked);
-  if (!asked.empty()) hold_parts_of(world, asked, hold, delta);
+  if (!asked.empty()) separate_loaded_by_joints(world, asked, mode, delta);
 }
 
-bool joints_asked(const World& world) {
+bool joints_requested(const World& world) {
   if (world.joints().all.empty()) return false;
-  return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).separation.joints_asked; });
+  return std::ranges::any_of(world.ids(),
+                             [&](BodyId id) { return world.body(id).separation.joints_requested; });
 }
 
 namespace {
@@ -366,10 +367,10 @@ bool any_carries(const Joints& joints, const Body& body, std::span<const FaceId>
 
 }  // namespace
 
-void ask_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated) {
+void request_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated) {
   const Joints& joints = world.joints();
-  if (joints.all.empty() || body.separation.joints_asked) return;
-  body.separation.joints_asked = separated || any_carries(joints, body, removed);
+  if (joints.all.empty() || body.separation.joints_requested) return;
+  body.separation.joints_requested = separated || any_carries(joints, body, removed);
 }
 
 }  // namespace kerf

@@ -32,17 +32,17 @@ struct HeldJoint {
 
 // Bodies as they were loaded (see Body::loaded_as), ascending, with repeats.
 using LoadedBodies = std::vector<BodyId>;
-// Returns those that have joints.
+// Returns the bodies that have joints.
 LoadedBodies bodies_with_joints(const Joints& joints);
 
 // Returns the intact joints, in order: those with carrying faces left on either side, all of one part per
 // side. O(faces of the bodies with joints); constant time in a world without joints.
 std::vector<HeldJoint> held_joints(const World& world);
-// Returns those of some loaded bodies. O(bodies + faces of what was loaded as these).
+// Returns the intact joints of some loaded bodies. O(bodies + faces loaded with them).
 std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of);
 
-// Returns true if a piece was not separated by a cut: a part of its mesh that joints hold or held to
-// others, and that moves independently. Precondition: the body has that label.
+// Returns true if a piece is an independently moving part of its mesh file, attached by joints now or before,
+// rather than separated by a cut. Precondition: the body has that label.
 bool is_loaded_part(const Body& body, uint32_t label);
 
 // Returns the name of such a piece in its mesh file, for the user: that of the smallest named part that
@@ -57,25 +57,25 @@ std::string loaded_part_name(const World& world, const PieceId& piece);
 // that joints connect it to, directly or through other components: to its own if that is among them, else
 // to the one whose connected part has the largest area. Components that joints connect only to each other
 // become a piece.
-enum class Hold {
-  kStill,   // hinges and hubs act like welds while both sides are of one piece
-  kMoving,  // a part held only by hinges and hubs becomes a piece, free to turn on them
+enum class JointMode {
+  kRigid,        // hinges and hubs act like welds while both sides are of one piece
+  kArticulated,  // a part held only by hinges and hubs becomes a piece, free to turn on them
 };
 
 // Assigns all components to their pieces, and appends the changes to `delta`: new pieces and relabelled
 // faces. Precondition: all bodies are settled. O(faces) of the bodies with joints.
-void hold_parts(World& world, Hold hold, Delta& delta);
-// The same only for bodies that joints_asked() reports, with everything that was loaded as these; the
-// joints of the others are unchanged. O(faces) of these.
-void hold_asked_parts(World& world, Hold hold, Delta& delta);
+void separate_by_joints(World& world, JointMode mode, Delta& delta);
+// Like separate_by_joints(), for the bodies that joints_requested() reports and all bodies loaded with them.
+// O(faces) of these.
+void separate_requested_by_joints(World& world, JointMode mode, Delta& delta);
 
-// Returns true if joints may hold other parts than at the last call of hold_parts(), because faces that
-// carry them were removed or parts were separated.
-bool joints_asked(const World& world);
+// Returns true if separate_by_joints() must be called again: faces that carry joints were removed, or parts
+// were separated.
+bool joints_requested(const World& world);
 
-// Records that the dead ones of these faces were removed from a body of the world, and whether parts of it
-// may have been separated. Precondition: the slots of the dead faces have not been reused. Constant time in
-// a world without joints.
-void ask_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated);
+// Records the dead faces among `removed` of a body of the world, and whether parts of it may have been
+// separated. Precondition: the slots of the dead faces have not been reused. Constant time in a world without
+// joints.
+void request_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated);
 
 }  // namespace kerf

@@ -65,14 +65,14 @@ std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move) 
 
 size_t subdivisions(const BeamMove& move, double radius, double reach) {
   constexpr double kArcOverChord = kPi / 2;  // at most, for arcs up to half a turn
-  constexpr double kLargestTurn = 0.05;      // rad in one move
+  constexpr double kMaxTurn = 0.05;          // rad in one move
   constexpr size_t kMost = size_t{1} << 17;
   KERF_ASSERT(radius > 0 && reach >= 0);
   const Vec3 turn = move.to.direction - move.from.direction;
   const double arc = kArcOverChord * glm::length(turn);
   const double way = glm::length(move.to.origin - move.from.origin) + arc * reach;
   size_t moves = 1;
-  for (double m = std::max(way / radius, arc / kLargestTurn); m > 1 && moves < kMost; m *= 0.5) moves *= 2;
+  for (double m = std::max(way / radius, arc / kMaxTurn); m > 1 && moves < kMost; m *= 0.5) moves *= 2;
   return moves;
 }
 

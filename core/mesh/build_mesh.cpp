@@ -34,7 +34,7 @@ class Builder {
     report_.warnings = soup_.warnings;
     report_.repairs.invalid_faces_dropped = soup_.invalid_faces_dropped;
     constexpr std::array kStages = {
-        Stage{&Builder::weld, 0.13},          Stage{&Builder::choose_triangles, 0.08},
+        Stage{&Builder::weld, 0.13},          Stage{&Builder::select_triangles, 0.08},
         Stage{&Builder::group, 0.17},         Stage{&Builder::orient, 0.23},
         Stage{&Builder::find_partners, 0.08}, Stage{&Builder::find_vertices, 0.13},
         Stage{&Builder::fill_mesh, 0.13},     Stage{&Builder::measure, 0.05}};
@@ -59,7 +59,7 @@ class Builder {
     return unpack(weld_positions(soup_.positions, &progress), welded_);
   }
 
-  Status choose_triangles(const Progress& progress) {
+  Status select_triangles(const Progress& progress) {
     auto usable = usable_triangles(soup_, welded_, &progress);
     if (!usable) return usable.error();
     report_.repairs.degenerate_faces_dropped = usable->degenerate;
@@ -124,11 +124,11 @@ class Builder {
         " (--turn-shells, or Turn Inner Shells in the editor).");
   }
 
-  void turn(const std::vector<bool>& chosen) {
-    if (std::find(chosen.begin(), chosen.end(), true) == chosen.end()) return;
+  void turn(const std::vector<bool>& selected) {
+    if (std::find(selected.begin(), selected.end(), true) == selected.end()) return;
     std::vector<uint32_t> edge_of = edges_of_sides(edges_);
     for (size_t t = 0; t < triangles_.size(); ++t) {
-      if (!chosen[t]) continue;
+      if (!selected[t]) continue;
       // Swapping the ends of side 0 reverses the triangle and exchanges sides 1 and 2.
       std::swap(triangles_[t][0], triangles_[t][1]);
       const uint32_t s1 = static_cast<uint32_t>(3 * t + 1), s2 = s1 + 1;

@@ -86,7 +86,7 @@ std::vector<FaceId> FaceAddition::add(Mesh& mesh, std::span<const FaceData> data
     touched.insert(touched.end(), corners.begin(), corners.end());
   }
   k.live_faces += static_cast<uint32_t>(added.size());
-  if (!k.rings.empty()) add_lone_rings(k);
+  if (!k.rings.empty()) add_isolated_rings(k);
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const uint32_t v : touched) link_boundaries(k, v);

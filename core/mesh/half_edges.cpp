@@ -107,8 +107,8 @@ void HalfEdges::remove_edge(EdgeId e) {
 }
 
 // Unlinks a half-edge from its start vertex. `other` also starts there; both are equal if it is the last.
-void HalfEdges::leave(VertexId v, HalfEdgeId gone, HalfEdgeId other) {
-  if (outgoing(v) == gone) set_outgoing(v, other == gone ? HalfEdgeId() : other);
+void HalfEdges::leave(VertexId v, HalfEdgeId removed, HalfEdgeId other) {
+  if (outgoing(v) == removed) set_outgoing(v, other == removed ? HalfEdgeId() : other);
 }
 
 void HalfEdges::prefetch(FaceId f, int turn) const {
@@ -197,7 +197,7 @@ void join_ring(Mesh::Kernel& k, HalfEdgeId h, HalfEdgeId member) {
   set_link(k, after, &RingLink::previous, h);
 }
 
-void add_lone_rings(Mesh::Kernel& k) {
+void add_isolated_rings(Mesh::Kernel& k) {
   for (uint32_t e = k.rings.size(); e < k.half_edges.edges(); ++e) {
     const HalfEdgeId self = half_edge(EdgeId(e), 0);
     k.rings.push_back({self, self});
@@ -205,7 +205,7 @@ void add_lone_rings(Mesh::Kernel& k) {
 }
 
 void link_ring(Mesh::Kernel& k, const std::vector<HalfEdgeId>& members) {
-  add_lone_rings(k);
+  add_isolated_rings(k);
   for (size_t i = 0; i < members.size(); ++i) {
     const HalfEdgeId h = members[i];
     assert(k.half_edges.position(k.half_edges.to(h)) == k.half_edges.position(k.half_edges.to(members[0])));
@@ -374,7 +374,7 @@ Result<VertexFans> name_vertices(std::vector<std::array<uint32_t, 3>>& triangles
 
 namespace {
 
-constexpr size_t kTrianglesTogether = 1 << 14;  // per range
+constexpr size_t kTrianglesPerRange = 1 << 14;  // per range
 
 class HalfEdgeFilling {
  public:
@@ -389,12 +389,12 @@ class HalfEdgeFilling {
     m_.grow_to(static_cast<uint32_t>(last_side_.size()), edges, static_cast<uint32_t>(triangles_.size()));
     half_edge_.resize(partner_.size());
     const auto name = [&](size_t t, size_t end) { name_edges(t, end); };
-    if (!for_each_range(triangles_.size(), kTrianglesTogether, &naming, name)) return cancelled();
+    if (!for_each_range(triangles_.size(), kTrianglesPerRange, &naming, name)) return cancelled();
     const auto link = [&](size_t t, size_t end) {
       for (; t < end; ++t) link_triangle(static_cast<uint32_t>(t));
     };
-    if (!for_each_range(triangles_.size(), kTrianglesTogether, &linking, link)) return cancelled();
-    for_each_range(last_side_.size(), kTrianglesTogether, [&](size_t v, size_t end) {
+    if (!for_each_range(triangles_.size(), kTrianglesPerRange, &linking, link)) return cancelled();
+    for_each_range(last_side_.size(), kTrianglesPerRange, [&](size_t v, size_t end) {
       for (; v < end; ++v) m_.set_outgoing(VertexId(static_cast<uint32_t>(v)), half_edge_[last_side_[v]]);
     });
     close_boundaries();
@@ -406,18 +406,18 @@ class HalfEdgeFilling {
   bool names_edge(size_t side) const { return partner_[side] == kNoSide || partner_[side] > side; }
 
   uint32_t count_edges() {
-    edges_before_.assign(range_count(triangles_.size(), kTrianglesTogether) + 1, 0);
-    for_each_range(triangles_.size(), kTrianglesTogether, [&](size_t t, size_t end) {
+    edges_before_.assign(range_count(triangles_.size(), kTrianglesPerRange) + 1, 0);
+    for_each_range(triangles_.size(), kTrianglesPerRange, [&](size_t t, size_t end) {
       uint32_t edges = 0;
       for (size_t s = 3 * t; s < 3 * end; ++s) edges += names_edge(s);
-      edges_before_[t / kTrianglesTogether + 1] = edges;
+      edges_before_[t / kTrianglesPerRange + 1] = edges;
     });
     for (size_t r = 1; r < edges_before_.size(); ++r) edges_before_[r] += edges_before_[r - 1];
     return edges_before_.back();
   }
 
   void name_edges(size_t triangle, size_t end) {
-    uint32_t edge = edges_before_[triangle / kTrianglesTogether];
+    uint32_t edge = edges_before_[triangle / kTrianglesPerRange];
     for (size_t s = 3 * triangle; s < 3 * end; ++s) {
       if (!names_edge(s)) continue;
       half_edge_[s] = half_edge(EdgeId(edge++), 0);

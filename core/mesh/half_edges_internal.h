@@ -128,7 +128,7 @@ class HalfEdges {
   };
   void open(HalfEdgeId h) { set_face(h, FaceId()); }
   void remove_edge(EdgeId e);
-  void leave(VertexId v, HalfEdgeId gone, HalfEdgeId other);
+  void leave(VertexId v, HalfEdgeId removed, HalfEdgeId other);
 
   Records<Links> links_;
   Records<Vec3> positions_;
@@ -171,7 +171,7 @@ HalfEdgeId next_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 HalfEdgeId previous_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 
 // Gives every edge without a link a ring of its own.
-void add_lone_rings(Mesh::Kernel& k);
+void add_isolated_rings(Mesh::Kernel& k);
 
 // Links half-edges into one ring. Precondition: they have the same direction and bit-equal ends.
 void link_ring(Mesh::Kernel& k, const std::vector<HalfEdgeId>& members);

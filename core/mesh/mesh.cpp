@@ -155,7 +155,7 @@ struct Halves {
 };
 
 // Adds a new face with a copy of the data of its parent.
-FaceId hand_down(Mesh::Kernel& k, FaceId parent) {
+FaceId copy_of_face(Mesh::Kernel& k, FaceId parent) {
   k.faces.push_back(FaceData(k.faces[parent.index]));
   ++k.live_faces;
   return FaceId(k.faces.size() - 1);
@@ -179,10 +179,10 @@ Halves bisect(Mesh::Kernel& k, HalfEdgeId h, const Vec3& at, std::vector<Mesh::F
   if (!k.colours.blank()) colour_middle(k, middle, tail, head);
 
   const size_t first = out.size();
-  if (left.valid()) out.push_back({left, hand_down(k, left), middle, tail, head, head});
-  if (right.valid()) out.push_back({right, hand_down(k, right), middle, head, tail, head});
+  if (left.valid()) out.push_back({left, copy_of_face(k, left), middle, tail, head, head});
+  if (right.valid()) out.push_back({right, copy_of_face(k, right), middle, head, tail, head});
   if (h != h0 && out.size() - first == 2) std::swap(out[first], out[first + 1]);
-  if (!k.rings.empty()) add_lone_rings(k);  // for the new edges
+  if (!k.rings.empty()) add_isolated_rings(k);  // for the new edges
 
   const HalfEdgeId outward = half_edge(new_edge, 0);  // middle -> tail
   if (h == h0) return {opposite(outward), h0};
@@ -343,7 +343,7 @@ void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
   m.close(fa, a0, a2, b1);
   m.close(fb, b0, b2, a1);
   link_to_copy(*kernel_, a0);
-  if (!kernel_->columns.blank()) kernel_->columns.record_turned(fa, fb, area_share(*this, fa, fb));
+  if (!kernel_->columns.blank()) kernel_->columns.record_flipped(fa, fb, area_share(*this, fa, fb));
 }
 
 bool Mesh::can_flip_edge(FaceId f, VertexId from, VertexId to) const {

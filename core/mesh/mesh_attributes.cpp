@@ -38,7 +38,7 @@ void FaceColumns::record_split(FaceId kept, FaceId added, double share) {
   }
 }
 
-void FaceColumns::record_turned(FaceId a, FaceId b, double share) {
+void FaceColumns::record_flipped(FaceId a, FaceId b, double share) {
   for (Column& column : columns_) {
     if (column.rule == Rule::kShareByArea) column.share_sum(a, b, share);
   }

@@ -142,7 +142,7 @@ class FaceColumns {
 
   // Called by the mesh. `share` is the fraction of the first face in the area of both, 0 .. 1.
   void record_split(FaceId kept, FaceId added, double share);
-  void record_turned(FaceId a, FaceId b, double share);
+  void record_flipped(FaceId a, FaceId b, double share);
   void record_removed(FaceId f);
 
   std::vector<Column> columns_;

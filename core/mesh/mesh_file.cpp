@@ -26,7 +26,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kLargestFile = size_t{1} << 32;
+constexpr size_t kMaxFileSize = size_t{1} << 32;
 constexpr size_t kChunk = size_t{1} << 24;
 constexpr double kLoadingShare = 0.2;  // of the progress; the rest is parsing
 
@@ -62,7 +62,7 @@ Result<size_t> readable_size(int file, const std::string& name) {
   if (!S_ISREG(info.st_mode)) return bad_input(name + ": this is a device or a pipe, not a mesh file.");
   const auto size = static_cast<size_t>(info.st_size);
   if (size == 0) return bad_input(name + ": the file is empty.");
-  if (size > kLargestFile) return bad_input(name + ": the file exceeds the limit of 4 GiB.");
+  if (size > kMaxFileSize) return bad_input(name + ": the file exceeds the limit of 4 GiB.");
   return size;
 }
 
@@ -307,7 +307,7 @@ double shortest_edge(const MeshView& mesh) {
 }  // namespace
 
 PrecisionLoss& PrecisionLoss::operator+=(const PrecisionLoss& other) {
-  largest_move = std::max(largest_move, other.largest_move);
+  max_move = std::max(max_move, other.max_move);
   if (shortest_edge == 0 || (other.shortest_edge > 0 && other.shortest_edge < shortest_edge))
     shortest_edge = other.shortest_edge;
   merged += other.merged;
@@ -325,9 +325,9 @@ PrecisionLoss precision_loss(const MeshView& mesh, MeshFormat format) {
   for (const Vec3& p : mesh.positions) {
     const Vec3 exact = p - origin;
     rounded.emplace_back(glm::vec3(exact));
-    loss.largest_move = std::max(loss.largest_move, glm::length(rounded.back() - exact));
+    loss.max_move = std::max(loss.max_move, glm::length(rounded.back() - exact));
   }
-  if (loss.largest_move == 0) return loss;
+  if (loss.max_move == 0) return loss;
   loss.shortest_edge = shortest_edge(mesh);
   loss.merged = repeated_positions(rounded) - repeated_positions(mesh.positions);
   return loss;
@@ -337,7 +337,7 @@ std::optional<std::string> precision_note(const PrecisionLoss& loss, MeshFormat 
                                           const std::string& advice) {
   if (!loss.matters()) return std::nullopt;
   std::string text(format_row(format).title);
-  text += " stores single precision: vertices move by up to " + length_text(loss.largest_move) +
+  text += " stores single precision: vertices move by up to " + length_text(loss.max_move) +
           ", while the shortest edge is " + length_text(loss.shortest_edge);
   if (loss.merged > 0) {
     text += ", and " + grouped(loss.merged) + " of " + grouped(loss.vertices) + " vertices" +

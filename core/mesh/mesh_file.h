@@ -44,13 +44,13 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshF
 
 // The loss of a mesh in a single-precision format.
 struct PrecisionLoss {
-  double largest_move = 0;   // of a vertex, m
+  double max_move = 0;       // of a vertex, m
   double shortest_edge = 0;  // non-zero, before rounding, m; 0 if there is none
   size_t merged = 0;         // vertices that coincide with one that had another position
   size_t vertices = 0;
 
   // Returns true if vertices coincide, or move by more than a tenth of the shortest edge.
-  bool matters() const { return merged > 0 || largest_move > 0.1 * shortest_edge; }
+  bool matters() const { return merged > 0 || max_move > 0.1 * shortest_edge; }
   // Adds the loss of another mesh.
   PrecisionLoss& operator+=(const PrecisionLoss& other);
 };

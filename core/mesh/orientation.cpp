@@ -81,7 +81,7 @@ class EnclosureTest {
 
   std::vector<uint32_t> run() {
     for (const uint32_t patch : asked_) boxes_.push_back(box_of(patch));
-    choose_axes();
+    select_axes();
     std::vector<Vec2> origins;
     for (size_t i = 0; i < odd_.size(); ++i) origins.push_back(flat(origin(i)));
     const Grid grid(origins);
@@ -109,7 +109,7 @@ class EnclosureTest {
     return box;
   }
 
-  void choose_axes() {
+  void select_axes() {
     Box whole = boxes_[0];
     for (const Box& box : boxes_) {
       whole.add(box.min);

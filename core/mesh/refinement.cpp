@@ -174,18 +174,18 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
   mesh.flip_edge(face_at(mesh, e, middle, opposite), middle, opposite);
 
   Replacement r;
-  r.gone = {e.faces[0], e.faces[1]};
-  r.gone_count = e.faces_in_tree;
+  r.removed = {e.faces[0], e.faces[1]};
+  r.removed_count = e.faces_in_tree;
   for (const FaceId f : e.faces) {
     int corner = 0;
     while (corner < 3 && !has_corner(mesh, f, e.corners[corner])) ++corner;
-    KERF_ASSERT(!r.born[corner].valid());
-    r.born[corner] = f;  // the faces at the corners, then the middle one
+    KERF_ASSERT(!r.added[corner].valid());
+    r.added[corner] = f;  // the faces at the corners, then the middle one
     FaceData& data = mesh.edit_data(f);
     data.element = FaceData::kNoElement;
     data.halvings = static_cast<uint8_t>(e.halvings + 2);
   }
-  r.born_count = 4;
+  r.added_count = 4;
   out.push_back(r);
   close_element(index);
 }
@@ -226,12 +226,12 @@ struct EdgeRank {
 
   EdgeRank() = default;
   EdgeRank(const Vec3& a, const Vec3& b) : length2(glm::dot(b - a, b - a)), low(a), high(b) {
-    if (precedes(high, low)) std::swap(low, high);
+    if (lexicographic_less(high, low)) std::swap(low, high);
   }
   bool operator<(const EdgeRank& other) const {
     if (length2 != other.length2) return length2 < other.length2;
-    if (low != other.low) return precedes(low, other.low);
-    return precedes(high, other.high);
+    if (low != other.low) return lexicographic_less(low, other.low);
+    return lexicographic_less(high, other.high);
   }
 };
 
@@ -266,10 +266,10 @@ class Propagation {
     step_onto(f);
     while (!path_.empty()) {
       Step& step = path_.back();
-      while (step.looked_at < sides_.size() && !(step.edge.rank < rank_at(sides_[step.looked_at])))
-        ++step.looked_at;
-      if (step.looked_at < sides_.size()) {
-        step_onto(sides_[step.looked_at].face);
+      while (step.visited < sides_.size() && !(step.edge.rank < rank_at(sides_[step.visited])))
+        ++step.visited;
+      if (step.visited < sides_.size()) {
+        step_onto(sides_[step.visited].face);
         continue;
       }
       const Vec3 &a = step.edge.rank.low, &b = step.edge.rank.high, middle = 0.5 * a + 0.5 * b;
@@ -283,12 +283,12 @@ class Propagation {
 
  private:
   // A face of the path, its longest edge, and the first index of the other faces on that edge in `sides_`,
-  // which extend to the next step or to its end. Those before index `looked_at` have no longer edge, so that
+  // which extend to the next step or to its end. Those before index `visited` have no longer edge, so that
   // each face of a ring is examined once.
   struct Step {
     FaceId face;
     LongestEdge edge;
-    size_t first_side, looked_at;
+    size_t first_side, visited;
   };
 
   void step_onto(FaceId f) {
@@ -310,7 +310,7 @@ class Propagation {
   FaceId latest_part_with(const Mesh::Side& side) {
     constexpr size_t kLatest = 8;
     for (size_t i = out_.size(); i > first_ && i + kLatest > out_.size(); --i) {
-      for (const FaceId f : {out_[i - 1].born[0], out_[i - 1].born[1]}) {
+      for (const FaceId f : {out_[i - 1].added[0], out_[i - 1].added[1]}) {
         if (has(f, side)) return f;
       }
     }
@@ -323,7 +323,7 @@ class Propagation {
     index_splits();
     const auto latest = latest_.find(f.index);
     for (size_t i = latest == latest_.end() ? 0 : latest->second; i > 0; i = before_[i - 1]) {
-      const FaceId found = part_with(side, out_[first_ + i - 1].born[1]);
+      const FaceId found = part_with(side, out_[first_ + i - 1].added[1]);
       if (found.valid()) return found;
     }
     return FaceId();
@@ -336,7 +336,7 @@ class Propagation {
       before_.clear();
     }
     for (; indexed_ < out_.size(); ++indexed_) {
-      size_t& latest = latest_[out_[indexed_].gone[0].index];
+      size_t& latest = latest_[out_[indexed_].removed[0].index];
       before_.push_back(std::exchange(latest, indexed_ - first_ + 1));
     }
   }

@@ -13,10 +13,10 @@ namespace kerf {
 // The replacement of split faces by their parts, which cover the same area. A reused slot is in both lists.
 // Replacements are in chronological order, in which a tree can apply them.
 struct Replacement {
-  std::array<FaceId, 2> gone;
-  std::array<FaceId, 4> born;
-  uint8_t gone_count = 0;
-  uint8_t born_count = 0;
+  std::array<FaceId, 2> removed;
+  std::array<FaceId, 4> added;
+  uint8_t removed_count = 0;
+  uint8_t added_count = 0;
 };
 
 // Red-green refinement: the 1-to-4 split of the paper, with closure of the neighbours (R. E. Bank, A. H.

@@ -31,7 +31,7 @@ bool meets_in_frame_of(const MovingBody& other, const MovingBody& b) {
 }
 
 bool can_touch(const MovingBody& a, const MovingBody& b) {
-  return (a.moves() || b.moves()) && !(a.glides && b.fixed) && !(b.glides && a.fixed);
+  return (a.moves() || b.moves()) && !(a.passes_fixed && b.fixed) && !(b.passes_fixed && a.fixed);
 }
 
 bool are_near(const MovingBody& a, const MovingBody& b) {
@@ -99,7 +99,7 @@ TouchingPair& ContactSearch::pair_of(uint32_t first, uint32_t second) {
 void ContactSearch::find() {
   KERF_ASSERT(std::is_sorted(bodies_.begin(), bodies_.end(),
                              [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; }));
-  std::vector<TouchingPair> found = pairs_to_look_at();
+  std::vector<TouchingPair> found = pairs_to_test();
   for_each_range(found.size(), kPairsAtATime, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) look_at(found[i]);
   });
@@ -110,7 +110,7 @@ void ContactSearch::find() {
   std::ranges::inplace_merge(pairs_, pairs_.begin() + known, {}, key);
 }
 
-std::vector<TouchingPair> ContactSearch::pairs_to_look_at() {
+std::vector<TouchingPair> ContactSearch::pairs_to_test() {
   const std::vector<std::pair<uint32_t, uint32_t>> near = near_pairs(bodies_);
   candidates_ += near.size();
   std::vector<TouchingPair> pairs;

@@ -34,7 +34,7 @@ class ContactSearch {
   // beginning.
   std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
   // Permits two bodies to intersect: they do not touch until they are apart.
-  void let_cross(uint32_t first, uint32_t second) { pair_of(first, second).memory.crossed = 1; }
+  void allow_intersection(uint32_t first, uint32_t second) { pair_of(first, second).memory.crossed = 1; }
   // Stores the points at which the bodies of some pairs passed through each other, for the next tick.
   // Returns for each pair whether any new point is at a rim and the bodies were not held back in the last
   // tick too. Multithreaded.
@@ -50,7 +50,7 @@ class ContactSearch {
   TouchingPair& pair_of(uint32_t first, uint32_t second);
   const TouchingPair* find(uint32_t first, uint32_t second) const;
   // Returns the pairs that find() must process and that are not known yet, in order, with only bodies set.
-  std::vector<TouchingPair> pairs_to_look_at();
+  std::vector<TouchingPair> pairs_to_test();
   void look_at(TouchingPair& pair) const;
   bool remember_piercing(uint32_t first, uint32_t second);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kShares{1.0, 0.5, 0.25, 0.0};
 constexpr double kMuchHeavier = 4;  // times as heavy
-constexpr uint32_t kLongestBlock =
+constexpr uint32_t kMaxBlock =
     kTicksPerSecond / 4;  // ticks after which the lighter one may intersect the other
 
 Placement between(const MovingBody& b, double share) {
@@ -70,7 +70,7 @@ class Ways {
   // Returns true if two bodies may intersect: one is too light to stop the other, or must leave the ground.
   bool may_cross(uint32_t i, uint32_t j) const {
     const auto yields = [](const MovingBody& light, const MovingBody& heavy) {
-      return !light.fixed && light.frame.mass < heavy.sweeps_aside;
+      return !light.fixed && light.frame.mass < heavy.ignored_mass;
     };
     const auto is_sunk = [](const MovingBody& b) {
       return b.moves() && b.sunk > kContactLengths.ground_skin * b.scale;
@@ -155,7 +155,7 @@ class Holding {
     for (size_t p = 0; p < pairs.size(); ++p) {
       if (must_not[p] == 0) let.push_back(pairs[p]);
     }
-    for (const Pair& p : let) search_.let_cross(p.first, p.second);
+    for (const Pair& p : let) search_.allow_intersection(p.first, p.second);
     const auto is_let = [&](const Pair& p) { return std::ranges::binary_search(let, p); };
     std::erase_if(pairs, is_let);
     if (!let.empty()) std::erase_if(pairs_, is_let);
@@ -202,7 +202,7 @@ class Holding {
 
 }  // namespace
 
-size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search) {
+size_t limit_penetration(std::span<MovingBody> bodies, ContactSearch& search) {
   return Holding(bodies, search).hold();
 }
 

@@ -15,10 +15,10 @@ namespace kerf {
 //
 // Each body moves a share of its way: all of it, a half, a quarter, or none. The shares of two bodies that
 // would intersect are lowered until they do not; bodies that do not move cause no new intersection, so this
-// terminates. Bodies too light to stop another one (see Guided) may intersect it, and so may those that
-// must leave the ground. Multithreaded; the result does not depend on the number of threads. Precondition:
-// MovingBody::next is the end of the way. Returns the number of bodies that were held back.
-size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search);
+// terminates. Bodies too light to stop another one (see KinematicBody) may intersect it, and so may those
+// that must leave the ground. Multithreaded; the result does not depend on the number of threads.
+// Precondition: MovingBody::next is the end of the way. Returns the number of bodies that were held back.
+size_t limit_penetration(std::span<MovingBody> bodies, ContactSearch& search);
 
 // Limits the speeds after a tick by those before it: contacts lose energy and make no body faster than the
 // fastest of those that meet or that a joint connects. Otherwise a solver that has not converged would

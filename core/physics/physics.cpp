@@ -57,12 +57,12 @@ glm::dmat3 cross_matrix(const Vec3& r) {
 // Returns the acceleration of the held point by the spring (m/s^2).
 Vec3 wanted_acceleration(const Vec3& way, const Vec3& velocity, double metre) {
   KERF_ASSERT(metre > 0);
-  const Vec3 wanted = kPullFrequency * kPullFrequency * way - 2 * kPullFrequency * velocity;
+  const Vec3 wanted = kSpringFrequency * kSpringFrequency * way - 2 * kSpringFrequency * velocity;
   const double size = glm::length(wanted);
-  return size > kMaxPull * metre ? kMaxPull * metre / size * wanted : wanted;
+  return size > kMaxSpringAcceleration * metre ? kMaxSpringAcceleration * metre / size * wanted : wanted;
 }
 
-void pull(Body& body, const Spring& spring, double metre, double seconds) {
+void apply_spring(Body& body, const Spring& spring, double metre, double seconds) {
   const RigidFrame frame = rigid_frame(body);
   if (!(frame.mass > 0)) return;
   const Vec3 centre = body.placement.to_world(frame.centre), held = body.placement.to_world(spring.at);
@@ -79,14 +79,14 @@ void pull(Body& body, const Spring& spring, double metre, double seconds) {
 
 }  // namespace
 
-void pull(World& world, double seconds) {
+void apply_spring(World& world, double seconds) {
   KERF_ASSERT(seconds > 0);
   const std::optional<Spring>& spring = world.spring();
   if (!spring || !world.contains(spring->piece.body)) return;
   Body& body = world.body(spring->piece.body);
   if (body.pinned || body.hidden) return;
   body.motion.wake();
-  pull(body, *spring, world.environment().metre, seconds);
+  apply_spring(body, *spring, world.environment().metre, seconds);
 }
 
 namespace {
@@ -169,12 +169,12 @@ void set_solved_way(std::span<MovingBody> bodies) {
   }
 }
 
-void guide(std::span<MovingBody> bodies, std::span<const Guided> guided) {
-  for (const Guided& g : guided) {
+void guide(std::span<MovingBody> bodies, std::span<const KinematicBody> guided) {
+  for (const KinematicBody& g : guided) {
     const uint32_t index = index_of(bodies, g.body);
     if (index == bodies.size()) continue;
-    bodies[index].glides = g.glides;
-    bodies[index].sweeps_aside = g.sweeps_aside;
+    bodies[index].passes_fixed = g.passes_fixed;
+    bodies[index].ignored_mass = g.ignored_mass;
   }
 }
 
@@ -261,15 +261,15 @@ Physics::Physics(Physics&&) noexcept = default;
 Physics& Physics::operator=(Physics&&) noexcept = default;
 
 void Physics::follow(const Delta& delta) {
-  if (delta.anew) colliders_.clear();
+  if (delta.replaced) colliders_.clear();
   const auto changes_faces = [](const BodyDelta& b) {
-    return !b.born.empty() || !b.gone.empty() || !b.relabelled.empty();
+    return !b.added.empty() || !b.dead.empty() || !b.relabelled.empty();
   };
   const bool faces_changed = std::any_of(delta.bodies.begin(), delta.bodies.end(), changes_faces);
   if (faces_changed || delta.changes_bodies()) joints_.reset();
   for (const BodyDelta& b : delta.bodies) changed_.insert(b.body);
-  for (BodyId id : delta.came) forget_collider(id);
-  for (BodyId id : delta.went) forget_collider(id);
+  for (BodyId id : delta.created) forget_collider(id);
+  for (BodyId id : delta.destroyed) forget_collider(id);
   for (const Detached& d : delta.detached) {
     forget_collider(d.from);
     forget_collider(d.to);
@@ -283,15 +283,15 @@ void Physics::forget_collider(BodyId id) {
 
 void Physics::begin_step() { of_step_.clear(); }
 
-bool Physics::makes_collider(const World& world, BodyId id, bool under_beam) const {
+bool Physics::needs_collider(const World& world, BodyId id, bool under_beam) const {
   if (!colliders_.contains(id)) return true;
   if (!changed_.contains(id)) return false;
   return !under_beam || !of_step_.contains(id) || world.body(id).mesh.live_faces() <= kMaxUnderBeam;
 }
 
-void Physics::weigh_changed(World& world, std::span<const BodyId> ids, bool under_beam) const {
+void Physics::update_changed_masses(World& world, std::span<const BodyId> ids, bool under_beam) const {
   for (const BodyId id : ids) {
-    if (makes_collider(world, id, under_beam)) update_mass_properties(world.body(id));
+    if (needs_collider(world, id, under_beam)) update_mass_properties(world.body(id));
   }
 }
 
@@ -299,7 +299,7 @@ std::vector<std::function<void()>> Physics::preparations(const World& world, std
                                                          bool under_beam) {
   std::vector<std::function<void()>> work;
   for (const BodyId id : ids) {
-    if (!makes_collider(world, id, under_beam)) continue;
+    if (!needs_collider(world, id, under_beam)) continue;
     const Mesh& mesh = world.body(id).mesh;
     Collider& collider = colliders_[id];
     work.emplace_back([&collider, &mesh] { collider = make_collider(mesh); });
@@ -309,10 +309,10 @@ std::vector<std::function<void()>> Physics::preparations(const World& world, std
   return work;
 }
 
-void Physics::learn_faces(World& world, std::span<const BodyId> ids, bool under_beam) {
+void Physics::update_caches(World& world, std::span<const BodyId> ids, bool under_beam) {
   std::vector<std::function<void()>> weighing;
   for (const BodyId id : ids) {
-    if (!makes_collider(world, id, under_beam)) continue;
+    if (!needs_collider(world, id, under_beam)) continue;
     Body& body = world.body(id);
     weighing.emplace_back([&body] { update_mass_properties(body); });
   }
@@ -329,7 +329,7 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
                                                std::span<const BodyId> carried) {
   constexpr size_t kAtATime = 8;  // bodies per task of a thread
   const std::vector<BodyId> ids = taking_part(world, carried);
-  learn_faces(world, ids, under_beam);
+  update_caches(world, ids, under_beam);
   of_step_.insert(ids.begin(), ids.end());
   std::vector<MovingBody> bodies(ids.size());
   for (size_t i = 0; i < ids.size(); ++i) bodies[i].body = &world.body(ids[i]);
@@ -343,14 +343,14 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
   return bodies;
 }
 
-Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guided,
+Delta Physics::tick(World& world, bool under_beam, std::span<const KinematicBody> guided,
                     std::span<const BodyId> carried) {
   if (count_bodies(world, carried).awake > 0) {
-    learn_faces(world, taking_part(world, carried), under_beam);
+    update_caches(world, taking_part(world, carried), under_beam);
   } else if (world.spring()) {
-    weigh_changed(world, taking_part(world, carried), under_beam);
+    update_changed_masses(world, taking_part(world, carried), under_beam);
   }
-  pull(world, kTick);
+  apply_spring(world, kTick);
   statistics_ = count_bodies(world, carried);
   if (statistics_.awake == 0) return {};
   statistics_.awake = 0;
@@ -378,7 +378,7 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
   limit.apply(bodies);
   stay_above_ground(bodies, world.environment());
   set_solved_way(bodies);
-  statistics_.held = hold_back(bodies, search);
+  statistics_.held = limit_penetration(bodies, search);
   count_quiet(bodies, search.pairs(), joints);
   for (const TouchingPair& p : search.pairs()) {
     if (p.second != TouchingPair::kGround) ++statistics_.pairs;

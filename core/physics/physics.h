@@ -23,15 +23,14 @@ namespace kerf {
 // library whose last bits differ between kinds.
 std::string machine_kind();
 
-// Applies the spring of the world to the body that it holds, for one tick of `seconds`: changes velocity
-// and spin as by a critically damped spring between the held point and the far end, which accelerates the
-// point by at most kMaxPull. Wakes the body. No-op without a spring, or if the piece does not exist, is
-// pinned, hidden or has no mass.
-void pull(World& world, double seconds);
+// Applies the spring of the world to its body for one tick of `seconds`: a critically damped spring between
+// the attached point and the target, with an acceleration of at most kMaxSpringAcceleration. Wakes the body.
+// No-op without a spring, or if the piece does not exist, is pinned, hidden or has no mass.
+void apply_spring(World& world, double seconds);
 
-inline constexpr double kPullFrequency =
+inline constexpr double kSpringFrequency =
     20;  // of the undamped spring with the effective mass at the point [rad/s]
-inline constexpr double kMaxPull = 100;  // m/s^2
+inline constexpr double kMaxSpringAcceleration = 100;  // m/s^2
 
 class SolverMemory;
 
@@ -41,15 +40,15 @@ struct TickStatistics {
   size_t candidates = 0;  // pairs of bodies whose bounds overlap
   size_t pairs = 0;       // of these, those whose faces were tested
   size_t contacts = 0;
-  size_t held = 0;     // bodies stopped short of the end of their way to prevent intersection
+  size_t held = 0;     // bodies stopped early to prevent intersection
   size_t crossed = 0;  // pairs of sheets that intersect and do not touch
 };
 
-// A body that is controlled from outside the physics.
-struct Guided {
+// A body whose motion the caller controls.
+struct KinematicBody {
   BodyId body;
-  bool glides = false;      // does not touch fixed bodies
-  double sweeps_aside = 0;  // lighter bodies [kg] do not stop it, and may intersect it until they are apart
+  bool passes_fixed = false;  // does not touch fixed bodies
+  double ignored_mass = 0;    // lighter bodies [kg] do not stop it, and may intersect it until they are apart
 };
 
 // Moves the bodies of a world as rigid sheets: they fall, touch each other and the ground, slide, and fall
@@ -75,25 +74,25 @@ class Physics {
   // Must be called at the beginning of each step of the history.
   void begin_step();
 
-  // Makes the next tick rebuild the colliders of these bodies.
+  // The next tick rebuilds the colliders of these bodies.
   void renew(std::span<const BodyId> bodies) { changed_.insert(bodies.begin(), bodies.end()); }
-  // Makes the next tick find the intact joints again.
+  // The next tick finds the intact joints again.
   void forget_joints() { joints_.reset(); }
 
   // Advances all bodies by 1/120 s. Returns the bodies that moved. The caller advances the clock of the
-  // world. `under_beam`: a beam is on, and the next ticks will follow further cuts. `guided`: bodies with
-  // special treatment, in any order, each once. `carried`, ascending: bodies that are part of others, and
-  // so neither touch anything nor have a mass of their own.
-  Delta tick(World& world, bool under_beam = false, std::span<const Guided> guided = {},
+  // world. `under_beam`: a beam is on, and the next ticks will follow further cuts. `guided`: see
+  // KinematicBody; in any order, each once. `carried`, ascending: bodies that are part of others, without
+  // contacts or mass of their own.
+  Delta tick(World& world, bool under_beam = false, std::span<const KinematicBody> guided = {},
              std::span<const BodyId> carried = {});
-  // Makes the colliders of the next tick, which then weighs none of these bodies; finds the intact joints.
+  // Prepares the next tick: builds its colliders, computes their masses, finds the intact joints.
   void prepare(const World& world, std::span<const BodyId> carried = {});
-  // Returns true if such a tick makes a collider of this body, if any is awake, and computes its mass.
-  bool makes_collider(const World& world, BodyId id, bool under_beam) const;
+  // Returns true if the next tick builds a collider of this body and computes its mass.
+  bool needs_collider(const World& world, BodyId id, bool under_beam) const;
   static constexpr size_t kMaxUnderBeam = 20'000;
 
-  // Returns true if the intact joints are known, i.e. follow() was not called since the last tick.
-  bool knows_joints() const { return joints_.has_value(); }
+  // Returns true if the intact joints are cached: follow() was not called since the last tick.
+  bool has_joints_cached() const { return joints_.has_value(); }
 
   const TickStatistics& statistics() const { return statistics_; }
   // Colliders of the bodies, as far as ticks have needed them.
@@ -102,19 +101,19 @@ class Physics {
   const std::vector<TouchingPair>& pairs() const { return pairs_; }
 
  private:
-  // Computes the masses of the bodies whose colliders the tick makes: both are functions of the faces.
-  void weigh_changed(World& world, std::span<const BodyId> ids, bool under_beam) const;
-  // Returns tasks, independent of each other, that make their colliders and find unknown intact joints.
+  // Computes the masses of the bodies whose colliders the tick builds.
+  void update_changed_masses(World& world, std::span<const BodyId> ids, bool under_beam) const;
+  // Returns independent tasks that build these colliders and find the intact joints.
   std::vector<std::function<void()>> preparations(const World& world, std::span<const BodyId> ids,
                                                   bool under_beam);
-  // Computes their masses, makes their colliders, and finds unknown intact joints, all concurrently.
-  void learn_faces(World& world, std::span<const BodyId> ids, bool under_beam);
+  // Runs these tasks concurrently.
+  void update_caches(World& world, std::span<const BodyId> ids, bool under_beam);
   std::vector<MovingBody> moving_bodies(World& world, bool under_beam, std::span<const BodyId> carried);
   void forget_collider(BodyId id);
 
   std::map<BodyId, Collider> colliders_;
-  std::set<BodyId> changed_;                      // those of these bodies whose faces have changed since
-  std::set<BodyId> of_step_;                      // those whose colliders a tick of the same step has used
+  std::set<BodyId> changed_;  // bodies whose faces have changed since their collider was built
+  std::set<BodyId> of_step_;  // bodies whose colliders were used in this step
   std::optional<std::vector<HeldJoint>> joints_;  // nullopt: not known
   std::unique_ptr<SolverMemory> solver_;
   std::vector<TouchingPair> pairs_;

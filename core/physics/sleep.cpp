@@ -131,13 +131,13 @@ namespace {
 
 // Returns the bodies whose contacts a change ends.
 std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
-  if (delta.anew || delta.environment) return world.ids();
+  if (delta.replaced || delta.environment) return world.ids();
   std::vector<BodyId> ids;
   for (const BodyDelta& b : delta.bodies) {
-    if (!b.born.empty() || !b.gone.empty()) ids.push_back(b.body);
+    if (!b.added.empty() || !b.dead.empty()) ids.push_back(b.body);
   }
-  for (const auto* list :
-       {&delta.came, &delta.went, &delta.moved, &delta.reweighed, &delta.hid_or_showed, &delta.pinned})
+  for (const auto* list : {&delta.created, &delta.destroyed, &delta.moved, &delta.mass_changed,
+                           &delta.visibility_changed, &delta.pinned})
     ids.insert(ids.end(), list->begin(), list->end());
   for (const Detached& d : delta.detached) ids.insert(ids.end(), {d.from, d.to});
   return ids;

@@ -38,7 +38,7 @@ btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
 }
 
 // Returns true if the sides of a joint lie much farther apart than the solver permits.
-bool is_torn_apart(const Joint& joint, const MovingBody& a, const MovingBody& b) {
+bool is_separated(const Joint& joint, const MovingBody& a, const MovingBody& b) {
   constexpr double kTornApart = 0.25;  // m, less for small bodies
   const Vec3 apart = a.body->placement.to_world(joint.anchor) - b.body->placement.to_world(joint.anchor);
   return glm::length(apart) > kTornApart * std::min(a.scale, b.scale);
@@ -56,7 +56,7 @@ std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::s
     if (first == second || std::max(first, second) == bodies.size()) continue;
     KERF_ASSERT(h.joint < joints.all.size());
     const Joint& joint = joints.all[h.joint];
-    if (!is_torn_apart(joint, bodies[first], bodies[second])) between.push_back({first, second, &joint});
+    if (!is_separated(joint, bodies[first], bodies[second])) between.push_back({first, second, &joint});
   }
   return between;
 }
@@ -146,7 +146,7 @@ class BulletGroup {
     btRigidBody* second = pair.second == TouchingPair::kGround ? &ground_ : &rigid_[pair.second];
     for (size_t i = 0; i < pair.contacts.size(); ++i) {
       if (i % MANIFOLD_CACHE_SIZE == 0) used_.push_back(next_manifold(&rigid_[pair.first], second));
-      fill(pair.contacts[i], most_warm_impulse(pair));
+      fill(pair.contacts[i], max_warm_impulse(pair));
     }
   }
 
@@ -224,7 +224,7 @@ class BulletGroup {
 
   // Returns the largest impulse of the last tick with which a contact may start (N s): impulses that acted
   // on a light body together with others must not act on it alone when its contacts change.
-  double most_warm_impulse(const TouchingPair& pair) const {
+  double max_warm_impulse(const TouchingPair& pair) const {
     constexpr double kMaxChange = 1;  // m/s
     double mass = std::numeric_limits<double>::infinity();
     for (uint32_t i : {pair.first, pair.second}) {
@@ -233,7 +233,7 @@ class BulletGroup {
     return kMaxChange * settings_.metre * mass;
   }
 
-  void fill(const Contact& c, double most_warm_impulse) {
+  void fill(const Contact& c, double max_warm_impulse) {
     assert(std::abs(glm::dot(c.normal, c.normal) - 1) < 1e-9);
     btPersistentManifold& m = *used_.back();
     const int at = m.getNumContacts();
@@ -247,7 +247,7 @@ class BulletGroup {
     p.m_distance1 = c.distance;
     p.m_combinedFriction = c.on_edge ? settings_.edge_friction : settings_.friction;
     p.m_combinedRestitution = c.distance > 0 ? 0 : settings_.restitution;
-    p.m_appliedImpulse = std::min(c.impulse[0], most_warm_impulse);
+    p.m_appliedImpulse = std::min(c.impulse[0], max_warm_impulse);
   }
 
   // Moves a body by its velocities: a second-order step of a unit quaternion by a spin, which needs no sine.

@@ -30,8 +30,8 @@ Result<AabbTree> AabbTree::build(const Mesh& mesh, const Progress* progress) {
 void AabbTree::rebuild(const Mesh& mesh, TreeFrame frame) {
   const Bounds bounds = *bounds_of(mesh, nullptr);
   TreeShape shape;
-  if (Shuffle::chosen().on()) {
-    Random random = Shuffle::chosen().random(mesh.live_faces());
+  if (Shuffle::selected().on()) {
+    Random random = Shuffle::selected().random(mesh.live_faces());
     shape = {static_cast<uint32_t>(1 + random.below(kBlockWidth)), random.below(2) == 0};
   }
   store_ = TreeStore();
@@ -51,19 +51,19 @@ void AabbTree::enlarge_bounds(const Vec3& corner) {
 }
 
 void AabbTree::vary(const Mesh& mesh) {
-  if (!Shuffle::chosen().once_in(32)) return;
+  if (!Shuffle::selected().once_in(32)) return;
   rebuild(mesh, TreeFrame::around(*bounds_of(mesh, nullptr)));
 }
 
-void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born) {
-  KERF_ASSERT(!gone.empty() && !born.empty());
-  replace_faces(store_, mesh, gone, born);
-  leaf_count_ += born.size() - gone.size();
+void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> removed, std::span<const FaceId> added) {
+  KERF_ASSERT(!removed.empty() && !added.empty());
+  replace_faces(store_, mesh, removed, added);
+  leaf_count_ += added.size() - removed.size();
 }
 
 void AabbTree::replace(const Mesh& mesh, std::span<const Replacement> all) {
   replace_faces(store_, mesh, all);
-  for (const Replacement& r : all) leaf_count_ += size_t{r.born_count} - r.gone_count;
+  for (const Replacement& r : all) leaf_count_ += size_t{r.added_count} - r.removed_count;
 }
 
 void AabbTree::remove(FaceId f) {

@@ -88,7 +88,7 @@ class AabbTree {
   // reported late, after further edits of the mesh, in their original order. Preconditions: neither set is
   // empty, the old faces are in the tree, and the new ones lie within their bounding box, extended by the
   // corners passed to enlarge_bounds().
-  void replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born);
+  void replace(const Mesh& mesh, std::span<const FaceId> removed, std::span<const FaceId> added);
   // Applies all replacements in order; faster than one call for each.
   void replace(const Mesh& mesh, std::span<const Replacement> all);
 

@@ -163,7 +163,7 @@ unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
 
 // Inserts a new block as a sibling of b: into a free slot of b's node or, if there is none, together with b
 // into a new node that takes b's slot.
-void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
+void attach_next_to(TreeStore& tree, uint32_t b, uint32_t fresh) {
   const uint32_t parent = tree.blocks[b].parent, slot = tree.blocks[b].slot;
   const FloatBox stays = tree.block_box(tree.blocks[b]), goes = tree.block_box(tree.blocks[fresh]);
   const uint32_t beside = free_slot(tree.nodes[parent]);
@@ -205,7 +205,7 @@ void insert_face(TreeStore& tree, const TreeFace& face, uint32_t b) {
     copy_lane(tree, b, from, fresh, to);
     drop_lane(tree, b, from);
   }
-  hang_beside(tree, b, fresh);
+  attach_next_to(tree, b, fresh);
 }
 
 // Removing records ----------------------------------------------------------------------------------------
@@ -250,18 +250,20 @@ void settle(TreeStore& tree, uint32_t n) {
 }  // namespace
 
 // Prefetches the parent of `home` while the new faces are computed, and grows the box of `home` once.
-void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
-                   std::span<const FaceId> born) {
-  assert(!gone.empty() && !born.empty());
-  const auto stays = [&](FaceId f) { return std::find(born.begin(), born.end(), f) != born.end(); };
-  const auto was_there = [&](FaceId f) { return std::find(gone.begin(), gone.end(), f) != gone.end(); };
-  assert(tree.place(gone[0]) != kNoIndex);
-  const uint32_t home = block_at(tree.place(gone[0]));
+void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> removed,
+                   std::span<const FaceId> added) {
+  assert(!removed.empty() && !added.empty());
+  const auto stays = [&](FaceId f) { return std::find(added.begin(), added.end(), f) != added.end(); };
+  const auto was_there = [&](FaceId f) {
+    return std::find(removed.begin(), removed.end(), f) != removed.end();
+  };
+  assert(tree.place(removed[0]) != kNoIndex);
+  const uint32_t home = block_at(tree.place(removed[0]));
   prefetch(tree.blocks[home]);
   size_t next = 0;
-  const auto next_born = [&] {
-    while (next < born.size() && was_there(born[next])) ++next;
-    return next < born.size();
+  const auto next_added = [&] {
+    while (next < added.size() && was_there(added[next])) ++next;
+    return next < added.size();
   };
   Positions positions = mesh.positions();
   FloatBox written;
@@ -270,7 +272,7 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
     tree.put(face, home, lane);
     written.add(face.box());
   };
-  for (const FaceId f : gone) {
+  for (const FaceId f : removed) {
     const uint32_t place = tree.place(f);
     assert(place != kNoIndex);
     if (block_at(place) == home) prefetch(tree.nodes[tree.blocks[home].parent]);
@@ -278,29 +280,29 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
       write(f, lane_at(place));
     } else if (stays(f)) {
       refit_face(tree, mesh, f);
-    } else if (block_at(place) == home && next_born()) {
+    } else if (block_at(place) == home && next_added()) {
       tree.set_place(f, kNoIndex);
-      write(born[next++], lane_at(place));
+      write(added[next++], lane_at(place));
     } else {
       remove_face(tree, f);
     }
   }
-  for (uint32_t lane = tree.blocks[home].count; lane < kBlockWidth && next_born(); ++lane) {
+  for (uint32_t lane = tree.blocks[home].count; lane < kBlockWidth && next_added(); ++lane) {
     tree.set_count(home, lane + 1);
-    write(born[next++], lane);
+    write(added[next++], lane);
   }
   if (tree.blocks[home].count == 0) return;  // all were removed
   grow_block(tree, home, written);
-  while (next_born()) insert_face(tree, TreeFace(tree.frame, mesh, positions, born[next++]), home);
+  while (next_added()) insert_face(tree, TreeFace(tree.frame, mesh, positions, added[next++]), home);
 }
 
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all) {
   for (size_t i = 0; i < all.size(); ++i) {
-    if (i + kPlaceAhead < all.size()) tree.prefetch_place(all[i + kPlaceAhead].gone[0]);
-    if (i + kBlockAhead < all.size()) prefetch_block(tree, all[i + kBlockAhead].gone[0]);
-    if (i + kNodeAhead < all.size()) prefetch_node(tree, all[i + kNodeAhead].gone[0]);
+    if (i + kPlaceAhead < all.size()) tree.prefetch_place(all[i + kPlaceAhead].removed[0]);
+    if (i + kBlockAhead < all.size()) prefetch_block(tree, all[i + kBlockAhead].removed[0]);
+    if (i + kNodeAhead < all.size()) prefetch_node(tree, all[i + kNodeAhead].removed[0]);
     const Replacement& r = all[i];
-    replace_faces(tree, mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
+    replace_faces(tree, mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
   }
 }
 

@@ -75,7 +75,7 @@ QueryCounts AabbTree::touched(const Mesh& mesh, const SweptCylinder& beam, std::
   for (const uintptr_t word : scratch.found()) {
     if (beam.touches(mesh.triangle(face(word)))) out.push_back(face(word));
   }
-  Shuffle::chosen().reorder(out, first);
+  Shuffle::selected().reorder(out, first);
   return counts;
 }
 

@@ -18,8 +18,8 @@ namespace kerf {
 // Replaces the leaves of one set of faces by those of another, which are added to the block of the first old
 // face. An overflowing block is split in two; if its node is full, the two halves get a new node in its slot.
 // Enlarges the boxes above if necessary.
-void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
-                   std::span<const FaceId> born);
+void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> removed,
+                   std::span<const FaceId> added);
 // Applies all replacements in order and prefetches the records of the following ones.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 

@@ -41,7 +41,7 @@ void ChartSweep::note(int winding, uint32_t v) {
 // Returns 1 if the point lies above the edge, -1 below, 0 on its line.
 int ChartSweep::side_of(const Span& s, int64_t x, int64_t y) const {
   const int64_t base = vertices_[s.left].y;
-  const Wide turn = turn_of(s.right_x - s.left_x, vertices_[s.right].y - base, x - s.left_x, y - base);
+  const Wide turn = doubled_area(s.right_x - s.left_x, vertices_[s.right].y - base, x - s.left_x, y - base);
   return turn > 0 ? 1 : turn < 0 ? -1 : 0;
 }
 
@@ -53,13 +53,13 @@ bool ChartSweep::fail_at(uint32_t v, size_t first, size_t end) {
   return false;
 }
 
-Resumable<bool> ChartSweep::run() {
-  co_await worked(order_.size() / 8);
+Task<bool> ChartSweep::run() {
+  co_await yield_after(order_.size() / 8);
   std::sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
     const ChartVertex &p = vertices_[a], &q = vertices_[b];
     return p.x != q.x ? p.x < q.x : p.y < q.y;
   });
-  co_await worked(order_.size() / 8);
+  co_await yield_after(order_.size() / 8);
   for (size_t i = 0; i + 1 < order_.size(); ++i) {
     const ChartVertex &a = vertices_[order_[i]], &b = vertices_[order_[i + 1]];
     if (a.x == b.x && a.y == b.y) {
@@ -70,7 +70,7 @@ Resumable<bool> ChartSweep::run() {
   if (!start_at_seam()) co_return false;
   for (const uint32_t v : order_) {
     if (!pass(v)) co_return false;
-    co_await worked(1);
+    co_await yield_after(1);
   }
   co_return end_at_seam();
 }
@@ -193,26 +193,29 @@ struct PolygonCorner {
   int64_t x, y;
 };
 
-bool precedes(const PolygonCorner& a, const PolygonCorner& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+bool lexicographic_less(const PolygonCorner& a, const PolygonCorner& b) {
+  return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
 
 // Triangulates a polygon one of whose sides runs from its first to its last vertex in the order of x:
 // visits the vertices between in this order, and cuts off convex corners.
 bool append_triangles(std::vector<PolygonCorner>& polygon, std::vector<ChartTriangle>& out) {
   if (polygon.size() < 3) return false;
-  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), precedes), polygon.end());
-  const auto last = std::max_element(polygon.begin(), polygon.end(), precedes);
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), lexicographic_less),
+              polygon.end());
+  const auto last = std::max_element(polygon.begin(), polygon.end(), lexicographic_less);
   const bool base_below = last == polygon.begin() + 1;
   if (!base_below && last + 1 != polygon.end()) return false;
   // The chain from left to right; on the far side of the base it runs against the sense of the polygon.
   if (base_below) std::reverse(polygon.begin() + 1, polygon.end());
   for (size_t i = 0; i + 1 < polygon.size(); ++i) {
-    if (!precedes(polygon[i], polygon[i + 1])) return false;
+    if (!lexicographic_less(polygon[i], polygon[i + 1])) return false;
   }
   std::vector<PolygonCorner> left;
   for (const PolygonCorner& c : polygon) {
     while (left.size() >= 2) {
       const PolygonCorner &a = left[left.size() - 2], &b = left.back();
-      const Wide turn = turn_of(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
+      const Wide turn = doubled_area(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
       if (base_below ? turn >= 0 : turn <= 0) break;
       if (base_below) {
         out.push_back({{a.vertex, c.vertex, b.vertex}, {a.x, c.x, b.x}});
@@ -236,12 +239,12 @@ class Polygons {
     for (const ChartEdge& e : diagonals) add(e, true, true);
   }
 
-  Resumable<bool> append_triangles_of_all(std::vector<ChartTriangle>& out) {
-    co_await worked(halves_.size() / 16);
+  Task<bool> append_triangles_of_all(std::vector<ChartTriangle>& out) {
+    co_await yield_after(halves_.size() / 16);
     list_by_vertex();
     for (uint32_t v = 0; v < vertices_.size(); ++v) {
       sort_around(v);
-      co_await worked(1);
+      co_await yield_after(1);
     }
     std::vector<bool> used(halves_.size());
     std::vector<PolygonCorner> polygon;
@@ -257,7 +260,7 @@ class Polygons {
         x += halves_[h].dx;
         h = after(h);
       } while (h != start);
-      co_await worked(polygon.size() / 2 + 1);
+      co_await yield_after(polygon.size() / 2 + 1);
       if (x != polygon.front().x || !append_triangles(polygon, out)) co_return false;
     }
     co_return true;
@@ -295,7 +298,7 @@ class Polygons {
   static bool in_upper_half(const Half& h) { return h.dy > 0 || (h.dy == 0 && h.dx > 0); }
   static bool turns_before(const Half& a, const Half& b) {
     if (in_upper_half(a) != in_upper_half(b)) return in_upper_half(a);
-    return turn_of(a.dx, a.dy, b.dx, b.dy) > 0;
+    return doubled_area(a.dx, a.dy, b.dx, b.dy) > 0;
   }
 
   // Returns the next side of the polygon on the left: the first one clockwise from the opposite edge.
@@ -312,14 +315,14 @@ class Polygons {
 
 }  // namespace
 
-Resumable<std::optional<ChartRegion::Winding>> ChartRegion::winding(std::vector<uint32_t>* conflict) const {
+Task<std::optional<ChartRegion::Winding>> ChartRegion::winding(std::vector<uint32_t>* conflict) const {
   ChartSweep sweep(vertices_, edges_, width_);
   if (co_await sweep.run()) co_return sweep.winding();
   if (conflict != nullptr) *conflict = sweep.conflict();
   co_return std::nullopt;
 }
 
-Resumable<std::optional<std::vector<ChartTriangle>>> ChartRegion::triangles(
+Task<std::optional<std::vector<ChartTriangle>>> ChartRegion::triangles(
     std::vector<uint32_t>* conflict) const {
   ChartSweep sweep(vertices_, edges_, width_);
   if (!co_await sweep.run()) {
@@ -331,7 +334,7 @@ Resumable<std::optional<std::vector<ChartTriangle>>> ChartRegion::triangles(
   if (winding.least < 0 || winding.largest > 1 || winding.above != 0) co_return std::nullopt;
   std::vector<ChartTriangle> triangles;
   Polygons polygons(vertices_, edges_, sweep.diagonals());
-  co_await worked(vertices_.size() / 8);
+  co_await yield_after(vertices_.size() / 8);
   if (!co_await polygons.append_triangles_of_all(triangles)) co_return std::nullopt;
   co_return triangles;
 }

@@ -31,7 +31,7 @@ struct ChartTriangle {
 };
 
 // Returns twice the signed area of the triangle between two vectors.
-inline Wide turn_of(int64_t ax, int64_t ay, int64_t bx, int64_t by) {
+inline Wide doubled_area(int64_t ax, int64_t ay, int64_t bx, int64_t by) {
   return static_cast<Wide>(ax) * by - static_cast<Wide>(ay) * bx;
 }
 
@@ -50,7 +50,7 @@ class ChartRegion {
     uint32_t least_at = 0, largest_at = 0;
   };
   // Returns nullopt if edges cross or touch; `conflict`, if not null, then receives vertices of such edges.
-  Resumable<std::optional<Winding>> winding(std::vector<uint32_t>* conflict = nullptr) const;
+  Task<std::optional<Winding>> winding(std::vector<uint32_t>* conflict = nullptr) const;
 
   // Returns counter-clockwise triangles between the vertices that cover exactly the points with winding
   // number 1. Returns nullopt if edges cross or touch, if a winding number other than 0 or 1 occurs, or if
@@ -59,8 +59,7 @@ class ChartRegion {
   // monotone in x (R. Seidel: A simple and fast incremental randomized algorithm for computing trapezoidal
   // decompositions and for triangulating polygons, 1991), and triangulates these. O(n log n) comparisons;
   // an insertion also moves up to as many entries as the line meets edges.
-  Resumable<std::optional<std::vector<ChartTriangle>>> triangles(
-      std::vector<uint32_t>* conflict = nullptr) const;
+  Task<std::optional<std::vector<ChartTriangle>>> triangles(std::vector<uint32_t>* conflict = nullptr) const;
 
  private:
   std::span<const ChartVertex> vertices_;
@@ -74,7 +73,7 @@ class ChartSweep {
   ChartSweep(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges, int64_t width);
 
   // Returns true if no edges cross or touch.
-  Resumable<bool> run();
+  Task<bool> run();
 
   // Returns vertices of edges that cross or touch, if run() returned false.
   const std::vector<uint32_t>& conflict() const { return conflict_; }

@@ -85,7 +85,7 @@ std::optional<Vec3> WallMesh::split_for_shape(const Quad& q, double shortest, co
   return splits ? at : std::nullopt;
 }
 
-Resumable<Done> WallMesh::grade(double least, const Middle& middle) {
+Task<Done> WallMesh::grade(double least, const Middle& middle) {
   const auto is_less = [](const LongSide& a, const LongSide& b) {
     return std::tie(a.length, a.edge.from, a.edge.to) < std::tie(b.length, b.edge.from, b.edge.to);
   };
@@ -96,13 +96,13 @@ Resumable<Done> WallMesh::grade(double least, const Middle& middle) {
   };
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     look_at(t);
-    co_await worked(1);
+    co_await yield_after(1);
   }
   const size_t most = (1 + kMaxGraded) * vertices_.size();
   while (!waiting.empty() && vertices_.size() < most) {
     const LongSide next = waiting.top();
     waiting.pop();
-    co_await worked(4);
+    co_await yield_after(4);
     if (!is_current(next.edge) || !is_inner(next.edge)) continue;
     const Quad q = quad_of(next.edge);
     const std::optional<Vec3> at = split_for_shape(q, next.shortest, middle);

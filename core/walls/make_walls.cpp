@@ -17,15 +17,15 @@
 
 namespace kerf {
 
-Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim) {
+Task<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim) {
   const size_t vertices = patch.rim.size() + patch.added.size();
   const SideIndex sides(patch.faces, vertices);
-  co_await worked(patch.faces.size() / 16);
+  co_await yield_after(patch.faces.size() / 16);
   std::vector<PatchSide> at_rim(rim.begin(), rim.end());
   std::sort(at_rim.begin(), at_rim.end());
   if (const auto twice = std::adjacent_find(at_rim.begin(), at_rim.end()); twice != at_rim.end())
     co_return PatchFault{"the rim runs along one edge twice", twice->first};
-  co_await worked(rim.size() / 8);
+  co_await yield_after(rim.size() / 8);
   for (const PatchSide& s : at_rim) {
     if (!sides.find(s.first, s.second)) co_return PatchFault{"a part of the rim belongs to no wall", s.first};
   }
@@ -37,19 +37,18 @@ Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<
                              std::binary_search(at_rim.begin(), at_rim.end(), PatchSide{v, s.to});
       if (is_at_rim == is_inner) co_return PatchFault{"a wall ends inside the part", v};
     }
-    co_await worked(1);
+    co_await yield_after(1);
   }
   co_return std::nullopt;
 }
 
-Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> rim,
-                                 std::span<const RimSide> sides) {
+Task<Done> separate_walls(WallPatch& patch, std::span<const PatchSide> rim, std::span<const RimSide> sides) {
   KERF_ASSERT(rim.size() == sides.size());
   UnionFind together(patch.rim.size() + patch.added.size());
   for (const auto& f : patch.faces) {
     together.unite(f[0], f[1]);
     together.unite(f[1], f[2]);
-    co_await worked(1);
+    co_await yield_after(1);
   }
   std::map<uint32_t, uint32_t> number;
   for (size_t i = 0; i < sides.size(); ++i) {
@@ -57,11 +56,11 @@ Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> ri
         number.try_emplace(together.find(rim[i].first), static_cast<uint32_t>(patch.beside_wall.size()));
     if (is_new) patch.beside_wall.push_back(sides[i].face);
     patch.wall_of_side.push_back(at->second);
-    co_await worked(1);
+    co_await yield_after(1);
   }
   for (const auto& f : patch.faces) {
     patch.wall_of_face.push_back(number.at(together.find(f[0])));
-    co_await worked(1);
+    co_await yield_after(1);
   }
   co_return Done{};
 }
@@ -69,7 +68,7 @@ Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> ri
 namespace {
 
 // Max height of a triangle that is cut off the rim, in radii.
-constexpr double kHighestCut = 0.03;
+constexpr double kMaxCutHeight = 0.03;
 // Min distance from the ends of the range in the chart of a vertex that is not at a corner, in radii.
 constexpr double kWithinRange = 1e-6;
 // Min length of an edge of a wall, in radii.
@@ -98,7 +97,7 @@ class WallMaker {
         ends_(swept.ends),
         depths_(swept.depths) {}
 
-  Resumable<Result<WallPatch>> make() {
+  Task<Result<WallPatch>> make() {
     co_await number_rim();
     if (const auto loose = loose_end())
       co_return left_open("the rim ends at an edge of three or more faces", rim_at(*loose));
@@ -111,7 +110,7 @@ class WallMaker {
     }
     const auto fault = co_await fault_of(patch_, rim_);
     if (fault) co_return left_open(fault->why, at(fault->vertex));
-    co_await tell_walls_apart(patch_, rim_, sides_);
+    co_await separate_walls(patch_, rim_, sides_);
     patch_.sides.assign(sides_.begin(), sides_.end());
     co_return std::move(patch_);
   }
@@ -128,16 +127,16 @@ class WallMaker {
   }
 
   // Sides of the walls along the rim run opposite to those of the adjacent faces.
-  Resumable<Done> number_rim() {
+  Task<Done> number_rim() {
     patch_.rim = vertices_of(sides_);
     const auto index = [&](VertexId v) {
       return static_cast<uint32_t>(std::lower_bound(patch_.rim.begin(), patch_.rim.end(), v) -
                                    patch_.rim.begin());
     };
-    co_await worked(sides_.size() / 4);
+    co_await yield_after(sides_.size() / 4);
     for (const RimSide& s : sides_) {
       rim_.emplace_back(index(s.to), index(s.from));
-      co_await worked(1);
+      co_await yield_after(1);
     }
     co_return Done{};
   }
@@ -154,10 +153,10 @@ class WallMaker {
     return static_cast<uint32_t>(loose - balance.begin());
   }
 
-  Resumable<Status> place_rim() {
+  Task<Status> place_rim() {
     std::vector<NearBoundary> near;
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) {
-      co_await worked(2);
+      co_await yield_after(2);
       near.push_back(near_boundary(*chart_, ends_, rim_at(i), pencil_->see(rim_at(i)).depth, reach_));
       if (!near[i].place && near[i].end == BoundaryPart::kSide)
         co_return left_open("the rim leaves the sides of the beam", rim_at(i));
@@ -177,7 +176,7 @@ class WallMaker {
       }
     }
     for (uint32_t i = 0; i < patch_.rim.size(); ++i) place_at_end(i, on_side[i], on_end[i]);
-    co_await worked(rim_.size());
+    co_await yield_after(rim_.size());
     co_return Done{};
   }
 
@@ -249,7 +248,7 @@ class WallMaker {
   }
 
   // Returns nullopt if edges cross; `conflict` then holds vertices of these.
-  Resumable<std::optional<ChartRegion::Winding>> untangle_side(Side& side, std::vector<uint32_t>& conflict) {
+  Task<std::optional<ChartRegion::Winding>> untangle_side(Side& side, std::vector<uint32_t>& conflict) {
     std::vector<Vec3> positions;
     for (const uint32_t i : side.of_patch) positions.push_back(at(i));
     RimInChart rim{side.wall.placed(), positions, std::move(side.wall.edges()), SideChart::kSize};
@@ -257,17 +256,17 @@ class WallMaker {
     const std::function<bool(uint32_t, uint32_t)> joined = [&](uint32_t a, uint32_t b) {
       return are_joined(side.of_patch[a], side.of_patch[b]);
     };
-    const auto winding = co_await untangle(rim, kHighestCut * stroke_.radius, joined, cut_off, conflict);
+    const auto winding = co_await untangle(rim, kMaxCutHeight * stroke_.radius, joined, cut_off, conflict);
     side.wall.edges() = std::move(rim.edges);
     append_faces(side.of_patch, cut_off);
     co_return winding;
   }
 
-  Resumable<Status> make_side(uint32_t curve) {
+  Task<Status> make_side(uint32_t curve) {
     Result<Side> found = side_of(curve);
     if (!found) co_return found.error();
     Side& side = *found;
-    co_await worked(side.wall.edges().size());
+    co_await yield_after(side.wall.edges().size());
     if (side.wall.edges().empty()) co_return Done{};
     Interval depths = depths_;
     if (ends_.low && !low_end_.empty()) depths.low = *ends_.low;
@@ -317,14 +316,14 @@ class WallMaker {
     return repeated->to;
   }
 
-  Resumable<Status> triangulate(const Side& side) {
+  Task<Status> triangulate(const Side& side) {
     std::vector<uint32_t> conflict;
     const auto triangles =
         co_await ChartRegion(side.wall.placed(), side.wall.edges(), SideChart::kSize).triangles(&conflict);
     if (!triangles) co_return left_open("the rim crosses itself", place_of(side, conflict));
     if (const auto v = meeting_vertex(*triangles, side.wall.placed().size()))
       co_return left_open("the wall is so narrow that its edges meet", place_of(side, *v));
-    co_await worked(triangles->size() / 8);
+    co_await yield_after(triangles->size() / 8);
     // The chart may map several points to one place; the retry without vertices for shape may avoid these.
     Vec3 here = place_of(side, 0);
     for (const bool graded : {true, false}) {
@@ -335,7 +334,7 @@ class WallMaker {
         here = wall->vertices()[*short_edge].at;
       } else {
         append(side.of_patch, *wall);
-        co_await worked(wall->triangles().size() / 4);
+        co_await yield_after(wall->triangles().size() / 4);
         co_return Done{};
       }
     }
@@ -343,8 +342,8 @@ class WallMaker {
   }
 
   // Returns the wall between the vertices of the rim; nullopt if it would need too many further ones.
-  Resumable<std::optional<WallMesh>> fill(const Side& side, std::span<const ChartTriangle> triangles,
-                                          bool graded) const {
+  Task<std::optional<WallMesh>> fill(const Side& side, std::span<const ChartTriangle> triangles,
+                                     bool graded) const {
     std::vector<WallMesh::Vertex> vertices;
     for (size_t i = 0; i < side.wall.placed().size(); ++i)
       vertices.push_back({at(side.of_patch[i]), side.wall.placed()[i]});
@@ -352,7 +351,7 @@ class WallMaker {
         std::move(vertices), triangles, SideChart::kSize,
         [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); },
         kRimNear * stroke_.radius);
-    co_await worked(triangles.size());
+    co_await yield_after(triangles.size());
     co_await wall.improve();
     const size_t most = kMaxAdded * (side.wall.placed().size() + 1024);
     size_t added = 0;
@@ -429,7 +428,7 @@ class WallMaker {
 
   // Makes the cap: the region of the plane at an end of the range that is bounded by the ends of the sides.
   // Its faces are counter-clockwise seen from the beam, i.e. from lower depths for the higher end.
-  Resumable<Status> make_cap(bool is_high) {
+  Task<Status> make_cap(bool is_high) {
     const std::vector<PatchSide>& sides = is_high ? high_end_ : low_end_;
     if (sides.empty()) co_return Done{};
     std::map<uint32_t, uint32_t> local;
@@ -476,11 +475,11 @@ class WallMaker {
 
 }  // namespace
 
-Resumable<MadeWalls> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke) {
+Task<MadeWalls> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke) {
   KERF_ASSERT(!sides.empty() && !stroke.moves.empty() && stroke.radius > 0);
   MadeWalls made;
   const std::vector<VertexId> vertices = vertices_of(sides);
-  co_await worked(sides.size() / 4);
+  co_await yield_after(sides.size() / 4);
   const Result<SweptSides> swept = co_await swept_sides(mesh, vertices, stroke);
   if (!swept) {
     made.left_open.push_back(swept.error().message);

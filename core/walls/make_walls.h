@@ -43,7 +43,7 @@ struct WallStroke {
   std::function<std::vector<std::pair<FaceId, int>>(const Vec3&, const Vec3&)> crossings;
   // Returns by face slot the index of the face's connected part of the mesh, for all parts that have sides;
   // kNoPart for other faces. Parts that touch without a common edge are different.
-  std::function<Resumable<std::vector<uint32_t>>()> parts;
+  std::function<Task<std::vector<uint32_t>>()> parts;
 };
 inline constexpr uint32_t kNoPart = 0xffffffffu;
 
@@ -68,7 +68,7 @@ struct MadeWalls {
 //
 // Preconditions: `sides` are all sides without another face on their sheet of some connected parts of the
 // mesh that were closed before; until completion all arguments live and the mesh is unchanged.
-Resumable<MadeWalls> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke);
+Task<MadeWalls> make_walls(const Mesh& mesh, std::span<const RimSide> sides, const WallStroke& stroke);
 
 // A side of walls, as vertex indices of a patch.
 using PatchSide = std::pair<uint32_t, uint32_t>;
@@ -81,11 +81,10 @@ struct PatchFault {
 
 // Returns nullopt if every side of the patch has exactly one other face (of the patch, or beyond a side of
 // the rim) and every side of the rim is one of the patch. O(n log n).
-Resumable<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim);
+Task<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim);
 
 // Computes the walls of the faces and of `rim`, beyond which are `sides`. Precondition: fault_of() is
 // nullopt.
-Resumable<Done> tell_walls_apart(WallPatch& patch, std::span<const PatchSide> rim,
-                                 std::span<const RimSide> sides);
+Task<Done> separate_walls(WallPatch& patch, std::span<const PatchSide> rim, std::span<const RimSide> sides);
 
 }  // namespace kerf

@@ -54,7 +54,7 @@ void append_sides(const DiscMove& m, double radius, uint32_t move, std::vector<O
   const double length = glm::length(way);
   if (!(length > kDepth * radius)) return out.push_back(arc(m.from, radius, 0, 2 * kPi, 4 * move + 3));
   const Vec2 left = Vec2(-way.y, way.x) * (radius / length);
-  const double angle = arc_tangent(left.y, left.x);
+  const double angle = det::atan2(left.y, left.x);
   out.push_back(line(m.from - left, m.to - left, 4 * move));
   out.push_back(arc(m.to, radius, angle - kPi, kPi, 4 * move + 1));
   out.push_back(line(m.to + left, m.from + left, 4 * move + 2));
@@ -103,8 +103,8 @@ class Crossings {
       const double d2 = glm::dot(between, between), d = std::sqrt(d2);
       const double cosine = (d2 + piece_.radius * piece_.radius - radius * radius) / (2 * d * piece_.radius);
       if (!(std::abs(cosine) < 1)) return;
-      const double middle = arc_tangent(between.y, between.x);
-      const double half = arc_tangent(std::sqrt(1 - cosine * cosine), cosine);
+      const double middle = det::atan2(between.y, between.x);
+      const double half = det::atan2(std::sqrt(1 - cosine * cosine), cosine);
       record_angle(middle - half);
       record_angle(middle + half);
     } else if (piece_.length > 0) {
@@ -116,8 +116,8 @@ class Crossings {
     if (piece_.radius > 0) {
       const double height = cross2(along, point - piece_.centre) / piece_.radius;
       if (!(std::abs(height) < 1)) return;
-      const double direction = arc_tangent(along.y, along.x);
-      const double above = arc_tangent(height, std::sqrt(1 - height * height));
+      const double direction = det::atan2(along.y, along.x);
+      const double above = det::atan2(height, std::sqrt(1 - height * height));
       record_angle(direction + above);
       record_angle(direction + kPi - above);
     } else if (piece_.length > 0) {
@@ -160,7 +160,7 @@ bool cross(const DiscMove& a, const DiscMove& b) {
 }
 
 // Returns a lower bound of the distance between points of two bands.
-double least_distance(const Band& a, const Band& b) {
+double min_distance(const Band& a, const Band& b) {
   if (cross(a.line, b.line)) return 0;
   const double least2 =
       std::min({squared_distance(a.line.from, b.line), squared_distance(a.line.to, b.line),
@@ -214,7 +214,7 @@ class Uncovered {
   // Returns a lower bound of the distance of the uncovered parts from the band.
   double distance(const Band& band) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Band& own : bands_) least = std::min(least, least_distance(own, band));
+    for (const Band& own : bands_) least = std::min(least, min_distance(own, band));
     return least;
   }
 
@@ -328,16 +328,16 @@ class Coverage {
 };
 
 // Returns the pieces of the outline, unordered.
-Resumable<std::vector<OutlinePiece>> pieces_of_outline(std::span<const DiscMove> moves, double radius) {
+Task<std::vector<OutlinePiece>> pieces_of_outline(std::span<const DiscMove> moves, double radius) {
   std::vector<OutlinePiece> pieces, sides;
   if (moves.empty()) co_return pieces;
   Coverage coverage(moves, radius);
-  co_await worked(moves.size());
+  co_await yield_after(moves.size());
   for (uint32_t i = 0; i < moves.size(); ++i) {
     sides.clear();
     append_sides(moves[i], radius, i, sides);
     for (const OutlinePiece& side : sides) coverage.append_uncovered(side, pieces);
-    co_await worked(4 + std::exchange(coverage.work, 0) / 2);
+    co_await yield_after(4 + std::exchange(coverage.work, 0) / 2);
   }
   co_return pieces;
 }
@@ -415,7 +415,7 @@ Vec2 OutlinePiece::at(double share) const {
   return radius > 0 ? on_circle(centre, radius, angle + share * turn) : from + share * (to - from);
 }
 
-Resumable<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius) {
+Task<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius) {
   KERF_ASSERT(radius > 0);
   const std::vector<OutlinePiece> pieces = co_await pieces_of_outline(moves, radius);
   co_return chain(pieces, radius);

@@ -38,6 +38,6 @@ struct OutlineCurve {
 // belong to the first one. Features smaller than 1e-4 radii are lost. Returns no curve if the chain does
 // not close. O(n log n) for n moves along paths that bend slowly compared with the radius, regardless of
 // the number of moves within a radius.
-Resumable<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius);
+Task<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius);
 
 }  // namespace kerf

@@ -48,8 +48,8 @@ std::vector<VertexId> vertices_of(std::span<const RimSide> sides) {
   return vertices;
 }
 
-Resumable<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId> vertices,
-                                          const WallStroke& stroke) {
+Task<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId> vertices,
+                                     const WallStroke& stroke) {
   KERF_ASSERT(!vertices.empty());
   const Vec3 first = mesh.position(vertices[0]);
   const auto pencil = BeamPencil::of(stroke.moves, stroke.radius);
@@ -90,13 +90,13 @@ class RimGrouping {
         swept_(swept),
         vertices_(vertices_of(sides)) {}
 
-  Resumable<Done> run() {
+  Task<Done> run() {
     co_await place_sides();
     uint32_t parts = 0;
     for (const ChartSide& s : sides_) parts = std::max(parts, s.part + 1);
     together_.emplace(parts);
     co_await walk_loops();
-    co_await worked(rim_.size());
+    co_await yield_after(rim_.size());
     co_return Done{};
   }
 
@@ -115,12 +115,12 @@ class RimGrouping {
  private:
   uint32_t low_end() const { return static_cast<uint32_t>(swept_.chart.curves()); }
 
-  Resumable<Done> place_sides() {
+  Task<Done> place_sides() {
     std::vector<NearBoundary> near;
     for (const VertexId v : vertices_) {
       const Vec3 p = mesh_.position(v);
       near.push_back(near_boundary(swept_.chart, swept_.ends, p, swept_.pencil.see(p).depth, swept_.reach));
-      co_await worked(2);
+      co_await yield_after(2);
     }
     const auto index = [&](VertexId v) {
       return static_cast<uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), v) -
@@ -134,7 +134,7 @@ class RimGrouping {
       KERF_ASSERT(side.part != kNoPart);
       place(side, near[side.from], near[side.to]);
       sides_.push_back(side);
-      co_await worked(1);
+      co_await yield_after(1);
     }
     co_return Done{};
   }
@@ -168,7 +168,7 @@ class RimGrouping {
     side.dy = b.y - a.y;
   }
 
-  Resumable<Done> walk_loops() {
+  Task<Done> walk_loops() {
     std::vector<std::vector<uint32_t>> starting(vertices_.size());
     for (uint32_t i = 0; i < sides_.size(); ++i) starting[sides_[i].from].push_back(i);
     std::vector<bool> walked(sides_.size());
@@ -184,10 +184,10 @@ class RimGrouping {
         if (sides_[at].to == sides_[first].from || free == next.end()) break;
         at = *free;
       }
-      co_await worked(loop.size());
+      co_await yield_after(loop.size());
       if (!is_clockwise(loop)) continue;
       join_to_solid(loop);
-      co_await worked(sides_[first].curve < low_end() ? sides_.size() / 4 : 64);
+      co_await yield_after(sides_[first].curve < low_end() ? sides_.size() / 4 : 64);
     }
     co_return Done{};
   }
@@ -275,9 +275,9 @@ class RimGrouping {
 
 }  // namespace
 
-Resumable<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<const RimSide> sides,
-                                                        std::span<const uint32_t> part_of_face,
-                                                        const WallStroke& stroke, const SweptSides& swept) {
+Task<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<const RimSide> sides,
+                                                   std::span<const uint32_t> part_of_face,
+                                                   const WallStroke& stroke, const SweptSides& swept) {
   RimGrouping grouping(mesh, sides, part_of_face, stroke, swept);
   co_await grouping.run();
   co_return grouping.take_groups();

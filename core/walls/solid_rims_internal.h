@@ -20,8 +20,8 @@ struct SweptSides {
 };
 
 // Fails with a reason if the beam has no chart. Precondition: `vertices`, those of the rim, are not empty.
-Resumable<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId> vertices,
-                                          const WallStroke& stroke);
+Task<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId> vertices,
+                                     const WallStroke& stroke);
 
 // Returns the vertices of sides, ascending.
 std::vector<VertexId> vertices_of(std::span<const RimSide> sides);
@@ -31,8 +31,8 @@ std::vector<VertexId> vertices_of(std::span<const RimSide> sides);
 // cavity, and the nearest rim below it to the same solid. `part_of_face` holds the index of the connected
 // part of each face, at least for the faces of all sides. O(n log n) without cavities, plus O(n) for each
 // of their rims.
-Resumable<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<const RimSide> sides,
-                                                        std::span<const uint32_t> part_of_face,
-                                                        const WallStroke& stroke, const SweptSides& swept);
+Task<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<const RimSide> sides,
+                                                   std::span<const uint32_t> part_of_face,
+                                                   const WallStroke& stroke, const SweptSides& swept);
 
 }  // namespace kerf

@@ -109,7 +109,7 @@ constexpr double kMinCurve = 1;
 double nearest_share(const OutlinePiece& piece, Vec2 p) {
   if (piece.radius > 0) {
     const Vec2 from = p - piece.centre;
-    double turned = wrapped(arc_tangent(from.y, from.x) - piece.angle);
+    double turned = wrapped(det::atan2(from.y, from.x) - piece.angle);
     if (turned < 0) turned += 2 * kPi;
     if (turned <= piece.turn) return turned / piece.turn;
     return turned - piece.turn < 2 * kPi - turned ? 1 : 0;
@@ -249,8 +249,8 @@ bool WallChart::set_landmarks(std::vector<Slice>& slices) {
   return true;
 }
 
-Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil, std::span<const BeamMove> moves,
-                                                    double radius, Interval depths) {
+Task<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil, std::span<const BeamMove> moves,
+                                               double radius, Interval depths) {
   KERF_ASSERT(radius > 0);
   WallChart chart(pencil);
   const size_t slices = pencil.parallel() ? 1 : kSlices;
@@ -273,7 +273,7 @@ Resumable<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil, st
         slice.curves.size() != (s > 0 ? chart.slices_[0].curves.size() : slice.curves.size()))
       co_return std::nullopt;
     chart.slices_.push_back(std::move(slice));
-    co_await worked(moves.size());
+    co_await yield_after(moves.size());
   }
   if (slices > 1 && !set_landmarks(chart.slices_)) co_return std::nullopt;
   co_return chart;

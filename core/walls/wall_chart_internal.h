@@ -59,8 +59,8 @@ class WallChart {
   // Makes the chart for depths within `depths` (m, of the pencil). Returns nullopt if the outlines at
   // different depths do not correspond: curves longer than a radius appear or disappear, or have no common
   // side. Preconditions: radius > 0; pencil and moves live until completion.
-  static Resumable<std::optional<WallChart>> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
-                                                  double radius, Interval depths);
+  static Task<std::optional<WallChart>> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
+                                             double radius, Interval depths);
 
   struct Place {
     uint32_t curve = 0;

@@ -200,18 +200,19 @@ bool WallMesh::may_be_joined(const Quad& q) const {
 bool WallMesh::is_upright(uint32_t triangle) const {
   const auto& x = x_[triangle];
   const auto y = [&](size_t i) { return vertices_[triangles_[triangle][i]].chart.y; };
-  return turn_of(x[1] - x[0], y(1) - y(0), x[2] - x[0], y(2) - y(0)) > 0;
+  return doubled_area(x[1] - x[0], y(1) - y(0), x[2] - x[0], y(2) - y(0)) > 0;
 }
 
 bool WallMesh::should_flip(const Quad& q) {
   const auto y_from_a = [&](uint32_t v) { return vertices_[v].chart.y - vertices_[q.a].chart.y; };
   const ChartVertex b{q.xb - q.xa, y_from_a(q.b)}, c{q.xc - q.xa, y_from_a(q.c)},
       d{q.xd - q.xa, y_from_a(q.d)};
-  const Wide at_a = turn_of(d.x, d.y, c.x, c.y);
-  const Wide at_b = turn_of(c.x - b.x, c.y - b.y, d.x - b.x, d.y - b.y);
+  const Wide at_a = doubled_area(d.x, d.y, c.x, c.y);
+  const Wide at_b = doubled_area(c.x - b.x, c.y - b.y, d.x - b.x, d.y - b.y);
   if (at_a <= 0 || at_b <= 0) return false;
   const Wide flat = kFlattest * (std::abs(c.x - d.x) + std::abs(c.y - d.y)), flattest = std::min(at_a, at_b);
-  if (flattest <= flat && flattest < std::min(turn_of(b.x, b.y, c.x, c.y), turn_of(d.x, d.y, b.x, b.y)))
+  if (flattest <= flat &&
+      flattest < std::min(doubled_area(b.x, b.y, c.x, c.y), doubled_area(d.x, d.y, b.x, b.y)))
     return false;
   const double now = excess(q);
   const auto then = [&] { return std::max(deviation(q.c, q.xc, q.d, q.xd) - most_, 0.0); };
@@ -234,7 +235,7 @@ void WallMesh::flip(const Quad& q) {
       {q.known[3], q.known[0], -1});
 }
 
-size_t WallMesh::most_flips() const { return kMaxFlips * triangles_.size(); }
+size_t WallMesh::max_flips() const { return kMaxFlips * triangles_.size(); }
 
 // Removes the last edge from the list; if it should be flipped, flips it and adds the surrounding sides.
 void WallMesh::flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made) {
@@ -252,22 +253,22 @@ void WallMesh::flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made) {
 // Returns the edges made by flips.
 std::vector<WallMesh::Edge> WallMesh::flip_from(std::vector<Edge> waiting) {
   std::vector<Edge> made;
-  for (const size_t most = most_flips(); !waiting.empty() && made.size() < most;) flip_last(waiting, made);
+  for (const size_t most = max_flips(); !waiting.empty() && made.size() < most;) flip_last(waiting, made);
   return made;
 }
 
-Resumable<std::vector<WallMesh::Edge>> WallMesh::flip_in_parts(std::vector<Edge> waiting) {
+Task<std::vector<WallMesh::Edge>> WallMesh::flip_in_parts(std::vector<Edge> waiting) {
   std::vector<Edge> made;
   waiting.reserve(kRoom * waiting.size());
   made.reserve(kRoom * waiting.size());
-  for (const size_t most = most_flips(); !waiting.empty() && made.size() < most;) {
+  for (const size_t most = max_flips(); !waiting.empty() && made.size() < most;) {
     flip_last(waiting, made);
-    co_await worked(1);
+    co_await yield_after(1);
   }
   co_return made;
 }
 
-Resumable<Done> WallMesh::improve() {
+Task<Done> WallMesh::improve() {
   co_await flip_in_parts(inner_edges());
   co_return Done{};
 }
@@ -301,12 +302,12 @@ bool WallMesh::is_beside_an_end(const Quad& q, const Vec3& p) const {
   return std::min(glm::length(p - a), glm::length(p - b)) < kBesideEnd * glm::length(b - a);
 }
 
-Resumable<Done> WallMesh::refine(const Middle& middle) {
+Task<Done> WallMesh::refine(const Middle& middle) {
   std::vector<Edge> waiting = inner_edges();
   while (!waiting.empty()) {
     std::vector<Edge> next, around;
     for (const Edge& e : waiting) {
-      co_await worked(1);
+      co_await yield_after(1);
       if (!is_current(e) || !is_inner(e)) continue;
       const Quad q = quad_of(e);
       if (!(excess(q) > 0)) continue;
@@ -338,13 +339,13 @@ std::optional<uint32_t> WallMesh::edge_below(double length) const {
   return std::nullopt;
 }
 
-Resumable<Done> WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
-                                        const Middle& middle) {
+Task<Done> WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
+                                   const Middle& middle) {
   bool again = true;
   while (std::exchange(again, false)) {
     const std::vector<Edge> edges = inner_edges();
     for (const Edge& e : edges) {
-      co_await worked(1);
+      co_await yield_after(1);
       if (e.from >= fixed || e.to >= fixed || !splits(e.from, e.to)) continue;
       // A split moves other edges of its two triangles.
       again = !is_current(e) || again;
@@ -356,10 +357,10 @@ Resumable<Done> WallMesh::split_between(uint32_t fixed, const std::function<bool
   co_return Done{};
 }
 
-Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
-                                                   std::span<const std::pair<uint32_t, uint32_t>> sides,
-                                                   double least, const std::function<Vec3(Vec2)>& lift,
-                                                   uint32_t& conflict) {
+Task<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
+                                              std::span<const std::pair<uint32_t, uint32_t>> sides,
+                                              double least, const std::function<Vec3(Vec2)>& lift,
+                                              uint32_t& conflict) {
   KERF_ASSERT(!sides.empty() && places.size() == at.size());
   constexpr int64_t kSize = int64_t{1} << 30, kWidth = 4 * kSize;
   Vec2 low = places[0], high = places[0];

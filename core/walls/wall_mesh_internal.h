@@ -61,22 +61,22 @@ class WallMesh {
   // Flips inner edges of convex quadrilaterals until there is none whose other diagonal deviates less, or
   // deviates equally and has a smaller sum of opposite angles (C. L. Lawson: Software for C1 surface
   // interpolation, 1977). So long triangles along the beam on a bent wall need no further vertices.
-  Resumable<Done> improve();
+  Task<Done> improve();
 
   // Splits every inner edge, old or new, that deviates and has a `middle`, and improves the triangles
   // around.
-  Resumable<Done> refine(const Middle& middle);
+  Task<Done> refine(const Middle& middle);
 
   // Splits long sides of thin triangles, longest first, and improves the surrounding triangles, so that
   // triangles grow away from the rim (as in M.-C. Rivara: New longest-edge algorithms for the refinement
   // and/or improvement of unstructured triangulations, 1997). On a bent wall they may be thinner. Without
   // this, a later stroke that meets a wall of long thin triangles would refine all of them. Sides of at
   // most `least` metres stay; the positions must be as exact as the chart.
-  Resumable<Done> grade(double least, const Middle& middle);
+  Task<Done> grade(double least, const Middle& middle);
 
   // Splits, at `middle`, the inner edges between two of the first `fixed` vertices for which `splits` holds.
-  Resumable<Done> split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
-                                const Middle& middle);
+  Task<Done> split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
+                           const Middle& middle);
 
   // Returns an end of an inner edge shorter than `length` (m), or nullopt. O(n).
   std::optional<uint32_t> edge_below(double length) const;
@@ -118,10 +118,10 @@ class WallMesh {
   bool is_upright(uint32_t triangle) const;
   bool should_flip(const Quad& q);
   void flip(const Quad& q);
-  size_t most_flips() const;
+  size_t max_flips() const;
   void flip_last(std::vector<Edge>& waiting, std::vector<Edge>& made);
   std::vector<Edge> flip_from(std::vector<Edge> waiting);
-  Resumable<std::vector<Edge>> flip_in_parts(std::vector<Edge> waiting);
+  Task<std::vector<Edge>> flip_in_parts(std::vector<Edge> waiting);
   ChartVertex within(const ChartVertex& v) const { return {(v.x % width_ + width_) % width_, v.y}; }
   ChartVertex middle_of(const Quad& q) const;
   void split(const Quad& q, const Vec3& at);
@@ -152,9 +152,9 @@ class WallMesh {
 // sides in the plane, `at` the same in space, and `lift` maps further vertices to space (m). Returns
 // nullopt if sides cross, or bound a region that is infinite or covered more than once; `conflict` is then
 // the index of a place there. Preconditions: there is a side, and the sides form closed loops.
-Resumable<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
-                                                   std::span<const std::pair<uint32_t, uint32_t>> sides,
-                                                   double least, const std::function<Vec3(Vec2)>& lift,
-                                                   uint32_t& conflict);
+Task<std::optional<WallMesh>> triangulate_cap(std::span<const Vec2> places, std::span<const Vec3> at,
+                                              std::span<const std::pair<uint32_t, uint32_t>> sides,
+                                              double least, const std::function<Vec3(Vec2)>& lift,
+                                              uint32_t& conflict);
 
 }  // namespace kerf

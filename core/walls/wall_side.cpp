@@ -71,22 +71,24 @@ std::optional<size_t> closing_edge(const std::vector<ChartEdge>& edges, const Pa
 }
 
 void cut(std::vector<ChartEdge>& edges, const Passage& p) {
-  std::vector<size_t> gone{p.out};
+  std::vector<size_t> removed{p.out};
   if (const auto third = closing_edge(edges, p)) {
-    gone.insert(gone.end(), {p.in, *third});
+    removed.insert(removed.end(), {p.in, *third});
   } else {
     edges[p.in].dx += edges[p.out].dx;
     edges[p.in].to = edges[p.out].to;
   }
-  std::sort(gone.begin(), gone.end());
-  for (size_t i = gone.size(); i-- > 0;) edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(gone[i]));
+  std::sort(removed.begin(), removed.end());
+  for (size_t i = removed.size(); i-- > 0;)
+    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(removed[i]));
 }
 
 }  // namespace
 
-Resumable<std::optional<ChartRegion::Winding>> untangle(
-    RimInChart& rim, double highest, const std::function<bool(uint32_t, uint32_t)>& are_joined,
-    std::vector<std::array<uint32_t, 3>>& cut_off, std::vector<uint32_t>& conflict) {
+Task<std::optional<ChartRegion::Winding>> untangle(RimInChart& rim, double highest,
+                                                   const std::function<bool(uint32_t, uint32_t)>& are_joined,
+                                                   std::vector<std::array<uint32_t, 3>>& cut_off,
+                                                   std::vector<uint32_t>& conflict) {
   KERF_ASSERT(rim.placed.size() == rim.at.size() && highest >= 0);
   for (int i = 0; i < kMaxCuts; ++i) {
     const auto winding = co_await ChartRegion(rim.placed, rim.edges, rim.width).winding(&conflict);

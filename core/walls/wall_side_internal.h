@@ -54,9 +54,10 @@ struct RimInChart {
 // appended to `cut_off`. The third side of such a triangle never joins vertices for which `are_joined`
 // holds. Returns nullopt if that does not resolve all crossings; `conflict` then holds vertices of edges
 // that cross or touch. O(n log n) per triangle cut off.
-Resumable<std::optional<ChartRegion::Winding>> untangle(
-    RimInChart& rim, double highest, const std::function<bool(uint32_t, uint32_t)>& are_joined,
-    std::vector<std::array<uint32_t, 3>>& cut_off, std::vector<uint32_t>& conflict);
+Task<std::optional<ChartRegion::Winding>> untangle(RimInChart& rim, double highest,
+                                                   const std::function<bool(uint32_t, uint32_t)>& are_joined,
+                                                   std::vector<std::array<uint32_t, 3>>& cut_off,
+                                                   std::vector<uint32_t>& conflict);
 
 // The rim on one side of the beam, i.e. around one curve of its outline: vertices at places, and directed
 // edges in the chart with the wall on their left. If the range of the beam ends in the solid, so that the

@@ -156,8 +156,8 @@ PieceCopy copy_piece(const Body& body, uint32_t label) {
   return copy;
 }
 
-Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
-                         std::span<const MeshPart> parts, const Progress* progress) {
+Result<Body> rebuilt_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
+                          std::span<const MeshPart> parts, const Progress* progress) {
   KERF_ASSERT(!remeshed.triangles.empty());
   ProgressShares shares(progress);
   const Progress building = shares.next(0.5), making = shares.next(0.5);

@@ -32,7 +32,7 @@ PieceCopy copy_piece(const Body& body, uint32_t label);
 // `parts` of loaded faces become parts of the new ones. All data but the faces is copied from `body`. Fails
 // like build_mesh and make_body; `progress` may be null. Precondition: `remeshed` was made of `copy.mesh`,
 // which was made of `body`, and has triangles.
-Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
-                         std::span<const MeshPart> parts, const Progress* progress);
+Result<Body> rebuilt_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
+                          std::span<const MeshPart> parts, const Progress* progress);
 
 }  // namespace kerf

@@ -46,7 +46,7 @@ struct PieceFrame {
 Triangle from_first_corner(const Triangle& t) {
   size_t first = 0;
   for (size_t i = 1; i < 3; ++i) {
-    if (precedes(t[i], t[first])) first = i;
+    if (lexicographic_less(t[i], t[first])) first = i;
   }
   return {t[first], t[(first + 1) % 3], t[(first + 2) % 3]};
 }
@@ -123,7 +123,7 @@ bool are_same(const EnclosedPiece& a, const EnclosedPiece& b) {
 
 }  // namespace
 
-void weigh_solid(Body& body) {
+void update_solid_mass(Body& body) {
   const LabelledSums sums(body);
   body.enclosed.grow_to(body.pieces.size());
   for (uint32_t label = 0; label < body.pieces.size(); ++label) {
@@ -164,9 +164,9 @@ struct Unit {
 
 // Sorts the corners by position, so that rounding is independent of their order.
 Triangle sorted(Triangle t) {
-  if (precedes(t[1], t[0])) std::swap(t[0], t[1]);
-  if (precedes(t[2], t[1])) std::swap(t[1], t[2]);
-  if (precedes(t[1], t[0])) std::swap(t[0], t[1]);
+  if (lexicographic_less(t[1], t[0])) std::swap(t[0], t[1]);
+  if (lexicographic_less(t[2], t[1])) std::swap(t[1], t[2]);
+  if (lexicographic_less(t[1], t[0])) std::swap(t[0], t[1]);
   return t;
 }
 
@@ -207,7 +207,7 @@ void update_mass_properties(Body& body) {
     piece.area = area;
     piece.moments = moments;
   }
-  if (body.solid) weigh_solid(body);
+  if (body.solid) update_solid_mass(body);
 }
 
 void make_solid(Body& body, bool solid) {

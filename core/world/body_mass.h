@@ -11,7 +11,7 @@ namespace kerf {
 // Body::enclosed: a function of the faces of each piece, independent of their order and slots. Edits only
 // changed entries. Precondition: the areas of the pieces are those of update_mass_properties(). O(faces +
 // pieces).
-void weigh_solid(Body& body);
+void update_solid_mass(Body& body);
 
 // Returns the volume of a piece, or null if its mass is that of a sheet: the body is not solid, the piece was
 // open when it was last computed, or its faces have changed since.

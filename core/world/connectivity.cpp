@@ -9,20 +9,20 @@ namespace kerf {
 
 void LoadedComponents::join(uint32_t a, uint32_t b) {
   KERF_ASSERT(a != b && home[a] == home[b]);
-  const auto [kept, gone] = std::minmax(a, b);
-  joined.grow_to(gone + 1);
-  joined.edit(gone) = kept + 1;
+  const auto [kept, dead] = std::minmax(a, b);
+  joined.grow_to(dead + 1);
+  joined.edit(dead) = kept + 1;
   FaceCounts& all = left.edit(kept);
-  const FaceCounts& more = left[gone];
+  const FaceCounts& more = left[dead];
   all.faces += more.faces;
   all.area += more.area;
-  left.edit(gone) = {};
+  left.edit(dead) = {};
 }
 
 Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, const Progress* progress) {
   LoadedComponents table;
   if (components <= 1) return table;
-  UnionFind together(mesh.face_slots());
+  UnionFind connected(mesh.face_slots());
   std::vector<FaceId> neighbours;
   Pace pace(progress, 2 * size_t{mesh.face_slots()});
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
@@ -30,13 +30,13 @@ Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, c
     if (!mesh.is_live(FaceId(f))) continue;
     neighbours.clear();
     mesh.append_nearest_neighbours(FaceId(f), neighbours);
-    for (const FaceId n : neighbours) together.unite(f, n.index);
+    for (const FaceId n : neighbours) connected.unite(f, n.index);
   }
   table.of_base.resize(mesh.face_slots());
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!pace.step()) return cancelled();
     if (!mesh.is_live(FaceId(f))) continue;
-    const uint32_t first = together.find(f);  // the lowest face: its number is already known
+    const uint32_t first = connected.find(f);  // the lowest face: its number is already known
     if (first == f) {
       table.of_base[f] = table.left.size();
       table.left.push_back({});

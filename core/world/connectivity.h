@@ -121,24 +121,24 @@ struct Joints {
 struct SearchFront {
   std::vector<ReachedFace> frontier;  // faces from index `next` on are unvisited
   size_t next = 0;
-  size_t looked_at = 0;           // faces visited
+  size_t visited = 0;             // faces visited
   size_t faces = 0;               // live faces among them
   double area = 0;                // of the live faces, m^2
   uint32_t lowest = 0xffffffffu;  // the lowest slot reached
   bool compared = false;          // with the only other growing front of its component
-  bool likely_larger = false;     // estimated to be larger than that one
+  bool estimated_larger = false;  // estimated to be larger than that one
   bool exhausted() const { return next == frontier.size(); }
 };
 
 // A search for separated parts that may span several steps; see PartSearch.
 struct OpenSearch {
   enum class Stage { kNone, kGrow, kRelabel };
-  static constexpr uint32_t kLookedAt = 0x80000000u;
+  static constexpr uint32_t kVisited = 0x80000000u;
 
   Stage stage = Stage::kNone;
   bool asked_again = false;  // removals since the start of this search need another one
   PagedArray<uint32_t>
-      mark;  // by face slot: the front that reached it plus one, or 0; plus kLookedAt once visited
+      mark;  // by face slot: the front that reached it plus one, or 0; plus kVisited once visited
   std::vector<SearchFront> fronts;
   std::vector<uint32_t> front_parent;  // by front: union-find of fronts that met
   std::vector<FaceId> seed;            // by front
@@ -151,7 +151,7 @@ struct OpenSearch {
   // Returns the front that has reached the face, or null.
   SearchFront* front_of(FaceId f) { return const_cast<SearchFront*>(std::as_const(*this).front_of(f)); }
   const SearchFront* front_of(FaceId f) const {
-    const uint32_t marked = mark.get(f.index) & ~kLookedAt;
+    const uint32_t marked = mark.get(f.index) & ~kVisited;
     if (marked == 0) return nullptr;
     uint32_t front = marked - 1;
     while (front_parent[front] != front) front = front_parent[front];
@@ -161,7 +161,7 @@ struct OpenSearch {
   uint32_t label_to_be(FaceId f) const { return stage == Stage::kRelabel ? label_of(mark.get(f.index)) : 0; }
   // Returns the label that relabelling gives faces with a mark. Precondition: faces are being relabelled.
   uint32_t label_of(uint32_t marked) const {
-    const uint32_t front = marked & ~kLookedAt;
+    const uint32_t front = marked & ~kVisited;
     return front == 0 ? 0 : new_label[front - 1];
   }
 
@@ -191,10 +191,10 @@ struct SeparationState {
   bool over_rings = false;   // a removed face was connected over a ring: `loops` is inconclusive
   bool cannot_know = false;  // such a face had more than one neighbour
 
-  // True to check joints (see hold_parts): faces that carry joints were removed, or parts separated.
-  bool joints_asked = false;
-  // True to check cavities (see hold_cavities): walls were added.
-  bool cavities_asked = false;
+  // True to check joints (see separate_by_joints): faces that carry joints were removed, or parts separated.
+  bool joints_requested = false;
+  // True to check cavities (see assign_cavities): walls were added.
+  bool cavities_requested = false;
 
   OpenSearch search;
 

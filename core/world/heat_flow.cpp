@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-void let_heat_flow(World& world, BodyId id, double seconds) {
+void step_heat(World& world, BodyId id, double seconds) {
   KERF_ASSERT(seconds >= 0);
   Body& body = world.body(id);
   if (seconds <= 0 || body.mesh.columns().blank()) return;
@@ -18,12 +18,12 @@ void let_heat_flow(World& world, BodyId id, double seconds) {
 namespace {
 
 void flow(World& world, double seconds) {
-  for (const BodyId id : world.ids()) let_heat_flow(world, id, seconds);
+  for (const BodyId id : world.ids()) step_heat(world, id, seconds);
 }
 
 }  // namespace
 
-void let_heat_flow(World& world, double seconds) {
+void step_heat(World& world, double seconds) {
   flow(world, seconds);
   if (is_hot(world)) world.edit_energy().ahead += seconds;
 }

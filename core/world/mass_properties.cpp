@@ -103,7 +103,7 @@ MassProperties solid_mass(const VolumeMoments& moments, const Vec3& origin, doub
   return solid;
 }
 
-MassProperties together(const MassProperties& a, const MassProperties& b) {
+MassProperties combine(const MassProperties& a, const MassProperties& b) {
   if (!(b.mass > 0)) return a;
   if (!(a.mass > 0)) return b;
   MassProperties both;

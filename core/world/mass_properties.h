@@ -62,7 +62,7 @@ VolumeMoments volume_moments(const Triangle& t, const Vec3& origin);
 MassProperties solid_mass(const VolumeMoments& moments, const Vec3& origin, double density);
 
 // Returns the mass properties of two bodies that move as one; those of one if the other has no mass.
-MassProperties together(const MassProperties& a, const MassProperties& b);
+MassProperties combine(const MassProperties& a, const MassProperties& b);
 
 // The volume of a piece of a solid body when it was last computed. It is valid while the piece has the same
 // number of faces and, to the bit, their area; other pieces count as open.

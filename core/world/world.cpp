@@ -112,7 +112,7 @@ void Body::count(FaceId f, int faces, double area) {
   add(piece);
   if (&whole != &piece) add(whole);
   OpenSearch& search = separation.search;
-  if (search.stage == OpenSearch::Stage::kGrow && (search.mark.get(f.index) & OpenSearch::kLookedAt) != 0)
+  if (search.stage == OpenSearch::Stage::kGrow && (search.mark.get(f.index) & OpenSearch::kVisited) != 0)
     add(*search.front_of(f));
 }
 
@@ -340,7 +340,7 @@ uint64_t hash_of(uint64_t seed, const Vec3& p) {
 uint64_t face_hash(const Body& body, uint64_t seed, FaceId f, const Triangle& t) {
   int least = 0;
   for (int i = 1; i < 3; ++i) {
-    if (precedes(t[i], t[least])) least = i;
+    if (lexicographic_less(t[i], t[least])) least = i;
   }
   uint64_t h = hash_combine(seed, body.mesh.data(f).halvings);
   for (int i = 0; i < 3; ++i) h = hash_of(h, t[(least + i) % 3]);

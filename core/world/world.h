@@ -41,8 +41,8 @@ struct WallFaces {
 
 // A piece of a body: the faces with one label (FaceData::piece). They are connected except for loaded
 // components, which share the label 0 as loaded, and which joints may hold to a piece that was cut off (see
-// hold_parts). `moments` are relative to Body::middle() and, unlike the counts, only include faces that
-// already have the label (see Body::label).
+// separate_by_joints). `moments` are relative to Body::middle() and, unlike the counts, only include faces
+// that already have the label (see Body::label).
 struct Piece : FaceCounts {
   AreaMoments moments;
   FaceCounts cut_off{};  // of these, the faces of the connected part that was cut off; none for label 0
@@ -146,7 +146,7 @@ struct EnergyLedger {
   // Time for which beams of the thermal model were on (s), which determines the phase of pulses.
   double beam_on = 0;
   uint64_t poses = 0;  // poses from which they sent rays; see turned_bundle
-  // Time simulated for heat ahead of the clock (s); see let_heat_flow.
+  // Time simulated for heat ahead of the clock (s); see step_heat.
   double ahead = 0;
 
   friend bool operator==(const EnergyLedger&, const EnergyLedger&) = default;
@@ -201,7 +201,7 @@ class World {
   const std::optional<Spring>& spring() const { return situation_.spring; }
   void set_spring(const std::optional<Spring>& spring) { situation_.spring = spring; }
 
-  // Working memory for let_heat_flow(), not part of the state.
+  // Working memory for step_heat(), not part of the state.
   HeatMemory& heat_memory();
 
   // Memory of core/physics about bodies near each other, part of the state because it affects the simulation.

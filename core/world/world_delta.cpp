@@ -8,8 +8,8 @@ namespace kerf {
 namespace {
 
 // Lists of bodies that changed other than by faces, addition or removal.
-constexpr std::array kChanged{&Delta::moved, &Delta::reweighed, &Delta::hid_or_showed, &Delta::renamed,
-                              &Delta::pinned};
+constexpr std::array kChanged{&Delta::moved, &Delta::mass_changed, &Delta::visibility_changed,
+                              &Delta::renamed, &Delta::pinned};
 
 void unite(std::vector<FaceId>& faces, const std::vector<FaceId>& more) {
   std::vector<FaceId> both;
@@ -24,12 +24,12 @@ void take_away(std::vector<FaceId>& faces, const std::vector<FaceId>& these) {
 }
 
 void append_body(BodyDelta& body, const BodyDelta& later) {
-  unite(body.born, later.born);
-  take_away(body.born, later.gone);
-  unite(body.gone, later.gone);
-  take_away(body.gone, later.born);
+  unite(body.added, later.added);
+  take_away(body.added, later.dead);
+  unite(body.dead, later.dead);
+  take_away(body.dead, later.added);
   unite(body.relabelled, later.relabelled);
-  take_away(body.relabelled, body.gone);
+  take_away(body.relabelled, body.dead);
   body.new_pieces.insert(body.new_pieces.end(), later.new_pieces.begin(), later.new_pieces.end());
   body.removed.insert(body.removed.end(), later.removed.begin(), later.removed.end());
 }
@@ -44,7 +44,7 @@ void add_once(std::vector<BodyId>& ids, BodyId id) {
 
 // Converts ids to those after `later`, without bodies that it removed.
 void follow_ids(std::vector<BodyId>& ids, const Delta& later) {
-  std::erase_if(ids, [&](BodyId id) { return has(later.went, id); });
+  std::erase_if(ids, [&](BodyId id) { return has(later.destroyed, id); });
   for (BodyId& id : ids) id = id_after(later, id);
 }
 
@@ -54,7 +54,7 @@ void append_ids(std::vector<BodyId>& ids, const std::vector<BodyId>& more, const
 }
 
 void append_bodies(std::vector<BodyDelta>& bodies, Delta& later) {
-  std::erase_if(bodies, [&](const BodyDelta& b) { return has(later.went, b.body); });
+  std::erase_if(bodies, [&](const BodyDelta& b) { return has(later.destroyed, b.body); });
   for (BodyDelta& b : bodies) b.body = id_after(later, b.body);
   for (BodyDelta& b : later.bodies) {
     const auto same =
@@ -71,7 +71,7 @@ void append_bodies(std::vector<BodyDelta>& bodies, Delta& later) {
 
 BodyId id_after(const Delta& delta, BodyId before) {
   for (const Detached& d : delta.detached) {
-    if (d.carries_on && d.from == before) before = d.to;
+    if (d.keeps_slots && d.from == before) before = d.to;
   }
   return before;
 }
@@ -85,7 +85,7 @@ PieceId id_after(const Delta& delta, PieceId before) {
 
 BodyId id_before(const Delta& delta, BodyId after) {
   for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d) {
-    if (d->carries_on && d->to == after) after = d->from;
+    if (d->keeps_slots && d->to == after) after = d->from;
   }
   return after;
 }
@@ -97,26 +97,26 @@ void Delta::append(Delta later) {
   solid += later.solid;
   for (LeftOpen& open : left_open) open.body = id_after(later, open.body);
   left_open.insert(left_open.end(), later.left_open.begin(), later.left_open.end());
-  if (anew || later.anew) {
-    Delta replaced;
-    replaced.anew = true;
-    replaced.removed_faces = removed_faces;
-    replaced.removed_area = removed_area;
-    replaced.removed_mass = removed_mass;
-    replaced.solid = solid;
-    replaced.left_open = std::move(left_open);
-    *this = std::move(replaced);
+  if (replaced || later.replaced) {
+    Delta whole;
+    whole.replaced = true;
+    whole.removed_faces = removed_faces;
+    whole.removed_area = removed_area;
+    whole.removed_mass = removed_mass;
+    whole.solid = solid;
+    whole.left_open = std::move(left_open);
+    *this = std::move(whole);
     return;
   }
-  for (const BodyId id : later.went) {
-    if (!has(came, id)) add_once(went, id_before(*this, id));
+  for (const BodyId id : later.destroyed) {
+    if (!has(created, id)) add_once(destroyed, id_before(*this, id));
   }
-  append_ids(came, later.came, later);
+  append_ids(created, later.created, later);
   append_bodies(bodies, later);
   for (const auto list : kChanged) append_ids(this->*list, later.*list, later);
   environment |= later.environment;
   for (const Detached& d : later.detached) {
-    const bool back = !detached.empty() && detached.back() == Detached{d.to, d.label, d.from, d.carries_on};
+    const bool back = !detached.empty() && detached.back() == Detached{d.to, d.label, d.from, d.keeps_slots};
     if (back) {
       detached.pop_back();
     } else {
@@ -124,22 +124,22 @@ void Delta::append(Delta later) {
     }
   }
   // An added body is read as a whole; its single changes need not be listed.
-  const auto is_new = [&](BodyId id) { return has(came, id); };
+  const auto is_new = [&](BodyId id) { return has(created, id); };
   std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
   for (const auto list : kChanged) std::erase_if(this->*list, is_new);
 }
 
-Delta bodies_taken_back(const Delta& delta) {
+Delta inverse_body_changes(const Delta& delta) {
   Delta back;
-  back.came = delta.went;
-  back.went = delta.came;
+  back.created = delta.destroyed;
+  back.destroyed = delta.created;
   for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d)
-    back.detached.push_back({d->to, d->label, d->from, d->carries_on});
+    back.detached.push_back({d->to, d->label, d->from, d->keeps_slots});
   for (const auto list : kChanged) {
     for (const BodyId id : delta.*list) (back.*list).push_back(id_before(delta, id));
   }
   back.environment = delta.environment;
-  back.anew = delta.anew;
+  back.replaced = delta.replaced;
   return back;
 }
 

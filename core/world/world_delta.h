@@ -28,8 +28,8 @@ using CutFaces = std::map<BodyId, std::vector<CutFace>>;
 // Faces that a step changed in one body. Slots created and removed within the step are listed as dead.
 struct BodyDelta {
   BodyId body;
-  std::vector<FaceId> born;          // live faces that are new or have new corners, ascending
-  std::vector<FaceId> gone;          // slots with a dead face, ascending
+  std::vector<FaceId> added;         // live faces that are new or have new corners, ascending
+  std::vector<FaceId> dead;          // slots with a dead face, ascending
   std::vector<FaceId> relabelled;    // live faces whose label changed, ascending
   std::vector<uint32_t> new_pieces;  // labels created by the step
   // Faces that the beam removed, in the order of removal. Empty after undo and redo.
@@ -41,9 +41,9 @@ struct Detached {
   BodyId from;
   uint32_t label = 0;
   BodyId to;
-  // True if the faces of `from` keep their slots under the id `to`; `from`, if listed in Delta::came, is then
-  // another body.
-  bool carries_on = false;
+  // True if the faces of `from` keep their slots under the id `to`; `from`, if listed in Delta::created, is
+  // then another body.
+  bool keeps_slots = false;
   friend bool operator==(const Detached&, const Detached&) = default;
 };
 
@@ -72,12 +72,13 @@ struct LeftOpen {
 // transfer data of `from` to `to` for each detached piece, read the added bodies as a whole, and then apply
 // the changes of single bodies. All ids but those of removed bodies are those after the step.
 struct Delta {
-  std::vector<BodyDelta> bodies;      // with changed faces, without added bodies
-  std::vector<BodyId> came, went;     // added, removed; an id in both lists names another body since the step
-  std::vector<Detached> detached;     // in order
-  std::vector<BodyId> moved;          // with changed placement
-  std::vector<BodyId> reweighed;      // with changed mass but unchanged faces
-  std::vector<BodyId> hid_or_showed;  // with changed Body::hidden
+  std::vector<BodyDelta> bodies;  // with changed faces, without added bodies
+  std::vector<BodyId> created,
+      destroyed;                     // added, removed; an id in both lists names another body since the step
+  std::vector<Detached> detached;    // in order
+  std::vector<BodyId> moved;         // with changed placement
+  std::vector<BodyId> mass_changed;  // with changed mass but unchanged faces
+  std::vector<BodyId> visibility_changed;  // with changed Body::hidden
   std::vector<BodyId> renamed;
   std::vector<BodyId> pinned;  // with changed Body::pinned
   bool environment = false;    // gravity or the ground changed
@@ -88,13 +89,14 @@ struct Delta {
   double removed_mass = 0;  // mass of that area by Substance::density [kg]
   SolidChange solid;
   std::vector<LeftOpen> left_open;
-  bool anew = false;  // the world was replaced: discard all caches
+  bool replaced = false;  // the world was replaced: discard all caches
 
   bool empty() const { return bodies.empty() && !changes_bodies(); }
   // Returns true if anything but faces changed.
   bool changes_bodies() const {
-    return anew || !came.empty() || !went.empty() || !detached.empty() || !moved.empty() ||
-           !reweighed.empty() || !hid_or_showed.empty() || !renamed.empty() || !pinned.empty() || environment;
+    return replaced || !created.empty() || !destroyed.empty() || !detached.empty() || !moved.empty() ||
+           !mass_changed.empty() || !visibility_changed.empty() || !renamed.empty() || !pinned.empty() ||
+           environment;
   }
 
   // Combines this delta with the next step's, without bodies that existed only in between. O(n log n) in the
@@ -104,7 +106,7 @@ struct Delta {
 
 // Returns the inverse of the body changes of `delta`: added and removed bodies are swapped, detached pieces
 // returned. It omits faces, because the delta does not contain their previous state.
-Delta bodies_taken_back(const Delta& delta);
+Delta inverse_body_changes(const Delta& delta);
 
 // Return the id of a body after a step from that before it, and the reverse. Precondition: the step neither
 // added nor removed the body.

@@ -66,13 +66,13 @@ class Cut {
       refinement_.split(mesh, f, replaced_);
       for (size_t i = first; i < replaced_.size(); ++i) {
         const auto& r = replaced_[i];
-        waiting_.insert(waiting_.end(), r.born.begin(), r.born.begin() + r.born_count);
+        waiting_.insert(waiting_.end(), r.added.begin(), r.added.begin() + r.added_count);
       }
     }
   }
 
   void follow() {
-    for (const auto& r : replaced_) new_faces += r.born_count;
+    for (const auto& r : replaced_) new_faces += r.added_count;
     tree_seconds += seconds_of([&] { tree.replace(mesh, replaced_); });
   }
 

@@ -42,7 +42,7 @@ void add_sheet(Arena& arena, const Body& sheet) {
 // seconds.
 std::shared_ptr<const Rules> strewn(const Rules& rules, uint64_t sheets) {
   auto more = std::make_shared<Rules>(rules);
-  constexpr double kHalfWidth = 30, kLongestFlight = 8;  // m, s
+  constexpr double kHalfWidth = 30, kMaxFlight = 8;  // m, s
   World lying = test::rain(2 * sheets / 3, 1, kHalfWidth);
   Physics physics;
   for (Ticks t = 0; t == 0 || (physics.statistics().awake > 0 && t < 10 * kTicksPerSecond); ++t)
@@ -52,7 +52,7 @@ std::shared_ptr<const Rules> strewn(const Rules& rules, uint64_t sheets) {
   const std::vector<BodyId> ids = flying.ids();
   for (size_t i = 0; i < ids.size(); ++i) {
     Body& sheet = flying.body(ids[i]);
-    const double flight = kLongestFlight * static_cast<double>(i + 1) / static_cast<double>(ids.size());
+    const double flight = kMaxFlight * static_cast<double>(i + 1) / static_cast<double>(ids.size());
     sheet.placement.position.y = 1;
     sheet.motion.velocity = -0.5 * flight * flying.environment().gravity;
     add_sheet(more->arena, sheet);

@@ -124,12 +124,12 @@ int main(int argc, char** argv) {
   if (!tiny && subject_names(false).size() == 1)
     std::printf("KERF_TEST_MESHES names no folder with real meshes: their rows are skipped\n");
   const Effort effort = tiny ? kTiny : everything ? kLong : Effort{};
-  std::vector<Section> chosen = all_sections(effort);
-  std::erase_if(chosen, [&](const Section& s) {
+  std::vector<Section> selected = all_sections(effort);
+  std::erase_if(selected, [&](const Section& s) {
     return std::find(sections.begin(), sections.end(), s.name) == sections.end();
   });
   const std::vector<Row> rows =
-      Run(effort, std::move(chosen), only.empty() ? subject_names(tiny) : only).all();
+      Run(effort, std::move(selected), only.empty() ? subject_names(tiny) : only).all();
   if (json.empty() || write_json(rows, json)) return 0;
   std::fprintf(stderr, "kerf: could not write %s\n", json.c_str());
   return 1;

@@ -38,6 +38,8 @@ NAMES = {
     r'\bwhy_not\b': 'disabled_reason', r'\bnote_[a-z]': 'record_', r'\btake_back\b': 'undo', r'\bon_\.': 'workspace_',
     r'\bfulfil\b': 'process', r'\bHeard\b': 'InputState', r'\bStudio\b': 'OffscreenRenderer',
     r'\bnamespace face\b': 'namespace api', r'\bthrow_unless_ok\b': 'check', r'\bweigh\(': 'update_mass_properties(',
+    r'\bwhy_no_': '..._disabled_reason', r'\bResumable\b': 'Task', r'\b(?:Heeded|HeldPress)': 'Tracked..., DeferredPress',
+    r'\bhear(?:d)?_?\b(?=[(;])': 'handle_', r'\bchoose_': 'select_',
     r'\bMeanwhile\b': 'EditPolicy', r'\bmust_go_on\b': 'is_uninterruptible',
 }
 # Texts that stay, with the reason.

@@ -106,7 +106,7 @@ Status print_preparation(const char* mesh) {
           own);
       const Outcome outcome = document.apply(own);
       if (!outcome.ok()) return outcome.error();
-      if (!outcome.delta.came.empty()) piece.body = outcome.delta.came.front();
+      if (!outcome.delta.created.empty()) piece.body = outcome.delta.created.front();
       print(mesh, name_of(own), document.world());
     }
   }

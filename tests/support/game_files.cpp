@@ -42,8 +42,8 @@ LoneVehicle::LoneVehicle() {
   Environment around;
   around.ground = 0;
   world.set_environment(around);
-  Delta came;
-  vehicle = add_vehicle(world, hatchback(), Placement{}, 0, came);
+  Delta created;
+  vehicle = add_vehicle(world, hatchback(), Placement{}, 0, created);
 }
 
 void LoneVehicle::cut(const Pose& from, const Pose& to, double radius, double range) {

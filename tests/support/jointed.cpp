@@ -38,10 +38,10 @@ World jointed_world(std::span<const NamedSheet> sheets, std::span<const SceneJoi
 
 std::vector<BodyId> part_bodies(World& world) {
   Delta delta;
-  hold_parts(world, Hold::kMoving, delta);
+  separate_by_joints(world, JointMode::kArticulated, delta);
   for (const BodyId id : world.ids()) {
     for (uint32_t label = 1; label < world.body(id).pieces.size(); ++label) {
-      if (world.body(id).pieces[label].faces > 0 && !stands_alone(world, {id, label}))
+      if (world.body(id).pieces[label].faces > 0 && !is_only_piece(world, {id, label}))
         detach(world, {id, label}, 1, delta);
     }
   }

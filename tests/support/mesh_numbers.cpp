@@ -49,7 +49,7 @@ Picture look_at(const Mesh& mesh) {
 // Of so many faces at an edge some are asked: each of them says as many neighbours.
 constexpr size_t kMaxAsked = 16;
 
-bool is_asked(const std::vector<FaceId>& faces, FaceId f) {
+bool has_requests(const std::vector<FaceId>& faces, FaceId f) {
   if (faces.size() <= kMaxAsked) return true;
   const auto place = static_cast<size_t>(std::lower_bound(faces.begin(), faces.end(), f) - faces.begin());
   return place % (faces.size() / kMaxAsked) == 0;
@@ -62,7 +62,7 @@ std::string wrong_neighbours(const Mesh& mesh, Picture& p, FaceId f, bool chance
   std::vector<FaceId> said;
   for (int i = 0; i < 3; ++i) {
     const std::vector<FaceId>& true_ones = p.edges[std::minmax(p.number(t[i]), p.number(t[(i + 1) % 3]))];
-    if (!is_asked(true_ones, f)) continue;
+    if (!has_requests(true_ones, f)) continue;
     sides.clear();
     said.assign(1, f);
     mesh.append_edge_sides(f, corners[i], corners[(i + 1) % 3], sides);

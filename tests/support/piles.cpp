@@ -69,7 +69,7 @@ void detach_pieces(World& world, size_t least_faces) {
     if (world.body(whole).pieces[label].faces > 0) labels.push_back(label);
   }
   for (uint32_t label : labels) {
-    if (stands_alone(world, {whole, label})) break;
+    if (is_only_piece(world, {whole, label})) break;
     Delta delta;
     detach(world, {whole, label}, 1, delta);
   }

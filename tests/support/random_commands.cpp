@@ -191,7 +191,7 @@ CutSettings random_settings(Random& random) {
   s.resolution.rule = static_cast<Resolution::Rule>(random.below(3));
   s.resolution.target_edge = random_positive(random);
   s.resolution.tolerance = random_positive(random);
-  s.resolution.depth = static_cast<int>(random.below(Resolution::kLargestDepth + 1));
+  s.resolution.depth = static_cast<int>(random.below(Resolution::kMaxDepth + 1));
   s.resolution.rim = random.below(2) > 0 ? Rim::kSmooth : Rim::kFaces;
   if (random.below(2) == 0) {
     s.model = Model::kThermal;

@@ -22,24 +22,25 @@ namespace {
 // The games of an editor session. A suspended match is resumed.
 class Games {
  public:
-  Games(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options, LeftMatch left)
+  Games(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options,
+        SuspendedMatch left)
       : window_(window), loop_(loop), screen_(screen), options_(options), left_(std::move(left)) {}
 
   // Runs the game and passes its result to the editor.
   void play() {
     if (const Status begun = game_ ? Status(Done{}) : begin(); !begun) {
-      screen_.come_back(screen_.look(), {});
-      return screen_.tell(begun.error().message);
+      screen_.resume_from_game(screen_.look(), {});
+      return screen_.report_error(begun.error().message);
     }
     game_->play(loop_);
     const GuiLook look = game_->look();
     if (!game_->wants_inspection()) {
       game_.reset();
-      return screen_.come_back(look, {});
+      return screen_.resume_from_game(look, {});
     }
     const auto scene = save_match_as_scene(game_->match(), game_->view());
-    screen_.come_back(look, scene ? *scene : std::filesystem::path());
-    screen_.tell(scene ? "" : scene.error().message);
+    screen_.resume_from_game(look, scene ? *scene : std::filesystem::path());
+    screen_.report_error(scene ? "" : scene.error().message);
   }
 
  private:
@@ -65,7 +66,7 @@ class Games {
   FrameLoop& loop_;
   EditorScreen& screen_;
   const EditorOptions& options_;
-  LeftMatch left_;
+  SuspendedMatch left_;
   std::optional<WindowedGame> game_;
 };
 
@@ -94,7 +95,7 @@ Result<std::filesystem::path> save_match_as_scene(const Match& match, const View
   return save_world_as_scene(match.world(), std::move(scene), high_scores_file().parent_path() / "inspected");
 }
 
-Status run_editor(const EditorOptions& options, LeftMatch left) {
+Status run_editor(const EditorOptions& options, SuspendedMatch left) {
   LoadedSettings loaded = read_settings(settings_file());
   const std::string fault = loaded.fault;
   WindowOptions wanted{options.width, options.height, options.events};
@@ -109,7 +110,7 @@ Status run_editor(const EditorOptions& options, LeftMatch left) {
   EditorScreen screen(window, std::move(*picture), std::move(loaded), options);
   gui.dress(screen.look());
   if (const Status shown = screen.open(); !shown) return shown;
-  screen.tell(fault);
+  screen.report_error(fault);
   bool left_by_user = loop.run(screen);
   Games games(window, loop, screen, options, std::move(left));
   while (left_by_user && screen.wants_game()) {

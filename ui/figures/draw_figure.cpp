@@ -149,7 +149,7 @@ struct MatchScreen {
     } else {
       picture.follow(match);
     }
-    hud.hear(match);
+    hud.on_tick(match);
     hud.advance(kTick);
     picture.advance(match, kTick);
     camera.follow(match, aim_of(controls), kTick);

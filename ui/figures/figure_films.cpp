@@ -46,7 +46,7 @@ std::optional<MatchMoment> best_moment(const MatchSetup& setup, const std::vecto
   for (const Controls& c : controls) {
     if (!progress.report(0)) return std::nullopt;
     match.tick(c);
-    log.hear(match);
+    log.on_tick(match);
   }
   return log.best();
 }
@@ -101,7 +101,7 @@ Status film_still(const FilmFormat& format, double seconds, const Progress& prog
   return Done{};
 }
 
-Result<DrawnPicture> draw_first(const std::filesystem::path& file, const FilmFormat& format) {
+Result<RenderedImage> draw_first(const std::filesystem::path& file, const FilmFormat& format) {
   auto work = open_file(file);
   if (!work) return work.error();
   const auto options = options_for(file, work->scene, format.width, format.height);
@@ -133,7 +133,7 @@ Status film_shadow(const std::filesystem::path& scene, const FilmFormat& format,
   KERF_ASSERT(!renderer.look().lights.empty());
   const Vec3 first = renderer.look().lights[0].at;
   return film_still(format, kTurnOfLight, progress, renderer, [&](double share) {
-    renderer.look().lights[0].at = turn_about({0, 1, 0}, share * 2 * kPi) * first;
+    renderer.look().lights[0].at = axis_angle({0, 1, 0}, share * 2 * kPi) * first;
     renderer.draw(picture->document->world(), std::nullopt);
   });
 }

@@ -18,7 +18,7 @@ struct WindowOptions;
 
 struct GameOptions {
   MatchSetup setup;
-  bool chosen_difficulty = false;  // setup.difficulty was requested; otherwise the settings determine it
+  bool selected_difficulty = false;  // setup.difficulty was requested; otherwise the settings determine it
   GuiLook look;
   bool from_editor = false;
   bool starts = false;                             // begins with the menu for mode, level and car
@@ -28,13 +28,13 @@ struct GameOptions {
 };
 
 // A suspended match, which can be resumed.
-struct LeftMatch {
+struct SuspendedMatch {
   std::unique_ptr<Match> match;
   std::vector<Controls> played;  // in its ticks
 };
 
 struct GameOutcome {
-  LeftMatch last;  // its match is not null
+  SuspendedMatch last;  // its match is not null
   std::vector<double> frame_seconds;
   bool inspect = false;  // the player wants to inspect the world
   View view;             // of the player
@@ -45,7 +45,7 @@ class WindowedGame {
  public:
   // The window must outlive it. Fails if a shader is missing or does not compile. Begins with the pause
   // menu of a suspended match, if there is one.
-  static Result<WindowedGame> begin(Window& window, const GameOptions& options, LeftMatch left = {});
+  static Result<WindowedGame> begin(Window& window, const GameOptions& options, SuspendedMatch left = {});
   ~WindowedGame();
   WindowedGame(WindowedGame&&) noexcept;
   WindowedGame& operator=(WindowedGame&&) noexcept;

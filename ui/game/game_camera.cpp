@@ -101,9 +101,9 @@ ReplayCamera::Aim ReplayCamera::aim(const Match& match) const {
   return {glm::mix(own, other, 0.6), std::clamp(3 + 0.85 * apart, kNearest, kFarthest)};
 }
 
-Vec3 ReplayCamera::eye_at(const Aim& aim, const Stand& stand) {
+Vec3 ReplayCamera::eye_at(const Aim& aim, const EyePosition& position) {
   return aim.middle +
-         aim.distance * stand.nearness * (direction_of(stand.angle, 0) + Vec3(0, stand.height, 0));
+         aim.distance * position.nearness * (direction_of(position.angle, 0) + Vec3(0, position.height, 0));
 }
 
 // The other vehicle, where the action is, matters more than the player's.
@@ -118,21 +118,22 @@ int ReplayCamera::hidden_from(const Match& match, const Sight& sight, const Vec3
   return (hides(other_) ? 2 : 0) + (hides(Match::kPlayer) ? 1 : 0);
 }
 
-ReplayCamera::Stand ReplayCamera::best_stand(const Match& match, const Sight& sight, const Aim& aim) const {
+ReplayCamera::EyePosition ReplayCamera::best_eye_position(const Match& match, const Sight& sight,
+                                                          const Aim& aim) const {
   const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
   // A view across the line between the vehicles shows both whole.
   const double beside = heading_of(other - own) + 0.5 * kPi;
-  Stand best{beside};
+  EyePosition best{beside};
   int least = hidden_from(match, sight, eye_at(aim, best));
   for (const auto& [height, nearness] :
        {std::pair{0.34, 1.0}, {0.12, 1.0}, {0.12, 0.6}, {0.8, 1.0}, {0.3, 0.4}}) {
     for (int i = 0; i < kAngles && least > 0; ++i) {
       const int step = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
-      const Stand stand{beside + step * (2 * kPi / kAngles), height, nearness};
-      const int hidden = hidden_from(match, sight, eye_at(aim, stand));
+      const EyePosition position{beside + step * (2 * kPi / kAngles), height, nearness};
+      const int hidden = hidden_from(match, sight, eye_at(aim, position));
       if (hidden >= least) continue;
       least = hidden;
-      best = stand;
+      best = position;
     }
   }
   return best;
@@ -158,30 +159,30 @@ Vec3 ReplayCamera::free_eye(const Match& match, const Sight& sight) const {
   return from + way / length * std::max(0.5 * hit->length, hit->length - kEyeClearance);
 }
 
-void ReplayCamera::stand_at_best(const Match& match, const Sight& sight, const Aim& aim) {
-  stand_ = best_stand(match, sight, aim);
+void ReplayCamera::move_to_best_position(const Match& match, const Sight& sight, const Aim& aim) {
+  eye_position_ = best_eye_position(match, sight, aim);
   middle_ = aim.middle;
-  eye_ = eye_at(aim, stand_);
+  eye_ = eye_at(aim, eye_position_);
 }
 
 void ReplayCamera::follow(const Match& match, double seconds) {
   KERF_ASSERT(other_ < match.vehicles().size());
   const Aim aim = this->aim(match);
   const Sight sight(match.world());
-  if (!placed_) stand_at_best(match, sight, aim);
+  if (!placed_) move_to_best_position(match, sight, aim);
   placed_ = true;
   const double share = 1 - std::exp(-kMiddleRate * seconds);
-  stand_.angle += kTurnRate * seconds;
+  eye_position_.angle += kTurnRate * seconds;
   middle_ += (aim.middle - middle_) * share;
-  eye_ = glm::mix(eye_, eye_at({middle_, aim.distance}, stand_), share);
+  eye_ = glm::mix(eye_, eye_at({middle_, aim.distance}, eye_position_), share);
   free_eye_ = free_eye(match, sight);
   const int hidden = hidden_from(match, sight, eye_);
   hidden_s_ = hidden > 0 ? hidden_s_ + seconds : 0;
   if (hidden_s_ < kPatience) return;
   hidden_s_ = 0;
-  const Stand better = best_stand(match, sight, aim);
+  const EyePosition better = best_eye_position(match, sight, aim);
   if (hidden_from(match, sight, eye_at(aim, better)) >= hidden) return;
-  stand_at_best(match, sight, aim);
+  move_to_best_position(match, sight, aim);
   free_eye_ = free_eye(match, sight);
 }
 

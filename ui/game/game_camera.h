@@ -14,7 +14,7 @@ enum class Viewpoint {
   kChase,  // behind and above the vehicle
 };
 
-// The camera of the player. Follows the vehicle without the jolts of its suspension.
+// The camera of the player. Smooths out the jolts of the suspension.
 class GameCamera {
  public:
   Viewpoint viewpoint = Viewpoint::kRoof;
@@ -45,9 +45,8 @@ class GameCamera {
 // targets.
 class ReplayCamera {
  public:
-  // Films the player's vehicle and `other`, an index of Match::vehicles(). The target is right of the
-  // middle of the frame by `aside`, a fraction of its distance, because the result of the match is at the
-  // left.
+  // Films the player's vehicle and `other`, an index of Match::vehicles(). `aside`: offset of the target to
+  // the right, as a fraction of its distance, because the result of the match is at the left.
   explicit ReplayCamera(size_t other, double aside = 0.2) : other_(other), aside_(aside) {}
 
   // Advances by a time [s]. Moves to the best visible angle if walls hide the vehicles.
@@ -62,25 +61,25 @@ class ReplayCamera {
     double distance;  // m, from the eye to `middle`
   };
   // The position of the eye around the middle.
-  struct Stand {
+  struct EyePosition {
     double angle = 0;      // rad
     double height = 0.34;  // over the middle, as a fraction of the distance
     double nearness = 1;   // factor of the distance
   };
   Aim aim(const Match& match) const;
-  static Vec3 eye_at(const Aim& aim, const Stand& stand);
+  static Vec3 eye_at(const Aim& aim, const EyePosition& position);
   // Returns true if a body occludes and so stops the eye in front of it.
   bool stops(const Match& match, BodyId id) const;
   // Rates the occlusion of the vehicles from a place: 0 if both are visible.
   int hidden_from(const Match& match, const Sight& sight, const Vec3& eye) const;
   Vec3 free_eye(const Match& match, const Sight& sight) const;
-  void stand_at_best(const Match& match, const Sight& sight, const Aim& aim);
-  Stand best_stand(const Match& match, const Sight& sight, const Aim& aim) const;
+  void move_to_best_position(const Match& match, const Sight& sight, const Aim& aim);
+  EyePosition best_eye_position(const Match& match, const Sight& sight, const Aim& aim) const;
 
   size_t other_;
   double aside_;
   bool placed_ = false;
-  Stand stand_;
+  EyePosition eye_position_;
   double hidden_s_ = 0;  // how long a vehicle has been hidden
   Vec3 middle_{0}, eye_{0};
   Vec3 free_eye_{0};  // m, the eye, moved closer to the other vehicle if something is between

@@ -22,10 +22,10 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFla
 
 }  // namespace
 
-void begin_menu(const char* name, float across, float least_width) {
+void begin_menu(const char* name, float across, float min_width) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({across * size.x, 0.5f * size.y}, ImGuiCond_Always, {across, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({least_width * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
+  ImGui::SetNextWindowSizeConstraints({min_width * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
   ImGui::Begin(name, nullptr, kFixed);
 }
 
@@ -191,10 +191,10 @@ bool draw_choice(const char* what, Enum& value, const std::array<const char*, n>
   bool other = false;
   for (size_t i = 0; i < n; ++i) {
     if (i > 0) ImGui::SameLine();
-    const bool chosen = static_cast<size_t>(value) == i;
+    const bool selected = static_cast<size_t>(value) == i;
     ImGui::PushStyleColor(ImGuiCol_Button,
-                          ImGui::GetColorU32(chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
-    if (ImGui::Button(titles[i], {width, 0}) && !chosen) {
+                          ImGui::GetColorU32(selected ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+    if (ImGui::Button(titles[i], {width, 0}) && !selected) {
       value = static_cast<Enum>(i);
       other = true;
     }

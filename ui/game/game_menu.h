@@ -11,9 +11,9 @@
 
 namespace kerf {
 
-// Begins a menu at a fraction of the width of the window, centred vertically, at least `least_width` em
+// Begins a menu at a fraction of the width of the window, centred vertically, at least `min_width` em
 // wide. Ends with ImGui::End().
-void begin_menu(const char* name, float across, float least_width = 22);
+void begin_menu(const char* name, float across, float min_width = 22);
 
 void menu_heading(const char* text, float scale = 1.5f);
 

@@ -22,10 +22,10 @@ namespace kerf {
 
 namespace {
 
-constexpr double kLongestFrame = 0.25;  // s
-constexpr double kSlowMotion = 0.5;     // s, when an enemy falls in two
-constexpr double kAfterEnd = 3;         // s, in slow motion, until the result
-constexpr double kHardImpact = 9;       // m/s, of a crash with the maximum shake
+constexpr double kMaxFrame = 0.25;   // s
+constexpr double kSlowMotion = 0.5;  // s, when an enemy falls in two
+constexpr double kAfterEnd = 3;      // s, in slow motion, until the result
+constexpr double kHardImpact = 9;    // m/s, of a crash with the maximum shake
 constexpr double kGuideSeconds = 14;
 constexpr double kNoticedSpeed = 0.9;  // of real time; shown if it is slower
 constexpr double kFrameShare = 0.1;    // weight of the last frame in the average of the shown rate
@@ -34,14 +34,14 @@ constexpr double kSeenAhead = 8;       // m, distance of the point about which t
 
 }  // namespace
 
-GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options, LeftMatch left)
+GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options, SuspendedMatch left)
     : window_(window),
       picture_(std::move(picture)),
       options_(std::move(options)),
       settings_(read_game_settings(game_settings_file())),
       saved_(settings_),
       presets_(draws_in_software()) {
-  if (options_.chosen_difficulty) asked_difficulty_ = settings_.difficulty = options_.setup.difficulty;
+  if (options_.selected_difficulty) asked_difficulty_ = settings_.difficulty = options_.setup.difficulty;
   if (options_.landmarks || window.script() != nullptr)
     keep_landmarks(&landmarks_.emplace(options_.landmarks));
   if (left.match) {
@@ -53,7 +53,7 @@ GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options
   }
 }
 
-void GameScreen::go_on() {
+void GameScreen::resume() {
   leave_ = Leave::kStay;
   if (landmarks_) keep_landmarks(&*landmarks_);
 }
@@ -73,7 +73,7 @@ void GameScreen::start() {
   enter(State::kPlaying);
 }
 
-void GameScreen::go_on_with(LeftMatch left) {
+void GameScreen::go_on_with(SuspendedMatch left) {
   options_.setup = left.match->setup();
   match_ = std::move(left.match);
   played_ = std::move(left.played);
@@ -128,25 +128,25 @@ Vec3 GameScreen::aim() const {
 
 // Input
 
-void GameScreen::hear(const Input& input) {
+void GameScreen::handle_input(const Input& input) {
   if (input.close) leave_ = Leave::kAway;
   for (const InputEvent& event : input.events) {
-    if (event.kind == InputEvent::Kind::kKey && !event.again) hear_key(event.button);
+    if (event.kind == InputEvent::Kind::kKey && !event.again) handle_key(event.button);
   }
   if (state_ != State::kPlaying) return;
-  input_.hear(input.events, settings_);
+  input_.handle_events(input.events, settings_);
   input_.poll(window_, ImGui::GetIO().DeltaTime, settings_);
   if (!window_.has_focus()) enter(State::kPaused);
 }
 
-void GameScreen::hear_key(int key) {
+void GameScreen::handle_key(int key) {
   switch (key) {
     case GLFW_KEY_ESCAPE:
     case GLFW_KEY_P:
       return escape();
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
-      if (state_ == State::kStart) return begin_chosen();
+      if (state_ == State::kStart) return begin_selected();
       if (lesson_ && state_ == State::kPlaying) end_lesson();
       return;
     case GLFW_KEY_R:
@@ -185,7 +185,7 @@ void GameScreen::escape() {
 // Update
 
 void GameScreen::advance() {
-  const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kLongestFrame);
+  const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kMaxFrame);
   if (state_ == State::kPlaying) {
     if (settings_.aim_help && !bot_) input_.help(*match_, Sight(match_->world()), seconds);
     const int ticks = clock_.advance(seconds);
@@ -219,20 +219,20 @@ void GameScreen::go_on_after_the_end(double seconds) {
 void GameScreen::tick() {
   played_.push_back(bot_ ? bot_->next(*match_) : input_.controls(own_chassis().placement));
   match_->tick(played_.back());
-  bool anew = false;
+  bool new_wave = false;
   for (const Event& event : match_->events()) {
     const bool own = event.vehicle == Match::kPlayer;
     if (event.kind == Event::Kind::kInHalves && !own) clock_.slow_down(kSlowMotion);
     if (event.kind == Event::Kind::kImpact && own && settings_.shake) camera_.shake(event.size / kHardImpact);
     if (event.kind == Event::Kind::kKilled && own) killer_ = event.by;
-    anew = anew || event.kind == Event::Kind::kWaveBegins;
+    new_wave = new_wave || event.kind == Event::Kind::kWaveBegins;
   }
-  score_log_.hear(*match_);
-  hud_.hear(*match_);
-  sounds_.hear(*match_);
+  score_log_.on_tick(*match_);
+  hud_.on_tick(*match_);
+  sounds_.on_tick(*match_);
   picture_.follow(*match_);
-  if (anew) follow_player();
-  if (lesson_ && lesson_->hear(*match_)) hud_.note("well done");
+  if (new_wave) follow_player();
+  if (lesson_ && lesson_->on_tick(*match_)) hud_.note("well done");
 }
 
 // The vehicle is another one, or repaired.
@@ -245,7 +245,7 @@ void GameScreen::finish() {
   const Standing& standing = match_->standing();
   MatchResult result;
   result.won = standing.phase == Standing::Phase::kWon;
-  result.why = why_it_ended(*match_, killer_);
+  result.why = end_reason(*match_, killer_);
   result.wheels_lost = standing.wheels_lost;
   result.pieces = standing.pieces;
   result.score = {standing.score, match_->rules().description.name, name_of(match_->setup().difficulty),
@@ -278,7 +278,7 @@ void GameScreen::advance_replay(double seconds) {
   for (int i = 0; i < due && replay_->state() == MatchReplay::State::kPlaying; ++i) {
     replay_->tick();
     picture_.follow(replay_->match());
-    sounds_.hear(replay_->match());
+    sounds_.on_tick(replay_->match());
   }
   if (replay_->state() == MatchReplay::State::kOver) return sounds_.hush();
   picture_.advance(replay_->match(), replay_->is_slow() ? 0.25 * seconds : seconds);
@@ -302,7 +302,7 @@ void GameScreen::take(MenuChoice choice) {
       lesson_.reset();
       return go_to_start();
     case MenuChoice::kStart:
-      return begin_chosen();
+      return begin_selected();
     case MenuChoice::kLesson:
       return begin_lesson();
     case MenuChoice::kOther:
@@ -357,7 +357,7 @@ void GameScreen::draw() {
   std::optional<SightedPart> part;
   if (plays && own_vehicle().alive) part = sighted_part(*match_, sight, aim());
   outline_sighted(part);
-  picture_.draw(shown(), view, whole, presets_.choose(settings_.preset), resolution_.share());
+  picture_.draw(shown(), view, whole, presets_.select(settings_.preset), resolution_.share());
   if (plays) {
     HudView hud{*match_, hud_, view, sight, aim()};
     hud.width = input_.width();
@@ -397,7 +397,7 @@ std::optional<std::string> GameScreen::answer(const std::string& what) const {
 
 void GameScreen::took(const FrameTime& time) {
   presets_.took(time.whole);
-  if (presets_.choose(settings_.preset) == PicturePreset::kLow) resolution_.took(time.whole);
+  if (presets_.select(settings_.preset) == PicturePreset::kLow) resolution_.took(time.whole);
   frame_s_ += kFrameShare * (time.whole - frame_s_);
   frame_seconds_.push_back(time.whole);
 }
@@ -422,7 +422,7 @@ void GameScreen::load(Result<std::shared_ptr<const Rules>> rules) {
   if (rules) options_.setup.rules = std::move(*rules);
 }
 
-void GameScreen::begin_chosen() {
+void GameScreen::begin_selected() {
   if (!settings_.taught) return begin_lesson();
   lesson_.reset();
   ++options_.setup.seed;
@@ -449,14 +449,14 @@ WindowedGame::~WindowedGame() = default;
 WindowedGame::WindowedGame(WindowedGame&&) noexcept = default;
 WindowedGame& WindowedGame::operator=(WindowedGame&&) noexcept = default;
 
-Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options, LeftMatch left) {
+Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options, SuspendedMatch left) {
   auto picture = MatchPicture::create();
   if (!picture) return picture.error();
   return WindowedGame(std::make_unique<GameScreen>(window, std::move(*picture), options, std::move(left)));
 }
 
 void WindowedGame::play(FrameLoop& loop) {
-  screen_->go_on();
+  screen_->resume();
   loop.run(*screen_);
 }
 

@@ -27,14 +27,14 @@ class GameScreen : public Screen {
   enum class Leave { kStay, kAway, kInspect };
 
   // The window must outlive it. Precondition: an ImGui context is current.
-  GameScreen(Window& window, MatchPicture picture, GameOptions options, LeftMatch left);
+  GameScreen(Window& window, MatchPicture picture, GameOptions options, SuspendedMatch left);
   ~GameScreen() override;
   GameScreen(const GameScreen&) = delete;
   GameScreen& operator=(const GameScreen&) = delete;
 
   Leave leave() const { return leave_; }
   // Must be called before the screen is shown, and again after it was left.
-  void go_on();
+  void resume();
   View view() const;
   const Match& match() const { return *match_; }
   // Precondition: the screen is over and is not used afterwards.
@@ -44,7 +44,7 @@ class GameScreen : public Screen {
   const std::vector<double>& frame_seconds() const { return frame_seconds_; }
 
   GuiLook look() const override { return options_.look; }
-  void hear(const Input& input) override;
+  void handle_input(const Input& input) override;
   void advance() override;
   void draw() override;
   void drawn() override;
@@ -58,16 +58,16 @@ class GameScreen : public Screen {
 
   void start();
   void begin_match();
-  void go_on_with(LeftMatch left);
+  void go_on_with(SuspendedMatch left);
   void go_to_start();
   void show_choice();
-  void begin_chosen();
+  void begin_selected();
   void begin_lesson();
   void end_lesson();
   void load(Result<std::shared_ptr<const Rules>> rules);
   LeavingWays ways() const { return {options_.from_editor, options_.starts}; }
   void enter(State state);
-  void hear_key(int key);
+  void handle_key(int key);
   void tick();
   void follow_player();
   void go_on_after_the_end(double seconds);

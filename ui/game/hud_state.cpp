@@ -17,7 +17,7 @@ std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
   return name.starts_with("wheel ") ? name.substr(6) + " wheel" : name;
 }
 
-std::string why_it_ended(const Match& match, size_t killer) {
+std::string end_reason(const Match& match, size_t killer) {
   KERF_ASSERT(match.standing().over());
   if (match.standing().phase == Standing::Phase::kWon) return "All enemies are wrecked";
   const Vehicle& own = match.vehicles()[Match::kPlayer];
@@ -50,7 +50,7 @@ void HudState::clear() {
   hurt_ = biting_ = 0;
 }
 
-void HudState::say(std::string text, double points, bool good, bool large) {
+void HudState::add_line(std::string text, double points, bool good, bool large) {
   begin_with_capital(text);
   if (!notices_.empty() && notices_.front().text == text && notices_.front().age < kAgain) {
     Notice& same = notices_.front();
@@ -70,11 +70,11 @@ void HudState::advance(double seconds) {
   biting_ = std::max(0.0, biting_ - kBiteFade * seconds);
 }
 
-void HudState::hear(const Match& match) {
-  for (const Event& event : match.events()) tell(match, event);
+void HudState::on_tick(const Match& match) {
+  for (const Event& event : match.events()) on_event(match, event);
 }
 
-void HudState::tell(const Match& match, const Event& event) {
+void HudState::on_event(const Match& match, const Event& event) {
   // A wave that begins in the tick of the event replaces the vehicles.
   const bool known = event.vehicle < match.vehicles().size();
   const bool own = event.vehicle == Match::kPlayer;
@@ -90,44 +90,45 @@ void HudState::tell(const Match& match, const Event& event) {
       }
       return;
     case Kind::kPieceOff:
-      if (event.points > 0) say("piece cut", event.points, true);
+      if (event.points > 0) add_line("piece cut", event.points, true);
       return;
     case Kind::kWheelLost:
-      if (!what || event.part >= what->wheels.size()) return say("a wheel came off", event.points, !own);
-      return say(
+      if (!what || event.part >= what->wheels.size()) return add_line("a wheel came off", event.points, !own);
+      return add_line(
           own ? whose + name_of_wheel(*what, event.part) + " came off" : name_of_wheel(*what, event.part),
           event.points, !own);
     case Kind::kTurretLost:
     case Kind::kBarrelLost:
-      return say(own || !what ? whose + "laser came off" : what->name + " disarmed", event.points, !own);
+      return add_line(own || !what ? whose + "laser came off" : what->name + " disarmed", event.points, !own);
     case Kind::kVitalLost:
-      if (!what || event.part >= what->vitals.size()) return say("a part was cut off", event.points, !own);
-      return say((own ? "you lost your " : "") + std::string(name_of_vital(*what, event.part)) +
-                     (own ? "" : " cut out"),
-                 event.points, !own);
+      if (!what || event.part >= what->vitals.size())
+        return add_line("a part was cut off", event.points, !own);
+      return add_line((own ? "you lost your " : "") + std::string(name_of_vital(*what, event.part)) +
+                          (own ? "" : " cut out"),
+                      event.points, !own);
     case Kind::kInHalves:
-      return say(own ? "you were cut in half" : "cut in half!", event.points, !own, true);
+      return add_line(own ? "you were cut in half" : "cut in half!", event.points, !own, true);
     case Kind::kKilled:
-      return say(own ? "you're wrecked" : (what ? what->name : "enemy") + " wrecked", event.points, !own,
-                 true);
+      return add_line(own ? "you're wrecked" : (what ? what->name : "enemy") + " wrecked", event.points, !own,
+                      true);
     case Kind::kOverheated:
-      if (own) say("laser overheated", 0, false);
+      if (own) add_line("laser overheated", 0, false);
       return;
     case Kind::kRighted:
-      if (own) say("back on your wheels", 0, true);
+      if (own) add_line("back on your wheels", 0, true);
       return;
     case Kind::kCleanPart:
-      return say("clean cut", event.points, true);
+      return add_line("clean cut", event.points, true);
     case Kind::kCarLost:
-      return say(event.part == 0 ? "last car" : "next car", 0, false, true);
+      return add_line(event.part == 0 ? "last car" : "next car", 0, false, true);
     case Kind::kWaveBegins:
       if (match.rules().description.targets) return;
-      return say("wave " + std::to_string(event.part + 1), 0, true, true);
+      return add_line("wave " + std::to_string(event.part + 1), 0, true, true);
     case Kind::kWaveCleared:
-      return say("wave cleared", event.points, true, true);
+      return add_line("wave cleared", event.points, true, true);
     case Kind::kWon:
     case Kind::kLost:
-      return say(why_it_ended(match), 0, event.kind == Kind::kWon, true);
+      return add_line(end_reason(match), 0, event.kind == Kind::kWon, true);
     case Kind::kImpact:
       return;
   }
@@ -205,7 +206,7 @@ bool Lesson::is_done(const Match& match) {
   return false;
 }
 
-bool Lesson::hear(const Match& match) {
+bool Lesson::on_tick(const Match& match) {
   if (!is_done(match)) return false;
   step_ = static_cast<Step>(static_cast<int>(step_) + 1);
   if (step_ == Step::kDrum && !drum_.valid()) step_ = Step::kWheel;

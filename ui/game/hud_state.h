@@ -10,7 +10,7 @@ namespace kerf {
 
 // Describes why a match ended, for the player: "Your engine was cut off by the van". `killer` is the
 // vehicle whose beam wrecked the player's car, if one did. Precondition: it is over.
-std::string why_it_ended(const Match& match, size_t killer = Event::kNobody);
+std::string end_reason(const Match& match, size_t killer = Event::kNobody);
 
 // Display names of parts of a vehicle: "engine", "front left wheel".
 const char* name_of_vital(const VehicleDescription& vehicle, size_t vital);
@@ -29,9 +29,9 @@ struct Notice {
 // The recent events of a match for the HUD.
 class HudState {
  public:
-  void hear(const Match& match);
+  void on_tick(const Match& match);
   // Shows a line that is not an event of the match.
-  void note(std::string text) { say(std::move(text), 0, true); }
+  void note(std::string text) { add_line(std::move(text), 0, true); }
   void advance(double seconds);
   void clear();
 
@@ -43,8 +43,8 @@ class HudState {
   double biting() const { return biting_; }
 
  private:
-  void tell(const Match& match, const Event& event);
-  void say(std::string text, double points, bool good, bool large = false);
+  void on_event(const Match& match, const Event& event);
+  void add_line(std::string text, double points, bool good, bool large = false);
 
   std::deque<Notice> notices_;
   double hurt_ = 0, biting_ = 0;
@@ -67,7 +67,7 @@ class Lesson {
   std::optional<Task> task(const Match& match) const;
 
   // Processes the last tick of the match. Returns true if a task was completed in it.
-  bool hear(const Match& match);
+  bool on_tick(const Match& match);
   bool done() const { return step_ == Step::kDone; }
 
  private:

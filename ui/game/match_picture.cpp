@@ -41,7 +41,7 @@ const std::shared_ptr<const DrawnGraph>& MatchGraph::drawn(const Match& match) {
   const bool waits = drawn_ && seconds_of_ticks(now - made_) < kPause;
   if (!changed_ || waits || !match.world().contains(body_)) return drawn_;
   const CutGraph graph = cut_graph(match.world(), removed_);
-  const auto start = start_beside_cut(graph);
+  const auto start = start_next_to_cut(graph);
   if (!start) return drawn_;
   drawn_ =
       std::make_shared<DrawnGraph>(draw_graph(graph, traverse_cut(graph, *start), GraphScope::kAroundCut));
@@ -140,7 +140,7 @@ std::map<std::string, Paint> paints_of(const Match& match) {
 
 // Presets
 
-PicturePreset PresetChoice::choose(PicturePreset setting) const {
+PicturePreset PresetChoice::select(PicturePreset setting) const {
   return setting == PicturePreset::kAutomatic ? best_ : setting;
 }
 

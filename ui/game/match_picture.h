@@ -62,7 +62,7 @@ class PresetChoice {
   explicit PresetChoice(bool software) : best_(software ? PicturePreset::kLow : PicturePreset::kHigh) {}
 
   // Returns the preset for a setting: the setting itself, except for kAutomatic.
-  PicturePreset choose(PicturePreset setting) const;
+  PicturePreset select(PicturePreset setting) const;
   // Records the duration of the last frame [s].
   void took(double seconds);
 

@@ -97,7 +97,7 @@ double without_dead_zone(double x) {
 
 }  // namespace
 
-void PlayerInput::hear(std::span<const InputEvent> events, const GameSettings& settings) {
+void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSettings& settings) {
   for (const InputEvent& event : events) {
     if (event.kind == InputEvent::Kind::kWheel)
       width_ = std::clamp(width_ + kWidthPerNotch * event.wheel, 0.0, 1.0);

@@ -34,7 +34,7 @@ bool sees_vehicle(const Match& match, const Sight& sight, const Vec3& from, size
 class PlayerInput {
  public:
   // Updates the aim and the width of the beam from the events. `settings` scales the motion of the mouse.
-  void hear(std::span<const InputEvent> events, const GameSettings& settings);
+  void handle_events(std::span<const InputEvent> events, const GameSettings& settings);
   // Reads held keys, buttons and sticks; a held stick turns the aim for a time [s].
   void poll(const Window& window, double seconds, const GameSettings& settings);
   // Releases all input; the next mouse motion begins at its position then.

@@ -328,7 +328,7 @@ using Loop = Sounds::Loop;
 
 }  // namespace
 
-void MatchSounds::hear(const Match& match) {
+void MatchSounds::on_tick(const Match& match) {
   for (const Event& e : match.events()) {
     switch (e.kind) {
       case Kind::kCut:

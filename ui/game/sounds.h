@@ -60,7 +60,7 @@ class Sounds {
 // The sounds of a match at the camera.
 class MatchSounds {
  public:
-  void hear(const Match& match);
+  void on_tick(const Match& match);
   // Updates engines and lasers. `volume` of all, 0 .. 1.
   void advance(const Match& match, const Vec3& eye, const Vec3& forward, double volume);
   void hush() { sounds_.hush(); }

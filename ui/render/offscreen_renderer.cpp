@@ -12,10 +12,10 @@ namespace kerf {
 
 namespace {
 
-constexpr int kLargestSide = 16384;
+constexpr int kMaxSide = 16384;
 
-CameraView chosen_view(const PictureOptions& options, const std::optional<View>& scene,
-                       const World::Bounds& bounds) {
+CameraView selected_view(const PictureOptions& options, const std::optional<View>& scene,
+                         const World::Bounds& bounds) {
   const double aspect = static_cast<double>(options.width) / options.height;
   const Vec3 middle = bounds.min + (bounds.max - bounds.min) * 0.5;
   if (options.eye) return look_at(*options.eye, options.target.value_or(middle), aspect);
@@ -33,9 +33,9 @@ OffscreenRenderer::OffscreenRenderer(gl::OffscreenContext context, gl::Framebuff
     : context_(std::move(context)), picture_(std::move(picture)), renderer_(std::move(renderer)) {}
 
 Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const PictureOptions& options) {
-  if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > kLargestSide) {
-    return bad_input("the size of an image must be from 1x1 to " + std::to_string(kLargestSide) + "x" +
-                     std::to_string(kLargestSide));
+  if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > kMaxSide) {
+    return bad_input("the size of an image must be from 1x1 to " + std::to_string(kMaxSide) + "x" +
+                     std::to_string(kMaxSide));
   }
   auto context = gl::OffscreenContext::create();
   if (!context) return context.error();
@@ -46,7 +46,7 @@ Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const Pict
 
   OffscreenRenderer renderer(std::move(*context), std::move(picture), std::move(*made));
   renderer.renderer_.show(scene.world, scene.paints);
-  renderer.view_ = chosen_view(options, scene.view, scene.world.bounds());
+  renderer.view_ = selected_view(options, scene.view, scene.world.bounds());
   renderer.look_.show = options.show;
   renderer.look_.section =
       options.section.value_or(section_through(scene.world.bounds(), -renderer.view_.forward));
@@ -141,7 +141,7 @@ Status Film::follow(const Document& document, const StepResult* step) {
   return pass(kRest, world, std::nullopt);
 }
 
-void Film::leave_out(const Document& document, const StepResult* step) {
+void Film::skip(const Document& document, const StepResult* step) {
   renderer_.follow(document.world(), step);
   renderer_.show_graph(document);
   renderer_.show_bodies(document);

@@ -65,7 +65,7 @@ class Film {
   // holds its changes, or is null if they are unknown. Fails if a frame cannot be written.
   Status follow(const Document& document, const StepResult* step);
   // Follows a step without filming it.
-  void leave_out(const Document& document, const StepResult* step);
+  void skip(const Document& document, const StepResult* step);
   Status end(const Document& document);
 
  private:

@@ -54,7 +54,7 @@ Result<PictureOptions> options_for(const std::filesystem::path& file, const Scen
   return options;
 }
 
-Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options) {
+Result<RenderedImage> draw_picture(OpenedFile work, const PictureOptions& options) {
   auto opened = OffscreenRenderer::open(work.scene, options);
   if (!opened) return opened.error();
   const auto renderer = std::make_shared<OffscreenRenderer>(std::move(*opened));
@@ -79,7 +79,7 @@ Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options
     drawn = picture_of_beam(document.world(), document.history().last_settings(), *beam, far);
   }
   renderer->draw(document.world(), drawn);
-  return DrawnPicture{kept, renderer};
+  return RenderedImage{kept, renderer};
 }
 
 Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png) {

@@ -42,14 +42,14 @@ class Document;
 class OffscreenRenderer;
 
 // A rendered image and its document; neither is null.
-struct DrawnPicture {
+struct RenderedImage {
   std::shared_ptr<const Document> document;
   std::shared_ptr<OffscreenRenderer> renderer;
 };
 
 // Renders the content of a file without a window, after cutting the strokes of a scene or replaying the
 // commands of a journal. Fails if OpenGL is not available or a stroke cannot be cut.
-Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options);
+Result<RenderedImage> draw_picture(OpenedFile work, const PictureOptions& options);
 
 // Renders like draw_picture() and writes a PNG atomically. Also fails if the PNG cannot be written.
 Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png);

@@ -47,7 +47,7 @@ void Renderer::send_faces(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (!world.contains(id)) continue;
     if (picture.faces().is_sending()) contact_old_ = true;
-    uploaded_ += picture.faces().update(world.body(id), most_faces_sent_);
+    uploaded_ += picture.faces().update(world.body(id), max_faces_sent_);
   }
 }
 
@@ -219,7 +219,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());
 }
 
-void Renderer::choose_canvas(const Target& target, bool antialias) {
+void Renderer::select_canvas(const Target& target, bool antialias) {
   canvas_ = antialias ? 1 : 0;
   Canvas& canvas = canvases_[canvas_];
   const int w = target.width, h = target.height;
@@ -356,7 +356,7 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   update_shading(world, options);
   catch_up(world);
   update_scalars(options);
-  choose_canvas(target, options.antialias);
+  select_canvas(target, options.antialias);
   if (beam) beam = ended_on_ground(*beam, passes_.scene.ground().height(), view.up_axis);
   set_up(world, view, options, beam, target);
   const Subject subject{world, bodies_, space_, options};
@@ -452,13 +452,13 @@ void Renderer::carry_on(BodyId from, BodyId to) {
 }
 
 void Renderer::follow(const World& world, const Delta& delta, PreparedBodies prepared) {
-  if (delta.anew) return resend(world, std::move(prepared));
+  if (delta.replaced) return resend(world, std::move(prepared));
   if (delta.empty()) return;
-  for (const BodyId id : delta.went) drop(id);
+  for (const BodyId id : delta.destroyed) drop(id);
   for (const Detached& d : delta.detached) {
-    if (d.carries_on) carry_on(d.from, d.to);
+    if (d.keeps_slots) carry_on(d.from, d.to);
   }
-  for (const BodyId id : delta.came) add(id, world.body(id), prepared);
+  for (const BodyId id : delta.created) add(id, world.body(id), prepared);
   for (const BodyDelta& d : delta.bodies) {
     const auto found = bodies_.find(d.body);
     if (found != bodies_.end()) found->second.faces().follow(d);

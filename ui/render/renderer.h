@@ -94,7 +94,7 @@ class Renderer {
   // 0.
   void limit_sending(uint32_t faces) {
     KERF_ASSERT(faces > 0);
-    most_faces_sent_ = faces;
+    max_faces_sent_ = faces;
   }
   // Returns true if faces are left for later frames to upload.
   bool is_sending() const;
@@ -146,7 +146,7 @@ class Renderer {
   double near_of(const World& world, const CameraView& view, const ViewOptions& options);
   void set_up(const World& world, const CameraView& view, const ViewOptions& options,
               const std::optional<BeamPicture>& beam, const Target& target);
-  void choose_canvas(const Target& target, bool antialias);
+  void select_canvas(const Target& target, bool antialias);
   void draw_overlays(const Subject& subject, const CameraView& view, const std::optional<BeamPicture>& beam);
   void draw_comparison(const Subject& subject, const gl::Framebuffer& picture);
   void hand_over(const Target& target);
@@ -186,7 +186,7 @@ class Renderer {
   bool contact_old_ = true;
   bool shining_ = false;  // the last frame contains something that glows
   size_t uploaded_ = 0;
-  uint32_t most_faces_sent_ = DirtySlots::kAll;
+  uint32_t max_faces_sent_ = DirtySlots::kAll;
   size_t differing_ = 0;
 };
 

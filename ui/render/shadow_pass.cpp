@@ -94,10 +94,10 @@ void VolumeBuffer::update(const ShadowCaster& caster) {
 void VolumeBuffer::send_signs(const ShadowVolume::Touched& touched) {
   constexpr uint32_t kChunk = FaceBuffer::kChunkFaces;
   const auto faces = static_cast<uint32_t>(volume_.signs().size());
-  const bool anew = faces > signs_room_;
-  if (anew) make_room(faces);
+  const bool regrown = faces > signs_room_;
+  if (regrown) make_room(faces);
   DirtySlots dirty;
-  if (touched.all || anew) dirty.mark_all(faces);
+  if (touched.all || regrown) dirty.mark_all(faces);
   for (const uint32_t f : touched.faces) dirty.mark(f);
   for (const SlotRange range : dirty.take(kGapOfItems, kChunk)) {
     glBindBuffer(GL_TEXTURE_BUFFER, signs_[range.begin / kChunk].buffer.name());
@@ -223,8 +223,8 @@ void ShadowPass::follow(const Delta& delta) {
   for (const BodyDelta& d : delta.bodies) {
     const auto found = bodies_.find(d.body);
     if (found == bodies_.end()) continue;
-    found->second.dirty.mark(d.born);
-    found->second.dirty.mark(d.gone);
+    found->second.dirty.mark(d.added);
+    found->second.dirty.mark(d.dead);
     found->second.relabelled.mark(d.relabelled);
   }
 }

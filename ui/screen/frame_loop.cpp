@@ -25,12 +25,12 @@ bool FrameLoop::run(Screen& screen) {
 
 // Returns immediately while something moves, at an event otherwise; false if there is no next frame.
 bool FrameLoop::wait(Screen& screen) {
-  if (stop_.came()) return false;
+  if (stop_.received()) return false;
   if (EventScript* script = window_.script()) return follow(*script, screen);
   const double left = kFrameSeconds - seconds_since(frame_began_);
   if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
-  window_.wait(std::max(0.0, screen.least_frame() - seconds_since(frame_began_)));
-  while (!screen.moving() && !gui_.input_waits() && !window_.take_activity() && !stop_.came()) {
+  window_.wait(std::max(0.0, screen.min_frame_seconds() - seconds_since(frame_began_)));
+  while (!screen.moving() && !gui_.input_waits() && !window_.take_activity() && !stop_.received()) {
     screen.rest();
     const bool settling = seconds_since(last_event_) < kSettleSeconds;
     window_.wait(settling ? kSettleWait : kIdleWait);
@@ -41,7 +41,7 @@ bool FrameLoop::wait(Screen& screen) {
   }
   last_event_ = Clock::now();
   frame_began_ = Clock::now();
-  return !stop_.came();
+  return !stop_.received();
 }
 
 bool FrameLoop::follow(EventScript& script, Screen& screen) {
@@ -59,7 +59,7 @@ bool FrameLoop::follow(EventScript& script, Screen& screen) {
 void FrameLoop::frame(Screen& screen) {
   const Clock::time_point began = Clock::now();
   gui_.dress(screen.look());
-  screen.hear(take_input(screen));
+  screen.handle_input(take_input(screen));
   screen.advance();
   screen.draw();
   gui_.end_frame();

@@ -40,8 +40,8 @@ void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& 
 
 namespace {
 
-constexpr double kSamplesCost = 4;        // maximum slowdown by several samples
-constexpr double kLongestGathered = 0.4;  // s; maximum duration of an accumulated frame
+constexpr double kSamplesCost = 4;    // maximum slowdown by several samples
+constexpr double kMaxGathered = 0.4;  // s; maximum duration of an accumulated frame
 
 Target target_of(const Area& area, const Window& window) {
   const Area pixels = pixels_of(area, window);
@@ -114,16 +114,16 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
   const bool more =
       !old && ((rest_.rests() && (is_gathering() || (quality_ == Quality::kRough && may_gather()))) ||
                heat_pictures_ > 0);
-  const bool anew =
+  const bool redrawn =
       old || (!more && (!show_again(first_, target) ||
                         (second != nullptr && !show_again(*second_, target_of(second->area, window)))));
-  if (anew) draw_anew(first, second, window);
+  if (redrawn) redraw(first, second, window);
   if (more) gather(first, second, window);
-  if (anew) statistics.differing = differing_pixels(first);
+  if (redrawn) statistics.differing = differing_pixels(first);
   traced_.work(first.world, first.look, first_.renderer, first.view, target,
-               anew && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), statistics);
+               redrawn && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), statistics);
   dead_beam_ = beam_shown_ && !first.beam;
-  return anew || more;
+  return redrawn || more;
 }
 
 // Returns true if the change is accumulated into the static frame.
@@ -145,7 +145,7 @@ std::optional<size_t> LivePicture::differing_pixels(const Shot& shot) const {
   return first_.renderer.differing_pixels();
 }
 
-bool LivePicture::may_gather() const { return !draft_ && rough_seconds() <= kLongestGathered; }
+bool LivePicture::may_gather() const { return !draft_ && rough_seconds() <= kMaxGathered; }
 
 bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
   if (quality_ != Quality::kGathered) return drawn.renderer.draw_again(target);
@@ -154,7 +154,7 @@ bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
   return true;
 }
 
-void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window) {
+void LivePicture::redraw(const Shot& first, const Shot* second, const Window& window) {
   const bool draft = draft_;
   if (draft) {  // the durations of earlier frames do not predict this one
     smooth_seconds_.reset();

@@ -31,7 +31,7 @@ enum class PictureChange {
   kAll,   // anything
 };
 
-// Detects a static viewport, which makes work over several frames worth while.
+// Detects a static viewport, in which work over several frames pays off.
 class PictureRest {
  public:
   // Must be called once per frame, with the time in seconds of a monotonic clock.
@@ -79,10 +79,9 @@ struct Shot {
 // The viewport of a world, and a second one next to it if the view is split. Redraws on changes; otherwise
 // shows the last frame again.
 //
-// Disables antialiasing while the view moves if it would take too long. Accumulates a static view from
-// several frames, one per frame (see GatheredPicture), so that the next change never has to wait; omits
-// this if it would take seconds. While only heat changes, the accumulated frame follows it. Draws nothing
-// of a newly opened scene until its faces are uploaded.
+// While the view moves, disables antialiasing if it is too slow. A static view accumulates samples over
+// several frames (see GatheredPicture), unless that would take seconds; heat changes update the accumulated
+// image. A new scene appears once its faces are uploaded.
 class LivePicture {
  public:
   // Fails if a shader is missing or does not compile.
@@ -144,7 +143,7 @@ class LivePicture {
                   ShadowStatistics& statistics);
   bool pass_over(const Shot& first, PictureChange change);
   std::optional<size_t> differing_pixels(const Shot& shot) const;
-  void draw_anew(const Shot& first, const Shot* second, const Window& window);
+  void redraw(const Shot& first, const Shot* second, const Window& window);
   void gather(const Shot& first, const Shot* second, const Window& window);
   bool show_again(Drawn& drawn, const Target& target) const;
 
@@ -152,7 +151,7 @@ class LivePicture {
   std::optional<Drawn> second_;
   TracedShadows traced_;
   bool beam_shown_ = false;   // in the last frame
-  bool passed_over_ = false;  // it lacks the changes of frames that were not drawn
+  bool passed_over_ = false;  // lacks changes of frames that were not drawn
   bool draft_ = false, shows_draft_ = false;
   bool dead_beam_ = false;
   bool warm_ = false;

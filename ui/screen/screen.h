@@ -33,7 +33,7 @@ class Screen {
   // Keys and characters held back from the next frame.
   virtual KeyboardHold keyboard_hold() const { return KeyboardHold::kNone; }
   virtual GuiLook look() const = 0;
-  virtual void hear(const Input& input) = 0;
+  virtual void handle_input(const Input& input) = 0;
   // Advances everything that moves or waits, for at most the duration of a frame.
   virtual void advance() = 0;
   // Draws the viewport to the window, and the panels with ImGui.
@@ -46,7 +46,7 @@ class Screen {
   virtual bool moving() const = 0;
   // The minimum duration of a frame without input [s]: positive if only the progress of background work
   // changes, which needs the processors more than the display does.
-  virtual double least_frame() const { return 0; }
+  virtual double min_frame_seconds() const { return 0; }
   // Called before waiting for an event while nothing moves.
   virtual void rest() {}
   virtual bool over() const = 0;

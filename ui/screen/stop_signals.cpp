@@ -8,15 +8,15 @@ namespace kerf {
 
 namespace {
 
-volatile std::sig_atomic_t stop_came = 0;  // a global, because a signal handler can access nothing else
-void remember(int signal) { stop_came = signal; }
+volatile std::sig_atomic_t stop_received = 0;  // a global, because a signal handler can access nothing else
+void remember(int signal) { stop_received = signal; }
 
 }  // namespace
 
 StopSignals::StopSignals()
     : old_interrupt_(std::signal(SIGINT, remember)), old_terminate_(std::signal(SIGTERM, remember)) {
   KERF_ASSERT(old_interrupt_ != remember && old_terminate_ != remember);
-  stop_came = 0;
+  stop_received = 0;
 }
 
 StopSignals::~StopSignals() {
@@ -24,8 +24,8 @@ StopSignals::~StopSignals() {
   std::signal(SIGTERM, old_terminate_);
 }
 
-bool StopSignals::came() const { return stop_came != 0; }
+bool StopSignals::received() const { return stop_received != 0; }
 
-int StopSignals::last() { return stop_came; }
+int StopSignals::last() { return stop_received; }
 
 }  // namespace kerf

@@ -10,7 +10,7 @@ class StopSignals {
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
-  bool came() const;
+  bool received() const;
   // The signal that arrived during the lifetime of the last such object; 0: none.
   static int last();
 

@@ -145,10 +145,10 @@ void DesktopWindow::swap() { glfwSwapBuffers(window_); }
 
 void DesktopWindow::wait(double seconds) {
   KERF_ASSERT(seconds >= 0);
-  const size_t heard = events_.size();
+  const size_t previous_count = events_.size();
   glfwPollEvents();
   const double now = glfwGetTime();
-  spread_times(std::span(events_).subspan(heard), listened_, now);
+  spread_times(std::span(events_).subspan(previous_count), listened_, now);
   if (seconds > 0 && !activity_) glfwWaitEventsTimeout(seconds);
   listened_ = glfwGetTime();
 }

@@ -16,9 +16,9 @@ constexpr double kMinSideEms = 12, kMinStripEms = 6;
 constexpr double kMinHalf = 120;
 
 // Returns the size of a panel area within the available space; 0 if it would be unusable.
-double share(double wanted_ems, double least_ems, double em, double room) {
+double share(double wanted_ems, double min_ems, double em, double room) {
   const double size = std::min(std::round(wanted_ems * em), std::floor(room));
-  return size < std::min(wanted_ems, least_ems) * em ? 0 : std::max(size, 0.0);
+  return size < std::min(wanted_ems, min_ems) * em ? 0 : std::max(size, 0.0);
 }
 }  // namespace
 

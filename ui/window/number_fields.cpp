@@ -44,8 +44,7 @@ std::string NumberEntry::shown(double value) const { return number_text(value, f
 std::optional<double> NumberEntry::entered(std::string_view text, double present) const {
   Message* message = entry_message();
   const auto refuse = [&](const std::string& reason) {
-    if (message != nullptr)
-      message->say(std::string(name) + " stays " + shown(present) + ": " + reason, true);
+    if (message != nullptr) message->error(std::string(name) + " stays " + shown(present) + ": " + reason);
     return std::nullopt;
   };
   const Result<double> value = evaluate_number(text, read_unit(*this));
@@ -55,8 +54,8 @@ std::optional<double> NumberEntry::entered(std::string_view text, double present
   const bool low = *value < range.least;
   const double limited = low ? range.least : range.most;
   if (message != nullptr)
-    message->say_before_change(std::string(name) + " is limited to " + shown(limited) + ", the " +
-                               (low ? "minimum" : "maximum") + " value");
+    message->info_before_change(std::string(name) + " is limited to " + shown(limited) + ", the " +
+                                (low ? "minimum" : "maximum") + " value");
   return limited;
 }
 

@@ -46,7 +46,7 @@ std::optional<std::string> EventScript::next_line() {
 
 Result<bool> EventScript::begin_frame(bool moving, const Answer& answer) {
   KERF_ASSERT(answer);
-  if (goes_on_waiting(moving)) {
+  if (is_still_waiting(moving)) {
     pass_frame();
     return true;
   }
@@ -64,7 +64,7 @@ Result<bool> EventScript::begin_frame(bool moving, const Answer& answer) {
   return false;
 }
 
-bool EventScript::goes_on_waiting(bool moving) {
+bool EventScript::is_still_waiting(bool moving) {
   if (seconds_ >= wait_until_ || (until_rest_ && !moving && still_ >= kFramesToSettle)) {
     wait_until_ = 0;
     return false;
@@ -82,10 +82,10 @@ Result<EventScript::Next> EventScript::take(const std::string& name, const JsonV
   if (name == "wait" || name == "settle") return wait(value, name == "settle");
   if (name == "picture") return then(Next::kStep, take_picture(value));
   if (name == "answer") return then(Next::kStep, print_answer(value, answer));
-  if (name == "together") return then(Next::kFrame, hear_together(value));
+  if (name == "together") return then(Next::kFrame, run_simultaneously(value));
   if (name == "frame") return then(Next::kStep, assign(value.positive_number(), frame_seconds_));
   if (name == "draws") return then(Next::kStep, assign(value.flag(), draws_));
-  return then(Next::kFrame, input_.hear(name, value));
+  return then(Next::kFrame, input_.apply(name, value));
 }
 
 Result<EventScript::Next> EventScript::wait(const JsonValue& value, bool until_rest) {
@@ -97,14 +97,14 @@ Result<EventScript::Next> EventScript::wait(const JsonValue& value, bool until_r
   return Next::kFrame;
 }
 
-Status EventScript::hear_together(const JsonValue& steps) {
+Status EventScript::run_simultaneously(const JsonValue& steps) {
   if (const Status list = steps.array("steps"); !list) return list;
   for (size_t i = 0; i < steps.json().size(); ++i) {
     const JsonValue step = steps[i];
     if (!step.json().is_object() || step.json().size() != 1)
       return step.wrong("must be an object with one key");
     const std::string name = step.json().begin().key();
-    if (const Status heard = input_.hear(name, step[name]); !heard) return heard;
+    if (const Status status = input_.apply(name, step[name]); !status) return status;
   }
   return Done{};
 }
@@ -129,7 +129,7 @@ Status EventScript::print_answer(const JsonValue& value, const Answer& answer) c
 
 namespace {
 
-constexpr double kLargestWindow = 8192;  // pixels
+constexpr double kMaxWindow = 8192;  // pixels
 
 // A modifier: its name, its key and its flag in other events.
 struct Modifier {
@@ -162,7 +162,7 @@ std::optional<int> button_named(const std::string& name) {
 
 }  // namespace
 
-Status VirtualInput::hear(const std::string& name, const JsonValue& value) {
+Status VirtualInput::apply(const std::string& name, const JsonValue& value) {
   if (name == "move") return move(value);
   if (name == "press" || name == "release") return hold_button(value, name == "press");
   if (name == "key_down" || name == "key_up") return hold_key(value, name == "key_down");
@@ -262,7 +262,7 @@ Status VirtualInput::resize(const JsonValue& value) {
   const auto read = value.pair();
   if (!read) return read.error();
   const Vec2 size{read->low, read->high};
-  if (!(size.x >= 1 && size.y >= 1 && size.x <= kLargestWindow && size.y <= kLargestWindow))
+  if (!(size.x >= 1 && size.y >= 1 && size.x <= kMaxWindow && size.y <= kMaxWindow))
     return value.wrong("must be from 1 to 8192 pixels");
   size_ = glm::floor(size);
   return Done{};

@@ -31,7 +31,7 @@ class VirtualInput {
 
   // Applies a step of the script, an object with one key (see EventScript). Fails and changes nothing if
   // the step is unknown or its value is invalid.
-  Status hear(const std::string& name, const JsonValue& value);
+  Status apply(const std::string& name, const JsonValue& value);
 
   InputState& input_state() { return input_state_; }
   Vec2 size() const { return size_; }
@@ -114,10 +114,10 @@ class EventScript {
   enum class Next { kStep, kFrame };  // what follows a step
 
   std::optional<std::string> next_line();
-  bool goes_on_waiting(bool moving);
+  bool is_still_waiting(bool moving);
   Result<Next> take(const std::string& name, const JsonValue& value, const Answer& answer);
   Result<Next> wait(const JsonValue& value, bool until_rest);
-  Status hear_together(const JsonValue& steps);
+  Status run_simultaneously(const JsonValue& steps);
   Status take_picture(const JsonValue& value) const;
   Status print_answer(const JsonValue& value, const Answer& answer) const;
 

@@ -8,10 +8,9 @@
 
 namespace kerf {
 
-// The sentence in the status bar: the latest event, until the next action replaces it. A log keeps all
-// sentences.
+// The message in the status bar, until the next one replaces it, and the log of all messages.
 struct Message {
-  struct Said {
+  struct Entry {
     std::time_t when = 0;
     std::string text;
     bool is_error = false;
@@ -19,26 +18,29 @@ struct Message {
 
   std::string text;       // empty: no message
   bool is_error = false;  // a request of the user failed
-  std::deque<Said> log;   // the last sentences, oldest first
+  std::deque<Entry> log;  // the last kMaxLogged messages, oldest first
 
   static constexpr size_t kMaxLogged = 200;
 
-  void say(std::string sentence, bool error = false) {
+  void info(std::string sentence) { show(std::move(sentence), false); }
+  void error(std::string sentence) { show(std::move(sentence), true); }
+  void clear() { show({}, false); }
+  void show(std::string sentence, bool failed) {
     if (sentence.empty() && std::exchange(outlives_next_, false)) return;
     text = std::move(sentence);
-    is_error = error;
-    if (!text.empty()) note(text, error);
+    is_error = failed;
+    if (!text.empty()) note(text, failed);
   }
 
-  // Shows a sentence about an entry; the change that results from the entry does not clear it.
-  void say_before_change(std::string sentence) {
-    say(std::move(sentence));
+  // Shows a message about an entry that the change which results from the entry does not clear.
+  void info_before_change(std::string sentence) {
+    info(std::move(sentence));
     outlives_next_ = true;
   }
 
   // Adds a sentence to the log without showing it.
-  void note(std::string sentence, bool error) {
-    log.push_back({std::time(nullptr), std::move(sentence), error});
+  void note(std::string sentence, bool failed) {
+    log.push_back({std::time(nullptr), std::move(sentence), failed});
     if (log.size() > kMaxLogged) log.pop_front();
   }
 

@@ -26,20 +26,20 @@ bool row_button(const char* label, int shares, const char* disabled_reason, cons
 }
 
 bool unit_combo(FileUnit& unit) {
-  int chosen = static_cast<int>(unit);
-  const bool changed = ImGui::Combo("##unit", &chosen, "mm\0cm\0m\0in\0");
+  int selected = static_cast<int>(unit);
+  const bool changed = ImGui::Combo("##unit", &selected, "mm\0cm\0m\0in\0");
   mark_last_item("unit");
   tooltip("Length of one file unit. It changes displayed lengths, never positions.");
-  if (changed) unit = static_cast<FileUnit>(chosen);
+  if (changed) unit = static_cast<FileUnit>(selected);
   return changed;
 }
 
 bool up_axis_combo(UpAxis& up) {
-  int chosen = static_cast<int>(up);
-  const bool changed = ImGui::Combo("##up", &chosen, "+Y\0+Z\0");
+  int selected = static_cast<int>(up);
+  const bool changed = ImGui::Combo("##up", &selected, "+Y\0+Z\0");
   mark_last_item("up axis");
   tooltip("Up axis of the file. It turns the view, never positions.");
-  if (changed) up = static_cast<UpAxis>(chosen);
+  if (changed) up = static_cast<UpAxis>(selected);
   return changed;
 }
 

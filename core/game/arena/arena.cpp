@@ -41,7 +41,7 @@ void pose_fields(Fields& f, Placement& placement) {
   double heading = 0;
   if (!f.present("heading", false)) return;
   f.angle("heading", heading, kHeadings, kOptional);
-  placement.orientation = turn_about({0, 1, 0}, heading);
+  placement.orientation = axis_angle({0, 1, 0}, heading);
 }
 
 Status read_size(const JsonValue& value, Vec2& size) {
@@ -96,7 +96,7 @@ Result<ArenaDescription> read_arena(const std::filesystem::path& file) {
   return read_described(file, std::move(arena));
 }
 
-Placement Start::placement() const { return {position, turn_about({0, 1, 0}, heading)}; }
+Placement Start::placement() const { return {position, axis_angle({0, 1, 0}, heading)}; }
 
 Result<Arena> load_arena(ArenaDescription description, const Progress* progress) {
   Arena arena{std::move(description), {}};

@@ -26,7 +26,7 @@ Vec3 normal_of(const Body& body, FaceId face, const Pose& ray) {
 
 }  // namespace
 
-bool comes_near(const Pose& ray, double length, const Vec3& centre, double radius, double reach) {
+bool passes_near(const Pose& ray, double length, const Vec3& centre, double radius, double reach) {
   const Vec3 way = centre - ray.origin;
   const double along = std::clamp(glm::dot(way, ray.direction), 0.0, length);
   const Vec3 beside = way - along * ray.direction;
@@ -47,7 +47,7 @@ std::optional<SightHit> Sight::nearest(const Pose& ray, double length, const Sto
   std::optional<SightHit> first = on_ground(world_, ray, length);
   for (const Near& near : bodies_) {
     const double within = first ? first->length : length;
-    if (!comes_near(ray, within, near.centre, near.radius) || !stops(near.id)) continue;
+    if (!passes_near(ray, within, near.centre, near.radius) || !stops(near.id)) continue;
     const Body& body = *near.body;
     const auto hit = body.tree.nearest(body.mesh, body.placement.to_body(ray), {0, within});
     if (hit) first = SightHit{near.id, hit->length, normal_of(body, hit->face, ray)};

@@ -42,6 +42,6 @@ class Sight {
 };
 
 // Returns true if a segment of this length [m] comes within `reach` [m] of a sphere.
-bool comes_near(const Pose& ray, double length, const Vec3& centre, double radius, double reach = 0);
+bool passes_near(const Pose& ray, double length, const Vec3& centre, double radius, double reach = 0);
 
 }  // namespace kerf

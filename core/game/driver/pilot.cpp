@@ -25,7 +25,7 @@ double normal(Random& random) { return 2 * (random.unit() + random.unit() + rand
 
 }  // namespace
 
-void Aiming::choose_part(const Vehicle& opponent) {
+void Aiming::select_part(const Vehicle& opponent) {
   const VehicleModel& model = *opponent.model;
   std::vector<Vec3> vital, other;
   for (size_t i = 0; i < opponent.vital_works.size(); ++i) {
@@ -39,7 +39,7 @@ void Aiming::choose_part(const Vehicle& opponent) {
   const std::vector<Vec3>& parts = at_vital ? vital : other;
   part_ = parts.empty() ? Vec3(0, 0.6, 0) : parts[random_.below(parts.size())];
   upright_ = random_.unit() < 0.5;
-  choose_in_ = ticks_of(random_.uniform(1.5, 3.5));
+  select_in_ = ticks_of(random_.uniform(1.5, 3.5));
 }
 
 // The error of aim is an Ornstein-Uhlenbeck process.
@@ -71,7 +71,7 @@ bool Aiming::pulls_trigger(const DriverView& view, const Pose& wanted, double le
 }
 
 void Aiming::aim(const DriverView& view, size_t opponent, const Placement& seen, Controls& controls) {
-  if (--choose_in_ <= 0) choose_part(view.vehicles[opponent]);
+  if (--select_in_ <= 0) select_part(view.vehicles[opponent]);
   wander();
   const Vec3 from = in_world(view.world, view.own(), view.own().what().turret.barrel.pivot);
   Vec3 way = seen.to_world(part_) - from;
@@ -90,11 +90,11 @@ Pilot::Pilot(uint64_t seed, const PilotSkill& skill)
 }
 
 // Selects the nearest opponent that is alive, with a preference for the current one.
-void Pilot::choose_opponent(const DriverView& view) {
+void Pilot::select_opponent(const DriverView& view) {
   const bool lives = has_opponent_ && std::ranges::find(view.opponents, opponent_) != view.opponents.end() &&
                      view.vehicles[opponent_].alive;
-  if (lives && --choose_in_ > 0) return;
-  choose_in_ = kTicksPerSecond;
+  if (lives && --select_in_ > 0) return;
+  select_in_ = kTicksPerSecond;
   const size_t before = opponent_;
   double nearest = std::numeric_limits<double>::infinity();
   has_opponent_ = false;
@@ -136,7 +136,7 @@ double Pilot::distance_to_keep(const Vehicle& own) const {
 }
 
 Controls Pilot::drive(const DriverView& view) {
-  choose_opponent(view);
+  select_opponent(view);
   if (!has_opponent_) {
     controls_.fire = controls_.handbrake = false;
     controls_.throttle = controls_.steer = 0;

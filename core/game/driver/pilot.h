@@ -25,7 +25,7 @@ class Aiming {
   void aim(const DriverView& view, size_t opponent, const Placement& seen, Controls& controls);
 
  private:
-  void choose_part(const Vehicle& opponent);
+  void select_part(const Vehicle& opponent);
   void wander();
   Vec3 slash(const Vec3& line_of_sight);
   bool pulls_trigger(const DriverView& view, const Pose& wanted, double length);
@@ -33,7 +33,7 @@ class Aiming {
   Random random_;
   AimingSkill skill_;
   Vec3 part_{0};          // m, in the mesh of the opponent
-  int choose_in_ = 0;     // ticks until it selects another part
+  int select_in_ = 0;     // ticks until it selects another part
   bool upright_ = false;  // slashes vertically
   double phase_ = 0;      // rad, of the slash
   Vec2 error_{0};         // rad
@@ -65,7 +65,7 @@ class Pilot {
     Placement placement;
     Vec3 velocity{0};  // m/s
   };
-  void choose_opponent(const DriverView& view);
+  void select_opponent(const DriverView& view);
   Placement believed(const DriverView& view);
   double distance_to_keep(const Vehicle& own) const;
 
@@ -74,7 +74,7 @@ class Pilot {
   Aiming aiming_;
   size_t opponent_ = 0;
   bool has_opponent_ = false;
-  int choose_in_ = 0;       // ticks until it searches for a nearer opponent
+  int select_in_ = 0;       // ticks until it searches for a nearer opponent
   std::vector<Seen> seen_;  // a ring of the last ticks
   size_t next_ = 0;
   Controls controls_;

@@ -261,7 +261,7 @@ Steering::Steering(uint64_t seed) : random_(seed), side_(random_.unit() < 0.5 ? 
   look_in_ = 1 + static_cast<int>(random_.below(kLookEvery));
 }
 
-Vec3 Steering::choose_goal(const DriverView& view, const Course& course, const Vec3& at,
+Vec3 Steering::select_goal(const DriverView& view, const Course& course, const Vec3& at,
                            double distance) const {
   const double from = heading_of(course.at - at);
   for (int i = 0; i < 7; ++i) {
@@ -297,7 +297,7 @@ double Steering::value_of(const ArcEnd& end, const Course& course, const Arc& ar
   return value;
 }
 
-void Steering::choose_arc(const DriverView& view, const Course& course, double share) {
+void Steering::select_arc(const DriverView& view, const Course& course, double share) {
   const Vec3 target =
       route_.empty() ? course.at + 5.0 * direction_of(course.heading, 0) : point_ahead(view, course);
   const std::vector<Disc> others = others_of(view);
@@ -349,11 +349,11 @@ void Steering::drive(const DriverView& view, const Vec3& at, double distance, do
   const bool done = route_.empty() || flat_distance(route_.back(), course.at) < kNear;
   if (--plan_in_ <= 0 || (done && plan_in_ < kPlanEvery - kSecond / 4)) {
     plan_in_ = kPlanEvery - static_cast<int>(random_.below(kPlanEvery / 8));
-    route_ = find_route(view.space, others_of(view), course.at, choose_goal(view, course, at, distance));
+    route_ = find_route(view.space, others_of(view), course.at, select_goal(view, course, at, distance));
   }
   if (--look_in_ <= 0) {
     look_in_ = kLookEvery;
-    choose_arc(view, course, share);
+    select_arc(view, course, share);
   }
   controls.steer = share_of_full(arc_.steer);
   const double safe = std::sqrt(2 * 5.0 * std::max(free_m_ - 0.5, 0.1));  // m/s, to stop in time

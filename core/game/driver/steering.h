@@ -66,9 +66,9 @@ class Steering {
   void drive(const DriverView& view, const Vec3& at, double distance, double share, Controls& controls);
 
  private:
-  Vec3 choose_goal(const DriverView& view, const Course& course, const Vec3& at, double distance) const;
+  Vec3 select_goal(const DriverView& view, const Course& course, const Vec3& at, double distance) const;
   Vec3 point_ahead(const DriverView& view, const Course& course) const;
-  void choose_arc(const DriverView& view, const Course& course, double share);
+  void select_arc(const DriverView& view, const Course& course, double share);
   double value_of(const ArcEnd& end, const Course& course, const Arc& arc, const Vec3& target) const;
   void record_progress(const Course& course, const Controls& controls);
 

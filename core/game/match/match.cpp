@@ -58,20 +58,20 @@ void Match::begin_wave(const WaveStart& start) {
   enemies_.clear();
   numbers_.clear();
   asked_ = false;
-  Delta came;
+  Delta created;
   vehicles_.push_back(
-      add_vehicle(world_.world(), rules().player, start.player, MatchWorld::kGeneration, came));
-  add_enemies(start, came);
+      add_vehicle(world_.world(), rules().player, start.player, MatchWorld::kGeneration, created));
+  add_enemies(start, created);
   traffic_ = find_traffic(world(), vehicles_);
   tally_.begin_wave(vehicles_.size());
   tally_.standing().wave = start.standing.wave;
   tally_.standing().phase = Standing::Phase::kFight;
   wave_start_ = {standing(), start.player, strokes(), start.out};
-  tally_.tell({Event::Kind::kWaveBegins, Event::kNobody, Event::kNobody, start.standing.wave});
+  tally_.add_event({Event::Kind::kWaveBegins, Event::kNobody, Event::kNobody, start.standing.wave});
   world_.make_colliders(carried());
 }
 
-void Match::add_enemies(const WaveStart& start, Delta& came) {
+void Match::add_enemies(const WaveStart& start, Delta& created) {
   const size_t wave = start.standing.wave;
   if (wave >= rules().waves.size()) return;
   const std::vector<Start> starts = starts_by_way(rules().arena.description, space_, start.player.position);
@@ -85,7 +85,7 @@ void Match::add_enemies(const WaveStart& start, Delta& came) {
     enemies_.push_back(vehicles_.size());
     numbers_.push_back(i);
     vehicles_.push_back(
-        add_vehicle(world_.world(), rules().waves[wave][i], at, MatchWorld::kGeneration, came));
+        add_vehicle(world_.world(), rules().waves[wave][i], at, MatchWorld::kGeneration, created));
     pilots_.emplace_back(hash_combine(seed, i), pilot_skill(rules().skill(setup_.difficulty)));
   }
 }
@@ -99,12 +99,12 @@ void Match::spawn() {
       place_before(world().body(vehicles_[kPlayer].chassis).placement, space_, traffic_);
   if (!place) return;
   const auto& model = rules().spawns[(vehicles_.size() - 1) % rules().spawns.size()];
-  Delta came;
+  Delta created;
   vehicles_.push_back(add_vehicle(world_.world(), model, upright(*place, rules().arena.description.ground),
-                                  MatchWorld::kGeneration, came));
+                                  MatchWorld::kGeneration, created));
   tally_.add_vehicle();
   thrown_.emplace_back(0);
-  world_.follow(std::move(came));
+  world_.follow(std::move(created));
 }
 
 size_t Match::vehicle_of(BodyId body) const {
@@ -202,7 +202,7 @@ void Match::take_controls(const Controls& player, const Sight& sight) {
 // Limits the number of enemies that fire at the same time: those that fire already, and then the first
 // ones.
 void Match::take_turns() {
-  size_t left = rules().skill(setup_.difficulty).at_once;
+  size_t left = rules().skill(setup_.difficulty).max_firing;
   for (const bool firing : {true, false}) {
     for (const size_t v : enemies_) {
       Vehicle& enemy = vehicles_[v];
@@ -223,8 +223,8 @@ std::vector<Vec3> Match::velocities() const {
 }
 
 // The vehicles as kinematic bodies for the physics: only heavy bodies stop one that drives.
-std::vector<Guided> Match::guided() const {
-  std::vector<Guided> all;
+std::vector<KinematicBody> Match::guided() const {
+  std::vector<KinematicBody> all;
   for (const Vehicle& vehicle : vehicles_) {
     const double light = vehicle.alive ? kLightBody * vehicle.what().mass : 0;
     all.push_back({vehicle.chassis, is_upright(world(), vehicle), light});
@@ -263,14 +263,14 @@ void Match::record_impacts(const std::vector<Vec3>& velocities_before) {
     const double size = glm::length(change);
     if (size < kImpact || chassis.tree.leaf_count() == 0) continue;
     const Vec3 at = pushed_at(chassis, change);
-    tally_.tell({Event::Kind::kImpact, v, Event::kNobody, 0, vehicles_[v].chassis, at, size});
+    tally_.add_event({Event::Kind::kImpact, v, Event::kNobody, 0, vehicles_[v].chassis, at, size});
     if (size >= kCrash) crash(v, at, change);
   }
 }
 
 // Throws the parts that a crash breaks off away from the obstacle.
 void Match::crash(size_t vehicle, const Vec3& at, const Vec3& change) {
-  if (!let_go_near(world_.world(), vehicles_[vehicle], at, glm::length(change))) return;
+  if (!release_joints_near(world_.world(), vehicles_[vehicle], at, glm::length(change))) return;
   world_.record_released_joints();
   thrown_[vehicle] = kThrown * change + Vec3(0, kThrownUp * glm::length(change), 0);
 }
@@ -283,7 +283,8 @@ void Match::fire_beams(const PlacementsBefore& before) {
     Vehicle& vehicle = vehicles_[v];
     const bool was_on = vehicle.gun.firing;
     if (trigger(vehicle, glm::length(world().body(vehicle.chassis).motion.velocity), laser))
-      tally_.tell({Event::Kind::kOverheated, v, v, 0, {}, world().body(vehicle.chassis).placement.position});
+      tally_.add_event(
+          {Event::Kind::kOverheated, v, v, 0, {}, world().body(vehicle.chassis).placement.position});
     if (!vehicle.gun.firing) continue;
     if (!was_on && v == kPlayer) tally_.count_stroke();
     for (const auto& [id, cut] : fire(world_.world(), vehicle, sight, cuttable, laser, before)) {
@@ -327,8 +328,8 @@ void Match::recover() {
     Delta moved;
     moved.moved = all_bodies(vehicles_[v]);
     world_.follow(std::move(moved));
-    tally_.tell({Event::Kind::kRighted, v, Event::kNobody, 0, vehicles_[v].chassis,
-                 world().body(vehicles_[v].chassis).placement.position});
+    tally_.add_event({Event::Kind::kRighted, v, Event::kNobody, 0, vehicles_[v].chassis,
+                      world().body(vehicles_[v].chassis).placement.position});
   }
 }
 
@@ -345,14 +346,14 @@ void Match::judge() {
   if (!alive && !no_time && standing.cars_left > 0) return lose_car();
   if (!alive || no_time) {
     standing.phase = Phase::kLost;
-    return tally_.tell({Event::Kind::kLost});
+    return tally_.add_event({Event::Kind::kLost});
   }
   const auto lives = [&](size_t v) { return vehicles_[v].alive; };
   if (rules().description.targets || enemies_.empty() || std::ranges::any_of(enemies_, lives)) return;
-  tally_.tell({Event::Kind::kWaveCleared, Event::kNobody, Event::kNobody, standing.wave});
+  tally_.add_event({Event::Kind::kWaveCleared, Event::kNobody, Event::kNobody, standing.wave});
   if (standing.wave + 1 == rules().waves.size()) {
     standing.phase = Phase::kWon;
-    return tally_.tell({Event::Kind::kWon});
+    return tally_.add_event({Event::Kind::kWon});
   }
   standing.phase = Phase::kPause;
   standing.pause_left = pause();
@@ -367,7 +368,7 @@ void Match::lose_car() {
   --standing.cars_left;
   standing.phase = Standing::Phase::kDown;
   standing.pause_left = pause();
-  tally_.tell({Event::Kind::kCarLost, kPlayer, Event::kNobody, standing.cars_left});
+  tally_.add_event({Event::Kind::kCarLost, kPlayer, Event::kNobody, standing.cars_left});
 }
 
 // The next wave begins at the place of the player. With another car the same wave restarts, without the
@@ -383,7 +384,7 @@ void Match::end_pause() {
   const bool cleared = !enemies_.empty() && next.out.size() == rules().waves[next.standing.wave].size();
   if (cleared && next.standing.wave + 1 == rules().waves.size()) {
     standing.phase = Standing::Phase::kWon;
-    return tally_.tell({Event::Kind::kWon});
+    return tally_.add_event({Event::Kind::kWon});
   }
   if (cleared) {
     ++next.standing.wave;

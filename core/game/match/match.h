@@ -78,13 +78,13 @@ class Match {
 
  private:
   void begin_wave(const WaveStart& start);
-  void add_enemies(const WaveStart& start, Delta& came);
+  void add_enemies(const WaveStart& start, Delta& created);
   void spawn();
   void steer_vehicles(const Sight& sight);
   void go_on_afterwards();
   void take_controls(const Controls& player, const Sight& sight);
   void take_turns();
-  std::vector<Guided> guided() const;
+  std::vector<KinematicBody> guided() const;
   std::vector<BodyId> carried() const;
   std::vector<Vec3> velocities() const;
   void move_bodies(PlacementsBefore& before);

@@ -56,7 +56,7 @@ constexpr size_t kLarge = 2'000;  // faces
 }  // namespace
 
 void StaleColliders::note(const Delta& change, Ticks now) {
-  if (change.anew) due_.clear();
+  if (change.replaced) due_.clear();
   const auto make_due = [&](BodyId id, Ticks at) {
     Ticks& due = due_.try_emplace(id, at).first->second;
     due = std::min(due, at);
@@ -64,11 +64,11 @@ void StaleColliders::note(const Delta& change, Ticks now) {
   for (const BodyDelta& b : change.bodies) make_due(b.body, now + kAfterRemoval);
   for (const Detached& d : change.detached) make_due(d.from, now + kAfterDetaching);
   for (const Detached& d : change.detached) {
-    if (!d.carries_on) continue;
+    if (!d.keeps_slots) continue;
     due_.erase(d.from);
     due_.erase(d.to);
   }
-  for (const auto* list : {&change.came, &change.went}) {
+  for (const auto* list : {&change.created, &change.destroyed}) {
     for (const BodyId id : *list) due_.erase(id);
   }
 }
@@ -108,7 +108,7 @@ MatchWorld::MatchWorld(const Arena& arena) {
   around.ground = arena.description.ground;
   world_.set_environment(around);
   for (const ModelBody& body : arena.bodies) arena_.push_back(add_body(world_, body, kGeneration));
-  delta_.anew = true;
+  delta_.replaced = true;
 }
 
 std::optional<size_t> MatchWorld::of_arena(BodyId body) const {
@@ -132,12 +132,12 @@ void MatchWorld::renew_colliders() {
   const std::vector<BodyId> due = stale_colliders_.take_due(world_, now_);
   forget_contacts(world_, due);
   physics_.renew(due);
-  if (now_ % kLookForJointsEvery != 0 || !std::exchange(joints_are_asked_, false)) return;
+  if (now_ % kLookForJointsEvery != 0 || !std::exchange(joints_requested_, false)) return;
   physics_.forget_joints();
-  hinges_are_asked_ = true;
+  hinges_requested_ = true;
 }
 
-void MatchWorld::move(std::span<const Guided> guided, std::span<const BodyId> carried) {
+void MatchWorld::move(std::span<const KinematicBody> guided, std::span<const BodyId> carried) {
   delta_.append(physics_.tick(world_, false, guided, carried));
 }
 
@@ -170,25 +170,25 @@ void MatchWorld::record_placed(std::vector<BodyId> bodies) {
 // The part of a change that the physics receives immediately: created and removed bodies. Changes of faces
 // follow later, and pieces without joints are omitted, because the physics builds colliders of unknown
 // bodies by itself and need not search for joints that hold.
-Delta MatchWorld::news_for_physics(const Delta& change) const {
+Delta MatchWorld::delta_for_physics(const Delta& change) const {
   Delta news = change;
   news.bodies.clear();
-  std::erase_if(news.detached, [](const Detached& d) { return !d.carries_on; });
+  std::erase_if(news.detached, [](const Detached& d) { return !d.keeps_slots; });
   const auto is_unknown = [&](BodyId id) { return !physics_.colliders().contains(id); };
-  std::erase_if(news.went, is_unknown);
-  std::erase_if(news.came,
+  std::erase_if(news.destroyed, is_unknown);
+  std::erase_if(news.created,
                 [&](BodyId id) { return is_unknown(id) && !joint_faces_.any_in(world_.body(id)); });
   return news;
 }
 
 void MatchWorld::follow(Delta change) {
   if (change.empty()) return;
-  KERF_ASSERT(!change.anew);
+  KERF_ASSERT(!change.replaced);
   forget_contacts(world_, change);
   stale_colliders_.note(change, now_);
   for (const BodyDelta& b : change.bodies)
-    joints_are_asked_ = joints_are_asked_ || joint_faces_.any_of(world_.body(b.body), b.gone);
-  physics_.follow(news_for_physics(change));
+    joints_requested_ = joints_requested_ || joint_faces_.any_of(world_.body(b.body), b.dead);
+  physics_.follow(delta_for_physics(change));
   delta_.append(std::move(change));
 }
 
@@ -196,19 +196,19 @@ void MatchWorld::remove(const std::vector<BodyId>& bodies) {
   if (bodies.empty()) return;
   for (const BodyId id : bodies) world_.remove(id);
   Delta change;
-  change.went = bodies;
+  change.destroyed = bodies;
   follow(std::move(change));
 }
 
 std::vector<Detached> MatchWorld::separate() {
-  if (!is_settled(world_) || joints_asked(world_))
-    follow(go_on_separating(world_, kSearch, Hold::kMoving).delta);
+  if (!is_settled(world_) || joints_requested(world_))
+    follow(go_on_separating(world_, kSearch, JointMode::kArticulated).delta);
   if (!is_settled(world_)) return {};
   Delta released;
   release_pieces(world_, kGeneration, released);
   std::vector<Detached> detached = released.detached;
   follow(std::move(released));
-  return take_off(std::move(detached));
+  return detach_hanging(std::move(detached));
 }
 
 bool MatchWorld::hangs(BodyId body, std::span<const HeldJoint> held) const {
@@ -219,8 +219,8 @@ bool MatchWorld::hangs(BodyId body, std::span<const HeldJoint> held) const {
 }
 
 // Returns the hanging and new pieces that no joint holds; the others hang from now on.
-std::vector<Detached> MatchWorld::take_off(std::vector<Detached> detached) {
-  const bool asks = std::exchange(hinges_are_asked_, false) && !hanging_.empty();
+std::vector<Detached> MatchWorld::detach_hanging(std::vector<Detached> detached) {
+  const bool asks = std::exchange(hinges_requested_, false) && !hanging_.empty();
   const auto may_hang = [&](const Detached& d) { return joint_faces_.any_in(world_.body(d.to)); };
   if (!asks && std::ranges::none_of(detached, may_hang)) return detached;
   std::vector<Detached> all = std::exchange(hanging_, {}), off;
@@ -263,7 +263,7 @@ void MatchWorld::cool() {
   constexpr Ticks kEvery = 30;
   for (const BodyId id : world_.ids()) {
     if ((id.slot + world_.clock()) % kEvery == 0)
-      let_heat_flow(world_, id, static_cast<double>(kEvery) / kTicksPerSecond);
+      step_heat(world_, id, static_cast<double>(kEvery) / kTicksPerSecond);
   }
 }
 

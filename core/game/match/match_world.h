@@ -24,7 +24,7 @@ class JointFaces {
   // Returns true if a live face of a body carries a joint, itself or as a part of a loaded face that does.
   // O(face slots).
   bool any_in(const Body& body) const;
-  // Returns true if one of these faces of a body, which may be removed, does.
+  // Returns true if one of these faces of a body, live or dead, carries a joint.
   bool any_of(const Body& body, const std::vector<FaceId>& faces) const;
 
  private:
@@ -34,19 +34,19 @@ class JointFaces {
   std::map<BodyId, std::vector<bool>> of_;  // by Body::loaded_as, then by loaded face
 };
 
-// The bodies of a match whose colliders are older than their faces, and the ticks at which to rebuild them.
+// The bodies of a match with outdated colliders, and the ticks at which to rebuild them.
 //
-// Building the collider of a vehicle takes as long as the rest of a tick. So the physics keeps using the
-// old one: for a few ticks while a beam removes faces, and for one when a piece came off. Two large ones
-// are not built in the same tick.
+// Building the collider of a vehicle takes as long as the rest of a tick. The physics therefore uses the old
+// one for a few ticks while a beam removes faces, and for one tick after a piece came off. At most one large
+// collider is built per tick.
 class StaleColliders {
  public:
   // Records the bodies whose faces a change at the time `now` modified. Created bodies have no collider
   // yet.
   void note(const Delta& change, Ticks now);
 
-  // Removes and returns the bodies whose colliders are to be built in the tick `now`, ascending: of those
-  // that are due, all small ones, and the large one that has been due longest.
+  // Removes and returns the bodies whose colliders to build in the tick `now`, ascending: all small bodies
+  // that are due, and the large one that has been due longest.
   std::vector<BodyId> take_due(const World& world, Ticks now);
 
  private:
@@ -77,20 +77,19 @@ class MatchWorld {
   void begin_tick(Ticks now);
   // Builds the colliders that are due, and searches for joints whose faces were removed.
   void renew_colliders();
-  void move(std::span<const Guided> guided, std::span<const BodyId> carried);
+  void move(std::span<const KinematicBody> guided, std::span<const BodyId> carried);
   // Keeps bodies inside the arena: its edge removes the velocity against it.
   void keep_inside(const ArenaDescription& arena);
   // Records bodies that were placed outside the physics during move().
   void record_placed(std::vector<BodyId> bodies);
   // Records that joints were released other than by beams.
-  void record_released_joints() { joints_are_asked_ = true; }
+  void record_released_joints() { joints_requested_ = true; }
   // Processes any other change of the world.
   void follow(Delta change);
   void remove(const std::vector<BodyId>& bodies);
-  // Makes separated pieces bodies of their own, once the search for them has finished and the joints that
-  // still hold are known, which beam cuts leave to this function. Parts held only by hinges become bodies
-  // that turn on them. Returns the pieces that came off, in order: new ones and those that hung on hinges
-  // before.
+  // Detaches separated pieces as bodies once the search for them is complete, after updating the intact
+  // joints. Parts held only by hinges become bodies that turn on them. Returns the detached pieces in order:
+  // new ones, and those that hung on hinges before.
   std::vector<Detached> separate();
   // If there are too many loose bodies, removes the smallest resting pieces, except bodies of the arena and
   // those for which `stays` returns true.
@@ -99,17 +98,17 @@ class MatchWorld {
   void cool();
 
  private:
-  Delta news_for_physics(const Delta& change) const;
+  Delta delta_for_physics(const Delta& change) const;
   bool hangs(BodyId body, std::span<const HeldJoint> held) const;
-  std::vector<Detached> take_off(std::vector<Detached> detached);
+  std::vector<Detached> detach_hanging(std::vector<Detached> detached);
 
   World world_;
   Physics physics_;
   Ticks now_ = 0;
   StaleColliders stale_colliders_;
   JointFaces joint_faces_;
-  bool joints_are_asked_ = false;  // faces that carry joints were removed; the physics is not updated yet
-  bool hinges_are_asked_ = false;  // the physics is updated, but `hanging_` is not
+  bool joints_requested_ = false;  // faces that carry joints were removed; the physics is not updated yet
+  bool hinges_requested_ = false;  // the physics is updated, but `hanging_` is not
   std::vector<Detached> hanging_;  // pieces that turn on hinges of the bodies from which they were detached
   std::vector<BodyId> arena_;      // by index of the bodies of the arena
   Delta delta_;

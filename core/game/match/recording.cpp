@@ -194,7 +194,7 @@ Result<Recording> read_recording(const std::filesystem::path& file) {
   return recording;
 }
 
-void ScoreLog::hear(const Match& match) {
+void ScoreLog::on_tick(const Match& match) {
   const Standing& standing = match.standing();
   const WaveStart& start = match.wave_start();
   if (waves_.empty() || waves_.back().standing.ticks != start.standing.ticks) waves_.push_back(start);

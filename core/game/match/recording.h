@@ -77,7 +77,7 @@ class ScoreLog {
   static constexpr Ticks kAfterwards = 2 * kTicksPerSecond;  // duration after its last points
 
   // Records the events of the last tick. Call after every tick of the match.
-  void hear(const Match& match);
+  void on_tick(const Match& match);
 
   // The kMoment ticks in which the player got the most points, the first of them if there are several,
   // ending kAfterwards after the last of these points; without points the last ticks of the match. Shorter

@@ -22,7 +22,7 @@ struct EnemySkill {
   double speed = 0.85;      // fraction of the throttle
   double fire = 0.6;        // fraction of the time for which they fire when they could
   double distance = 13;     // m, to keep from their opponent
-  size_t at_once = 12;      // number of them that may fire at the same time
+  size_t max_firing = 12;   // number of them that may fire at the same time
 };
 
 struct Scores {

@@ -17,7 +17,7 @@ Vec3 middle_of(const Body& body) {
   return body.placement.to_world(0.5 * (box.min + box.max));
 }
 
-void Tally::tell(Event event, double points) {
+void Tally::add_event(Event event, double points) {
   const bool to_enemy = event.vehicle != kPlayer && event.vehicle != Event::kNobody;
   if (to_enemy && event.by == kPlayer) {
     event.points = points;
@@ -32,7 +32,7 @@ void Tally::record_cut(size_t shooter, size_t victim, BodyId id, const Body& bod
   for (const BodyDelta& b : cut.delta.bodies) {
     if (!b.removed.empty()) at = body.placement.to_world(b.removed.front().corners[0]);
   }
-  tell({Event::Kind::kCut, victim, shooter, 0, id, at, cut.delta.removed_mass});
+  add_event({Event::Kind::kCut, victim, shooter, 0, id, at, cut.delta.removed_mass});
   if (victim == Event::kNobody) return;
   Record& record = records_[victim];
   record.last_cut_by = shooter;
@@ -45,16 +45,16 @@ void Tally::record_piece(const Detached& piece, const Body& body, size_t victim,
   ++standing_.pieces;
   const double area = area_of(body);
   Event event{Event::Kind::kPieceOff, victim, Event::kNobody, 0, piece.to, middle_of(body), area};
-  if (!vehicle) return tell(event);
+  if (!vehicle) return add_event(event);
   event.by = records_[victim].last_cut_by;
   records_[victim].changed = true;
-  tell(event, scores_->piece);
+  add_event(event, scores_->piece);
   event.kind = Event::Kind::kCleanPart;
-  if (clean && scores_->clean > 0) tell(event, scores_->clean);
+  if (clean && scores_->clean > 0) add_event(event, scores_->clean);
   const bool half = piece.from == vehicle->chassis && area > kHalf * vehicle->model->chassis_area;
   if (!half) return;
   event.kind = Event::Kind::kInHalves;
-  tell(event, scores_->in_halves);
+  add_event(event, scores_->in_halves);
 }
 
 bool Tally::takes_assessment(size_t vehicle) { return std::exchange(records_[vehicle].changed, false); }
@@ -67,7 +67,7 @@ void Tally::record_damage(const World& world, size_t index, const Vehicle& vehic
     event.body = body;
     event.part = part;
     event.at = middle_of(world.body(body));
-    tell(event, points);
+    add_event(event, points);
   };
   for (const size_t w : damage.wheels) {
     lost(Event::Kind::kWheelLost, vehicle.wheels[w].body, w, scores_->wheel);

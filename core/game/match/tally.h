@@ -94,7 +94,7 @@ class Tally {
   void begin_tick() { events_.clear(); }
 
   // Adds an event of a vehicle, with points if the player caused it to an enemy.
-  void tell(Event event, double points = 0);
+  void add_event(Event event, double points = 0);
   // Records that the beam of a vehicle cut a body of the vehicle `victim` (Event::kNobody: of none).
   void record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
   // Records that a piece came off a body of that vehicle (null: of none). `clean`: see is_clean.

@@ -52,7 +52,7 @@ std::optional<Placement> place_before(const Placement& vehicle, const FreeSpace&
       const Vec3 there = vehicle.position + away * direction_of(wrapped(heading + turn), 0);
       if (!has_room(there, space, traffic)) continue;
       const Vec3 at = space.spots() > 0 ? space.place_of(space.spot_at(there)) : there;
-      return Placement{at, turn_about({0, 1, 0}, heading + 0.5 * kPi)};
+      return Placement{at, axis_angle({0, 1, 0}, heading + 0.5 * kPi)};
     }
   }
   return std::nullopt;
@@ -136,7 +136,7 @@ Placement upright(const Placement& placement, double ground) {
   const double heading = heading_of(placement.orientation * Vec3(0, 0, 1));
   Vec3 position = placement.position;
   position.y = std::max(position.y, ground) + kLift;
-  return {position, turn_about({0, 1, 0}, heading)};
+  return {position, axis_angle({0, 1, 0}, heading)};
 }
 
 bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, const MatchTimes& times) {

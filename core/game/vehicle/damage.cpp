@@ -120,7 +120,7 @@ Vec3 pushed_at(const Body& chassis, const Vec3& change) {
   return chassis.placement.to_world(middle + share * Vec3(way.x, 0, way.z));
 }
 
-bool let_go_near(World& world, const Vehicle& vehicle, const Vec3& at, double change) {
+bool release_joints_near(World& world, const Vehicle& vehicle, const Vec3& at, double change) {
   KERF_ASSERT(change >= kCrash);
   KERF_ASSERT(vehicle.model);
   Body& chassis = world.body(vehicle.chassis);
@@ -141,7 +141,7 @@ bool let_go_near(World& world, const Vehicle& vehicle, const Vec3& at, double ch
   }
   if (!any) return false;
   world.set_joints(std::move(joints));
-  ask_joints(world, chassis, {}, true);
+  request_joints(world, chassis, {}, true);
   return true;
 }
 

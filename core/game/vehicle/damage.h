@@ -31,9 +31,9 @@ double area_of(const Body& body);
 inline constexpr double kMinPart = 0.5;      // of the area of a part
 inline constexpr double kMinChassis = 0.25;  // of the area of the chassis
 
-// Returns true if a body that came off one loaded as `loaded` consists of whole parts: it has at least
-// kCleanShare of the area of every connected component of which it has faces, and at least kMinCleanArea.
-// False if `loaded` is a single component. O(faces).
+// Returns true if a body that was separated from `loaded` consists of whole parts: at least kCleanShare of
+// the area of every connected component of which it has faces, and at least kMinCleanArea in total. False if
+// `loaded` is a single component. O(faces).
 bool is_clean(const Body& piece, const Body& loaded);
 
 inline constexpr double kCleanShare = 0.97;    // of the area of a component
@@ -49,6 +49,6 @@ Vec3 pushed_at(const Body& chassis, const Vec3& change);
 // Releases the breakable joints (see VehicleModel::breaks) of a chassis near a place [m, in the world],
 // within a distance that grows with `change` [m/s], which is at least kCrash. Returns true if there were
 // any; parts that no joint holds must be separated then. O(joints).
-bool let_go_near(World& world, const Vehicle& vehicle, const Vec3& at, double change);
+bool release_joints_near(World& world, const Vehicle& vehicle, const Vec3& at, double change);
 
 }  // namespace kerf

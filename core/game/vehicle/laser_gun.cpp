@@ -96,7 +96,7 @@ std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, c
   const auto passes_by = [&](const BeamMove& m) {
     const double drift =
         glm::distance(m.from.origin, m.to.origin) + reach * glm::distance(m.from.direction, m.to.direction);
-    return !comes_near(m.from, range, centre, near.radius, drift + radius);
+    return !passes_near(m.from, range, centre, near.radius, drift + radius);
   };
   if (passes_by(whole)) return {};
   std::vector<BeamMove> moves = subdivide(whole, kStep * radius, reach);
@@ -108,7 +108,7 @@ std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, c
 // The change of a body by a failed cut: its delta is lost, so that observers must reload the world.
 StepResult unknown_change(BodyId id) {
   StepResult result;
-  result.delta.anew = true;
+  result.delta.replaced = true;
   result.delta.bodies.emplace_back().body = id;
   return result;
 }

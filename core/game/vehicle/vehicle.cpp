@@ -39,32 +39,32 @@ Placement combined(const Placement& outer, const Placement& inner) {
   return {outer.to_world(inner.position), glm::normalize(outer.orientation * inner.orientation)};
 }
 
-Placement turned_about(const Vec3& point, const glm::dquat& turn) { return {point - turn * point, turn}; }
+Placement rotated_about(const Vec3& point, const glm::dquat& turn) { return {point - turn * point, turn}; }
 
 BodyId add(World& world, const VehicleBody& model, const Placement& placement, uint32_t generation,
            Delta& delta) {
   const BodyId id = add_body(world, model, generation);
   world.body(id).placement = placement;
-  delta.came.push_back(id);
+  delta.created.push_back(id);
   return id;
 }
 
 Placement wheel_placement(const Vehicle& vehicle, size_t i) {
   const Wheel& wheel = vehicle.wheels[i];
   const Vec3& hub = vehicle.what().wheels[i].hub;
-  const glm::dquat turn = turn_about({0, 1, 0}, wheel.steer) * turn_about({1, 0, 0}, wheel.angle);
-  Placement local = turned_about(hub, turn);
+  const glm::dquat turn = axis_angle({0, 1, 0}, wheel.steer) * axis_angle({1, 0, 0}, wheel.angle);
+  Placement local = rotated_about(hub, turn);
   local.position.y += wheel.rise;
   return local;
 }
 
 Placement turret_placement(const Vehicle& vehicle) {
-  return turned_about(vehicle.what().turret.pivot, turn_about({0, 1, 0}, vehicle.gun.yaw));
+  return rotated_about(vehicle.what().turret.pivot, axis_angle({0, 1, 0}, vehicle.gun.yaw));
 }
 
 Placement barrel_placement(const Vehicle& vehicle) {
   const Vec3& pivot = vehicle.what().turret.barrel.pivot;
-  return combined(turret_placement(vehicle), turned_about(pivot, turn_about({1, 0, 0}, -vehicle.gun.pitch)));
+  return combined(turret_placement(vehicle), rotated_about(pivot, axis_angle({1, 0, 0}, -vehicle.gun.pitch)));
 }
 
 // `spin` [rad/s, in the world]: rotation of the body relative to the chassis, about a point of the world.

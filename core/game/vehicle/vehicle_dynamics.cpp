@@ -161,7 +161,7 @@ class Drive {
     wheel.load = mass * std::clamp(spring + damper, 0.0, kMaxLoad);
     s.load = wheel.load * kTick;
     motion_.push(s.at, s.load * s.normal);
-    const Vec3 axis = turn_about(up_, wheel.steer) * (chassis_.placement.orientation * Vec3(1, 0, 0));
+    const Vec3 axis = axis_angle(up_, wheel.steer) * (chassis_.placement.orientation * Vec3(1, 0, 0));
     const Vec3 forward = glm::cross(axis, s.normal);
     const double length = glm::length(forward);
     if (!(length > 0.1)) return push_back(s);

@@ -63,7 +63,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kHead = 12, kChunkHead = 8;
-constexpr uint64_t kLargestBuffer = uint64_t{1} << 32;
+constexpr uint64_t kMaxBuffer = uint64_t{1} << 32;
 constexpr std::array<const char*, 7> kLists{"accessors", "bufferViews", "buffers", "materials",
                                             "meshes",    "nodes",       "scenes"};
 
@@ -301,7 +301,7 @@ Result<std::string_view> GltfFile::buffer_bytes(size_t i, const fs::path& folder
   std::error_code fault;
   if (!fs::is_regular_file(file, fault))
     return wrong(where, "there is no file " + in_quotes(*path) + " in the folder of this file");
-  if (fs::file_size(file, fault) > kLargestBuffer)
+  if (fs::file_size(file, fault) > kMaxBuffer)
     return wrong(where, in_quotes(*path) + " exceeds the limit of 4 GiB");
   std::ifstream in(file, std::ios::binary);
   owned_.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
@@ -330,7 +330,7 @@ Result<GltfFile::View> GltfFile::view(uint32_t i) const {
 
 namespace {
 
-constexpr uint64_t kLongestStride = 252;
+constexpr uint64_t kMaxStride = 252;
 
 std::string accessor_place(uint32_t accessor) { return "/accessors/" + std::to_string(accessor); }
 
@@ -352,7 +352,7 @@ Result<GltfAccessor> GltfAccessor::rows(const GltfFile& file, uint32_t accessor,
   if (!offset) return offset.error();
   if (!count) return count.error();
   const uint64_t stride = view->stride == 0 ? row : view->stride;
-  if (stride < row || stride > kLongestStride)
+  if (stride < row || stride > kMaxStride)
     return file.wrong("/bufferViews/" + std::to_string(**view_index) + "/byteStride",
                       "must be from " + std::to_string(row) + " to 252");
   GltfAccessor rows;

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 13> kObjKeywords{"v", "vt",     "vn",    
                                                         "s", "usemtl", "mtllib", "l",  "p", "mg"};
 
 // Maximum length of comments and blanks searched before the first word of a text file [bytes].
-constexpr size_t kLongestPreface = 1 << 20;
+constexpr size_t kMaxPreface = 1 << 20;
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -37,7 +37,7 @@ std::string lower(std::string_view text) {
 }
 
 std::optional<MeshFormat> format_of_first_word(std::string_view bytes) {
-  Scanner scanner(bytes.substr(0, kLongestPreface), {}, {.comments = true, .continuations = false}, nullptr);
+  Scanner scanner(bytes.substr(0, kMaxPreface), {}, {.comments = true, .continuations = false}, nullptr);
   scanner.at_end();
   const std::string_view word = scanner.word();
   if (word == "ply") return MeshFormat::kPly;
@@ -166,7 +166,7 @@ std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_v
 }
 
 std::string_view kind_of_file(std::string_view bytes) {
-  const std::string_view start = bytes.substr(0, kLongestPreface);
+  const std::string_view start = bytes.substr(0, kMaxPreface);
   const std::string_view foreign = kind_by(kSignatures, start);
   if (!foreign.empty()) return foreign;
   if (const auto format = recognise_format(bytes, {})) return format_row(*format).a_file;
@@ -184,7 +184,7 @@ constexpr double kSmallestPart = 2.5;  // in millimetres; smaller STL files are 
 // Maximum distance of a standing mesh from the ground plane, relative to its height.
 constexpr double kStandingSlack = 0.01;
 
-bool stands_at_zero(double low, double high) {
+bool touches_zero(double low, double high) {
   const double slack = kStandingSlack * (high - low);
   return low < high && -slack <= low && low <= slack;
 }
@@ -196,7 +196,7 @@ FileUnit guess_unit(MeshFormat format, double longest) {
 }
 
 UpAxis guess_up(MeshFormat format, const Vec3& min, const Vec3& max) {
-  const bool on_y = stands_at_zero(min.y, max.y), on_z = stands_at_zero(min.z, max.z);
+  const bool on_y = touches_zero(min.y, max.y), on_z = touches_zero(min.z, max.z);
   if (on_y != on_z) return on_y ? UpAxis::kY : UpAxis::kZ;
   return format == MeshFormat::kStl ? UpAxis::kZ : UpAxis::kY;
 }

@@ -74,7 +74,7 @@ std::optional<int64_t> parse_integer(std::string_view word) {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-constexpr size_t kLongestQuote = 40;
+constexpr size_t kMaxQuote = 40;
 constexpr size_t kReports = 200;  // calls of Progress::report for one file
 
 bool is_blank_or_break(char c) { return static_cast<unsigned char>(c) <= ' '; }
@@ -90,10 +90,10 @@ std::string one_line(std::string_view name) {
 }
 
 std::string in_quotes(std::string_view word) {
-  std::string line = one_line(word.substr(0, kLongestQuote));
+  std::string line = one_line(word.substr(0, kMaxQuote));
   std::replace_if(
       line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) > 0x7e; }, '?');
-  if (word.size() > kLongestQuote) line += "...";
+  if (word.size() > kMaxQuote) line += "...";
   return line.insert(0, 1, '\'') += '\'';
 }
 

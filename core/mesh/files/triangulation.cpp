@@ -8,9 +8,9 @@
 
 namespace kerf {
 
-void PointTree::build(std::span<const Vec2> points, std::span<const uint32_t> chosen) {
-  KERF_ASSERT(std::all_of(chosen.begin(), chosen.end(), [&](uint32_t i) { return i < points.size(); }));
-  items_.assign(chosen.begin(), chosen.end());
+void PointTree::build(std::span<const Vec2> points, std::span<const uint32_t> selected) {
+  KERF_ASSERT(std::all_of(selected.begin(), selected.end(), [&](uint32_t i) { return i < points.size(); }));
+  items_.assign(selected.begin(), selected.end());
   nodes_.clear();
   if (!items_.empty()) build_node(0, {0, static_cast<uint32_t>(items_.size())}, points);
 }
@@ -79,16 +79,16 @@ void EarClipper::start(std::span<const Vec2> points) {
   waiting_.clear();
   fresh_.clear();
   round_ = 0;
-  std::vector<uint32_t> chosen;
+  std::vector<uint32_t> selected;
   for (uint32_t i = 0; i < left_; ++i) {
     blocker_[i] = !(turn(i) > 0);
-    if (blocker_[i]) chosen.push_back(i);
+    if (blocker_[i]) selected.push_back(i);
   }
-  tree_.build(points, chosen);
+  tree_.build(points, selected);
   rule_ = Rule::kStrict;
   loosened_ = false;
   work_ = 0;
-  most_work_ = std::min(kMaxWork, kWorkPerCorner * (left_ + uint64_t{1000}));
+  max_work_ = std::min(kMaxWork, kWorkPerCorner * (left_ + uint64_t{1000}));
 }
 
 void EarClipper::enqueue(uint32_t i) {
@@ -195,7 +195,7 @@ void EarClipper::clip(std::span<const Vec2> points, std::vector<std::array<uint3
   while (left_ > 3) {
     if (!start_round() || (rule_ == Rule::kTouching && loosened_)) change_rule();
     for (size_t i = 0; i < queue_.size() && left_ > 3; ++i) {
-      if (work_ > most_work_) rule_ = Rule::kAny;
+      if (work_ > max_work_) rule_ = Rule::kAny;
       consider(queue_[i], ears);
     }
   }

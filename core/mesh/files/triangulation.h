@@ -18,7 +18,7 @@ class PointTree {
 
   // Builds the tree over the points with these indices; keeps no spans. Precondition: indices are in range.
   // O(n log n).
-  void build(std::span<const Vec2> points, std::span<const uint32_t> chosen);
+  void build(std::span<const Vec2> points, std::span<const uint32_t> selected);
 
   // Calls judge(index) for the points of every leaf whose box meets the triangle, until it returns kStop;
   // kForget removes the point. Returns true if stopped. Adds the boxes and points tested to `work`. Misses no
@@ -134,7 +134,7 @@ class EarClipper {
   bool loosened_ = false;  // a rule other than kStrict found an ear since the last change of rule
   uint32_t left_ = 0;
   uint64_t work_ = 0;
-  uint64_t most_work_ = 0;
+  uint64_t max_work_ = 0;
 };
 
 // Triangulates polygons of a mesh; the triangles have the orientation of their polygon. The polygon is

@@ -38,8 +38,8 @@ VertexColour mix(const std::array<VertexColour, 3>& colours, const std::array<do
 
 namespace {
 
-constexpr double kLargestByte = 255;
-constexpr double kLargestLight = 16;  // maximum fraction; light brighter than white is far below it
+constexpr double kMaxByte = 255;
+constexpr double kMaxLight = 16;  // maximum fraction; light brighter than white is far below it
 
 }  // namespace
 
@@ -49,7 +49,7 @@ void ColourNumbers::Range::add(double number) {
   whole = whole && number == std::floor(number);
 }
 
-bool ColourNumbers::Range::are_bytes() const { return largest > kLargestLight || (largest > 1 && whole); }
+bool ColourNumbers::Range::are_bytes() const { return largest > kMaxLight || (largest > 1 && whole); }
 
 void ColourNumbers::set(size_t vertex, const Parts& parts) {
   KERF_ASSERT(vertex >= numbers_.size());
@@ -69,8 +69,8 @@ std::vector<VertexColour> ColourNumbers::take(size_t vertices, std::vector<std::
     warnings.push_back("Vertex colours were read as numbers from 0 to 1; greater ones count as 1.");
   }
   Parts full;
-  full.fill(bytes ? kLargestByte : 1);
-  full[VertexColour::kOpacity] = opacity_bytes ? kLargestByte : 1;
+  full.fill(bytes ? kMaxByte : 1);
+  full[VertexColour::kOpacity] = opacity_bytes ? kMaxByte : 1;
   std::vector<VertexColour> colours(vertices);
   for (size_t v = 0; v < std::min(vertices, numbers_.size()); ++v) {
     for (size_t k = 0; k < full.size(); ++k) colours[v].part[k] = colour_part(numbers_[v][k] / full[k]);

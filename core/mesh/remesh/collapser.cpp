@@ -87,7 +87,7 @@ void SurfaceSamples::add(uint32_t face, const Vec3& p) {
   points_.push_back(p);
 }
 
-bool SurfaceSamples::are_near(std::span<const uint32_t> before, const Vec3& gone,
+bool SurfaceSamples::are_near(std::span<const uint32_t> before, const Vec3& removed,
                               std::span<const FollowedFaces::Changed> changed) const {
   // Starts with the face that was near enough to the previous sample.
   size_t last = 0;
@@ -98,7 +98,7 @@ bool SurfaceSamples::are_near(std::span<const uint32_t> before, const Vec3& gone
     }
     return false;
   };
-  if (!near(gone)) return false;
+  if (!near(removed)) return false;
   for (const uint32_t f : before) {
     for (uint32_t s = first_[f]; s != kNoIndex; s = next_[s]) {
       if (!near(points_[s])) return false;
@@ -107,7 +107,7 @@ bool SurfaceSamples::are_near(std::span<const uint32_t> before, const Vec3& gone
   return true;
 }
 
-void SurfaceSamples::hand_on(std::span<const uint32_t> before, const Vec3& gone,
+void SurfaceSamples::hand_on(std::span<const uint32_t> before, const Vec3& removed,
                              std::span<const FollowedFaces::Changed> changed) {
   KERF_ASSERT(!changed.empty());
   const auto nearest = [&](const Vec3& p) {
@@ -122,7 +122,7 @@ void SurfaceSamples::hand_on(std::span<const uint32_t> before, const Vec3& gone,
     for (uint32_t s = std::exchange(first_[f], kNoIndex); s != kNoIndex; s = next_[s]) moved.push_back(s);
   }
   for (const uint32_t s : moved) next_[s] = std::exchange(first_[nearest(points_[s])], s);
-  add(nearest(gone), gone);
+  add(nearest(removed), removed);
 }
 
 void CollapseRules::look_at(uint32_t v, Ring& ring) {
@@ -197,7 +197,7 @@ bool CollapseRules::turns_too_far(uint32_t v, uint32_t to, const Ring& ring) con
     const Vec3 &a = surface_.point(side.from), &b = surface_.point(side.to);
     const Vec3 was = glm::cross(a - before, b - before), is = glm::cross(a - after, b - after);
     const double cosine = glm::dot(was, is);
-    return !(cosine > 0 && cosine * cosine >= least_cosine2_ * glm::dot(was, was) * glm::dot(is, is));
+    return !(cosine > 0 && cosine * cosine >= min_cosine2_ * glm::dot(was, was) * glm::dot(is, is));
   });
 }
 
@@ -262,8 +262,8 @@ void Collapser::bound_distance(std::optional<double> most) {
 }
 
 bool Collapser::run_round(const Limits& limits) {
-  rules_.set_least_cosine2(limits.least_cosine2);
-  if (!go_on()) return false;
+  rules_.set_min_cosine2(limits.min_cosine2);
+  if (!report_progress()) return false;
   queue_all();
   while (left_ > limits.faces && !queue_.empty()) {
     const Queued next = queue_.top();
@@ -279,12 +279,12 @@ bool Collapser::run_round(const Limits& limits) {
       continue;
     }
     collapse(next.vertex, best.to);
-    if (reported_ - left_ > (begin_ - target_) / kReports && !go_on()) return false;
+    if (reported_ - left_ > (begin_ - target_) / kReports && !report_progress()) return false;
   }
   return true;
 }
 
-bool Collapser::go_on() {
+bool Collapser::report_progress() {
   reported_ = left_;
   const double whole = static_cast<double>(std::max<size_t>(begin_ - target_, 1));
   return !progress_ || progress_->report(std::min(1.0, static_cast<double>(begin_ - left_) / whole));

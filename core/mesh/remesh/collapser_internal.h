@@ -100,11 +100,11 @@ class SurfaceSamples {
   void set_most(double most) { most2_ = most * most; }
 
   // Returns true if the samples on `before`, and a removed vertex, are near enough to the changed faces.
-  bool are_near(std::span<const uint32_t> before, const Vec3& gone,
+  bool are_near(std::span<const uint32_t> before, const Vec3& removed,
                 std::span<const FollowedFaces::Changed> changed) const;
   // Moves the samples on `before`, and a removed vertex as a new sample, to the nearest of the changed faces.
   // Precondition: there are changed faces.
-  void hand_on(std::span<const uint32_t> before, const Vec3& gone,
+  void hand_on(std::span<const uint32_t> before, const Vec3& removed,
                std::span<const FollowedFaces::Changed> changed);
 
  private:
@@ -130,7 +130,7 @@ class CollapseRules {
       : sheets_(sheets), surface_(surface), mark_(surface.vertices(), 0) {}
 
   // Sets the minimum squared cosine of the angle by which a collapse may turn a face; 0 or more.
-  void set_least_cosine2(double cosine2) { least_cosine2_ = cosine2; }
+  void set_min_cosine2(double cosine2) { min_cosine2_ = cosine2; }
 
   // A vertex with more faces is a hub and does not collapse until its neighbours have: inspecting its ring
   // after each of their collapses would take quadratic time. Collapses onto it inspect no other hub either.
@@ -155,7 +155,7 @@ class CollapseRules {
 
   const FlatSheets& sheets_;
   const FlatSurface& surface_;
-  double least_cosine2_ = 0;
+  double min_cosine2_ = 0;
   uint32_t stamp_ = 0;
   std::vector<uint32_t> mark_;                   // by vertex: the stamp of its latest ring
   uint32_t left_ = kNoIndex, right_ = kNoIndex;  // the two vertices that share a face with both ends
@@ -166,8 +166,8 @@ class CollapseRules {
 class Collapser {
  public:
   struct Limits {
-    size_t faces = 0;          // ends the round when reached
-    double least_cosine2 = 0;  // of the angle by which one collapse may turn a face, squared
+    size_t faces = 0;        // ends the round when reached
+    double min_cosine2 = 0;  // of the angle by which one collapse may turn a face, squared
   };
 
   // `sheets` must outlive the collapser, and so must `progress`, which may be null. Progress is the fraction
@@ -215,7 +215,7 @@ class Collapser {
   void find_changed(uint32_t to);
   void hand_on(uint32_t v, uint32_t to);
   void collapse(uint32_t v, uint32_t to);
-  bool go_on();
+  bool report_progress();
 
   const FlatSheets& sheets_;
   FlatSurface surface_;

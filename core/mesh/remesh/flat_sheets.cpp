@@ -162,15 +162,15 @@ void FlatSurface::unlink(uint32_t corner) {
 }
 
 void FlatSurface::collapse(uint32_t from, uint32_t to) {
-  std::array<uint32_t, 2> gone{};
+  std::array<uint32_t, 2> removed{};
   size_t count = 0;
   for_each_face(from, [&](const Opposite& side) {
     if (side.from != to && side.to != to) return;
-    KERF_ASSERT(count < gone.size());
-    gone[count++] = side.face;
+    KERF_ASSERT(count < removed.size());
+    removed[count++] = side.face;
   });
-  KERF_ASSERT(count == gone.size());
-  for (const uint32_t f : gone) {
+  KERF_ASSERT(count == removed.size());
+  for (const uint32_t f : removed) {
     for (uint32_t i = 0; i < 3; ++i) unlink(3 * f + i);
     corners_[f].fill(kNoIndex);
   }

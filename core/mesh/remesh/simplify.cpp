@@ -27,13 +27,13 @@ double edge_of(double area) { return std::sqrt(4 / std::sqrt(3.0) * area); }
 // Returns false if stopped.
 bool collapse_to_error(Collapser& collapser, double error) {
   collapser.bound_distance(kShareForSamples * error);
-  return collapser.run_round({.faces = 0, .least_cosine2 = kMinCosine2.front()});
+  return collapser.run_round({.faces = 0, .min_cosine2 = kMinCosine2.front()});
 }
 
 // Returns false if stopped.
 bool collapse_to_faces(Collapser& collapser, size_t faces) {
   const auto round = [&](size_t until, double cosine2) {
-    return collapser.left() <= until || collapser.run_round({.faces = until, .least_cosine2 = cosine2});
+    return collapser.left() <= until || collapser.run_round({.faces = until, .min_cosine2 = cosine2});
   };
   if (!round(kFacesForSamples * faces, kMinCosine2.front())) return false;
   const double edge = edge_of(collapser.area() / static_cast<double>(faces));

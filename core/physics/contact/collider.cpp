@@ -88,8 +88,8 @@ Vertices on_lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, bool 
   return vertices;
 }
 
-std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
-                                      const std::vector<VertexId>& all, size_t most) {
+std::vector<VertexId> selected_vertices(const Mesh& mesh, const Vertices& rims,
+                                        const std::vector<VertexId>& all, size_t most) {
   std::vector<VertexId> candidates = thinned(rims.list, kMaxCandidates);
   const size_t on_rim = candidates.size();
   for (VertexId v : thinned(all, kMaxCandidates)) {
@@ -97,21 +97,22 @@ std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
   }
   std::vector<Vec3> places;
   for (VertexId v : candidates) places.push_back(mesh.position(v));
-  std::vector<uint32_t> chosen;
-  choose_extreme(places, chosen);
-  if (chosen.size() > most) chosen.resize(most);
+  std::vector<uint32_t> selected;
+  select_extreme(places, selected);
+  if (selected.size() > most) selected.resize(most);
   // Half of the rest is on rims, where sheets get caught.
   const std::vector<Vec3> rim_places(places.begin(), places.begin() + static_cast<ptrdiff_t>(on_rim));
-  std::vector<uint32_t> chosen_rims;
-  for (uint32_t c : chosen) {
-    if (c < on_rim) chosen_rims.push_back(c);
+  std::vector<uint32_t> selected_rims;
+  for (uint32_t c : selected) {
+    if (c < on_rim) selected_rims.push_back(c);
   }
-  const size_t before = chosen_rims.size();
-  choose_spread(rim_places, before + (most - chosen.size()) / 2, chosen_rims);
-  chosen.insert(chosen.end(), chosen_rims.begin() + static_cast<ptrdiff_t>(before), chosen_rims.end());
-  choose_spread(places, most, chosen);
+  const size_t before = selected_rims.size();
+  select_spread_points(rim_places, before + (most - selected.size()) / 2, selected_rims);
+  selected.insert(selected.end(), selected_rims.begin() + static_cast<ptrdiff_t>(before),
+                  selected_rims.end());
+  select_spread_points(places, most, selected);
   std::vector<VertexId> vertices;
-  for (uint32_t c : chosen) vertices.push_back(candidates[c]);
+  for (uint32_t c : selected) vertices.push_back(candidates[c]);
   return vertices;
 }
 
@@ -176,10 +177,11 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
                               const std::vector<VertexId>& on_lines) {
   std::vector<Vec3> ends;
   for (const Collider::Chord& c : chords) ends.insert(ends.end(), {c.from, c.to});
-  std::sort(ends.begin(), ends.end(), precedes);
+  std::sort(ends.begin(), ends.end(), lexicographic_less);
   std::vector<VertexId> vertices;
   for (VertexId v : on_lines) {
-    if (std::binary_search(ends.begin(), ends.end(), mesh.position(v), precedes)) vertices.push_back(v);
+    if (std::binary_search(ends.begin(), ends.end(), mesh.position(v), lexicographic_less))
+      vertices.push_back(v);
   }
   return vertices;
 }
@@ -235,18 +237,18 @@ Clusters sort_by_clusters(std::vector<Item>& items) {
 }  // namespace
 
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
-  KERF_ASSERT(settings.most_points > 0 && settings.chord_error > 0);
+  KERF_ASSERT(settings.max_points > 0 && settings.chord_error > 0);
   const VertexNormals normals = normals_of(mesh);
   const FeatureEdges edges = feature_edges(mesh, normals.of_face);
   const std::vector<Vec3> outward = outward_at_rims(mesh, edges.lines, normals);
   const Vertices rims = on_lines(mesh, edges.lines, true);
   Collider collider;
   const Lines lines(mesh, edges.lines, settings.chord_error);
-  collider.chords = chords_of(lines, settings.chord_error, settings.most_chords);
+  collider.chords = chords_of(lines, settings.chord_error, settings.max_chords);
   std::vector<VertexId> vertices = ends_of(collider.chords, mesh, on_lines(mesh, edges.lines, false).list);
-  if (vertices.size() > settings.most_points) vertices.resize(settings.most_points);
-  const size_t more = settings.most_points - vertices.size();
-  for (VertexId v : chosen_vertices(mesh, rims, normals.used, more)) {
+  if (vertices.size() > settings.max_points) vertices.resize(settings.max_points);
+  const size_t more = settings.max_points - vertices.size();
+  for (VertexId v : selected_vertices(mesh, rims, normals.used, more)) {
     if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
   }
   const auto point_at = [&](VertexId v) -> Collider::Point {
@@ -257,7 +259,7 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
     collider.points.push_back(point_at(v));
     is_point[v.index] = true;
   }
-  for (VertexId v : thinned(normals.used, settings.most_guards)) {
+  for (VertexId v : thinned(normals.used, settings.max_guards)) {
     if (!is_point[v.index]) collider.guards.push_back(point_at(v));
   }
   for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
@@ -266,8 +268,8 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
   collider.point_clusters = sort_by_clusters(collider.points);
   collider.chord_clusters = sort_by_clusters(collider.chords);
   collider.guard_clusters = sort_by_clusters(collider.guards);
-  if (lines.count_chords(settings.chord_error) > settings.most_chords) {
-    collider.fine_chords = chords_of(lines, settings.chord_error, settings.most_fine_chords);
+  if (lines.count_chords(settings.chord_error) > settings.max_chords) {
+    collider.fine_chords = chords_of(lines, settings.chord_error, settings.max_fine_chords);
     collider.fine_chord_clusters = sort_by_clusters(collider.fine_chords);
   } else {
     collider.fine_chords = collider.chords;

@@ -35,9 +35,9 @@ struct Collider {
 
 // Limits of the number of features.
 struct ColliderSettings {
-  size_t most_points = 96;
-  size_t most_chords = 192;
-  size_t most_guards = 512, most_fine_chords = 2048;
+  size_t max_points = 96;
+  size_t max_chords = 192;
+  size_t max_guards = 512, max_fine_chords = 2048;
   // Max distance of a chord from its rim [m]; larger if there would be too many chords.
   double chord_error = 0.001;
 };

@@ -157,7 +157,7 @@ std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error) {
   return few;
 }
 
-void choose_spread(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& chosen) {
+void select_spread_points(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& selected) {
   if (points.empty()) return;
   std::vector<double> apart(points.size(), std::numeric_limits<double>::infinity());
   const auto measure_from = [&](uint32_t c) {
@@ -167,16 +167,16 @@ void choose_spread(const std::vector<Vec3>& points, size_t most, std::vector<uin
       apart[i] = std::min(apart[i], glm::dot(d, d));
     }
   };
-  for (uint32_t c : chosen) measure_from(c);
-  while (chosen.size() < most) {
+  for (uint32_t c : selected) measure_from(c);
+  while (selected.size() < most) {
     const auto farthest = std::max_element(apart.begin(), apart.end());
     if (!(*farthest > 0)) return;
-    chosen.push_back(static_cast<uint32_t>(farthest - apart.begin()));
-    measure_from(chosen.back());
+    selected.push_back(static_cast<uint32_t>(farthest - apart.begin()));
+    measure_from(selected.back());
   }
 }
 
-void choose_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& chosen) {
+void select_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& selected) {
   if (points.empty()) return;
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
@@ -187,7 +187,7 @@ void choose_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& chos
         for (uint32_t i = 1; i < points.size(); ++i) {
           if (glm::dot(points[i], way) > glm::dot(points[best], way)) best = i;
         }
-        if (std::find(chosen.begin(), chosen.end(), best) == chosen.end()) chosen.push_back(best);
+        if (std::find(selected.begin(), selected.end(), best) == selected.end()) selected.push_back(best);
       }
     }
   }

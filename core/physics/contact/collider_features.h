@@ -46,9 +46,9 @@ std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error);
 // Appends indices of points that lie as far apart as possible to a selection: each is the point farthest
 // from all selected before (T. Gonzalez, 1985), the first of equal ones, until the selection has `most`
 // members or no point lies apart from it. O(points * most).
-void choose_spread(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& chosen);
+void select_spread_points(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& selected);
 
 // Appends the indices of the points that are extreme along the axes and the space diagonals, each once.
-void choose_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& chosen);
+void select_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& selected);
 
 }  // namespace kerf

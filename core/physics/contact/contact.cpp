@@ -57,10 +57,10 @@ uint32_t deepest_of(const std::vector<Contact>& contacts, const Rank& rank = {})
 }
 
 // Keeps the selected contacts, in the order in which they were found.
-void keep(std::vector<Contact>& contacts, std::vector<uint32_t> chosen) {
-  std::ranges::sort(chosen);
+void keep(std::vector<Contact>& contacts, std::vector<uint32_t> selected) {
+  std::ranges::sort(selected);
   std::vector<Contact> kept;
-  for (const uint32_t c : chosen) kept.push_back(contacts[c]);
+  for (const uint32_t c : selected) kept.push_back(contacts[c]);
   contacts = std::move(kept);
 }
 
@@ -70,9 +70,9 @@ void reduce_contacts(std::vector<Contact>& contacts) {
   if (contacts.size() <= kMaxContacts) return;
   std::vector<Vec3> places;
   for (const Contact& c : contacts) places.push_back(c.at);
-  std::vector<uint32_t> chosen{deepest_of(contacts)};
-  choose_spread(places, kMaxContacts, chosen);
-  keep(contacts, std::move(chosen));
+  std::vector<uint32_t> selected{deepest_of(contacts)};
+  select_spread_points(places, kMaxContacts, selected);
+  keep(contacts, std::move(selected));
 }
 
 namespace {
@@ -96,14 +96,15 @@ std::vector<Vec3> places_on_plane(const std::vector<Contact>& contacts, uint32_t
 
 // Replaces each selected contact by the deepest of those nearer to it than to the other selected ones.
 void take_deepest_near(const std::vector<Contact>& contacts, const std::vector<Vec3>& places,
-                       const Rank& rank, std::vector<uint32_t>& chosen) {
-  std::vector<uint32_t> deepest = chosen;
+                       const Rank& rank, std::vector<uint32_t>& selected) {
+  std::vector<uint32_t> deepest = selected;
   for (uint32_t i = 0; i < contacts.size(); ++i) {
     const auto apart = [&](uint32_t c) { return glm::dot(places[i] - places[c], places[i] - places[c]); };
-    const auto nearest = static_cast<size_t>(std::ranges::min_element(chosen, {}, apart) - chosen.begin());
+    const auto nearest =
+        static_cast<size_t>(std::ranges::min_element(selected, {}, apart) - selected.begin());
     if (rank(contacts[i]) < rank(contacts[deepest[nearest]])) deepest[nearest] = i;
   }
-  chosen = std::move(deepest);
+  selected = std::move(deepest);
 }
 
 }  // namespace
@@ -112,11 +113,11 @@ void reduce_on_plane(std::vector<Contact>& contacts, const Vec3& up, double bonu
   KERF_ASSERT(std::abs(glm::dot(up, up) - 1) < 1e-9);
   if (contacts.size() <= kMaxContacts) return;
   const Rank rank{bonus};
-  std::vector<uint32_t> chosen{deepest_of(contacts, rank)};
-  const std::vector<Vec3> places = places_on_plane(contacts, chosen[0], up);
-  choose_spread(places, kMaxContacts, chosen);
-  take_deepest_near(contacts, places, rank, chosen);
-  keep(contacts, std::move(chosen));
+  std::vector<uint32_t> selected{deepest_of(contacts, rank)};
+  const std::vector<Vec3> places = places_on_plane(contacts, selected[0], up);
+  select_spread_points(places, kMaxContacts, selected);
+  take_deepest_near(contacts, places, rank, selected);
+  keep(contacts, std::move(selected));
 }
 
 }  // namespace kerf

@@ -31,10 +31,10 @@ Segment segment(uint32_t index, const Vec3& from, const Vec3& to, const Vec3& wa
 std::vector<Segment> near_chords(const MovingBody& first, const MovingBody& second, double margin) {
   const RigidMap now = into(second.now, first.now), next = into(second.next, first.next);
   std::vector<Segment> near;
-  const auto comes_near = [&](const Cluster& cluster) {
+  const auto passes_near = [&](const Cluster& cluster) {
     return second.collider->space.meets(way_of(cluster, now, next).wider(margin));
   };
-  first.collider->chord_clusters.for_each(comes_near, [&](uint32_t i) {
+  first.collider->chord_clusters.for_each(passes_near, [&](uint32_t i) {
     const Collider::Chord& c = first.collider->chords[i];
     const Vec3 middle = 0.5 * (c.from + c.to);
     const Segment s = segment(i, now(c.from), now(c.to), next(middle) - now(middle), margin);

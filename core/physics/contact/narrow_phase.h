@@ -10,8 +10,8 @@ namespace kerf {
 // features >= 2^32.
 //
 // Two chords touch if the closest points of their lines lie within both. Since no sheets intersect at the
-// beginning of a tick (see hold_back), the side on which they are then is the right one. Nearly parallel
-// chords are covered by points and faces.
+// beginning of a tick (see limit_penetration), the side on which they are then is the right one. Nearly
+// parallel chords are covered by points and faces.
 void find_chord_contacts(const MovingBody& first, const MovingBody& second, const ContactLengths& lengths,
                          std::vector<Contact>& out);
 

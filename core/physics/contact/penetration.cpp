@@ -229,7 +229,7 @@ Vec3 middle_of(const MovingBody& first, const MovingBody& second, const std::vec
 
 std::optional<Contact> push_out(const MovingBody& first, const MovingBody& second, PairMemory& memory) {
   KERF_ASSERT(first.id < second.id && memory.crossed > 0);
-  if (seconds_of_ticks(memory.crossed) >= kLongestPush) return std::nullopt;
+  if (seconds_of_ticks(memory.crossed) >= kMaxPush) return std::nullopt;
   const std::vector<FacePlane> on_second = places(first, second), on_first = places(second, first);
   if (on_first.empty() && on_second.empty()) return std::nullopt;
   const Exit exit = shortest_exit(first, second, on_first, on_second, memory.way_out);

@@ -23,13 +23,13 @@ bool get_through(const MovingBody& a, const MovingBody& b);
 // to lie on two sides of a plane. Its overlap makes the solver move them apart at kPushOut at most, without
 // giving them velocity (split impulses).
 //
-// A pair that has intersected for kLongestPush (PairMemory::crossed) is no longer pushed, nor is one deeper
+// A pair that has intersected for kMaxPush (PairMemory::crossed) is no longer pushed, nor is one deeper
 // than kDeepestPush. `memory` keeps the way, so that it does not alternate. O(points * places).
 std::optional<Contact> push_out(const MovingBody& first, const MovingBody& second, PairMemory& memory);
 
 inline constexpr double kPushOut = 0.06;      // m/s
 inline constexpr double kDeepestPush = 0.12;  // m
-inline constexpr double kLongestPush = 4;     // s
+inline constexpr double kMaxPush = 4;         // s
 inline constexpr double kSolvedShare = 0.2;   // share of an overlap that the solver removes in a tick
 
 }  // namespace kerf

@@ -53,7 +53,7 @@ bool remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
 //
 // In the frame of the faces, casts rays from each point along its way within the tick, against the normal
 // of its last contact, and along its own normal. Since no sheets intersect at the beginning of a tick (see
-// hold_back), a point is on its right side then. Appends to `out`, with normals towards `points` and
+// limit_penetration), a point is on its right side then. Appends to `out`, with normals towards `points` and
 // features below 2^32.
 void find_point_contacts(const MovingBody& points, const MovingBody& faces, const ContactLengths& lengths,
                          std::vector<PointMemory>& memory, std::vector<Contact>& out);

@@ -27,7 +27,7 @@ Sums sums_of(const Body& body) {
       MassProperties solid = enclosed->solid;
       solid.mass *= body.sheet.density;
       solid.inertia *= body.sheet.density;
-      sums.solids = together(sums.solids, solid);
+      sums.solids = combine(sums.solids, solid);
     } else {
       sums.area += body.pieces[p].area;
       sums.moments += body.pieces[p].moments;
@@ -40,7 +40,7 @@ MassProperties mass_of(const Body& body) {
   const Sums sums = sums_of(body);
   const MassProperties shell =
       shell_mass(sums.area, sums.moments, body.middle(), body.sheet.thickness, body.sheet.density);
-  return together(shell, sums.solids);
+  return combine(shell, sums.solids);
 }
 
 // Computes the principal axes by Jacobi rotations.

@@ -64,8 +64,8 @@ struct MovingBody {
   double scale = 1;    // factor of all lengths of contact, see ContactLengths; in units of length
   double sunk = 0;     // depth below the ground at the beginning of the tick, in units of length
 
-  bool glides = false;      // see Guided
-  double sweeps_aside = 0;  // kg, likewise
+  bool passes_fixed = false;  // see KinematicBody
+  double ignored_mass = 0;    // kg, likewise
 
   // Loss of spin due to contacts: a share of the spin [1/s], and a constant part [rad/s^2].
   double rolling_loss = 0, rolling_brake = 0;

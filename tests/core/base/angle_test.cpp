@@ -12,10 +12,10 @@ TEST(Angles, agree_with_the_library) {
     EXPECT_NEAR(sin_cos(x).sin, std::sin(x), 1e-13);
     EXPECT_NEAR(sin_cos(x).cos, std::cos(x), 1e-13);
     const double y = x * x - 40;
-    EXPECT_NEAR(arc_tangent(y, x), std::atan2(y, x), 1e-13);
+    EXPECT_NEAR(det::atan2(y, x), std::atan2(y, x), 1e-13);
     EXPECT_NEAR(heading_of(direction_of(wrapped(x), 0.3)), wrapped(x), 1e-12);
   }
-  EXPECT_EQ(arc_tangent(0, 0), 0);
+  EXPECT_EQ(det::atan2(0, 0), 0);
 }
 
 TEST(Angles, are_wrapped_by_whole_turns) {
@@ -26,8 +26,8 @@ TEST(Angles, are_wrapped_by_whole_turns) {
 }
 
 TEST(Angles, turn_by_the_right_hand_rule) {
-  EXPECT_NEAR(glm::distance(turn_about({0, 1, 0}, kPi / 2) * Vec3(0, 0, 1), Vec3(1, 0, 0)), 0, 1e-12);
-  EXPECT_NEAR(glm::distance(turn_about({1, 0, 0}, kPi / 2) * Vec3(0, 1, 0), Vec3(0, 0, 1)), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(axis_angle({0, 1, 0}, kPi / 2) * Vec3(0, 0, 1), Vec3(1, 0, 0)), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(axis_angle({1, 0, 0}, kPi / 2) * Vec3(0, 1, 0), Vec3(0, 0, 1)), 0, 1e-12);
 }
 
 TEST(Angles, of_a_direction_give_it_back) {

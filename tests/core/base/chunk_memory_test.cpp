@@ -9,8 +9,8 @@ namespace {
 
 TEST(ChunkMemory, is_zero_aligned_and_its_own) {
   const size_t bytes = 3 * kHugePage;
-  auto* first = static_cast<unsigned char*>(take_chunk(bytes));
-  auto* second = static_cast<unsigned char*>(take_chunk(bytes));
+  auto* first = static_cast<unsigned char*>(allocate_chunk(bytes));
+  auto* second = static_cast<unsigned char*>(allocate_chunk(bytes));
   for (const unsigned char* chunk : {first, second}) {
     EXPECT_EQ(reinterpret_cast<uintptr_t>(chunk) % kHugePage, 0u);
     for (size_t at = 0; at < bytes; at += 4096) ASSERT_EQ(chunk[at], 0);
@@ -19,8 +19,8 @@ TEST(ChunkMemory, is_zero_aligned_and_its_own) {
   for (size_t at = 0; at < bytes; at += 4096) first[at] = 7;
   EXPECT_EQ(second[0], 0);
   EXPECT_EQ(second[bytes - 1], 0);
-  give_chunk(first, bytes);
-  give_chunk(second, bytes);
+  free_chunk(first, bytes);
+  free_chunk(second, bytes);
 }
 
 }  // namespace

@@ -116,8 +116,8 @@ class Follower {
     for (const BodyDelta& d : delta.bodies) {
       const Mesh& mesh = world.body(d.body).mesh;
       Faces& faces = bodies_[d.body];
-      for (const FaceId f : d.gone) faces.erase(f.index);
-      for (const auto* changed : {&d.born, &d.relabelled}) {
+      for (const FaceId f : d.dead) faces.erase(f.index);
+      for (const auto* changed : {&d.added, &d.relabelled}) {
         for (const FaceId f : *changed) faces[f.index] = look(mesh, f);
       }
     }

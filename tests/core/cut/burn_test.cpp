@@ -37,8 +37,8 @@ TEST_F(BurnOfTwoSheets, goes_on_behind_faces_that_are_gone) {
   burn.emit(pose, 1e-3);
   EXPECT_GT(heat_in(0), 0);
   EXPECT_EQ(heat_in(1), 0) << "the upper sheet is in the way";
-  for (int i = 0; i < 10'000 && bodies_[0].gone.empty(); ++i) burn.emit(pose, 1);
-  ASSERT_FALSE(bodies_[0].gone.empty());
+  for (int i = 0; i < 10'000 && bodies_[0].removed.empty(); ++i) burn.emit(pose, 1);
+  ASSERT_FALSE(bodies_[0].removed.empty());
   // All faces that the rays meet are gone in the end.
   for (int i = 0; i < 100'000 && heat_in(1) == 0; ++i) burn.emit(pose, 1);
   const double before = heat_in(1), upper = heat_in(0);

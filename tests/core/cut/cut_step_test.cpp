@@ -329,8 +329,8 @@ TEST(CutStep, tells_in_its_delta_of_every_face_that_changed) {
     ASSERT_TRUE(result.ok());
     std::vector<int> told(body.mesh.face_slots(), 0);
     for (const BodyDelta& d : result->delta.bodies) {
-      for (const FaceId f : d.born) told[f.index] = 1;
-      for (const FaceId f : d.gone) told[f.index] = 2;
+      for (const FaceId f : d.added) told[f.index] = 1;
+      for (const FaceId f : d.dead) told[f.index] = 2;
     }
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       const bool was = f < live.size() && live[f], is = body.mesh.is_live(FaceId(f));

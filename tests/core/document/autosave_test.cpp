@@ -25,9 +25,9 @@ class AutosaveFolder : public testing::Test {
     ASSERT_TRUE(record_hashes(scene_).ok());
   }
   std::filesystem::path state() const { return folder_ / "state"; }
-  std::vector<LeftWork> left() {
+  std::vector<RecoverableDocument> left() {
     std::vector<std::string> faults;
-    auto work = find_left_work(state(), faults);
+    auto work = find_recoverable_documents(state(), faults);
     EXPECT_TRUE(faults.empty()) << faults.front();
     return work;
   }
@@ -120,7 +120,7 @@ TEST_F(AutosaveFolder, names_what_it_cannot_read_and_leaves_it) {
   std::filesystem::create_directory(state());
   write_text(state() / "unsaved-1-1.kerf", "no journal\n");
   std::vector<std::string> faults;
-  EXPECT_TRUE(find_left_work(state(), faults).empty());
+  EXPECT_TRUE(find_recoverable_documents(state(), faults).empty());
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_NE(faults.front().find("unsaved-1-1.kerf: line 1"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(state() / "unsaved-1-1.kerf"));
@@ -167,7 +167,7 @@ TEST_F(AutosaveFolder, a_process_that_is_killed_at_any_moment_has_lost_nothing_t
     auto found = left();
     ASSERT_LE(found.size(), 1u);
     EXPECT_GE(found.empty() ? 0 : found.front().journal.commands.size(), told);
-    for (LeftWork& work : found) work.file.remove();
+    for (RecoverableDocument& work : found) work.file.remove();
   }
 }
 

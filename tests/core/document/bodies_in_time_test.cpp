@@ -188,7 +188,7 @@ TEST_F(BodiesInTime, undo_of_time_tells_which_pieces_are_no_bodies_of_their_own_
   const Outcome outcome = document_.apply(Undo{});
   ASSERT_TRUE(outcome.ok());
   EXPECT_EQ(world().ids(), std::vector{plate});
-  EXPECT_EQ(outcome.delta.went, std::vector{piece});
+  EXPECT_EQ(outcome.delta.destroyed, std::vector{piece});
   ASSERT_EQ(outcome.delta.detached.size(), 1u);
   EXPECT_EQ(outcome.delta.detached[0].from, piece);
   EXPECT_EQ(outcome.delta.detached[0].to, plate);

@@ -245,10 +245,10 @@ std::set<FaceId> live_faces(const World& world) {
 
 // The same as somebody knows them who follows deltas.
 void follow(std::set<FaceId>& faces, const World& world, const Delta& delta) {
-  if (delta.anew) faces = live_faces(world);
+  if (delta.replaced) faces = live_faces(world);
   for (const BodyDelta& body : delta.bodies) {
-    for (const FaceId f : body.gone) faces.erase(f);
-    faces.insert(body.born.begin(), body.born.end());
+    for (const FaceId f : body.dead) faces.erase(f);
+    faces.insert(body.added.begin(), body.added.end());
   }
 }
 

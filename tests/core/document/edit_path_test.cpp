@@ -47,10 +47,10 @@ TEST(EditPath, keys_that_come_between_others_or_at_an_end_keep_the_times_ascendi
 
 TEST(EditPath, opposite_neighbours_are_named_and_all_else_can_be_cut) {
   StrokePath stroke = bent();
-  EXPECT_TRUE(why_no_cut({}).has_value());
-  EXPECT_FALSE(why_no_cut(std::vector{stroke}).has_value());
+  EXPECT_TRUE(rejection_reason({}).has_value());
+  EXPECT_FALSE(rejection_reason(std::vector{stroke}).has_value());
   stroke.keys.back().direction = -kDown;
-  const auto why = why_no_cut(std::vector{bent(), stroke});
+  const auto why = rejection_reason(std::vector{bent(), stroke});
   ASSERT_TRUE(why.has_value());
   EXPECT_NE(why->find("Points 2 and 3 of stroke 2"), std::string::npos) << *why;
 }

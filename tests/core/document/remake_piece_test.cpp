@@ -93,8 +93,8 @@ TEST(PrepareCommands, are_undone_and_done_again_to_the_bit) {
     Document document(before);
     const Outcome outcome = document.apply(command);
     ASSERT_TRUE(outcome.ok());
-    EXPECT_EQ(outcome.delta.went, before.ids());
-    EXPECT_EQ(outcome.delta.came, document.world().ids());
+    EXPECT_EQ(outcome.delta.destroyed, before.ids());
+    EXPECT_EQ(outcome.delta.created, document.world().ids());
     const World after = document.world();
     expect_sound(after);
     EXPECT_NE(state_hash(after), state_hash(before));

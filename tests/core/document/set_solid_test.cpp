@@ -31,7 +31,7 @@ TEST_F(SolidBox, is_one_until_it_is_undone_and_again_when_that_is_redone) {
   const uint64_t as_sheet = hash();
   const auto done = document_.apply(SetSolid{piece(), true});
   ASSERT_TRUE(done.ok());
-  EXPECT_EQ(done.delta.reweighed, document_.world().ids());
+  EXPECT_EQ(done.delta.mass_changed, document_.world().ids());
   EXPECT_TRUE(body().solid);
   ASSERT_NE(enclosed_piece(body(), 0), nullptr) << "it is weighed at once";
   EXPECT_NEAR(enclosed_piece(body(), 0)->solid.mass, 6, 1e-12);

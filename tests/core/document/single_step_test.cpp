@@ -220,8 +220,8 @@ TEST(SingleStep, tells_what_changed_when_it_goes_back) {
   ASSERT_EQ(back.delta.bodies.size(), 1u);
   const BodyDelta& delta = back.delta.bodies.front();
   std::erase_if(
-      told, [&](uint32_t f) { return std::binary_search(delta.gone.begin(), delta.gone.end(), FaceId(f)); });
-  for (const FaceId f : delta.born) told.push_back(f.index);
+      told, [&](uint32_t f) { return std::binary_search(delta.dead.begin(), delta.dead.end(), FaceId(f)); });
+  for (const FaceId f : delta.added) told.push_back(f.index);
   std::sort(told.begin(), told.end());
   told.erase(std::unique(told.begin(), told.end()), told.end());
   EXPECT_EQ(told, live);
@@ -270,18 +270,18 @@ TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
   document.apply(BeginStroke{settings, {{0.02, 1, 0.03}, {0, -1, 0}}});
   document.apply(EndStroke{});
   SingleStep single(document);
-  std::vector<FaceId> hit, gone;
+  std::vector<FaceId> hit, dead;
   while (document.waiting() > 0) {
     const auto stage = single.next();
     ASSERT_TRUE(stage.ok());
     if (stage->kind == StageKind::kHit || stage->kind == StageKind::kHitAgain) hit = stage->hit;
     if (stage->kind != StageKind::kRemove) continue;
     for (const BodyDelta& body : stage->done.delta.bodies)
-      gone.insert(gone.end(), body.gone.begin(), body.gone.end());
+      dead.insert(dead.end(), body.dead.begin(), body.dead.end());
   }
   std::sort(hit.begin(), hit.end());
   EXPECT_FALSE(hit.empty());
-  EXPECT_EQ(gone, hit);
+  EXPECT_EQ(dead, hit);
 }
 
 TEST(SingleStep, tells_of_the_faces_that_are_left_to_refine_only_after_a_part_of_refining) {

@@ -102,9 +102,9 @@ TEST(BodyEdit, tells_once_of_every_slot_that_it_changed) {
   edit.update_tree();
   const BodyDelta delta = edit.take_delta(BodyId{3, 0});
   EXPECT_EQ(delta.body, (BodyId{3, 0}));
-  EXPECT_EQ(delta.gone, std::vector<FaceId>{f});
-  EXPECT_FALSE(delta.born.empty());
-  for (const FaceId born : delta.born) EXPECT_TRUE(body.mesh.is_live(born));
+  EXPECT_EQ(delta.dead, std::vector<FaceId>{f});
+  EXPECT_FALSE(delta.added.empty());
+  for (const FaceId added : delta.added) EXPECT_TRUE(body.mesh.is_live(added));
   EXPECT_FALSE(edit.any());
 }
 

@@ -83,10 +83,10 @@ TEST(Detach, leaves_every_face_where_it_was_and_every_piece_by_its_own) {
       ASSERT_NE(holder, ids.end());
       const Piece piece = world.body(*holder).pieces[label];
       Delta delta;
-      const bool alone = stands_alone(world, {*holder, label});
+      const bool alone = is_only_piece(world, {*holder, label});
       const BodyId own = detach(world, {*holder, label}, generation, delta);
       EXPECT_EQ(own, alone ? *holder : BodyId(static_cast<uint32_t>(ids.size()), generation));
-      EXPECT_TRUE(stands_alone(world, {own, label}));
+      EXPECT_TRUE(is_only_piece(world, {own, label}));
       EXPECT_EQ(world.body(own).mesh.live_faces(), piece.faces);
       EXPECT_EQ(world.body(own).pieces[label].area, piece.area);
     }
@@ -162,7 +162,7 @@ TEST(Detach, is_not_needed_to_name_a_piece_which_takes_the_name_with_it_later) {
   const std::string name = document.world().body(first).name;
   const Outcome renamed = document.apply(RenamePiece{{first, 1}, "door"});
   ASSERT_TRUE(renamed.ok());
-  EXPECT_TRUE(renamed.delta.came.empty() && renamed.delta.detached.empty());
+  EXPECT_TRUE(renamed.delta.created.empty() && renamed.delta.detached.empty());
   EXPECT_EQ(renamed.delta.renamed, std::vector<BodyId>{first});
   EXPECT_EQ(document.world().ids(), before.ids());
   EXPECT_EQ(document.world().body(first).name_of(0), name);
@@ -235,8 +235,8 @@ TEST(Detach, gives_the_piece_the_new_id_whichever_side_is_copied_and_is_taken_ba
         Delta delta;
         const BodyId own = detach(world, {first, label}, 5, delta);
         EXPECT_EQ(own, BodyId(1, 5));
-        EXPECT_TRUE(stands_alone(world, {own, label}));
-        EXPECT_TRUE(stands_alone(world, {first, 1 - label}));
+        EXPECT_TRUE(is_only_piece(world, {own, label}));
+        EXPECT_TRUE(is_only_piece(world, {first, 1 - label}));
         world.body(own).placement.position = {1, 2, 3};
         if (removed) world.remove(own);
         World::Change change = world.end_change();
@@ -262,7 +262,7 @@ TEST(Duplicate, adds_the_same_faces_as_a_body_of_its_own_and_leaves_the_piece_as
       SCOPED_TRACE("seed " + std::to_string(seed) + ", piece " + std::to_string(p));
       Delta delta;
       const BodyId copy = duplicate(world, {first, p}, 100 + p, delta);
-      EXPECT_EQ(delta.came, std::vector{copy});
+      EXPECT_EQ(delta.created, std::vector{copy});
       EXPECT_TRUE(delta.bodies.empty() && delta.detached.empty());
       expect_whole(world.body(copy));
       EXPECT_EQ(world.body(copy).own_name(), before.body(first).name_of(p) + " copy");

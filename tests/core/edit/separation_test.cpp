@@ -122,7 +122,7 @@ TEST(Separation, equals_the_full_search_on_real_meshes) {
 
 // Removes every face of a band around a tube, in random order, one a step.
 struct BandCut {
-  size_t in_vain = 0, looked_at = 0, pieces = 0, smaller = 0;
+  size_t in_vain = 0, visited = 0, pieces = 0, smaller = 0;
 };
 BandCut cut_band(const Soup& soup, double low, double high, uint64_t seed) {
   Body body = make_body("tube", build(soup));
@@ -138,8 +138,8 @@ BandCut cut_band(const Soup& soup, double low, double high, uint64_t seed) {
   for (const FaceId f : band) {
     take_away(body, f);
     const SettleResult result = settle(body);
-    cut.in_vain += result.looked_at > 0 && result.new_pieces.empty();
-    cut.looked_at = std::max(cut.looked_at, result.looked_at);
+    cut.in_vain += result.visited > 0 && result.new_pieces.empty();
+    cut.visited = std::max(cut.visited, result.visited);
     cut.pieces += result.new_pieces.size();
     if (!result.relabelled.empty()) cut.smaller = std::max(cut.smaller, result.relabelled.size());
   }
@@ -161,18 +161,18 @@ TEST(Separation, looks_at_no_more_than_twice_the_smaller_side) {
     const BandCut cut = cut_band(sphere(80, 120, 1), 0.5, 0.6, seed);
     EXPECT_GT(cut.smaller, 1000u);
     constexpr size_t kOneTurn = 128;
-    EXPECT_LE(cut.looked_at, 2 * cut.smaller + kOneTurn);
+    EXPECT_LE(cut.visited, 2 * cut.smaller + kOneTurn);
   }
 }
 
 // Removes every face in a band of y, and settles in calls that visit about `most` faces each.
 struct Settled {
   Body body;
-  size_t looked_at = 0;
+  size_t visited = 0;
   std::vector<FaceId> relabelled;
 };
 Settled settle_band(const Body& whole, double low, double high, size_t most, EditPolicy policy) {
-  Settled settled{.body = whole, .looked_at = 0, .relabelled = {}};
+  Settled settled{.body = whole, .visited = 0, .relabelled = {}};
   for (uint32_t f = 0; f < whole.mesh.face_slots(); ++f) {
     const Triangle t = whole.mesh.triangle(FaceId(f));
     const double y = (t[0].y + t[1].y + t[2].y) / 3;
@@ -180,7 +180,7 @@ Settled settle_band(const Body& whole, double low, double high, size_t most, Edi
   }
   do {
     const SettleResult result = settle(settled.body, most, policy);
-    settled.looked_at += result.looked_at;
+    settled.visited += result.visited;
     settled.relabelled.insert(settled.relabelled.end(), result.relabelled.begin(), result.relabelled.end());
   } while (!is_settled(settled.body));
   return settled;
@@ -212,8 +212,8 @@ TEST(Separation, without_edits_meanwhile_finds_the_same_parts_from_fewer_faces) 
       ASSERT_GE(calm.body.pieces.size(), 2u);
       expect_same_pieces(edits.body, calm.body);
       EXPECT_EQ(edits.relabelled, calm.relabelled);
-      EXPECT_LE(calm.looked_at, edits.looked_at);
-      if (shape.name == "ball") EXPECT_LE(calm.looked_at, calm.relabelled.size() * 5 / 4 + 4 * 4096);
+      EXPECT_LE(calm.visited, edits.visited);
+      if (shape.name == "ball") EXPECT_LE(calm.visited, calm.relabelled.size() * 5 / 4 + 4 * 4096);
     }
   }
 }
@@ -230,7 +230,7 @@ TEST(Separation, counts_each_boundary_as_one_place) {
       if (std::abs(middle.z) < 0.06 && middle.x * side > 0) take_away(body, FaceId(f));
     }
     const SettleResult result = settle(body);
-    searches += result.looked_at > 0;
+    searches += result.visited > 0;
     pieces += result.new_pieces.size();
     if (side == 1) EXPECT_EQ(searches, 0u);
   }

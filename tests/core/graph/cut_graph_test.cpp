@@ -85,7 +85,7 @@ TEST(CutGraph, has_the_components_that_the_mesh_had_before_the_stroke) {
 TEST(CutGraph, is_separated_into_the_parts_that_the_full_search_finds) {
   for_random_cuts(8, [](const RandomCut& cut) {
     const CutGraph graph = cut_graph(cut.world, cut.removed);
-    const auto start = start_beside_cut(graph);
+    const auto start = start_next_to_cut(graph);
     if (!start) return;
     const CutTraversal t = traverse_cut(graph, *start);
     const Mesh& mesh = cut.world.body(cut.world.ids()[0]).mesh;
@@ -130,7 +130,7 @@ TEST(CutGraph, knows_a_removed_face_that_closed_a_loop_where_something_came_apar
 TEST(CutGraph, starts_beside_the_cut) {
   const RandomCut cut = graph_of_random_cut(grid(12, 2), 3);
   const CutGraph graph = cut_graph(cut.world, cut.removed);
-  const auto start = start_beside_cut(graph);
+  const auto start = start_next_to_cut(graph);
   ASSERT_TRUE(start);
   const GraphLinks links = graph.links();
   EXPECT_TRUE(graph.is_removed(links.of(*start).back()));

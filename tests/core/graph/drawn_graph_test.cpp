@@ -28,7 +28,7 @@ Shown cut_across(const Soup& soup, uint64_t seed, double radius_share) {
   CutFaces removed;
   for (const BodyDelta& b : done->delta.bodies) removed[b.body] = b.removed;
   shown.graph = cut_graph(shown.world, removed);
-  const auto start = start_beside_cut(shown.graph);
+  const auto start = start_next_to_cut(shown.graph);
   EXPECT_TRUE(start);
   shown.traversal = traverse_cut(shown.graph, start.value_or(0));
   return shown;
@@ -262,7 +262,7 @@ TEST(GraphLayout, unrolls_a_cut_around_a_ball_with_its_sides_above_and_below) {
   CutFaces removed;
   for (const BodyDelta& b : done->delta.bodies) removed[b.body] = b.removed;
   shown.graph = cut_graph(shown.world, removed);
-  shown.traversal = traverse_cut(shown.graph, start_beside_cut(shown.graph).value());
+  shown.traversal = traverse_cut(shown.graph, start_next_to_cut(shown.graph).value());
   ASSERT_TRUE(shown.traversal.separated());
   const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
   const std::optional<GraphLayout> places = lay_out_unrolled(drawn);

@@ -29,15 +29,15 @@ class DoorOnHinge : public testing::Test {
   Body& body() { return world_.body(world_.ids().front()); }
   // Removes the faces whose middles lie between two places along x.
   void remove_between(double low, double high) {
-    std::vector<FaceId> gone;
+    std::vector<FaceId> removed;
     for (uint32_t f = 0; f < body().mesh.face_slots(); ++f) {
       if (!body().mesh.is_live(FaceId(f))) continue;
       const Triangle t = body().mesh.triangle(FaceId(f));
       const double x = (t[0].x + t[1].x + t[2].x) / 3;
-      if (x > low && x < high) gone.emplace_back(f);
+      if (x > low && x < high) removed.emplace_back(f);
     }
-    ASSERT_FALSE(gone.empty());
-    BodyEdit(body()).remove(gone);
+    ASSERT_FALSE(removed.empty());
+    BodyEdit(body()).remove(removed);
     settle(body());
   }
 

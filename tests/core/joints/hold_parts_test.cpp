@@ -75,9 +75,9 @@ uint32_t label_of(const World& world, const std::string& part) {
 TEST(HoldParts, everything_stays_in_its_piece_while_joints_hold) {
   World world = car_of_sheets();
   EXPECT_EQ(held_joints(world).size(), 3u);
-  for (const Hold hold : {Hold::kStill, Hold::kMoving}) {
+  for (const JointMode mode : {JointMode::kRigid, JointMode::kArticulated}) {
     Delta delta;
-    hold_parts(world, hold, delta);
+    separate_by_joints(world, mode, delta);
     EXPECT_TRUE(delta.empty());
   }
   EXPECT_EQ(world.live_pieces(), 1u);

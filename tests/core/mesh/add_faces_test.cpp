@@ -23,7 +23,7 @@ std::vector<Mesh::Side> open_sides(const Mesh& mesh) {
 
 // Every live face by the positions of its corners, the lowest one first.
 std::vector<Triangle> sorted_triangles(const Mesh& mesh) {
-  const auto less = [](const Vec3& a, const Vec3& b) { return precedes(a, b); };
+  const auto less = [](const Vec3& a, const Vec3& b) { return lexicographic_less(a, b); };
   std::vector<Triangle> all;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!mesh.is_live(FaceId(f))) continue;

@@ -162,7 +162,7 @@ TEST(FaceColumns, go_with_the_faces_that_are_extracted_and_detached) {
         ASSERT_EQ(columns.tag_of(copy, FaceId(i)), columns.tag_of(mesh, faces[i]));
       }
       Delta delta;
-      if (p == 0 || stands_alone(world, {first, p})) continue;
+      if (p == 0 || is_only_piece(world, {first, p})) continue;
       const Mesh& own = world.body(detach(world, {first, p}, p, delta)).mesh;
       double before = 0, after = 0;
       for (const FaceId f : faces) before += columns.heat_of(mesh, f);

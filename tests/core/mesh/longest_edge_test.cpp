@@ -88,20 +88,20 @@ TEST(LongestEdge, splits_each_face_at_its_longest_edge) {
     const Replacement& first =
         replaced.front();  // of the end of the path: its slots are not split again here
     if (replaced.size() > 2) continue;
-    const Triangle a = mesh.triangle(first.born[0]), b = mesh.triangle(first.born[1]);
-    EXPECT_NEAR(triangle_area(a), area[first.gone[0].index] / 2, 1e-12);
+    const Triangle a = mesh.triangle(first.added[0]), b = mesh.triangle(first.added[1]);
+    EXPECT_NEAR(triangle_area(a), area[first.removed[0].index] / 2, 1e-12);
     double half2 = std::numeric_limits<double>::infinity();
     for (const Vec3& p : a) {
       for (const Vec3& q : a) {
         const double distance2 = glm::dot(p - q, p - q);
         const bool both = distance2 > 0;
-        if (both && std::abs(distance2 - longest2[first.gone[0].index] / 4) <
-                        std::abs(half2 - longest2[first.gone[0].index] / 4)) {
+        if (both && std::abs(distance2 - longest2[first.removed[0].index] / 4) <
+                        std::abs(half2 - longest2[first.removed[0].index] / 4)) {
           half2 = distance2;
         }
       }
     }
-    EXPECT_NEAR(half2, longest2[first.gone[0].index] / 4, 1e-12);
+    EXPECT_NEAR(half2, longest2[first.removed[0].index] / 4, 1e-12);
     EXPECT_NEAR(triangle_area(a), triangle_area(b), 1e-12);
   }
 }

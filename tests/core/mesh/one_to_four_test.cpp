@@ -107,7 +107,7 @@ TEST(OneToFour, tells_of_every_slot_that_it_changed) {
       refinement.split(mesh, random_live_face(mesh, random), replaced);
       std::vector<bool> told(mesh.face_slots());
       for (const auto& r : replaced) {
-        for (int k = 0; k < r.born_count; ++k) told[r.born[k].index] = true;
+        for (int k = 0; k < r.added_count; ++k) told[r.added[k].index] = true;
       }
       for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
         const bool changed =

@@ -23,8 +23,8 @@ TEST(SinglePrecision, loses_nothing_that_matters_near_the_origin) {
   for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kGlb, MeshFormat::kGltf}) {
     const PrecisionLoss loss = sheet.loss(format);
     EXPECT_FALSE(loss.matters());
-    EXPECT_GT(loss.largest_move, 0) << "0.1 is no float";
-    EXPECT_LT(loss.largest_move, 1e-7);
+    EXPECT_GT(loss.max_move, 0) << "0.1 is no float";
+    EXPECT_LT(loss.max_move, 1e-7);
     EXPECT_FALSE(precision_note(loss, format, "do"));
   }
 }
@@ -45,7 +45,7 @@ TEST(SinglePrecision, merges_vertices_of_an_stl_far_from_the_origin) {
   }
   EXPECT_EQ(loss.merged, loss.vertices - distinct.size());
   EXPECT_GT(loss.merged, 0u);
-  EXPECT_EQ(loss.largest_move, move);
+  EXPECT_EQ(loss.max_move, move);
   EXPECT_NEAR(loss.shortest_edge, 0.1, 1e-8);
 }
 
@@ -53,18 +53,18 @@ TEST(SinglePrecision, of_gltf_is_about_the_middle_and_other_formats_hold_doubles
   const Plate sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
   EXPECT_FALSE(sheet.loss(MeshFormat::kGlb).matters());
   for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff})
-    EXPECT_EQ(sheet.loss(format).largest_move, 0);
+    EXPECT_EQ(sheet.loss(format).max_move, 0);
 }
 
 TEST(SinglePrecision, is_told_with_the_numbers_of_all_files) {
-  PrecisionLoss loss{.largest_move = 0.25, .shortest_edge = 3.1e-5, .merged = 2000, .vertices = 9000};
-  loss += {.largest_move = 1e-8, .shortest_edge = 0.5, .merged = 0, .vertices = 100};
+  PrecisionLoss loss{.max_move = 0.25, .shortest_edge = 3.1e-5, .merged = 2000, .vertices = 9000};
+  loss += {.max_move = 1e-8, .shortest_edge = 0.5, .merged = 0, .vertices = 100};
   EXPECT_EQ(precision_note(loss, MeshFormat::kStl, "write OBJ"),
             "STL stores single precision: vertices move by up to 250 mm, while the shortest edge is 31 "
             "\xc2\xb5m, and "
             "2 000 of 9 100 vertices coincide with others; write OBJ");
   EXPECT_EQ(
-      precision_note({.largest_move = 0.25, .shortest_edge = 0.5, .vertices = 3}, MeshFormat::kGlb, "go"),
+      precision_note({.max_move = 0.25, .shortest_edge = 0.5, .vertices = 3}, MeshFormat::kGlb, "go"),
       "glTF stores single precision: vertices move by up to 250 mm, while the shortest edge is 500 mm; go");
 }
 

@@ -42,10 +42,10 @@ TEST_F(SearchOfPlates, finds_the_contacts_of_pairs_and_with_the_ground_in_order)
 
 TEST_F(SearchOfPlates, has_each_pair_once_whoever_asks_for_it) {
   ContactSearch search = found();
-  search.let_cross(0, 1);
+  search.allow_intersection(0, 1);
   ASSERT_EQ(search.pairs().size(), 3u);
   EXPECT_EQ(search.pairs()[0].memory.crossed, 1u);
-  search.let_cross(0, 2);
+  search.allow_intersection(0, 2);
   EXPECT_EQ(search.pairs().size(), 4u);
 }
 
@@ -101,7 +101,7 @@ TEST_F(SearchOfPlates, lets_a_pair_cross_that_is_told_so) {
   using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
   ContactSearch search = found();
   EXPECT_EQ(search.pairs_apart(), (Pairs{{0, 1}}));
-  search.let_cross(0, 1);
+  search.allow_intersection(0, 1);
   EXPECT_TRUE(search.pairs_apart().empty());
   EXPECT_EQ(search.pairs()[0].memory.crossed, 1u);
 }

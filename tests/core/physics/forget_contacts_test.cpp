@@ -58,7 +58,7 @@ TEST_F(SleepingSheets, wake_when_faces_were_born_or_went_and_not_when_they_were_
   delta.bodies.emplace_back().body = ids_[2];
   forget_contacts(world_, delta);
   EXPECT_EQ(awake(), "");
-  delta.bodies[0].gone.resize(1);
+  delta.bodies[0].dead.resize(1);
   forget_contacts(world_, delta);
   EXPECT_EQ(awake(), "2");
   EXPECT_EQ(known(), 1u);

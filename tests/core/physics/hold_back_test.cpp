@@ -19,15 +19,15 @@ class PlateOverSheet : public testing::Test {
     sheets_.body(1).pinned = true;
   }
   // Moves the bodies and holds them back. Returns how many were.
-  size_t go(double way, double sweeps_aside = 0) {
+  size_t go(double way, double ignored_mass = 0) {
     sheets_.body(0).motion.velocity = {0, -way / kTick, 0};
     std::vector<MovingBody>& bodies = sheets_.bodies();
-    bodies[0].sweeps_aside = sweeps_aside;
+    bodies[0].ignored_mass = ignored_mass;
     ContactSearch search(bodies, {}, around_, before_);
     search.find();
     sheets_.move_on();
-    const size_t held = hold_back(bodies, search);
-    if (sweeps_aside == 0) EXPECT_FALSE(get_through(bodies[0], bodies[1]));
+    const size_t held = limit_penetration(bodies, search);
+    if (ignored_mass == 0) EXPECT_FALSE(get_through(bodies[0], bodies[1]));
     return held;
   }
   double height() { return sheets_.body(0).placement.position.y; }
@@ -81,7 +81,7 @@ TEST(HoldBack, shortens_the_way_of_a_body_that_meets_two_others_once_where_that_
   ContactSearch search(bodies, {}, around, before);
   search.find();
   sheets.move_on();
-  EXPECT_EQ(hold_back(bodies, search), 1u);
+  EXPECT_EQ(limit_penetration(bodies, search), 1u);
   EXPECT_NEAR(sheets.body(0).placement.position.y, 0.1 - 0.5 * 0.15, 1e-9);
 }
 

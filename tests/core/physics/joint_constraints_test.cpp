@@ -339,16 +339,16 @@ TEST(Physics, makes_a_collider_anew_and_leaves_the_joints_known_after_a_change_w
   const BodyId id = test::add(world, test::rectangle(1, 1, 4), Vec3(0));
   Physics physics;
   physics.tick(world);
-  ASSERT_TRUE(physics.knows_joints());
-  ASSERT_FALSE(physics.makes_collider(world, id, false));
+  ASSERT_TRUE(physics.has_joints_cached());
+  ASSERT_FALSE(physics.needs_collider(world, id, false));
   Delta delta;
   delta.bodies.emplace_back().body = id;
   physics.follow(delta);
-  EXPECT_TRUE(physics.knows_joints());
-  EXPECT_TRUE(physics.makes_collider(world, id, false));
-  delta.bodies[0].gone = {FaceId(0)};
+  EXPECT_TRUE(physics.has_joints_cached());
+  EXPECT_TRUE(physics.needs_collider(world, id, false));
+  delta.bodies[0].dead = {FaceId(0)};
   physics.follow(delta);
-  EXPECT_FALSE(physics.knows_joints());
+  EXPECT_FALSE(physics.has_joints_cached());
 }
 
 }  // namespace

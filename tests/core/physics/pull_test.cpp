@@ -28,23 +28,23 @@ class PulledPlate : public testing::Test {
 TEST_F(PulledPlate, is_accelerated_towards_the_end_of_the_spring_at_the_point_that_it_holds) {
   const Vec3 corner(0.9, 0, 0.4);
   hold(corner, body().placement.to_world(corner) + Vec3(0, 0.1, 0));
-  pull(world_, kTick);
+  apply_spring(world_, kTick);
   EXPECT_FALSE(body().motion.asleep);
-  const double wanted = kPullFrequency * kPullFrequency * 0.1;
+  const double wanted = kSpringFrequency * kSpringFrequency * 0.1;
   EXPECT_NEAR(glm::distance(velocity_of(corner), Vec3(0, wanted * kTick, 0)), 0, 1e-9);
   EXPECT_GT(glm::length(body().motion.spin), 0.01) << "a corner turns the plate";
 }
 
 TEST_F(PulledPlate, is_accelerated_no_more_than_that) {
   hold(Vec3(0), {3, 50, 0});
-  pull(world_, kTick);
-  EXPECT_NEAR(body().motion.velocity.y, kMaxPull * kTick, 1e-9);
+  apply_spring(world_, kTick);
+  EXPECT_NEAR(body().motion.velocity.y, kMaxSpringAcceleration * kTick, 1e-9);
 }
 
 TEST_F(PulledPlate, comes_to_rest_at_the_end_of_the_spring_without_swinging_over) {
   hold(Vec3(0), {3, 1.5, 0});
   for (int t = 0; t < 120; ++t) {
-    pull(world_, kTick);
+    apply_spring(world_, kTick);
     body().placement.position += kTick * body().motion.velocity;
     ASSERT_LT(body().placement.position.y, 1.51);
   }
@@ -53,18 +53,18 @@ TEST_F(PulledPlate, comes_to_rest_at_the_end_of_the_spring_without_swinging_over
 }
 
 TEST_F(PulledPlate, stays_where_it_is_pinned_hidden_or_not_held) {
-  pull(world_, kTick);
+  apply_spring(world_, kTick);
   EXPECT_TRUE(body().motion.asleep) << "there is no spring";
   hold(Vec3(0), {3, 5, 0});
   body().pinned = true;
-  pull(world_, kTick);
+  apply_spring(world_, kTick);
   body().pinned = false;
   body().hidden = true;
-  pull(world_, kTick);
+  apply_spring(world_, kTick);
   EXPECT_EQ(body().motion.velocity, Vec3(0));
   world_.set_spring(Spring{{BodyId{77, 0}, 0}, Vec3(0), Vec3(1)});
   body().hidden = false;
-  pull(world_, kTick);
+  apply_spring(world_, kTick);
   EXPECT_EQ(body().motion.velocity, Vec3(0));
 }
 

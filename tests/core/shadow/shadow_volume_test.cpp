@@ -138,8 +138,8 @@ TEST(ShadowCaster, of_triangles_that_lie_on_one_another_the_lowest_casts) {
   EXPECT_EQ(both, silhouette_of(alone, volume_of(alone, kSun)));
   // Its copy takes over when it goes.
   built.mesh.remove_face(FaceId(0));
-  const std::array<uint32_t, 1> gone{0};
-  const ShadowCaster::Change change = caster.update(built.mesh, gone);
+  const std::array<uint32_t, 1> dead{0};
+  const ShadowCaster::Change change = caster.update(built.mesh, dead);
   EXPECT_FALSE(caster.casts(0));
   EXPECT_TRUE(caster.casts(2));
   EXPECT_EQ(change.faces, (std::vector<uint32_t>{0, 2}));
@@ -212,9 +212,9 @@ TEST(ShadowCaster, random_labels_end_where_building_anew_ends) {
       }
       followed.follow(caster, caster.update(built.mesh, slots));
       const ShadowCaster fresh(built.mesh, frame);
-      const ShadowVolume anew = volume_of(fresh, kLamp);
-      ASSERT_EQ(silhouette_of(caster, followed), silhouette_of(fresh, anew));
-      ASSERT_TRUE(std::equal(anew.signs().begin(), anew.signs().end(), followed.signs().begin()));
+      const ShadowVolume rebuilt = volume_of(fresh, kLamp);
+      ASSERT_EQ(silhouette_of(caster, followed), silhouette_of(fresh, rebuilt));
+      ASSERT_TRUE(std::equal(rebuilt.signs().begin(), rebuilt.signs().end(), followed.signs().begin()));
       for (uint32_t f = 0; f < faces; ++f) {
         ASSERT_EQ(caster.casts(f), fresh.casts(f));
         if (caster.casts(f)) ASSERT_EQ(caster.piece(f), fresh.piece(f));
@@ -245,8 +245,8 @@ TEST(ShadowVolume, following_deltas_ends_where_building_anew_ends) {
         ASSERT_TRUE(step.ok());
         std::vector<uint32_t> slots, labels;
         for (const BodyDelta& d : step->delta.bodies) {
-          for (const FaceId f : d.born) slots.push_back(f.index);
-          for (const FaceId f : d.gone) slots.push_back(f.index);
+          for (const FaceId f : d.added) slots.push_back(f.index);
+          for (const FaceId f : d.dead) slots.push_back(f.index);
           for (const FaceId f : d.relabelled) labels.push_back(f.index);
         }
         const ShadowCaster::Change change = caster.update(body.mesh, slots, labels);
@@ -254,9 +254,9 @@ TEST(ShadowVolume, following_deltas_ends_where_building_anew_ends) {
       }
       const ShadowCaster fresh(body.mesh, frame);
       for (const ShadowVolume& volume : followed) {
-        const ShadowVolume anew = volume_of(fresh, kLamp, volume.method());
-        EXPECT_EQ(silhouette_of(caster, volume), silhouette_of(fresh, anew));
-        EXPECT_TRUE(std::equal(anew.signs().begin(), anew.signs().end(), volume.signs().begin()));
+        const ShadowVolume rebuilt = volume_of(fresh, kLamp, volume.method());
+        EXPECT_EQ(silhouette_of(caster, volume), silhouette_of(fresh, rebuilt));
+        EXPECT_TRUE(std::equal(rebuilt.signs().begin(), rebuilt.signs().end(), volume.signs().begin()));
       }
     }
   }

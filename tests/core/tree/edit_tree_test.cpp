@@ -54,7 +54,7 @@ struct Edited {
   void tell() {
     // One tree hears of each by itself, the other of all at once.
     for (const auto& r : late)
-      sse4.replace(mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
+      sse4.replace(mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
     best.replace(mesh, late);
     late.clear();
   }

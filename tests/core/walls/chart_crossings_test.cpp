@@ -20,7 +20,7 @@ struct PlacedEdge {
 };
 
 int sign_at(const PlacedEdge& e, int64_t x, int64_t y) {
-  const Wide turn = turn_of(e.bx - e.ax, e.by - e.ay, x - e.ax, y - e.ay);
+  const Wide turn = doubled_area(e.bx - e.ax, e.by - e.ay, x - e.ax, y - e.ay);
   return turn > 0 ? 1 : turn < 0 ? -1 : 0;
 }
 
@@ -81,7 +81,8 @@ struct Meetings {
   void count(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges, int64_t width) {
     const std::set<uint32_t> found = meeting_vertices(vertices, edges, width);
     std::vector<uint32_t> conflict;
-    ASSERT_EQ(at_once(ChartRegion(vertices, edges, width).winding(&conflict)).has_value(), found.empty());
+    ASSERT_EQ(run_to_completion(ChartRegion(vertices, edges, width).winding(&conflict)).has_value(),
+              found.empty());
     if (found.empty()) ASSERT_TRUE(conflict.empty());
     ++(found.empty() ? apart : meeting);
     named += std::any_of(conflict.begin(), conflict.end(), [&](uint32_t v) { return found.contains(v); });

@@ -28,7 +28,7 @@ void join_straight_edges(std::vector<ChartEdge>& edges, std::span<const ChartVer
       ChartEdge &in = edges[own[first ? 0 : 1]], &out = edges[own[first ? 1 : 0]];
       if (in.to != v || out.from != v) continue;
       const int64_t in_dy = vertices[v].y - vertices[in.from].y, out_dy = vertices[out.to].y - vertices[v].y;
-      if (turn_of(in.dx, in_dy, out.dx, out_dy) != 0 || std::abs(in.dx + out.dx) >= width) continue;
+      if (doubled_area(in.dx, in_dy, out.dx, out_dy) != 0 || std::abs(in.dx + out.dx) >= width) continue;
       in.to = out.to;
       in.dx += out.dx;
       edges.erase(edges.begin() + (&out - edges.data()));
@@ -59,7 +59,7 @@ void expect_covers(const std::vector<ChartTriangle>& triangles, std::span<const 
       const size_t next = (k + 1) % 3;
       ++sides[{t.corners[k], t.corners[next], t.x[next] - t.x[k]}];
     }
-    const Wide own = turn_of(t.x[1] - t.x[0], y[1] - y[0], t.x[2] - t.x[0], y[2] - y[0]);
+    const Wide own = doubled_area(t.x[1] - t.x[0], y[1] - y[0], t.x[2] - t.x[0], y[2] - y[0]);
     ASSERT_TRUE(own > 0) << "a triangle without area, or turned over";
     area += own;
   }
@@ -83,7 +83,7 @@ TEST(ChartRegion, is_covered_by_triangles_between_its_loops) {
     const ChartLattice lattice = random_lattice(random, 0, 1);
     std::vector<ChartEdge> edges = edges_between_cells(lattice);
     if (random.below(2) == 0) join_straight_edges(edges, lattice.corners, lattice.width());
-    const auto triangles = at_once(lattice.region(edges).triangles());
+    const auto triangles = run_to_completion(lattice.region(edges).triangles());
     if (lattice.above != 0) {
       ASSERT_FALSE(triangles) << "it has no upper end";
       continue;
@@ -113,7 +113,7 @@ int count_windings(std::span<const ChartVertex> vertices, std::span<const ChartE
       const bool forward = from <= p.x && p.x < to, back = to <= p.x && p.x < from;
       if (!forward && !back) continue;
       const int64_t dy = vertices[e.to].y - vertices[e.from].y;
-      const Wide side = turn_of(e.dx, dy, p.x - from, p.y - vertices[e.from].y);
+      const Wide side = doubled_area(e.dx, dy, p.x - from, p.y - vertices[e.from].y);
       if (forward && side > 0) ++windings;
       if (back && side < 0) --windings;
     }
@@ -135,7 +135,7 @@ TEST(ChartRegion, winds_as_often_as_a_ray_from_each_place_crosses_its_edges) {
       edges.push_back({e.from, e.to, e.dx + 3 * turns});  // the width is four times as large, too
     }
     const int64_t width = 4 * lattice.width();
-    const auto winding = at_once(ChartRegion(lattice.corners, edges, width).winding());
+    const auto winding = run_to_completion(ChartRegion(lattice.corners, edges, width).winding());
     ASSERT_TRUE(winding);
     int least = 0, largest = 0;
     for (int j = 0; j <= lattice.rows; ++j) {
@@ -163,7 +163,8 @@ TEST(ChartRegion, winds_as_often_as_a_ray_from_each_place_crosses_its_edges) {
     EXPECT_EQ(winding->above, lattice.above);
     above += lattice.above != 0;
     const bool is_region = least == 0 && largest <= 1 && lattice.above == 0;
-    EXPECT_EQ(at_once(ChartRegion(lattice.corners, edges, width).triangles()).has_value(), is_region);
+    EXPECT_EQ(run_to_completion(ChartRegion(lattice.corners, edges, width).triangles()).has_value(),
+              is_region);
   }
   EXPECT_GT(above, runs(1200) / 20);
 }
@@ -180,12 +181,12 @@ TEST(ChartRegion, names_a_vertex_where_it_is_covered_twice) {
     }
   }
   const ChartRegion region(vertices, edges, 1000);
-  const auto winding = at_once(region.winding());
+  const auto winding = run_to_completion(region.winding());
   ASSERT_TRUE(winding);
   EXPECT_EQ(winding->largest, 2);
   EXPECT_EQ(winding->largest_at, 4u);
   std::vector<uint32_t> conflict;
-  EXPECT_FALSE(at_once(region.triangles(&conflict)));
+  EXPECT_FALSE(run_to_completion(region.triangles(&conflict)));
   EXPECT_EQ(conflict, std::vector<uint32_t>{4});
 }
 

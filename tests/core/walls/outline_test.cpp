@@ -195,7 +195,7 @@ TEST(Outline, lies_on_the_boundary_and_encloses_the_area_that_discs_sweep) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const DiscMoves moves = random_moves(random);
-    const std::vector<OutlineCurve> curves = at_once(outline_of(moves, kRadius));
+    const std::vector<OutlineCurve> curves = run_to_completion(outline_of(moves, kRadius));
     ASSERT_NO_FATAL_FAILURE(expect_bounds_the_swept(curves, moves, kRadius));
     const double area = swept_area(moves, kRadius, 8000);
     EXPECT_NEAR(enclosed_area(curves), area, 1e-4 * area);
@@ -220,7 +220,7 @@ TEST(Outline, of_lines_on_a_lattice_is_right_wherever_there_is_one) {
     }
     DiscMoves moves;
     append_path(moves, points);
-    const std::vector<OutlineCurve> curves = at_once(outline_of(moves, kRadius));
+    const std::vector<OutlineCurve> curves = run_to_completion(outline_of(moves, kRadius));
     nothing += curves.empty();
     if (curves.empty()) continue;
     ASSERT_NO_FATAL_FAILURE(expect_bounds_the_swept(curves, moves, kRadius));
@@ -233,7 +233,7 @@ TEST(Outline, of_lines_on_a_lattice_is_right_wherever_there_is_one) {
 
 // One outer curve, and so many holes.
 void expect_curves(const DiscMoves& moves, double radius, double area, size_t holes) {
-  const std::vector<OutlineCurve> curves = at_once(outline_of(moves, radius));
+  const std::vector<OutlineCurve> curves = run_to_completion(outline_of(moves, radius));
   ASSERT_NO_FATAL_FAILURE(expect_bounds_the_swept(curves, moves, radius));
   ASSERT_EQ(curves.size(), 1 + holes);
   EXPECT_NEAR(enclosed_area(curves), area, 1e-9 * area);
@@ -293,7 +293,7 @@ TEST(Outline, of_a_polygon_around_a_place_has_that_place_as_a_hole) {
 
 TEST(Outline, of_lines_that_are_apart_has_a_curve_for_each) {
   const DiscMoves moves{{{0, 0}, {1, 0}}, {{0, 0.5}, {1, 0.5}}, {{0, 1}, {1, 1}}};
-  const std::vector<OutlineCurve> curves = at_once(outline_of(moves, 0.1));
+  const std::vector<OutlineCurve> curves = run_to_completion(outline_of(moves, 0.1));
   ASSERT_EQ(curves.size(), 3u);
   for (const OutlineCurve& c : curves) EXPECT_NEAR(enclosed_area(c), kPi * 0.01 + 0.2, 1e-12);
 }
@@ -301,7 +301,7 @@ TEST(Outline, of_lines_that_are_apart_has_a_curve_for_each) {
 size_t parts_of_work(const DiscMoves& moves, double radius) {
   auto outline = outline_of(moves, radius);
   size_t parts = 1;
-  while (!outline.go_on()) ++parts;
+  while (!outline.resume()) ++parts;
   EXPECT_FALSE(outline.take().empty());
   return parts;
 }

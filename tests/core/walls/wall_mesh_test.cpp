@@ -82,14 +82,14 @@ TEST(WallMesh, that_is_graded_has_no_long_thin_triangles_and_the_same_rim) {
     SCOPED_TRACE(seed);
     Random random(seed);
     FlatWall flat(random, random.uniform(0.5, 3), random.uniform(0.3, 30));
-    const auto triangles = at_once(ChartRegion(flat.placed, flat.edges, kRing).triangles());
+    const auto triangles = run_to_completion(ChartRegion(flat.placed, flat.edges, kRing).triangles());
     ASSERT_TRUE(triangles);
     const size_t rim = flat.vertices.size();
     WallMesh wall(
         flat.vertices, *triangles, kRing,
         [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; }, 0);
-    at_once(wall.improve());
-    at_once(wall.grade(0, [](const ChartVertex& v) { return std::optional(FlatWall::point(v)); }));
+    run_to_completion(wall.improve());
+    run_to_completion(wall.grade(0, [](const ChartVertex& v) { return std::optional(FlatWall::point(v)); }));
     EXPECT_NEAR(area_of(wall), flat.length * flat.height, 1e-6 * flat.length * flat.height);
     EXPECT_LE(thinnest_in(wall, 0.99), 16);
     EXPECT_LE(wall.vertices().size(), 4 * rim);
@@ -113,7 +113,7 @@ TEST(WallMesh, that_is_bent_is_graded_along_the_bend_only_so_far_that_triangles_
     return Vec3(std::sin(p.x), p.y, std::cos(p.x));
   };
   for (WallMesh::Vertex& v : flat.vertices) v.at = on_cylinder(v.chart);
-  const auto triangles = at_once(ChartRegion(flat.placed, flat.edges, kRing).triangles());
+  const auto triangles = run_to_completion(ChartRegion(flat.placed, flat.edges, kRing).triangles());
   ASSERT_TRUE(triangles);
   WallMesh wall(
       flat.vertices, *triangles, kRing,
@@ -122,9 +122,9 @@ TEST(WallMesh, that_is_bent_is_graded_along_the_bend_only_so_far_that_triangles_
         return 1 - std::cos(0.5 * turn);
       },
       1 - std::cos(0.05));
-  at_once(wall.improve());
+  run_to_completion(wall.improve());
   const double before = thinnest_in(wall);
-  at_once(wall.grade(0, [&](const ChartVertex& v) { return std::optional(on_cylinder(v)); }));
+  run_to_completion(wall.grade(0, [&](const ChartVertex& v) { return std::optional(on_cylinder(v)); }));
   EXPECT_GT(before, 200);
   EXPECT_LE(thinnest_in(wall, 0.99), 40);
   EXPECT_LE(wall.vertices().size(), 2 * flat.vertices.size());

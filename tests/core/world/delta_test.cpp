@@ -30,24 +30,24 @@ Delta chained(Delta a, const Delta& b) {
 }
 
 TEST(Delta, what_came_and_went_is_nothing) {
-  EXPECT_TRUE(chained(with(&Delta::came, kB), with(&Delta::went, kB)).empty());
+  EXPECT_TRUE(chained(with(&Delta::created, kB), with(&Delta::destroyed, kB)).empty());
   const Delta moved =
-      chained(chained(with(&Delta::came, kB), with(&Delta::moved, kB)), with(&Delta::went, kB));
+      chained(chained(with(&Delta::created, kB), with(&Delta::moved, kB)), with(&Delta::destroyed, kB));
   EXPECT_TRUE(moved.empty());
 }
 
 TEST(Delta, what_went_and_came_is_another_body) {
-  const Delta delta = chained(with(&Delta::went, kA), with(&Delta::came, kA));
-  EXPECT_EQ(delta.went, std::vector{kA});
-  EXPECT_EQ(delta.came, std::vector{kA});
-  EXPECT_EQ(chained(delta, with(&Delta::went, kA)).went, std::vector{kA});
-  EXPECT_TRUE(chained(delta, with(&Delta::went, kA)).came.empty());
+  const Delta delta = chained(with(&Delta::destroyed, kA), with(&Delta::created, kA));
+  EXPECT_EQ(delta.destroyed, std::vector{kA});
+  EXPECT_EQ(delta.created, std::vector{kA});
+  EXPECT_EQ(chained(delta, with(&Delta::destroyed, kA)).destroyed, std::vector{kA});
+  EXPECT_TRUE(chained(delta, with(&Delta::destroyed, kA)).created.empty());
 }
 
 TEST(Delta, lists_what_moved_once_and_not_where_it_came_or_went) {
   EXPECT_EQ(chained(with(&Delta::moved, kA), with(&Delta::moved, kA)).moved, std::vector{kA});
-  EXPECT_TRUE(chained(with(&Delta::came, kA), with(&Delta::moved, kA)).moved.empty());
-  EXPECT_TRUE(chained(with(&Delta::moved, kA), with(&Delta::went, kA)).moved.empty());
+  EXPECT_TRUE(chained(with(&Delta::created, kA), with(&Delta::moved, kA)).moved.empty());
+  EXPECT_TRUE(chained(with(&Delta::moved, kA), with(&Delta::destroyed, kA)).moved.empty());
 }
 
 TEST(Delta, what_was_left_open_goes_by_its_last_id_and_volumes_add_up) {
@@ -71,31 +71,31 @@ TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
   edited.bodies.push_back({kA, {FaceId(3)}, {}, {}, {}, {}});
   edited.moved = {kA};
   detached.detached = {{kA, 2, kB, true}};
-  detached.came = {kA};
+  detached.created = {kA};
   detached.bodies.push_back({kB, {}, {FaceId(3), FaceId(4)}, {}, {}, {}});
   const Delta delta = chained(edited, detached);
   ASSERT_EQ(delta.bodies.size(), 1u);
   EXPECT_EQ(delta.bodies[0].body, kB);
-  EXPECT_TRUE(delta.bodies[0].born.empty());
-  EXPECT_EQ(delta.bodies[0].gone, (std::vector{FaceId(3), FaceId(4)}));
+  EXPECT_TRUE(delta.bodies[0].added.empty());
+  EXPECT_EQ(delta.bodies[0].dead, (std::vector{FaceId(3), FaceId(4)}));
   EXPECT_EQ(delta.moved, std::vector{kB});
   // And the body that goes is the one that was there before.
-  const Delta removed = chained(delta, with(&Delta::went, kB));
-  EXPECT_EQ(removed.went, std::vector{kA});
-  EXPECT_EQ(removed.came, std::vector{kA});
+  const Delta removed = chained(delta, with(&Delta::destroyed, kB));
+  EXPECT_EQ(removed.destroyed, std::vector{kA});
+  EXPECT_EQ(removed.created, std::vector{kA});
   EXPECT_TRUE(removed.bodies.empty() && removed.moved.empty());
 }
 
 TEST(Delta, taken_back_and_done_again_leaves_no_trace_but_faces) {
   Delta detached;
   detached.detached = {{kA, 2, kC, true}};
-  detached.came = {kA};
+  detached.created = {kA};
   detached.moved = {kC};
-  const Delta back = bodies_taken_back(detached);
-  EXPECT_EQ(back.went, std::vector{kA});
+  const Delta back = inverse_body_changes(detached);
+  EXPECT_EQ(back.destroyed, std::vector{kA});
   EXPECT_EQ(back.moved, std::vector{kA});
   const Delta none = chained(detached, back);
-  EXPECT_TRUE(none.came.empty() && none.went.empty() && none.detached.empty());
+  EXPECT_TRUE(none.created.empty() && none.destroyed.empty() && none.detached.empty());
 }
 
 // All that there is to know of a world, kept up by deltas alone where the world was not replaced.
@@ -104,17 +104,17 @@ class Follower {
   explicit Follower(const World& world) { look_anew(world); }
 
   void follow(const World& world, const Delta& delta) {
-    if (delta.anew) return look_anew(world);
-    for (const BodyId id : delta.went) ASSERT_EQ(known_.erase(id), 1u);
+    if (delta.replaced) return look_anew(world);
+    for (const BodyId id : delta.destroyed) ASSERT_EQ(known_.erase(id), 1u);
     for (const Detached& d : delta.detached) {
-      if (!d.carries_on || !known_.contains(d.from)) continue;
+      if (!d.keeps_slots || !known_.contains(d.from)) continue;
       known_[d.to] = std::move(known_[d.from]);
       known_.erase(d.from);
     }
-    for (const BodyId id : delta.came) ASSERT_TRUE(known_.emplace(id, whole(world.body(id))).second);
+    for (const BodyId id : delta.created) ASSERT_TRUE(known_.emplace(id, whole(world.body(id))).second);
     for (const BodyDelta& d : delta.bodies) follow_faces(world.body(d.body).mesh, d);
     for (const BodyId id : delta.moved) known_.at(id).placement = world.body(id).placement;
-    for (const BodyId id : delta.hid_or_showed) known_.at(id).hidden = world.body(id).hidden;
+    for (const BodyId id : delta.visibility_changed) known_.at(id).hidden = world.body(id).hidden;
     for (const BodyId id : delta.renamed) known_.at(id).name = world.body(id).name;
   }
 
@@ -158,8 +158,8 @@ class Follower {
   }
   void follow_faces(const Mesh& mesh, const BodyDelta& delta) {
     Known& known = known_.at(delta.body);
-    for (const FaceId f : delta.born) known.faces[f.index] = face(mesh, f);
-    for (const FaceId f : delta.gone) known.faces.erase(f.index);
+    for (const FaceId f : delta.added) known.faces[f.index] = face(mesh, f);
+    for (const FaceId f : delta.dead) known.faces.erase(f.index);
     for (const FaceId f : delta.relabelled) known.faces.at(f.index).label = mesh.data(f).piece;
   }
 
@@ -224,7 +224,7 @@ TEST(Delta, undo_of_a_cut_lists_the_faces_of_the_piece_as_relabelled) {
     size_t relabelled = 0;
     for (const BodyDelta& b : delta->bodies) {
       relabelled += b.relabelled.size();
-      for (const FaceId f : b.relabelled) EXPECT_FALSE(std::binary_search(b.born.begin(), b.born.end(), f));
+      for (const FaceId f : b.relabelled) EXPECT_FALSE(std::binary_search(b.added.begin(), b.added.end(), f));
     }
     EXPECT_GT(relabelled, 0u);
   }

@@ -24,7 +24,7 @@ TEST(HeatFlow, spreads_and_is_lost_to_the_ledger) {
   World world = hot_world();
   EXPECT_TRUE(is_hot(world));
   const double before = stored(world), peak = hottest(world);
-  let_heat_flow(world, 0.5);
+  step_heat(world, 0.5);
   EXPECT_LT(hottest(world), peak);
   EXPECT_LT(stored(world), before);
   EXPECT_NEAR(stored(world) + world.energy().lost, before, 1e-6 * before);
@@ -32,14 +32,14 @@ TEST(HeatFlow, spreads_and_is_lost_to_the_ledger) {
 
 TEST(HeatFlow, ends_at_the_ambient) {
   World world = hot_world();
-  for (int i = 0; i < 400; ++i) let_heat_flow(world, 10);
+  for (int i = 0; i < 400; ++i) step_heat(world, 10);
   EXPECT_NEAR(hottest(world), kAmbient, 0.5);
 }
 
 TEST(HeatFlow, of_nothing_hot_is_none) {
   World world = world_of(grid(4, 0.1));
   EXPECT_FALSE(is_hot(world));
-  let_heat_flow(world, 10);
+  step_heat(world, 10);
   EXPECT_EQ(stored(world), 0);
 }
 

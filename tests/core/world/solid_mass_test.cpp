@@ -99,19 +99,19 @@ TEST(Together, two_halves_of_a_box_are_the_box) {
   const Vec3 s(0.5, 0.3, 0.9), half(0.25, 0.3, 0.9);
   const MassProperties left = solid_of(brick(half), Vec3(0)),
                        right = solid_of(moved(brick(half), {0.25, 0, 0}, 1), Vec3(0)),
-                       whole = solid_of(brick(s), Vec3(0)), both_halves = together(left, right);
+                       whole = solid_of(brick(s), Vec3(0)), both_halves = combine(left, right);
   const Vec3 inertia(whole.inertia[0][0], whole.inertia[1][1], whole.inertia[2][2]);
   expect_solid(both_halves, whole.mass, whole.centre, inertia, 1e-12);
 }
 
 TEST(Together, what_has_no_mass_changes_nothing) {
   const MassProperties box = solid_of(brick({1, 2, 3}), Vec3(0)), nothing{0, {7, 8, 9}, glm::dmat3(0.0)};
-  for (const MassProperties& found : {together(box, nothing), together(nothing, box)}) {
+  for (const MassProperties& found : {combine(box, nothing), combine(nothing, box)}) {
     EXPECT_EQ(found.mass, box.mass);
     EXPECT_EQ(found.centre, box.centre);
     EXPECT_EQ(found.inertia, box.inertia);
   }
-  EXPECT_EQ(together(nothing, {}).centre, nothing.centre);
+  EXPECT_EQ(combine(nothing, {}).centre, nothing.centre);
 }
 
 }  // namespace

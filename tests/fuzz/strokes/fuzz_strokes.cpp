@@ -49,7 +49,7 @@ void check_history(Document& document, const World& start) {
 }
 
 // Prints what would be done, for whoever looks into a finding.
-void tell(const Document& document) {
+void report(const Document& document) {
   if (std::getenv("KERF_FUZZ_TELL") == nullptr) return;
   const auto lines = journal_lines(document.journal(), {}, {});
   if (lines) std::fprintf(stderr, "%s", lines->c_str());
@@ -72,7 +72,7 @@ void check(const uint8_t* data, size_t size) {
   const double loaded = test::live_area(built->mesh);
   while (!bytes.empty()) {
     scenario.act();
-    tell(document);
+    report(document);
   }
   scenario.finish();
   check_world(document.world());

@@ -21,7 +21,7 @@ class Taught : public testing::Test {
   }
 
   // Puts the player's car at a place, as driving there takes longer.
-  void stand_at(const Vec3& place) {
+  void move_to(const Vec3& place) {
     auto& world = const_cast<World&>(match_->world());
     Body& chassis = world.body(match_->vehicles()[Match::kPlayer].chassis);
     chassis.placement.position = {place.x, chassis.placement.position.y, place.z};
@@ -42,7 +42,7 @@ class Taught : public testing::Test {
       controls.fire = t > 60;
       controls.width = 60;
       match_->tick(controls);
-      if (lesson_->hear(*match_)) return true;
+      if (lesson_->on_tick(*match_)) return true;
     }
     return false;
   }
@@ -56,10 +56,10 @@ TEST_F(Taught, goes_from_driving_over_a_drum_to_a_wheel) {
   ASSERT_TRUE(drive);
   EXPECT_TRUE(drive->text.starts_with("Drive"));
   match_->tick({});
-  EXPECT_FALSE(lesson_->hear(*match_)) << "it is not there yet";
-  stand_at(drive->at);
+  EXPECT_FALSE(lesson_->on_tick(*match_)) << "it is not there yet";
+  move_to(drive->at);
   match_->tick({});
-  EXPECT_TRUE(lesson_->hear(*match_));
+  EXPECT_TRUE(lesson_->on_tick(*match_));
 
   const auto drum = lesson_->task(*match_);
   ASSERT_TRUE(drum);
@@ -68,7 +68,7 @@ TEST_F(Taught, goes_from_driving_over_a_drum_to_a_wheel) {
 
   const auto car = lesson_->task(*match_);
   ASSERT_TRUE(car);
-  stand_at(car->at + Vec3(5, 0, 0));
+  move_to(car->at + Vec3(5, 0, 0));
   const Vec3 hub =
       in_world(match_->world(), match_->vehicles()[1], match_->vehicles()[1].what().wheels[0].hub);
   EXPECT_TRUE(cut_at(hub));

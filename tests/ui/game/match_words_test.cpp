@@ -15,7 +15,7 @@ TEST(WhyItEnded, is_the_time_where_nobody_was_hit) {
   for (EnemySkill& skill : rules->description.skills) skill.speed = skill.fire = 0;
   Match match({rules, 1, Difficulty::kNormal});
   while (!match.standing().over()) match.tick({});
-  EXPECT_EQ(why_it_ended(match), "Time is up");
+  EXPECT_EQ(end_reason(match), "Time is up");
 }
 
 // The vehicle is changed behind the back of the match, as no beam does it so quickly.
@@ -24,10 +24,10 @@ TEST(WhyItEnded, is_what_was_cut_off_and_by_whom) {
   auto& own = const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]);
   own.alive = false;
   match.tick({});
-  EXPECT_EQ(why_it_ended(match, 1), "Your car was cut to pieces by the hatchback");
+  EXPECT_EQ(end_reason(match, 1), "Your car was cut to pieces by the hatchback");
   own.vital_works[0] = false;
-  EXPECT_EQ(why_it_ended(match, 1), "Your engine was cut off by the hatchback");
-  EXPECT_EQ(why_it_ended(match), "Your engine was cut off");
+  EXPECT_EQ(end_reason(match, 1), "Your engine was cut off by the hatchback");
+  EXPECT_EQ(end_reason(match), "Your engine was cut off");
 }
 
 TEST(NameOfWheel, is_that_of_its_part_in_words) {

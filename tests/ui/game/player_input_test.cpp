@@ -15,7 +15,7 @@ InputEvent moved_to(double x, double y) {
 
 Placement turned(double heading) {
   Placement placement;
-  placement.orientation = turn_about({0, 1, 0}, heading);
+  placement.orientation = axis_angle({0, 1, 0}, heading);
   return placement;
 }
 
@@ -31,15 +31,15 @@ TEST(PlayerInput, aims_ahead_of_the_vehicle_until_the_mouse_moves) {
 TEST(PlayerInput, the_mouse_turns_the_aim_and_its_first_place_does_not) {
   PlayerInput input;
   const GameSettings settings;
-  input.hear(std::vector{moved_to(500, 300)}, settings);
+  input.handle_events(std::vector{moved_to(500, 300)}, settings);
   EXPECT_EQ(input.controls({}).heading, 0);
-  input.hear(std::vector{moved_to(600, 250)}, settings);
+  input.handle_events(std::vector{moved_to(600, 250)}, settings);
   EXPECT_LT(input.controls({}).heading, 0) << "to the right";
   EXPECT_GT(input.controls({}).pitch, 0);
   GameSettings inverted;
   inverted.invert = true;
   PlayerInput other;
-  other.hear(std::vector{moved_to(500, 300), moved_to(600, 250)}, inverted);
+  other.handle_events(std::vector{moved_to(500, 300), moved_to(600, 250)}, inverted);
   EXPECT_EQ(other.controls({}).heading, input.controls({}).heading);
   EXPECT_LT(other.controls({}).pitch, 0);
 }
@@ -60,10 +60,10 @@ TEST(PlayerInput, the_wheel_sets_the_width_of_the_beam_within_its_bounds) {
   InputEvent wheel;
   wheel.kind = InputEvent::Kind::kWheel;
   wheel.wheel = 100;
-  input.hear(std::vector{wheel}, {});
+  input.handle_events(std::vector{wheel}, {});
   EXPECT_EQ(input.controls({}).width, Controls::kFull);
   wheel.wheel = -100;
-  input.hear(std::vector{wheel}, {});
+  input.handle_events(std::vector{wheel}, {});
   EXPECT_EQ(input.controls({}).width, 0);
 }
 

@@ -8,29 +8,29 @@ namespace {
 TEST(PresetChoice, stays_at_the_best_while_pictures_are_fast) {
   PresetChoice choice(false);
   for (int i = 0; i < 200; ++i) choice.took(i % 50 == 0 ? 0.2 : 0.016);
-  EXPECT_EQ(choice.choose(PicturePreset::kAutomatic), PicturePreset::kHigh);
+  EXPECT_EQ(choice.select(PicturePreset::kAutomatic), PicturePreset::kHigh);
 }
 
 TEST(PresetChoice, goes_down_to_the_lowest_where_all_are_slow) {
   PresetChoice choice(false);
   int pictures = 0;
-  while (choice.choose(PicturePreset::kAutomatic) != PicturePreset::kLow && pictures < 100) {
+  while (choice.select(PicturePreset::kAutomatic) != PicturePreset::kLow && pictures < 100) {
     choice.took(0.15);
     ++pictures;
   }
   EXPECT_LE(pictures, 16);
   for (int i = 0; i < 100; ++i) choice.took(0.15);
-  EXPECT_EQ(choice.choose(PicturePreset::kAutomatic), PicturePreset::kLow);
+  EXPECT_EQ(choice.select(PicturePreset::kAutomatic), PicturePreset::kLow);
 }
 
 TEST(PresetChoice, begins_with_the_lowest_without_a_graphics_card) {
-  EXPECT_EQ(PresetChoice(true).choose(PicturePreset::kAutomatic), PicturePreset::kLow);
+  EXPECT_EQ(PresetChoice(true).select(PicturePreset::kAutomatic), PicturePreset::kLow);
 }
 
 TEST(PresetChoice, obeys_a_setting) {
   PresetChoice choice(false);
   for (int i = 0; i < 100; ++i) choice.took(1);
-  EXPECT_EQ(choice.choose(PicturePreset::kHigh), PicturePreset::kHigh);
+  EXPECT_EQ(choice.select(PicturePreset::kHigh), PicturePreset::kHigh);
 }
 
 TEST(ResolutionChoice, goes_down_to_half_where_pictures_are_slow_and_up_to_all_where_they_are_fast) {

@@ -108,9 +108,9 @@ void expect_seen_as_anew(test::Stage& stage) {
   auto fresh = Renderer::create();
   ASSERT_TRUE(fresh.ok());
   fresh->show(stage.world(), {});
-  const Seen followed = see(stage.renderer(), stage.world()), anew = see(*fresh, stage.world());
-  EXPECT_EQ(followed.picture.rgb, anew.picture.rgb);
-  EXPECT_EQ(followed.shadow.stencil, anew.shadow.stencil);
+  const Seen followed = see(stage.renderer(), stage.world()), rebuilt = see(*fresh, stage.world());
+  EXPECT_EQ(followed.picture.rgb, rebuilt.picture.rgb);
+  EXPECT_EQ(followed.shadow.stencil, rebuilt.shadow.stencil);
 }
 
 // Whichever side of the sheet it is, the smaller one is sent.

@@ -65,12 +65,12 @@ TEST(EventScript, settles_a_few_frames_after_nothing_moves_and_no_later_than_it_
 TEST(EventScript, hears_the_steps_of_one_frame_in_their_order) {
   EventScript events = script(R"({"together": [{"move": [10, 20]}, {"press": "left"}, {"move": [30, 40]}]})");
   ASSERT_TRUE(*events.begin_frame(false, no_answer));
-  const auto& heard = events.input().input_state().events;
-  ASSERT_EQ(heard.size(), 3u);
-  EXPECT_EQ(heard[0].kind, InputEvent::Kind::kMove);
-  EXPECT_EQ(heard[1].kind, InputEvent::Kind::kPress);
-  EXPECT_EQ(heard[1].at, Vec2(10, 20));
-  EXPECT_EQ(heard[2].at, Vec2(30, 40));
+  const auto& events = events.input().input_state().events;
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].kind, InputEvent::Kind::kMove);
+  EXPECT_EQ(events[1].kind, InputEvent::Kind::kPress);
+  EXPECT_EQ(events[1].at, Vec2(10, 20));
+  EXPECT_EQ(events[2].at, Vec2(30, 40));
 }
 
 TEST(EventScript, prints_the_answer_of_the_screen_and_the_title) {

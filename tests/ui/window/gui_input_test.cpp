@@ -59,7 +59,7 @@ class FieldBench {
   ~FieldBench() { ImGui::DestroyContext(); }
 
   // Draws frames until nothing waits, and returns their number.
-  int hear(const std::vector<InputEvent>& events, KeyboardHold hold = KeyboardHold::kNone) {
+  int handle(const std::vector<InputEvent>& events, KeyboardHold hold = KeyboardHold::kNone) {
     input_.add(events);
     int frames = 0;
     do {
@@ -115,10 +115,10 @@ std::vector<InputEvent> joined(const std::vector<std::vector<InputEvent>>& parts
 TEST(GuiInput, a_key_that_is_pressed_and_released_within_one_frame_acts_in_a_text_field) {
   FieldBench bench;
   bench.open_field();
-  bench.hear(typed("12"));
-  bench.hear(pressed(GLFW_KEY_BACKSPACE));
+  bench.handle(typed("12"));
+  bench.handle(pressed(GLFW_KEY_BACKSPACE));
   EXPECT_STREQ(bench.first.data(), "1");
-  bench.hear(pressed(GLFW_KEY_ENTER));
+  bench.handle(pressed(GLFW_KEY_ENTER));
   EXPECT_EQ(bench.entered, 1);
   EXPECT_FALSE(is_text_field_active());
 }
@@ -127,7 +127,7 @@ TEST(GuiInput, a_number_that_is_replaced_within_one_frame_is_the_number_that_was
   FieldBench bench;
   std::ranges::copy(std::string("40 000"), bench.first.begin());
   bench.open_field();
-  bench.hear(joined({with_ctrl(GLFW_KEY_A), typed("3000"), pressed(GLFW_KEY_ENTER)}));
+  bench.handle(joined({with_ctrl(GLFW_KEY_A), typed("3000"), pressed(GLFW_KEY_ENTER)}));
   EXPECT_STREQ(bench.first.data(), "3000");
   EXPECT_EQ(bench.entered, 1);
 }
@@ -135,37 +135,37 @@ TEST(GuiInput, a_number_that_is_replaced_within_one_frame_is_the_number_that_was
 TEST(GuiInput, keys_and_characters_act_in_the_order_in_which_they_came) {
   FieldBench bench;
   bench.open_field();
-  bench.hear(joined({typed("ab"), pressed(GLFW_KEY_LEFT), typed("c"), pressed(GLFW_KEY_BACKSPACE), typed("d"),
-                     pressed(GLFW_KEY_LEFT), pressed(GLFW_KEY_LEFT), typed("e")}));
+  bench.handle(joined({typed("ab"), pressed(GLFW_KEY_LEFT), typed("c"), pressed(GLFW_KEY_BACKSPACE),
+                       typed("d"), pressed(GLFW_KEY_LEFT), pressed(GLFW_KEY_LEFT), typed("e")}));
   EXPECT_STREQ(bench.first.data(), "eadb");
 }
 
 TEST(GuiInput, typing_takes_one_frame_however_many_characters_came) {
   FieldBench bench;
   bench.open_field();
-  EXPECT_EQ(bench.hear(typed("a path with many letters, AND CAPITALS")), 1);
+  EXPECT_EQ(bench.handle(typed("a path with many letters, AND CAPITALS")), 1);
   EXPECT_STREQ(bench.first.data(), "a path with many letters, AND CAPITALS");
 }
 
 TEST(GuiInput, the_same_key_twice_is_two_presses) {
   FieldBench bench;
   bench.open_field();
-  bench.hear(typed("abcd"));
-  EXPECT_EQ(bench.hear(joined({pressed(GLFW_KEY_BACKSPACE), pressed(GLFW_KEY_BACKSPACE)})), 4);
+  bench.handle(typed("abcd"));
+  EXPECT_EQ(bench.handle(joined({pressed(GLFW_KEY_BACKSPACE), pressed(GLFW_KEY_BACKSPACE)})), 4);
   EXPECT_STREQ(bench.first.data(), "ab");
 }
 
 TEST(GuiInput, a_key_that_is_held_acts_once_in_slow_frames_and_again_where_the_keyboard_repeats_it) {
   FieldBench bench;
   bench.open_field();
-  bench.hear(typed("abcd"));
+  bench.handle(typed("abcd"));
   bench.seconds = 0.4f;
-  bench.hear({key(GLFW_KEY_BACKSPACE)});
+  bench.handle({key(GLFW_KEY_BACKSPACE)});
   for (int i = 0; i < 5; ++i) bench.frame();
   EXPECT_STREQ(bench.first.data(), "abc");
   InputEvent again = key(GLFW_KEY_BACKSPACE);
   again.again = true;
-  bench.hear({again});
+  bench.handle({again});
   EXPECT_STREQ(bench.first.data(), "ab");
 }
 
@@ -187,7 +187,7 @@ TEST(GuiInput, a_shortcut_ends_its_frame_and_its_own_character_goes_with_it) {
 TEST(GuiInput, what_is_typed_waits_for_the_focus_but_not_for_ever) {
   FieldBench bench;
   bench.frame();
-  const int frames = bench.hear(typed("w"), KeyboardHold::kForFocus);
+  const int frames = bench.handle(typed("w"), KeyboardHold::kForFocus);
   EXPECT_GT(frames, 4);
   EXPECT_LT(frames, 20);
   EXPECT_EQ(bench.shortcuts, std::vector<int>{GLFW_KEY_W});
@@ -217,7 +217,7 @@ TEST(GuiInput, each_of_several_quick_clicks_is_a_click) {
       clicks.back().at = {bench.pointer.x, bench.pointer.y};
     }
   }
-  bench.hear(clicks);
+  bench.handle(clicks);
   bench.frame();
   EXPECT_EQ(bench.clicked, 3);
 }

@@ -34,9 +34,9 @@ TEST_F(NumberEntries, say_what_they_refuse_and_what_stays) {
 TEST_F(NumberEntries, say_that_they_limit_a_value_and_the_change_that_follows_does_not_clear_it) {
   EXPECT_EQ(*radius.entered("1 m", 1), 25);
   EXPECT_EQ(message.text, "Radius is limited to 25 mm, the maximum value");
-  message.say("");
+  message.clear();
   EXPECT_EQ(message.text, "Radius is limited to 25 mm, the maximum value");
-  message.say("");
+  message.clear();
   EXPECT_EQ(message.text, "");
   EXPECT_EQ(*radius.entered("-3", 1), 0.25);
   EXPECT_EQ(message.text, "Radius is limited to 0.25 mm, the minimum value");

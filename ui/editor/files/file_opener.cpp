@@ -30,12 +30,12 @@ void dress_as(ViewState& view, const SceneDescription& scene, const FileFrame& f
 }
 
 // The first reason is in the status bar, the others are in the log.
-void say_what_was_refused(Message& message, const LoadedFiles& loaded) {
+void report_refused(Message& message, const LoadedFiles& loaded) {
   const size_t count = loaded.refused.size();
   for (size_t i = 1; i < count; ++i) message.note(loaded.refused[i], true);
   const std::string others =
       count == 1 ? "" : " (and " + std::to_string(count - 1) + " more, see Help > Messages)";
-  message.say(loaded.order.name() + " opened, without: " + loaded.refused.front() + others, true);
+  message.error(loaded.order.name() + " opened, without: " + loaded.refused.front() + others);
 }
 
 std::string words_on_skip(Ticks skipped) {
@@ -43,18 +43,18 @@ std::string words_on_skip(Ticks skipped) {
          " s of simulation: bodies are at their saved positions.";
 }
 
-void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
-  message.say(loaded.order.left ? "Recovered unsaved work"
-                                : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
+void report_opened(Message& message, const LoadedFiles& loaded) {
+  message.info(loaded.order.left ? "Recovered unsaved work"
+                                 : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
   // Without hashes the work can be cut but not saved.
-  if (loaded.cannot_be_kept) message.say(loaded.cannot_be_kept->message, true);
-  if (loaded.skipped > 0) message.say(words_on_skip(loaded.skipped));
-  if (!loaded.fault.empty()) message.say(loaded.fault, true);
-  if (!loaded.refused.empty()) say_what_was_refused(message, loaded);
+  if (loaded.cannot_be_kept) message.error(loaded.cannot_be_kept->message);
+  if (loaded.skipped > 0) message.info(words_on_skip(loaded.skipped));
+  if (!loaded.fault.empty()) message.error(loaded.fault);
+  if (!loaded.refused.empty()) report_refused(message, loaded);
 }
 
 // Records how much of the open work is saved, and where.
-void record_what_is_saved(DocumentSession& session, const LoadedFiles& loaded,
+void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
                           const std::vector<Light>& lights) {
   const LoadOrder& order = loaded.order;
   KERF_ASSERT(order.left || !order.files.empty());
@@ -77,19 +77,19 @@ void record_what_is_saved(DocumentSession& session, const LoadedFiles& loaded,
 
 }  // namespace
 
-void show_so_far(Workspace& workspace, CutSoFar so_far) {
+void show_partial_replay(Workspace& workspace, PartialReplay replay) {
   Renderer& renderer = workspace.screen.picture->first();
   const bool is_new = !workspace.opening.partial_world;
-  workspace.opening.partial_world = std::move(so_far.world);
+  workspace.opening.partial_world = std::move(replay.world);
   if (is_new) {
     const World::Bounds bounds = workspace.opening.partial_world->loaded_bounds();
-    renderer.show(*workspace.opening.partial_world, so_far.scene.paints, std::move(so_far.prepared));
-    dress_as(workspace.view, so_far.scene,
-             choose_frame(so_far.scene, false, bounds, workspace.settings).frame);
+    renderer.show(*workspace.opening.partial_world, replay.scene.paints, std::move(replay.prepared));
+    dress_as(workspace.view, replay.scene,
+             select_frame(replay.scene, false, bounds, workspace.settings).frame);
     go_home(workspace.view, bounds);
     workspace.view.camera.finish();
   } else {
-    renderer.resend(*workspace.opening.partial_world, std::move(so_far.prepared));
+    renderer.resend(*workspace.opening.partial_world, std::move(replay.prepared));
   }
   workspace.view.picture_old = true;
 }
@@ -110,15 +110,15 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
   const World::Bounds bounds = session.world().loaded_bounds();
   const bool is_mesh_file = !loaded.order.left && !loaded.order.files.empty() &&
                             mesh_format(loaded.order.files.front().extension().string()).has_value();
-  const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, workspace.settings);
+  const FrameChoice choice = select_frame(loaded.scene, is_mesh_file, bounds, workspace.settings);
   workspace.view.frame_asked_for = choice.ask ? mesh_kind(loaded.scene) : "";
   dress_as(workspace.view, loaded.scene, choice.frame);
   if (!was_shown) {  // otherwise the user may have moved the camera
     go_home(workspace.view, bounds);
     workspace.view.camera.finish();
   }
-  say_what_was_opened(workspace.message, loaded);
-  record_what_is_saved(session, loaded, workspace.view.look.lights);
+  report_opened(workspace.message, loaded);
+  record_saved_state(session, loaded, workspace.view.look.lights);
   session.marks = std::move(loaded.marks);
   workspace.view.picture_old = workspace.services.statistics.world_changed = true;
 }
@@ -202,14 +202,13 @@ void FileOpener::open(std::vector<std::filesystem::path> files) {
 }
 
 void FileOpener::open_fresh() {
-  if (const Status opened = open_default_scene(); !opened)
-    workspace_.message.say(opened.error().message, true);
+  if (const Status opened = open_default_scene(); !opened) workspace_.message.error(opened.error().message);
 }
 
-void FileOpener::open_left_work() {
-  KERF_ASSERT(!workspace_.opening.left_work.empty());
+void FileOpener::open_recovered() {
+  KERF_ASSERT(!workspace_.opening.recoverable.empty());
   LoadOrder order = order_of({});
-  order.left = workspace_.opening.left_work.front().journal;
+  order.left = workspace_.opening.recoverable.front().journal;
   workspace_.opening.loader.start(std::move(order));
 }
 
@@ -217,10 +216,10 @@ void FileOpener::take_loaded() {
   FileLoader& loader = workspace_.opening.loader;
   if (loader.busy()) {
     if (stage_is_empty_) {
-      if (auto so_far = loader.take_so_far()) show_so_far(workspace_, std::move(*so_far));
+      if (auto replay = loader.take_partial_replay()) show_partial_replay(workspace_, std::move(*replay));
     }
     const bool left = loader.order().left.has_value();
-    KERF_ASSERT(!left || !workspace_.opening.left_work.empty());
+    KERF_ASSERT(!left || !workspace_.opening.recoverable.empty());
     if (auto loaded = loader.take()) take(std::move(*loaded), left);
   }
   if (!stage_is_empty_ || loader.busy()) return;
@@ -228,7 +227,7 @@ void FileOpener::take_loaded() {
   workspace_.opening.partial_world.reset();
   const std::string fault = workspace_.message.text;  // why the file could not be opened
   open_fresh();
-  if (!fault.empty()) workspace_.message.say(fault, true);
+  if (!fault.empty()) workspace_.message.error(fault);
 }
 
 void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
@@ -237,13 +236,12 @@ void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
     cancel_stroke(workspace_);
     show(std::move(*loaded));
   } else {
-    workspace_.message.say((left ? "Recovery failed, its file is kept: " : "") + loaded.error().message,
-                           true);
+    workspace_.message.error((left ? "Recovery failed, its file is kept: " : "") + loaded.error().message);
   }
   if (left) {
     if (opened && recovery_.follow(workspace_.session, workspace_.view, false, workspace_.message))
-      workspace_.opening.left_work.front().file.remove();
-    workspace_.opening.left_work.clear();  // the rest is offered at the next start
+      workspace_.opening.recoverable.front().file.remove();
+    workspace_.opening.recoverable.clear();  // the rest is offered at the next start
   } else if (opened) {
     for (const std::filesystem::path& file : workspace_.session.files)
       remember_recent(workspace_.settings, file);

@@ -8,7 +8,7 @@
 namespace kerf {
 
 // Shows a partially replayed file on the empty stage. The first time, the camera frames it.
-void show_so_far(Workspace& workspace, CutSoFar so_far);
+void show_partial_replay(Workspace& workspace, PartialReplay replay);
 // Replaces the open work by files that were read, and frames it with the camera unless it was shown before.
 void show_loaded(Workspace& workspace, LoadedFiles loaded);
 
@@ -26,7 +26,7 @@ class FileOpener {
   void open(std::vector<std::filesystem::path> files);
   void open_fresh();
   // Opens the first recovered work. Precondition: there is one.
-  void open_left_work();
+  void open_recovered();
 
   // Called between two frames: shows files that were read. The default scene replaces an empty stage when no
   // file is being read for it.

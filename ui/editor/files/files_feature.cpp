@@ -153,8 +153,8 @@ class FilesFeature : public Feature {
   void decide();
   void save();
   void save_to(const fs::path& file);
-  void choose_file_to_open();
-  void choose_file_to_save();
+  void select_file_to_open();
+  void select_file_to_save();
   void take_picture(Captured what);
 
   Workspace& workspace_;
@@ -179,7 +179,7 @@ std::vector<UserAction> FilesFeature::open_actions() {
                  .shortcut = "Ctrl+O",
                  .tip = "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
                         "). Files can also be dropped on the window.",
-                 .run = [this] { choose_file_to_open(); }},
+                 .run = [this] { select_file_to_open(); }},
   };
 }
 
@@ -207,7 +207,7 @@ std::vector<UserAction> FilesFeature::save_actions() {
                  .name = "Save As...",
                  .shortcut = "Ctrl+Shift+S",
                  .tip = "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
-                 .run = [this] { choose_file_to_save(); }},
+                 .run = [this] { select_file_to_save(); }},
   };
 }
 
@@ -268,11 +268,11 @@ std::vector<UserAction> FilesFeature::frame_actions() {
 
 Status FilesFeature::on_start(const EditorOptions& options) {
   std::vector<std::string> faults;
-  workspace_.opening.left_work = find_left_work(state_folder(), faults);
-  ask_about_left_work(decisions_, workspace_.opening.left_work);
+  workspace_.opening.recoverable = find_recoverable_documents(state_folder(), faults);
+  ask_about_recovery(decisions_, workspace_.opening.recoverable);
   const Status opened = opener_.open_first(options.default_scene, workspace_.links.not_taken(options.files));
   if (opened && !faults.empty() && !workspace_.message.is_error)
-    workspace_.message.say("Recovery file is damaged: " + faults.front(), true);
+    workspace_.message.error("Recovery file is damaged: " + faults.front());
   return opened;
 }
 
@@ -281,7 +281,7 @@ void FilesFeature::open(std::vector<fs::path> files) {
   if (!files.empty()) leave_for([this, files] { opener_.open(files); });
 }
 
-void FilesFeature::choose_file_to_open() {
+void FilesFeature::select_file_to_open() {
   browse(workspace_.services.browser,
          {.title = "Open",
           .verb = "Open",
@@ -308,7 +308,7 @@ void FilesFeature::quit() {
 
 // Calls `then`, which closes the open work, once that is saved or may be discarded.
 void FilesFeature::leave_for(std::function<void()> then) {
-  workspace_.changes.ask(
+  workspace_.changes.enqueue(
       {.name = "Leave",
        .run =
            [this, then = std::move(then)] {
@@ -327,7 +327,7 @@ void FilesFeature::go(const std::function<void()>& then) {
 }
 
 void FilesFeature::decide() {
-  switch (take_decision(decisions_, workspace_.opening.left_work)) {
+  switch (take_decision(decisions_, workspace_.opening.recoverable)) {
     case Decision::kNone:
       break;
     case Decision::kLeave:
@@ -336,13 +336,13 @@ void FilesFeature::decide() {
       break;
     case Decision::kSaveFirst:
       if (workspace_.session.file.empty()) {
-        choose_file_to_save();
+        select_file_to_save();
       } else {
         save_to(workspace_.session.file);
       }
       break;
     case Decision::kGoOn:
-      opener_.open_left_work();
+      opener_.open_recovered();
       break;
   }
 }
@@ -350,7 +350,7 @@ void FilesFeature::decide() {
 void FilesFeature::update(double) {
   decide();
   const bool asks =
-      decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.is_asked();
+      decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
   if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
   opener_.take_loaded();
   opener_.make_shadows();
@@ -362,12 +362,12 @@ void FilesFeature::update(double) {
 // --------------------------------------------------------------------------------------------------------
 
 void FilesFeature::save() {
-  if (workspace_.session.file.empty()) return choose_file_to_save();
-  workspace_.changes.ask(
+  if (workspace_.session.file.empty()) return select_file_to_save();
+  workspace_.changes.enqueue(
       {.name = "Save", .run = [this] { return save_to(workspace_.session.file), true; }, .always = true});
 }
 
-void FilesFeature::choose_file_to_save() {
+void FilesFeature::select_file_to_save() {
   browse(workspace_.services.browser,
          {.title = "Save",
           .verb = "Save",
@@ -375,7 +375,7 @@ void FilesFeature::choose_file_to_save() {
           .endings = {".kerf", ".json"},
           .take =
               [this](const fs::path& file) {
-                workspace_.changes.ask(
+                workspace_.changes.enqueue(
                     {.name = "Save", .run = [this, file] { return save_to(file), true; }, .always = true});
                 return "";
               }},
@@ -412,7 +412,7 @@ void FilesFeature::take_picture(Captured what) {
   const Area part =
       what == Captured::kWindow ? Area{Vec2(0), pixels} : pixels_of(workspace_.view.layout.viewport, window);
   const auto file = take_screenshot(pixels, part);
-  workspace_.message.say(file ? "Saved: " + file->string() : file.error().message, !file.ok());
+  workspace_.message.show(file ? "Saved: " + file->string() : file.error().message, !file.ok());
 }
 
 }  // namespace

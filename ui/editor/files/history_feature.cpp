@@ -134,7 +134,7 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, Fi
   draw_rows_in_sight(rows_.size(), [&](size_t row) {
     const size_t position = rows_[row];
     if (draw_step(history, position, unit))
-      changes.ask("Travel", [&changes, position] { changes.travel_to(position); });
+      changes.enqueue("Travel", [&changes, position] { changes.travel_to(position); });
   });
   if (shown_ != history.position()) {
     shown_ = history.position();
@@ -162,13 +162,13 @@ class HistoryFeature : public Feature {
                 .name = "Undo",
                 .shortcut = "Ctrl+Z",
                 .tip = "Reverts the last stroke or command.",
-                .run = [this] { ask_to_step(true); },
+                .run = [this] { request_step(true); },
                 .disabled_reason = [this] { return history().position() > 0 ? nullptr : "Nothing to undo"; }},
             UserAction{.id = "edit.redo",
                        .name = "Redo",
                        .shortcut = "Ctrl+Shift+Z",
                        .tip = "Repeats the last undone step.",
-                       .run = [this] { ask_to_step(false); },
+                       .run = [this] { request_step(false); },
                        .disabled_reason =
                            [this] {
                              return history().position() < history().size() ? nullptr : "Nothing to redo";
@@ -181,8 +181,8 @@ class HistoryFeature : public Feature {
 
  private:
   const UndoStack& history() const { return workspace_.session.document.history(); }
-  void ask_to_step(bool back) {
-    workspace_.changes.ask(back ? "Undo" : "Redo",
+  void request_step(bool back) {
+    workspace_.changes.enqueue(back ? "Undo" : "Redo",
                            [this, back] { workspace_.changes.step_through_history(back); });
   }
 

@@ -42,7 +42,8 @@ std::vector<TourStep> first_five_minutes(const ViewState& view) {
   using M = TourMoment;
   return {
       {"Cut",
-       "Hold the left button to the left of the windscreen, drag through the windows past the back of the "
+       "JointMode the left button to the left of the windscreen, drag through the windows past the back of "
+       "the "
        "car, "
        "and release.",
        "", [](const M& begin, const M& now) { return now.position > begin.position && !now.cuts; }},

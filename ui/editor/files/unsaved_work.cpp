@@ -98,7 +98,7 @@ bool save_work(DocumentSession& session, const ViewState& view, fs::path file, S
   const Status saved =
       scene_alone ? save_scene(file, scene_now(session, view)) : write_all(session, view, file);
   if (!saved) {
-    message.say(saved.error().message, true);
+    message.error(saved.error().message);
     return false;
   }
   if (!scene_alone) {
@@ -109,7 +109,7 @@ bool save_work(DocumentSession& session, const ViewState& view, fs::path file, S
   session.saved_head = session.scene.others;
   remember_recent(settings, file);
   const bool cut = is_unsaved(session, view.look.lights);
-  message.say("Saved: " + file.string() + (cut ? ", without the cuts: save as .kerf to keep them" : ""));
+  message.info("Saved: " + file.string() + (cut ? ", without the cuts: save as .kerf to keep them" : ""));
   return !cut;
 }
 
@@ -133,7 +133,7 @@ bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mous
   const bool changed = view.look.lights != lights_ || session.scene.others != head_;
   if (!mouse_moves && changed) begin(session, view);
   const Status kept = autosave_.follow(session.document, session.marks);
-  if (!kept && well_) message.say("Autosave failed: " + kept.error().message, true);
+  if (!kept && well_) message.error("Autosave failed: " + kept.error().message);
   if (!kept) failed_at_ = Clock::now();
   well_ = kept.ok();
   return well_;
@@ -152,14 +152,14 @@ std::string time_text(std::filesystem::file_time_type time) {
   return text.data();
 }
 
-std::string name_of(const LeftWork& left) {
+std::string name_of(const RecoverableDocument& left) {
   const Journal& journal = left.journal;
   if (!journal.work_of.empty()) return journal.work_of.filename().string();
   if (!journal.opened.empty()) return journal.opened.front().filename().string();
   return journal.scene.bodies.front().mesh.filename().string();
 }
 
-void ask_what_becomes(Decisions& decisions, const DocumentSession& session) {
+void ask_about_unsaved(Decisions& decisions, const DocumentSession& session) {
   decisions.about = Decisions::About::kUnsaved;
   Question& q = decisions.question = Question();
   q.title = "Save changes?";
@@ -176,16 +176,17 @@ Decision decide_on_unsaved(Decisions& decisions, size_t answer) {
   return Decision::kNone;
 }
 
-Decision decide_on_left(Decisions& decisions, std::vector<LeftWork>& left_work, size_t answer) {
-  KERF_ASSERT(!left_work.empty());
+Decision decide_on_recovery(Decisions& decisions, std::vector<RecoverableDocument>& recoverable,
+                            size_t answer) {
+  KERF_ASSERT(!recoverable.empty());
   if (answer == 0) return Decision::kGoOn;
   if (answer == 2) {
-    left_work.clear();
+    recoverable.clear();
     return Decision::kNone;
   }
-  left_work.front().file.remove();
-  left_work.erase(left_work.begin());
-  ask_about_left_work(decisions, left_work);
+  recoverable.front().file.remove();
+  recoverable.erase(recoverable.begin());
+  ask_about_recovery(decisions, recoverable);
   return Decision::kNone;
 }
 
@@ -196,31 +197,31 @@ bool may_leave(Decisions& decisions, const DocumentSession& session, const std::
   if (!is_unsaved(session, lights)) return true;
   KERF_ASSERT(!decisions.question.open());
   decisions.leaving = then;
-  ask_what_becomes(decisions, session);
+  ask_about_unsaved(decisions, session);
   return false;
 }
 
-void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left_work) {
-  if (left_work.empty()) return;
-  const LeftWork& left = left_work.front();
-  decisions.about = Decisions::About::kLeftWork;
+void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocument>& recoverable) {
+  if (recoverable.empty()) return;
+  const RecoverableDocument& left = recoverable.front();
+  decisions.about = Decisions::About::kRecovery;
   Question& q = decisions.question = Question();
   q.title = "Recover unsaved work?";
   q.text = "Kerf quit unexpectedly without saving " + name_of(left) + ", with " +
            count_text(left.strokes, "stroke") + ", last changed on " + time_text(left.last_change) + ".";
-  if (left_work.size() > 1)
-    q.text += " " + count_text(left_work.size() - 1, "more document") + " can be recovered.";
+  if (recoverable.size() > 1)
+    q.text += " " + count_text(recoverable.size() - 1, "more document") + " can be recovered.";
   q.choices = {{"Recover", "Open it in its last state (Enter, R).", 'R'},
                {"Discard", "Delete it permanently."},
                {"Later", "Ask again at the next start (Esc, L).", 'L'}};
 }
 
-Decision take_decision(Decisions& decisions, std::vector<LeftWork>& left_work) {
+Decision take_decision(Decisions& decisions, std::vector<RecoverableDocument>& recoverable) {
   if (!decisions.question.answer) return Decision::kNone;
   KERF_ASSERT(*decisions.question.answer < decisions.question.choices.size());
   const size_t answer = *std::exchange(decisions.question, {}).answer;
   return decisions.about == Decisions::About::kUnsaved ? decide_on_unsaved(decisions, answer)
-                                                       : decide_on_left(decisions, left_work, answer);
+                                                       : decide_on_recovery(decisions, recoverable, answer);
 }
 
 }  // namespace kerf

@@ -70,7 +70,7 @@ class Recovery {
 
 struct Decisions {
   Question question;
-  enum class About { kUnsaved, kLeftWork };
+  enum class About { kUnsaved, kRecovery };
   About about = About::kUnsaved;  // valid while the question is open
   std::function<void()> leaving;  // waits for the decision about unsaved work
 };
@@ -81,7 +81,7 @@ bool may_leave(Decisions& decisions, const DocumentSession& session, const std::
                const std::function<void()>& then);
 
 // Asks about the first of the recoverable work, if there is any.
-void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left_work);
+void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocument>& recoverable);
 
 enum class Decision {
   kNone,
@@ -92,6 +92,6 @@ enum class Decision {
 
 // Takes the answer to the question, once, and does everything that needs no frame loop: discards recoverable
 // work, closes the question, asks the next one.
-Decision take_decision(Decisions& decisions, std::vector<LeftWork>& left_work);
+Decision take_decision(Decisions& decisions, std::vector<RecoverableDocument>& recoverable);
 
 }  // namespace kerf

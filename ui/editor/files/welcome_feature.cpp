@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongestWait = 2;  // s, maximum wait of a thumbnail for a frame that keeps changing
+constexpr double kMaxWait = 2;  // s, maximum wait of a thumbnail for a frame that keeps changing
 
 // Returns the file that the viewport shows, as it was opened; empty if it shows none, or several.
 fs::path file_shown(const DocumentSession& session) {
@@ -94,7 +94,7 @@ bool RecentFeature::is_due() {
   if (!workspace_.screen.window->draws() || workspace_.opening.loader.busy() ||
       workspace_.screen.picture->first().is_sending())
     return false;
-  return !workspace_.screen.picture->busy() || workspace_.screen.clock->seconds() - wanted_at_ > kLongestWait;
+  return !workspace_.screen.picture->busy() || workspace_.screen.clock->seconds() - wanted_at_ > kMaxWait;
 }
 
 // A file that is not recent, such as the default scene, has no thumbnail. Write failures are ignored.

@@ -290,16 +290,16 @@ class InspectFeature : public Feature {
 
 // The third click begins another distance.
 void InspectFeature::measure() {
-  if (workspace_.view.in_second) return workspace_.message.say("Measure distances in the left half.", true);
+  if (workspace_.view.in_second) return workspace_.message.error("Measure distances in the left half.");
   const auto point = point_under_pointer(workspace_);
-  if (!point) return workspace_.message.say("No surface under the pointer.", true);
+  if (!point) return workspace_.message.error("No surface under the pointer.");
   if (measured_.size() == 2) measured_.clear();
   measured_.push_back(*point);
-  if (measured_.size() < 2) return workspace_.message.say("Click a second point to measure the distance.");
+  if (measured_.size() < 2) return workspace_.message.info("Click a second point to measure the distance.");
   const Vec3 way = measured_[1] - measured_[0];
   const auto text = [&](double length) { return length_label(length, workspace_.view.frame.unit); };
-  workspace_.message.say("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +
-                         ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
+  workspace_.message.info("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +
+                          ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
 }
 
 }  // namespace

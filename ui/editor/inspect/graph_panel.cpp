@@ -154,22 +154,22 @@ std::optional<FaceOfBody> face_under(const Document& document, const ViewState& 
 
 }  // namespace
 
-void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> chosen) {
+void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> selected) {
   int view = pieces_shown_ ? 3 : graph.shows_piece() ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
   if (marked_choice_row(
           "Nodes", "##nodes", view, kNodes, "graph nodes",
           "Faces around the last stroke, of the cut bodies or of one piece, or the tree of pieces. More than "
           "2,000 faces are drawn as clusters."))
-    show_nodes(graph, view, chosen);
-  if (graph.shows_piece()) graph.show_piece(chosen);
+    show_nodes(graph, view, selected);
+  if (graph.shows_piece()) graph.show_piece(selected);
 }
 
-void GraphPanel::show_nodes(GraphState& graph, int view, std::optional<PieceId> chosen) {
+void GraphPanel::show_nodes(GraphState& graph, int view, std::optional<PieceId> selected) {
   pieces_shown_ = view == 3;
   const GraphScope scope = view == 1 ? GraphScope::kWhole : GraphScope::kAroundCut;
   if (view < 2) graph.show_cut();
   if (view < 2 && scope != graph.scope()) graph.show(scope);
-  if (view == 2) graph.show_piece(chosen);
+  if (view == 2) graph.show_piece(selected);
   canvas_.fit();
 }
 
@@ -192,7 +192,7 @@ void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewSt
   const std::optional<uint32_t> lit = face ? graph.node_of(*face) : std::nullopt;
   KERF_ASSERT(graph.start() < drawn.of.size());
   const uint32_t start = drawn.of[graph.start()];
-  if (framed_ != graph.number()) canvas_.come_near();
+  if (framed_ != graph.number()) canvas_.show_start();
   framed_ = graph.number();
   const bool to_scale = graph.placing() != GraphState::Placing::kForce;
   const GraphCanvas::Pointer on_canvas = canvas_.draw(
@@ -222,7 +222,7 @@ static void draw_absence(GraphState& graph) {
     return secondary_text(graph.shows_piece() ? "Select a piece to draw its graph here."
                                               : "There are no faces.");
   secondary_text("The graph of " + grouped(graph.left_out()) + " faces takes a moment after each stroke.");
-  if (ImGui::Button("Draw")) graph.ask_for_it();
+  if (ImGui::Button("Draw")) graph.request_left_out();
   mark_last_item("graph ask");
 }
 
@@ -231,7 +231,7 @@ void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
   mark_last_item("graph fit");
   tooltip("Shows the whole graph (F while the pointer is over it). Scroll to zoom, drag to pan.");
   ImGui::SameLine();
-  if (ImGui::Button("Near the Cut")) canvas_.come_near();
+  if (ImGui::Button("Near the Cut")) canvas_.show_start();
   mark_last_item("graph near");
   tooltip("Shows the faces around the ringed one, next to the cut, large enough to tell them apart.");
   if (graph.any_open()) {
@@ -257,7 +257,7 @@ void GraphPanel::draw_pieces(const Document& document, ViewState& view) {
 
 void GraphPanel::draw_rows(GraphState& graph, const Document& document, ViewState& view) {
   if (begin_properties("graph")) {
-    draw_view_row(graph, first_chosen(view.look.pieces));
+    draw_view_row(graph, first_selected(view.look.pieces));
     if (!pieces_shown_) placing_row(graph);
     end_properties();
   }
@@ -287,7 +287,7 @@ namespace {
 // the graph stays left out. Does not change the document. Precondition: graph.is_asked_for().
 LongChange graph_reading(GraphState& graph) {
   KERF_ASSERT(graph.is_asked_for());
-  graph.no_longer_ask();
+  graph.cancel_request();
   struct Reading {
     GraphState graph;
     bool done = false;

@@ -21,8 +21,8 @@ class GraphPanel {
  private:
   void draw_rows(GraphState& graph, const Document& document, ViewState& view);
   void draw_rows_of_faces(GraphState& graph, const ViewState& view);
-  void draw_view_row(GraphState& graph, std::optional<PieceId> chosen);
-  void show_nodes(GraphState& graph, int view, std::optional<PieceId> chosen);
+  void draw_view_row(GraphState& graph, std::optional<PieceId> selected);
+  void show_nodes(GraphState& graph, int view, std::optional<PieceId> selected);
   void draw_canvas(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer,
                    float height);
   void light(const GraphState& graph, const Document& document, ViewState& view,

@@ -126,7 +126,7 @@ bool GraphState::read(const Document& document, const Progress* progress) {
     graph_ = piece_graph(document.world(), *piece_);
   }
   if (!goes_on(0.4)) return false;
-  const std::optional<uint32_t> start = start_beside_cut(graph_);
+  const std::optional<uint32_t> start = start_next_to_cut(graph_);
   if (!start) return true;
   traverse_from(*start);
   if (!goes_on(0.7)) return false;
@@ -199,10 +199,10 @@ void GraphState::start_from(uint32_t drawn_node) {
 
 void GraphState::set_marked(size_t faces) {
   marked_ = std::min(faces, reached());
-  hand_on_marked();
+  publish_marked();
 }
 
-void GraphState::hand_on_marked() {
+void GraphState::publish_marked() {
   if (!drawn_) return;
   auto drawn = std::make_shared<DrawnGraph>(*drawn_);
   drawn->marked = marked_;
@@ -212,7 +212,7 @@ void GraphState::hand_on_marked() {
 
 void GraphState::set_removals(size_t faces) {
   removals_ = std::min(faces, removed_);
-  hand_on_marked();
+  publish_marked();
 }
 
 void GraphState::play(bool on) {

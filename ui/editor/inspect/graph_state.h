@@ -36,9 +36,9 @@ class GraphState {
   static constexpr size_t kMaxAtOnce = 300'000, kMaxAtStages = 20'000;
   bool is_left_out() const { return left_out_ > 0; }
   size_t left_out() const { return left_out_; }  // faces
-  void ask_for_it() { asked_ = is_left_out(); }
+  void request_left_out() { asked_ = is_left_out(); }
   bool is_asked_for() const { return asked_; }
-  void no_longer_ask() { asked_ = false; }
+  void cancel_request() { asked_ = false; }
   // Reads the left-out graph of the document that was followed last. Returns false if `progress` stopped it,
   // which leaves the graph empty. Precondition: is_left_out().
   bool read_left_out(const Document& document, const Progress& progress);
@@ -108,7 +108,7 @@ class GraphState {
   void clear();
   void traverse_from(uint32_t node);
   void draw_again();
-  void hand_on_marked();
+  void publish_marked();
 
   Key key_;
   Subject subject_ = Subject::kCut;

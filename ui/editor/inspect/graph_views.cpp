@@ -85,7 +85,7 @@ double GraphCanvas::radius_of(const DrawnGraph::Node& node) const {
 }
 
 void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
-  if (wish_ == Wish::kNone || drawn.places.empty()) return;
+  if (framing_ == Wish::kNone || drawn.places.empty()) return;
   Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const Vec2& p : drawn.places) {
     low = glm::min(low, p);
@@ -96,13 +96,13 @@ void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
   const double all = std::clamp(std::min(fitting.x, fitting.y), kMinZoom, kMaxZoom);
   middle_ = 0.5 * (low + high);
   zoom_ = all;
-  if (wish_ == Wish::kStart && drawn.start && link > 0) {
+  if (framing_ == Wish::kStart && drawn.start && link > 0) {
     zoom_ = std::clamp(kTellApart / (link * half_), all, kMaxZoom);
     // A start at the border of the graph is a little off the middle, so that less of the field is empty.
     const Vec2 reach = kOffMiddle * glm::min(0.5 * size_ / (half_ * zoom_), 0.5 * extent);
     middle_ = glm::clamp(drawn.places[*drawn.start], low + reach, high - reach);
   }
-  wish_ = Wish::kNone;
+  framing_ = Wish::kNone;
 }
 
 // The child window of the canvas scrolls by an invisible pixel, to keep the wheel from the sidebar.
@@ -309,7 +309,7 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   const Body& body = document.world().body(id.body);
   const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
   const auto look = view.look.pieces.find(id);
-  const bool chosen = look != view.look.pieces.end() && look->second.selected;
+  const bool selected = look != view.look.pieces.end() && look->second.selected;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -322,12 +322,12 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(document.world(), view, id));
   ImGui::SetCursorScreenPos({x + 0.8f * em, at.y});
   if (ImGui::Selectable(fitted_label(body.name_of(id.label), ImGui::GetContentRegionAvail().x).c_str(),
-                        chosen, ImGuiSelectableFlags_SpanAllColumns)) {
-    choose_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);
+                        selected, ImGuiSelectableFlags_SpanAllColumns)) {
+    select_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);
     view.picture_old = true;
   }
   mark_last_item("piece node", static_cast<int>(id.label));
-  if (!chosen) tooltip(words_on(row.origin, document, view.frame.unit).c_str());
+  if (!selected) tooltip(words_on(row.origin, document, view.frame.unit).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.origin.came_off ? ("step " + std::to_string(row.origin.step + 1)).c_str() : "");
   ImGui::TableNextColumn();
@@ -337,9 +337,9 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
 }
 
 void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document, const ViewState& view) {
-  const std::optional<PieceId> chosen = first_chosen(view.look.pieces);
-  const auto row =
-      std::find_if(rows.begin(), rows.end(), [&](const PieceTreeRow& r) { return r.origin.piece == chosen; });
+  const std::optional<PieceId> selected = first_selected(view.look.pieces);
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const PieceTreeRow& r) { return r.origin.piece == selected; });
   if (row == rows.end()) return;
   ImGui::TextWrapped("%s", words_on(row->origin, document, view.frame.unit).c_str());
   mark_last_item("piece words");

@@ -32,8 +32,8 @@ class GraphCanvas {
   Pointer draw(const Drawn& drawn, float height);
 
   // From the next draw() on, shows the whole graph, or the neighbourhood of its `start`.
-  void fit() { wish_ = Wish::kAll; }
-  void come_near() { wish_ = Wish::kStart; }
+  void fit() { framing_ = Wish::kAll; }
+  void show_start() { framing_ = Wish::kStart; }
   // Returns true if the pointer was over it at the last draw().
   bool hovered() const { return hovered_; }
 
@@ -54,7 +54,7 @@ class GraphCanvas {
   double half_ = 1;           // pixels per unit of the layout before zooming
   double radius_ = 1;         // of a node that is a single face, pixels
   bool dragged_ = false, hovered_ = false;
-  Wish wish_ = Wish::kStart;
+  Wish framing_ = Wish::kStart;
 };
 
 struct PieceTreeRow {

@@ -158,7 +158,7 @@ class RulerFeature : public Feature {
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   bool clear_selection() override { return std::exchange(first_, std::nullopt).has_value(); }
   const char* status_hint() const override {
-    return in_hand() ? "Ruler: click two points to add a measurement; drag its ends" : nullptr;
+    return is_active() ? "Ruler: click two points to add a measurement; drag its ends" : nullptr;
   }
 
   void on_document_opened() override {
@@ -197,8 +197,8 @@ class RulerFeature : public Feature {
     bool edits_ = false;
   };
 
-  bool in_hand() const { return workspace_.input.tool == kRulerTool; }
-  bool shown() const { return in_hand() || workspace_.services.panels.shows(kRulerPanel); }
+  bool is_active() const { return workspace_.input.tool == kRulerTool; }
+  bool shown() const { return is_active() || workspace_.services.panels.shows(kRulerPanel); }
   void keep() { set_head_entry(workspace_.session.scene, kRulerKey, list_.to_json()); }
   std::optional<EndOfMark> end_under_pointer() const;
   void measure();
@@ -207,7 +207,7 @@ class RulerFeature : public Feature {
   void draw_panel();
   void draw_row(size_t mark);
   void edit_name(size_t mark);
-  void choose_file_to_export();
+  void select_file_to_export();
   std::string export_to(const std::filesystem::path& file);
 
   Workspace& workspace_;
@@ -246,7 +246,7 @@ std::vector<UserAction> RulerFeature::actions() {
               [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
           action(
               "ruler.export", "Export Measurements...",
-              "As a table (.csv) with the ends and the length of each.", [this] { choose_file_to_export(); },
+              "As a table (.csv) with the ends and the length of each.", [this] { select_file_to_export(); },
               [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })};
 }
 
@@ -262,7 +262,7 @@ std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
 }
 
 std::unique_ptr<Interaction> RulerFeature::begin_interaction(const Press& press) {
-  if (!in_hand() || press.control || workspace_.view.in_second) return nullptr;
+  if (!is_active() || press.control || workspace_.view.in_second) return nullptr;
   if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
   return std::make_unique<ClickOnce>([this] { measure(); });
 }
@@ -270,16 +270,16 @@ std::unique_ptr<Interaction> RulerFeature::begin_interaction(const Press& press)
 // Measures from the last click, or begins a distance.
 void RulerFeature::measure() {
   const auto surface = point_under_pointer(workspace_);
-  if (!surface) return workspace_.message.say("No surface under the pointer.", true);
+  if (!surface) return workspace_.message.error("No surface under the pointer.");
   if (!first_) {
     first_ = *surface;
-    return workspace_.message.say("Click a second point to add the measurement.");
+    return workspace_.message.info("Click a second point to add the measurement.");
   }
   list_.begin_edit();
   list_.add(*std::exchange(first_, std::nullopt), *surface);
   keep();
   const RulerMark& mark = list_.marks().back();
-  workspace_.message.say(mark.name + ": " + length_label(mark.length(), workspace_.view.frame.unit));
+  workspace_.message.info(mark.name + ": " + length_label(mark.length(), workspace_.view.frame.unit));
 }
 
 void RulerFeature::step(bool back) {
@@ -314,7 +314,7 @@ void RulerFeature::draw_panel() {
   ImGui::SameLine();
   if (row_button("Export", 3, list_.marks().empty() ? "No distance is kept." : nullptr,
                  "Writes the distances to a table (.csv)."))
-    choose_file_to_export();
+    select_file_to_export();
 }
 
 void RulerFeature::draw_row(size_t mark) {
@@ -365,7 +365,7 @@ void RulerFeature::edit_name(size_t mark) {
   keep();
 }
 
-void RulerFeature::choose_file_to_export() {
+void RulerFeature::select_file_to_export() {
   browse(workspace_.services.browser,
          {.title = "Export the distances",
           .verb = "Export",
@@ -379,7 +379,7 @@ void RulerFeature::choose_file_to_export() {
 std::string RulerFeature::export_to(const std::filesystem::path& file) {
   const Status written = write_file_atomically(file, list_.to_csv());
   if (!written) return written.error().message;
-  workspace_.message.say("Exported: " + file.string());
+  workspace_.message.info("Exported: " + file.string());
   return "";
 }
 
@@ -392,7 +392,7 @@ void RulerFeature::draw_overlay(ImDrawList& list) {
     draw_distance(workspace_.view, m.from, m.to,
                   m.name + ": " + length_label(m.length(), workspace_.view.frame.unit), list);
   }
-  if (first_ && in_hand()) draw_measured_point(workspace_.view, *first_, list);
+  if (first_ && is_active()) draw_measured_point(workspace_.view, *first_, list);
 }
 
 void RulerFeature::add_landmarks(Landmarks& landmarks) const {

@@ -23,7 +23,7 @@ namespace {
 constexpr size_t kGrain = 1 << 14;
 constexpr float kRimReach = 0.5f;  // in the float frame, in which a body is about 2 wide
 
-double least_angle(const Triangle& t) { return std::acos(largest_cosine(t)) * 180 / kPi; }
+double min_angle(const Triangle& t) { return std::acos(largest_cosine(t)) * 180 / kPi; }
 
 float local_value(const Body& body, FaceId f, const Triangle& t, FaceQuantity quantity) {
   switch (quantity) {
@@ -32,7 +32,7 @@ float local_value(const Body& body, FaceId f, const Triangle& t, FaceQuantity qu
     case FaceQuantity::kLongestEdge:
       return static_cast<float>(std::sqrt(longest_edge2(t)));
     case FaceQuantity::kMinAngle:
-      return static_cast<float>(least_angle(t));
+      return static_cast<float>(min_angle(t));
     case FaceQuantity::kTemperature:
       return static_cast<float>(
           body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
@@ -193,8 +193,8 @@ void ScalarMap::forget() {
 
 void ScalarMap::follow(const World& world, const Delta& delta) {
   if (!shown_ || delta.empty()) return;
-  if (delta.anew || !delta.came.empty() || !delta.went.empty() || !delta.detached.empty() ||
-      !delta.hid_or_showed.empty())
+  if (delta.replaced || !delta.created.empty() || !delta.destroyed.empty() || !delta.detached.empty() ||
+      !delta.visibility_changed.empty())
     return forget();
   for (const BodyDelta& body : delta.bodies) {
     if (world.contains(body.body)) old_.insert(body.body);

@@ -56,11 +56,11 @@ void stage_rows(const StepChart& chart) {
 }
 
 void change_rows(const StepChart& chart) {
-  const float top = std::max(chart.largest(StepChart::kBorn), chart.largest(StepChart::kGone));
+  const float top = std::max(chart.largest(StepChart::kAdded), chart.largest(StepChart::kDead));
   const auto faces = [&](StepChart::Line line) { return grouped(static_cast<size_t>(chart.last(line))); };
-  plot_row(chart, {StepChart::kBorn, "Created", "Faces that are new or have new corners."}, top,
-           faces(StepChart::kBorn));
-  plot_row(chart, {StepChart::kGone, "Removed", "Faces that no longer exist."}, top, faces(StepChart::kGone));
+  plot_row(chart, {StepChart::kAdded, "Created", "Faces that are new or have new corners."}, top,
+           faces(StepChart::kAdded));
+  plot_row(chart, {StepChart::kDead, "Removed", "Faces that no longer exist."}, top, faces(StepChart::kDead));
   plot_row(chart, {StepChart::kSent, "Sent", "Data uploaded to the GPU for a frame."},
            chart.largest(StepChart::kSent), text_of("%.0f kB", chart.last(StepChart::kSent)));
 }

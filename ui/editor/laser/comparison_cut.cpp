@@ -42,14 +42,14 @@ void TwinCut::begin(Document& first, const Resolution& resolution) {
 bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
   const UndoStack& history = first.history();
   if (!history.last_cut()) {
-    const bool anew = !begun_ || first.revision() != revision_;
-    if (anew) begin(first, controls.of(1));
-    return anew;
+    const bool restarted = !begun_ || first.revision() != revision_;
+    if (restarted) begin(first, controls.of(1));
+    return restarted;
   }
   const Resolution resolution = controls.of(history.last_settings().laser.radius);
-  const bool anew = !begun_ || first.revision() != revision_ || resolution != resolution_;
-  if (anew) begin(first, resolution);
-  if (!there_) return anew;
+  const bool restarted = !begun_ || first.revision() != revision_ || resolution != resolution_;
+  if (restarted) begin(first, resolution);
+  if (!there_) return restarted;
   const std::vector<Command>& stroke = history.step(history.base_of(*history.last_cut())).commands();
   for (; commands_ < stroke.size(); ++commands_) {
     Command command = stroke[commands_];
@@ -64,7 +64,7 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
     KERF_ASSERT(applied.ok());
     (void)applied;
   }
-  return anew;
+  return restarted;
 }
 
 namespace {
@@ -111,7 +111,7 @@ class SplitFeature : public Feature {
 
   void after_queue(double) override;
   bool needs_redraw() const override { return twin_.waiting() > 0; }
-  void on_document_opened() override { begin_anew(); }
+  void on_document_opened() override { restart(); }
   void draw_overlay(ImDrawList& list) override;
   void write_session_log(nlohmann::ordered_json& report) const override {
     report["split"] = {{"shown", shown_}, {"faces", twin_.world().live_faces()}};
@@ -121,11 +121,11 @@ class SplitFeature : public Feature {
   void show(bool shown) {
     cancel_stroke(workspace_);
     shown_ = shown;
-    begin_anew();
+    restart();
     workspace_.view.in_second = false;
     workspace_.view.picture_old = true;
   }
-  void begin_anew() {
+  void restart() {
     twin_.forget();
     workspace_.view.second_world = shown_ ? &twin_.world() : nullptr;
   }
@@ -144,7 +144,7 @@ void SplitFeature::after_queue(double) {
   const Result<Renderer*> half = workspace_.screen.picture->second();
   if (!half) {
     show(false);
-    return workspace_.message.say(half.error().message, true);
+    return workspace_.message.error(half.error().message);
   }
   const double began = workspace_.screen.clock->seconds();
   const bool anything = cut(**half);
@@ -156,21 +156,21 @@ void SplitFeature::after_queue(double) {
 
 // Returns true if anything was queued, or if the world was replaced.
 bool SplitFeature::cut(Renderer& renderer) {
-  const bool anew = twin_.follow(workspace_.session.document, resolution_);
-  if (anew) workspace_.changes.show_world(twin_.world(), renderer);
+  const bool restarted = twin_.follow(workspace_.session.document, resolution_);
+  if (restarted) workspace_.changes.show_world(twin_.world(), renderer);
   const bool waited = twin_.waiting() > 0;
   while (twin_.waiting() > 0 && workspace_.screen.clock->seconds() < workspace_.screen.cut_until) {
     const Result<StepResult> step = twin_.step(kMovesOfTwin);
     if (!step) {
       renderer.resend(twin_.world());
-      workspace_.message.say("Right view: " + step.error().message, true);
+      workspace_.message.error("Right view: " + step.error().message);
       break;
     }
     renderer.follow(twin_.world(), step->delta);
     if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
       renderer.send_faces(twin_.world());
   }
-  return anew || waited;
+  return restarted || waited;
 }
 
 void SplitFeature::draw_rows() {

@@ -63,9 +63,9 @@ constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 
 class DrawnStroke : public Interaction {
  public:
-  DrawnStroke(Workspace& workspace, double heard) : workspace_(workspace) {
+  DrawnStroke(Workspace& workspace, double time) : workspace_(workspace) {
     workspace.beam.press(workspace.session.document, workspace.view.seen(),
-                         workspace.view.in_picture(workspace.input.pointer), workspace.laser, heard);
+                         workspace.view.in_picture(workspace.input.pointer), workspace.laser, time);
   }
 
   void move(const InputEvent& event) override {
@@ -84,7 +84,7 @@ class DrawnStroke : public Interaction {
   Workspace& workspace_;
 };
 
-const char* why_no_recut(const Document& document) {
+const char* recut_disabled_reason(const Document& document) {
   if (!document.history().last_cut()) return "No cut yet.";
   if (document.queue().in_stroke()) return "Finish or cancel the current cut first.";
   return can_recut(document) ? nullptr : "The undo data of the last cut were discarded.";
@@ -127,7 +127,7 @@ class LaserFeature : public Feature {
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   bool cancel() override {
     const bool at_work = can_stop();
-    if (at_work) workspace_.changes.ask("Stop cutting", [this] { stop_cutting(); });
+    if (at_work) workspace_.changes.enqueue("Stop cutting", [this] { stop_cutting(); });
     return cancel_stroke(workspace_) || at_work;
   }
   const char* status_hint() const override {
@@ -139,7 +139,7 @@ class LaserFeature : public Feature {
     if (workspace_.beam.cutting()) workspace_.view.picture_old = true;
     if (workspace_.changes.is_pending()) return;
     workspace_.beam.follow_time(workspace_.session.document, workspace_.links.plays);
-    workspace_.beam.go_on(workspace_.session.document, workspace_.screen.clock->seconds());
+    workspace_.beam.hold_beam(workspace_.session.document, workspace_.screen.clock->seconds());
   }
   void after_queue(double seconds) override;
   void write_session_log(nlohmann::ordered_json& report) const override {
@@ -173,10 +173,10 @@ class LaserFeature : public Feature {
   UserAction finer_action(const char* id, const char* name, int steps);
 
   void cut_again_live(bool radius) {
-    if (workspace_.settings.live_recut && why_no_recut(workspace_.session.document) == nullptr)
-      ask_for_recut(radius);
+    if (workspace_.settings.live_recut && recut_disabled_reason(workspace_.session.document) == nullptr)
+      request_recut(radius);
   }
-  void ask_for_recut(bool radius);
+  void request_recut(bool radius);
   void recut(bool radius);
   void stop_cutting();
 
@@ -192,7 +192,7 @@ class LaserFeature : public Feature {
 
 std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press) {
   if (workspace_.opening.loader.busy()) {
-    workspace_.message.say("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
+    workspace_.message.info("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
     return nullptr;
   }
   stand_together(workspace_.world(), workspace_.view);
@@ -200,7 +200,7 @@ std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press)
   workspace_.view.camera.finish();
   auto stroke = std::make_unique<DrawnStroke>(workspace_, press.event.seconds);
   workspace_.links.cut_once = true;
-  workspace_.message.say("");
+  workspace_.message.clear();
   return stroke;
 }
 
@@ -216,8 +216,8 @@ UserAction LaserFeature::recut_action() {
           .name = "Recompute Last Cut",
           .shortcut = "R",
           .tip = "Recuts the last stroke at the current resolution.",
-          .run = [this] { ask_for_recut(false); },
-          .disabled_reason = [this] { return why_no_recut(workspace_.session.document); }};
+          .run = [this] { request_recut(false); },
+          .disabled_reason = [this] { return recut_disabled_reason(workspace_.session.document); }};
 }
 
 UserAction LaserFeature::radius_action(const char* id, const char* name, double factor) {
@@ -288,9 +288,9 @@ void LaserFeature::draw_resolution() {
   const bool changed =
       resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
   property("Last Cut");
-  const char* disabled_reason = why_no_recut(workspace_.session.document);
+  const char* disabled_reason = recut_disabled_reason(workspace_.session.document);
   ImGui::BeginDisabled(disabled_reason != nullptr);
-  if (ImGui::Button("Recompute", {-1, 0})) ask_for_recut(false);
+  if (ImGui::Button("Recompute", {-1, 0})) request_recut(false);
   ImGui::EndDisabled();
   const std::string meaning =
       with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.", "laser.recut");
@@ -307,16 +307,16 @@ void LaserFeature::draw_resolution() {
 // Cutting
 // --------------------------------------------------------------------------------------------------------
 
-void LaserFeature::ask_for_recut(bool radius) {
+void LaserFeature::request_recut(bool radius) {
   recut_radius_ = recut_radius_ || radius;
-  workspace_.changes.ask("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
+  workspace_.changes.enqueue("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
 }
 
 // Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
 // radius; its other settings stay. Consecutive recuts share one history entry.
 void LaserFeature::recut(bool radius) {
   const Document& document = workspace_.session.document;
-  if (why_no_recut(document) != nullptr) return;
+  if (recut_disabled_reason(document) != nullptr) return;
   CutSettings settings = document.history().last_settings();
   if (radius) settings.laser.radius = workspace_.laser.radius;
   settings.resolution = workspace_.laser.resolution.of(settings.laser.radius);

@@ -64,7 +64,7 @@ std::string depth_text(const StepStatistics& statistics) {
   return text_of("Last cut reached %.0f %% depth", 100 * statistics.depth_s / statistics.met_s);
 }
 
-std::string forecast_text(const LaserControls& laser, const MetSheet& met, double speed, FileUnit unit) {
+std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit) {
   const std::string watts = text_of("%.4g W", laser.power);
   std::string thickness = text_of("%.3g mm", 1000 * met.sheet.thickness);
   if (met.slant > kSlanted)
@@ -142,7 +142,7 @@ void LaserHeatRows::draw_forecast(const Workspace& workspace, const Sheet& sheet
                                   const std::optional<PointerAim>& aim) {
   const FileUnit unit = workspace.view.frame.unit;
   const std::string whose = aim ? "Under the pointer: " : "";
-  const MetSheet met = aim ? aim->met : MetSheet{sheet};
+  const SheetHit met = aim ? aim->met : SheetHit{sheet};
   const std::string forecast = forecast_text(workspace.laser, met, workspace.laser.planned_speed, unit);
   ImGui::TextWrapped("%s", (whose + forecast).c_str());
   mark_last_item("laser forecast");
@@ -181,7 +181,7 @@ void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::op
   ImGui::PopStyleColor();
 }
 
-const char* why_not_solid(bool closed, const LaserControls& laser) {
+const char* solid_disabled_reason(bool closed, const LaserControls& laser) {
   if (!closed) return "A solid must be closed, but this piece has open edges.";
   if (laser.model == Model::kThermal)
     return "The thermal model leaves no walls: select the model Geometric in the Laser panel.";
@@ -207,7 +207,7 @@ std::optional<bool> SolidRow::draw(const Workspace& workspace, const PieceId& pi
   if (workspace.cutting()) {
     disabled_reason = "Finish or cancel the current cut first.";
   } else if (!solid) {
-    disabled_reason = why_not_solid(closed_.of(workspace.world(), piece), workspace.laser);
+    disabled_reason = solid_disabled_reason(closed_.of(workspace.world(), piece), workspace.laser);
   }
   property("Solid");
   ImGui::BeginDisabled(disabled_reason != nullptr);
@@ -288,8 +288,8 @@ class MaterialPanel {
 // Returns the piece whose sheet is shown: the first selected one, else the first body; nullopt in an empty
 // world.
 std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view) {
-  const auto chosen = first_chosen(view.look.pieces);
-  if (chosen && world.contains(chosen->body)) return chosen;
+  const auto selected = first_selected(view.look.pieces);
+  if (selected && world.contains(selected->body)) return selected;
   const std::vector<BodyId> bodies = world.ids();
   if (bodies.empty()) return std::nullopt;
   return PieceId{bodies.front(), 0};
@@ -364,10 +364,10 @@ MaterialChange MaterialPanel::draw(const Workspace& workspace) {
     return change;
   }
   const Body& body = workspace.world().body(piece->body);
-  const size_t chosen = chosen_pieces(workspace.view.look.pieces);
-  const std::string of = chosen == 0   ? std::string("All pieces")
-                         : chosen == 1 ? body.name_of(piece->label)
-                                       : std::to_string(chosen) + " selected pieces";
+  const size_t selected = selected_count(workspace.view.look.pieces);
+  const std::string of = selected == 0   ? std::string("All pieces")
+                         : selected == 1 ? body.name_of(piece->label)
+                                         : std::to_string(selected) + " selected pieces";
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   draw_fitted_text(of, "Changes apply to the selected pieces, or to all if none is selected.");
   ImGui::PopStyleColor();
@@ -411,22 +411,23 @@ class MaterialFeature : public Feature {
   void draw_material() {
     const MaterialChange change = panel_.draw(workspace_);
     if (change.sheet) {
-      ask_for_all("Set the material", [sheet = *change.sheet](const PieceId& p) {
+      request_for_all("Set the material", [sheet = *change.sheet](const PieceId& p) {
         return SetSheetProperties{p, sheet};
       });
     }
     if (change.solid) {
-      ask_for_all(*change.solid ? "Make solid" : "Make a sheet", [solid = *change.solid](const PieceId& p) {
-        return SetSolid{p, solid};
-      });
+      request_for_all(*change.solid ? "Make solid" : "Make a sheet",
+                      [solid = *change.solid](const PieceId& p) {
+                        return SetSolid{p, solid};
+                      });
     }
   }
   using CommandFor = std::function<Command(const PieceId&)>;
   // Requests one change of the selected pieces, or of all.
-  void ask_for_all(const char* name, const CommandFor& command) {
-    workspace_.changes.ask({.name = name,
-                            .run = [this, name, command] { return change_all(name, command), true; },
-                            .is_one = true});
+  void request_for_all(const char* name, const CommandFor& command) {
+    workspace_.changes.enqueue({.name = name,
+                                .run = [this, name, command] { return change_all(name, command), true; },
+                                .is_one = true});
   }
   void change_all(const char* name, const CommandFor& command);
 
@@ -455,11 +456,11 @@ void MaterialFeature::draw_overlay(ImDrawList& list) {
 void MaterialFeature::change_all(const char* name, const CommandFor& command) {
   std::vector<PieceId> pieces;
   const PieceMap& looks = workspace_.view.look.pieces;
-  const bool all = chosen_pieces(looks) == 0;
+  const bool all = selected_count(looks) == 0;
   for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
     const auto look = looks.find(row.id);
-    const bool chosen = look != looks.end() && look->second.selected;
-    if (!row.part && (all || chosen)) pieces.push_back(row.id);
+    const bool selected = look != looks.end() && look->second.selected;
+    if (!row.part && (all || selected)) pieces.push_back(row.id);
   }
   cancel_stroke(workspace_);
   workspace_.changes.change(name, is_small(workspace_.session.document),

@@ -28,7 +28,7 @@ class LaserHeatRows {
 };
 
 // "2000 W cuts this sheet of 1 mm at up to 52 mm/s", or with a `speed` [m/s] > 0 the thickness cut at it.
-std::string forecast_text(const LaserControls& laser, const MetSheet& met, double speed, FileUnit unit);
+std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit);
 
 // "The pointer moves at 80 mm/s, too fast to cut through", or empty while it rests.
 std::string pointer_text(const LaserControls& laser, const PointerAim& aim, FileUnit unit);
@@ -48,7 +48,7 @@ std::string energy_text(const World& world);
 std::string depth_text(const StepStatistics& statistics);
 
 // Returns why a piece cannot be made solid with this laser, as a sentence, or null if it can.
-const char* why_not_solid(bool closed, const LaserControls& laser);
+const char* solid_disabled_reason(bool closed, const LaserControls& laser);
 
 // Caches whether a piece is closed. Recomputed, in O(faces), after its faces have changed.
 class KnownClosed {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMinCosine = 0.2;
 }
 
-std::optional<MetSheet> met_sheet(const World& world, const ViewOptions& options, const Pose& ray) {
+std::optional<SheetHit> sheet_hit(const World& world, const ViewOptions& options, const Pose& ray) {
   const std::optional<Pick> met = pick(world, options, ray);
   if (!met) return std::nullopt;
   const Body& body = world.body(met->body);
@@ -21,7 +21,7 @@ std::optional<MetSheet> met_sheet(const World& world, const ViewOptions& options
   const Vec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double along = std::abs(glm::dot(across, body.placement.to_body(ray).direction));
   const double cosine = std::max(along / glm::length(across), kMinCosine);
-  return MetSheet{body.sheet, 1 / cosine, met->length};
+  return SheetHit{body.sheet, 1 / cosine, met->length};
 }
 
 namespace {
@@ -41,7 +41,7 @@ void PointerSpeed::follow(const Vec2& pointer, double seconds) {
 std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed& pointer) {
   const CameraView view = workspace.view.seen();
   const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
-  const std::optional<MetSheet> met = met_sheet(workspace.world(), workspace.view.look, view.ray(p.x, p.y));
+  const std::optional<SheetHit> met = sheet_hit(workspace.world(), workspace.view.look, view.ray(p.x, p.y));
   if (!met) return std::nullopt;
   const double half_height = view.parallel ? view.half_height() : met->length * view.tan_half_fov;
   const double pixel = 2 * half_height / workspace.view.pane().size.y;
@@ -89,7 +89,7 @@ void StrokeWatch::begin(const Document& document) {
 // Returns the extent [m] along the beam of a sheet that the whole width of the beam hits.
 double StrokeWatch::record_sheet(const World& world, const Pose& axis) {
   const double width = 2 * crossing_.settings.laser.radius;
-  const std::optional<MetSheet> met = met_sheet(world, {}, axis);
+  const std::optional<SheetHit> met = sheet_hit(world, {}, axis);
   if (!met) return width * kSteepest;
   crossing_.met = *met;
   return width * met->slant;

@@ -15,7 +15,7 @@
 namespace kerf {
 
 // The first sheet that a ray hits.
-struct MetSheet {
+struct SheetHit {
   Sheet sheet;
   double slant = 1;   // thickness along the ray relative to that of the sheet, at most 5
   double length = 0;  // distance from the origin of the ray [m]
@@ -33,7 +33,7 @@ struct MetSheet {
 
 // Intersects a ray with the visible faces (see pick); nullopt on a miss. Precondition: its direction is a
 // unit vector.
-std::optional<MetSheet> met_sheet(const World& world, const ViewOptions& options, const Pose& ray);
+std::optional<SheetHit> sheet_hit(const World& world, const ViewOptions& options, const Pose& ray);
 
 // Speed of the pointer on the screen, smoothed over a fifth of a second.
 class PointerSpeed {
@@ -48,7 +48,7 @@ class PointerSpeed {
 };
 
 struct PointerAim {
-  MetSheet met;
+  SheetHit met;
   double speed = 0;  // of the pointer over the sheet [m/s], 0 at rest
 };
 
@@ -76,7 +76,7 @@ class StrokeWatch {
     size_t removed_faces = 0;  // by that entry
     double share = 1;          // of the places on its path that were cut through
     double speed = 0;          // mean at the other places [m/s]
-    MetSheet met;
+    SheetHit met;
     CutSettings settings;
   };
   // Returns null if that stroke was undone or recut.

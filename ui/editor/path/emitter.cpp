@@ -71,7 +71,7 @@ void Emitter::place(const Vec3& at, const Vec3& target) {
 
 Pose Emitter::pose() const { return {at_, beam_direction(target_ - at_)}; }
 
-void Emitter::stand_at(const Vec3& at) {
+void Emitter::move_to(const Vec3& at) {
   if (at != target_) at_ = at;
 }
 
@@ -95,7 +95,7 @@ void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optiona
     const Vec3 axis = axis_of(held_);
     to += axis * dragged_along(picture.ray(pressed_at_), picture.ray(pointer), held_at_, axis);
   }
-  stand_at(to);
+  move_to(to);
 }
 
 void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance) {
@@ -247,7 +247,7 @@ void EmitterFeature::drag(double now) {
 }
 
 std::vector<UserAction> EmitterFeature::emitter_actions() {
-  const auto why_none = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
+  const auto no_emitter_reason = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
   return {
       UserAction{.id = "emitter.place",
                  .name = "Place Emitter",
@@ -261,12 +261,12 @@ std::vector<UserAction> EmitterFeature::emitter_actions() {
           .tip = "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
           .run = [this] { emitter_.firing = !emitter_.firing; },
           .checked = [this] { return emitter_.firing; },
-          .disabled_reason = why_none},
+          .disabled_reason = no_emitter_reason},
       UserAction{.id = "emitter.remove",
                  .name = "Remove Emitter",
                  .tip = "Removes the emitter from the scene.",
                  .run = [this] { emitter_.remove(); },
-                 .disabled_reason = why_none},
+                 .disabled_reason = no_emitter_reason},
   };
 }
 
@@ -291,7 +291,7 @@ void EmitterFeature::draw_rows() {
   const NumberUnit unit = file_unit(workspace_.view.frame.unit);
   const double size = workspace_.world().loaded_bounds().diagonal();
   if (fields_.vector("Position", at, "%.5g", "Position of the emitter, in the unit of the file.", unit, size))
-    emitter_.stand_at(at);
+    emitter_.move_to(at);
   if (fields_.vector("Target", target, "%.5g", "Target of the emitter, in the unit of the file.", unit, size))
     emitter_.aim_at(target);
   end_properties();
@@ -356,7 +356,7 @@ void EmitterFeature::fire_shots(double now) {
   if (workspace_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
   emitter_.pace.take(now);
   const Laser laser = workspace_.laser.settings(workspace_.world().bounds().diagonal()).laser;
-  if (!meets_anything(workspace_.world(), laser, emitter_.pose())) return;
+  if (!hits_anything(workspace_.world(), laser, emitter_.pose())) return;
   begin_fire(now);
   workspace_.beam.release(workspace_.session.document);
 }

@@ -53,7 +53,7 @@ class Emitter {
   Pose pose() const;
 
   // Moves the emitter and keeps its target, or changes the target. No-op if both would coincide.
-  void stand_at(const Vec3& at);
+  void move_to(const Vec3& at);
   void aim_at(const Vec3& target);
 
   // The user has switched it on.

@@ -64,8 +64,8 @@ class PathFeature : public Feature {
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
   const char* status_hint() const override {
-    return in_hand() ? "Path: click to add a point, Shift+click for a new stroke, Ctrl+Enter to run"
-                     : nullptr;
+    return is_active() ? "Path: click to add a point, Shift+click for a new stroke, Ctrl+Enter to run"
+                       : nullptr;
   }
 
   void update(double) override {
@@ -81,22 +81,22 @@ class PathFeature : public Feature {
   void write_session_log(nlohmann::ordered_json& report) const override;
 
  private:
-  bool in_hand() const { return workspace_.input.tool == kPathTool; }
-  bool shows_path() const { return in_hand() || workspace_.services.panels.shows(kPathPanel); }
-  const char* why_no_run() const;
+  bool is_active() const { return workspace_.input.tool == kPathTool; }
+  bool shows_path() const { return is_active() || workspace_.services.panels.shows(kPathPanel); }
+  const char* run_disabled_reason() const;
   UserAction take_tool_action();
   std::vector<UserAction> path_actions();
   void draw_panel();
 
   bool take_file(const std::filesystem::path& file);
   std::string load(const std::filesystem::path& file);
-  void choose_file_to_load();
-  void choose_file_to_save();
+  void select_file_to_load();
+  void select_file_to_save();
   void save(const std::filesystem::path& file);
   void load_waiting();
   void keep();
 
-  void ask_for_run();
+  void request_run();
   void run();
 
   Workspace& workspace_;
@@ -111,20 +111,20 @@ class PathFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 std::unique_ptr<Interaction> PathFeature::begin_interaction(const Press& press) {
-  if (!in_hand() || press.control) return nullptr;
+  if (!is_active() || press.control) return nullptr;
   auto drag = std::make_unique<DragOfPoint>(workspace_, path_);
   if (workspace_.view.in_second) {
-    workspace_.message.say("Edit the path in the left half.", true);
+    workspace_.message.error("Edit the path in the left half.");
     return drag;
   }
   stand_together(workspace_.world(), workspace_.view);
-  workspace_.message.say("");
+  workspace_.message.clear();
   const std::string why = drag->press(press.shift);
-  if (!why.empty()) workspace_.message.say(why, true);
+  if (!why.empty()) workspace_.message.error(why);
   return drag;
 }
 
-const char* PathFeature::why_no_run() const {
+const char* PathFeature::run_disabled_reason() const {
   if (path_.empty()) return "The path has no points: click a surface with the Path tool.";
   return workspace_.opening.loader.busy() ? "Wait until the file is open." : nullptr;
 }
@@ -139,40 +139,40 @@ UserAction PathFeature::take_tool_action() {
 std::vector<UserAction> PathFeature::path_actions() {
   // The undo and redo keys act on the path while its tool is active, until the path is run.
   const auto takes_undo = [this] {
-    return in_hand() && path_.is_newer_than(workspace_.session.document.history().position());
+    return is_active() && path_.is_newer_than(workspace_.session.document.history().position());
   };
-  const auto why_empty = [this] { return path_.empty() ? kNoPoints : nullptr; };
+  const auto empty_path_reason = [this] { return path_.empty() ? kNoPoints : nullptr; };
   return {
       UserAction{.id = "path.run",
                  .name = "Run Path",
                  .shortcut = "Ctrl+Enter",
                  .pad_key = GLFW_KEY_KP_ENTER,
                  .tip = "Cuts along the path, like kerf cut --path.",
-                 .run = [this] { ask_for_run(); },
-                 .disabled_reason = [this] { return why_no_run(); }},
+                 .run = [this] { request_run(); },
+                 .disabled_reason = [this] { return run_disabled_reason(); }},
       UserAction{.id = "path.load",
                  .name = "Load Path...",
                  .tip = "Loads a path file (.json); you can also drop one on the window.",
-                 .run = [this] { choose_file_to_load(); }},
+                 .run = [this] { select_file_to_load(); }},
       UserAction{.id = "path.save",
                  .name = "Save Path...",
                  .tip = "Saves the path as a file (.json) for kerf cut --path.",
-                 .run = [this] { choose_file_to_save(); },
-                 .disabled_reason = why_empty},
+                 .run = [this] { select_file_to_save(); },
+                 .disabled_reason = empty_path_reason},
       UserAction{.id = "path.clear",
                  .name = "Clear Path",
                  .tip = "Removes all points.",
                  .run = [this] { path_.begin_edit(), path_.clear(); },
-                 .disabled_reason = why_empty},
+                 .disabled_reason = empty_path_reason},
       UserAction{
           .id = "path.delete_point",
           .name = "Delete Point",
           .shortcut = "Del",
           .pad_key = GLFW_KEY_BACKSPACE,
           .tip = "Deletes the selected point of the path; Backspace does the same.",
-          .run = [this] { path_.begin_edit(), path_.remove(*path_.chosen()); },
-          .disabled_reason = [this] { return path_.chosen() ? nullptr : "Select a point of the path."; },
-          .has_key_when = [this] { return in_hand() && path_.chosen(); }},
+          .run = [this] { path_.begin_edit(), path_.remove(*path_.selected()); },
+          .disabled_reason = [this] { return path_.selected() ? nullptr : "Select a point of the path."; },
+          .has_key_when = [this] { return is_active() && path_.selected(); }},
       UserAction{
           .id = "path.undo",
           .name = "Undo Path Edit",
@@ -194,8 +194,8 @@ std::vector<UserAction> PathFeature::path_actions() {
 void PathFeature::draw_panel() {
   panel_.draw(
       path_, at_panel_resolution_, workspace_.view, workspace_.world(),
-      PathTool::beam_for(workspace_.world(), workspace_.laser.radius), why_no_run(),
-      {[this] { ask_for_run(); }, [this] { choose_file_to_load(); }, [this] { choose_file_to_save(); }});
+      PathTool::beam_for(workspace_.world(), workspace_.laser.radius), run_disabled_reason(),
+      {[this] { request_run(); }, [this] { select_file_to_load(); }, [this] { select_file_to_save(); }});
   keep();
 }
 
@@ -213,7 +213,7 @@ bool PathFeature::take_file(const std::filesystem::path& file) {
 void PathFeature::load_waiting() {
   if (workspace_.opening.loader.busy()) return;
   for (const std::filesystem::path& file : std::exchange(waiting_, {})) {
-    if (const std::string why = load(file); !why.empty()) workspace_.message.say(why, true);
+    if (const std::string why = load(file); !why.empty()) workspace_.message.error(why);
   }
 }
 
@@ -227,12 +227,12 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   path_.record_file(file);
   workspace_.input.tool = kPathTool;
   workspace_.services.panels.show(kPathPanel);
-  workspace_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") +
+  workspace_.message.info("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") +
                          ", " + count_text(path_.points(), "point"));
   return "";
 }
 
-void PathFeature::choose_file_to_load() {
+void PathFeature::select_file_to_load() {
   browse(workspace_.services.browser,
          {.title = "Load Path",
           .verb = "Load",
@@ -242,7 +242,7 @@ void PathFeature::choose_file_to_load() {
          workspace_.settings.folder, "");
 }
 
-void PathFeature::choose_file_to_save() {
+void PathFeature::select_file_to_save() {
   const std::string name = path_.file().filename().string();
   browse(workspace_.services.browser,
          {.title = "Save Path",
@@ -262,7 +262,7 @@ void PathFeature::choose_file_to_save() {
 void PathFeature::save(const std::filesystem::path& file) {
   const Status saved = save_path(file, path_.strokes());
   if (saved) path_.record_file(file);
-  workspace_.message.say(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
+  workspace_.message.show(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
 }
 
 // The document
@@ -282,13 +282,14 @@ void PathFeature::on_document_opened() {
 // Cutting
 // --------------------------------------------------------------------------------------------------------
 
-void PathFeature::ask_for_run() {
-  workspace_.changes.ask({.name = "Run of the path", .run = [this] { return run(), true; }, .is_one = true});
+void PathFeature::request_run() {
+  workspace_.changes.enqueue(
+      {.name = "Run of the path", .run = [this] { return run(), true; }, .is_one = true});
 }
 
 // Cuts all strokes on another thread, or none if the user stops it.
 void PathFeature::run() {
-  if (const auto why = why_no_cut(path_.strokes())) return workspace_.message.say(*why, true);
+  if (const auto why = rejection_reason(path_.strokes())) return workspace_.message.error(*why);
   cancel_stroke(workspace_);
   path_.record_run(workspace_.session.document.history().position());
   std::function<Resolution(double)> resolution;

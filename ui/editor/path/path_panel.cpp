@@ -131,8 +131,8 @@ void HoleForm::fit_to(double diagonal) {
 }
 
 void HoleForm::add_holes(PathWork& path, const World& world, double radius, double speed) const {
-  KERF_ASSERT(path.chosen());
-  const PathPoint point = *path.chosen();
+  KERF_ASSERT(path.selected());
+  const PathPoint point = *path.selected();
   const Pose beam = path.pose(point);
   const double distance = path.distance(point);
   path.begin_edit();
@@ -152,7 +152,7 @@ void HoleForm::draw(PathWork& path, const World& world, double radius, double sp
   const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
   const std::string label = "Add " + count_text(static_cast<size_t>(count), "hole");
   if (row_button((label + "###add holes").c_str(), 1,
-                 path.chosen() ? nullptr : "Select a point of the path first: the centre of the holes.",
+                 path.selected() ? nullptr : "Select a point of the path first: the centre of the holes.",
                  "Adds a stroke for each hole around the selected point, along its beam."))
     add_holes(path, world, radius, speed);
   mark_last_item("add holes");
@@ -200,19 +200,19 @@ void set_up_columns(const std::string& unit) {
 
 }  // namespace
 
-void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run,
-                             const PathWishes& wishes) {
+void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* run_disabled_reason,
+                             const PathActions& requests) {
   const std::string run = with_shortcut(view, "Cuts along the path, like kerf cut --path.", "path.run");
-  if (row_button("Run", 4, why_no_run, run.c_str())) wishes.run();
+  if (row_button("Run", 4, run_disabled_reason, run.c_str())) requests.run();
   ImGui::SameLine();
   if (row_button("Load", 4, nullptr, "Loads a path file (.json); you can also drop one on the window."))
-    wishes.load();
+    requests.load();
   ImGui::SameLine();
-  const char* why_empty = path.empty() ? kEmpty : nullptr;
-  if (row_button("Save", 4, why_empty, "Saves the path as a file (.json) for kerf cut --path."))
-    wishes.save();
+  const char* empty_path_reason = path.empty() ? kEmpty : nullptr;
+  if (row_button("Save", 4, empty_path_reason, "Saves the path as a file (.json) for kerf cut --path."))
+    requests.save();
   ImGui::SameLine();
-  if (!row_button("Clear", 4, why_empty, "Removes all points; undo restores them.")) return;
+  if (!row_button("Clear", 4, empty_path_reason, "Removes all points; undo restores them.")) return;
   path.begin_edit();
   path.clear();
 }
@@ -229,7 +229,7 @@ void PathPanel::draw_speed(PathWork& path, FileUnit unit) {
 }
 
 void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
-  const size_t stroke = path.chosen()->stroke;
+  const size_t stroke = path.selected()->stroke;
   const StrokePath& drawn = path.strokes()[stroke];
   double radius = default_settings(drawn, world.bounds().diagonal()).laser.radius;
   if (!length_field(fields_, "Beam radius", radius, label_unit(radius, unit),
@@ -248,25 +248,25 @@ void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World
   choice_row("Cut", "##cut", at_panel_resolution, "As kerf cut does\0As in the Resolution panel\0",
              "path resolution",
              "Resolution and rim of the cut: those of kerf cut --path, or those of the Resolution panel.");
-  if (path.chosen()) draw_radius(path, world, unit);
+  if (path.selected()) draw_radius(path, world, unit);
   end_properties();
 }
 
 void PathPanel::draw_row(PathWork& path, PathPoint point, int number, double unit, double diagonal) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  const bool chosen = path.chosen() == point;
+  const bool selected = path.selected() == point;
   ImGui::PushID(number);
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
+  if (selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   const std::string label = std::to_string(point.stroke + 1) + "." + std::to_string(point.key + 1);
-  if (ImGui::Selectable(label.c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns))
-    shown_ = point, path.choose(point);
+  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns))
+    shown_ = point, path.select(point);
   mark_last_item("path row", number);
   for (int i = 0; i < 3; ++i) {
     ImGui::TableNextColumn();
     draw_fitted_text(number_text(path.target(point)[i] / unit, "%.4g", diagonal / unit));
   }
-  if (chosen) ImGui::PopStyleColor();
+  if (selected) ImGui::PopStyleColor();
   ImGui::PopID();
 }
 
@@ -283,16 +283,16 @@ void PathPanel::draw_list(PathWork& path, const World& world, FileUnit unit) {
   draw_rows_in_sight(points, [&](size_t i) {
     draw_row(path, numbered(path, i), static_cast<int>(i), shown.metres, diagonal);
   });
-  if (path.chosen() && path.chosen() != shown_) {
-    shown_ = path.chosen();
+  if (path.selected() && path.selected() != shown_) {
+    shown_ = path.selected();
     scroll_to_row(number_of(path, *shown_), height);
   }
   ImGui::EndTable();
 }
 
-void PathPanel::draw_chosen(PathWork& path, const World& world, FileUnit unit) {
-  if (!path.chosen() || !begin_properties("point")) return;
-  const PathPoint point = *path.chosen();
+void PathPanel::draw_selected(PathWork& path, const World& world, FileUnit unit) {
+  if (!path.selected() || !begin_properties("point")) return;
+  const PathPoint point = *path.selected();
   Vec3 target = path.target(point), direction = path.pose(point).direction;
   double distance = path.distance(point);
   bool edited =
@@ -313,13 +313,14 @@ void PathPanel::draw_chosen(PathWork& path, const World& world, FileUnit unit) {
 }
 
 void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
-                     const PathTool::Beam& beam, const char* why_no_run, const PathWishes& wishes) {
+                     const PathTool::Beam& beam, const char* run_disabled_reason,
+                     const PathActions& requests) {
   const FileUnit unit = view.frame.unit;
-  draw_buttons(path, view, why_no_run, wishes);
+  draw_buttons(path, view, run_disabled_reason, requests);
   secondary_text(summary(path, view));
   draw_beam(path, at_panel_resolution, world, unit);
   draw_list(path, world, unit);
-  draw_chosen(path, world, unit);
+  draw_selected(path, world, unit);
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   mark_last_item("Holes header");
   tooltip("Adds a grid or circle of holes around the selected point.");

@@ -50,7 +50,7 @@ class HoleForm {
 };
 
 // Actions of the panel that are not edits of the path.
-struct PathWishes {
+struct PathActions {
   std::function<void()> run, load, save;
 };
 
@@ -58,18 +58,19 @@ struct PathWishes {
 class PathPanel {
  public:
   // `at_panel_resolution`: the path is run at the resolution of the Resolution panel, else like kerf cut
-  // --path. `beam`: of new points. `why_no_run`: the reason why the path cannot be run, or null.
+  // --path. `beam`: of new points. `run_disabled_reason`: the reason why the path cannot be run, or null.
   void draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
-            const PathTool::Beam& beam, const char* why_no_run, const PathWishes& wishes);
+            const PathTool::Beam& beam, const char* run_disabled_reason, const PathActions& requests);
 
  private:
-  void draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run, const PathWishes& wishes);
+  void draw_buttons(PathWork& path, const ViewState& view, const char* run_disabled_reason,
+                    const PathActions& requests);
   void draw_speed(PathWork& path, FileUnit unit);
   void draw_radius(PathWork& path, const World& world, FileUnit unit);
   void draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit);
   void draw_list(PathWork& path, const World& world, FileUnit unit);
   void draw_row(PathWork& path, PathPoint point, int number, double unit, double diagonal);
-  void draw_chosen(PathWork& path, const World& world, FileUnit unit);
+  void draw_selected(PathWork& path, const World& world, FileUnit unit);
 
   NumberFields fields_;
   HoleForm holes_;

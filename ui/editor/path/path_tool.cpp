@@ -72,8 +72,8 @@ void draw_segment(const PathWork& path, const World& world, PathPoint a, PathPoi
 
 void draw_lines(const PathWork& path, const World& world, const FirstPicture& picture, ImDrawList& list) {
   for (size_t i = 0; i < path.strokes().size(); ++i) {
-    const bool chosen = path.chosen() && path.chosen()->stroke == i;
-    const ImU32 colour = chosen ? colours::kPictureText : colours::kPictureSecondary;
+    const bool selected = path.selected() && path.selected()->stroke == i;
+    const ImU32 colour = selected ? colours::kPictureText : colours::kPictureSecondary;
     for (size_t k = 1; k < path.strokes()[i].keys.size(); ++k)
       draw_segment(path, world, {i, k - 1}, {i, k}, picture, colour, list);
   }
@@ -97,20 +97,20 @@ void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const
                  ImDrawList& list) {
   const PathMark* before = nullptr;
   for (const PathMark& mark : marks) {
-    const bool chosen = path.chosen() == mark.point;
+    const bool selected = path.selected() == mark.point;
     const bool close = before != nullptr && before->point.stroke == mark.point.stroke &&
                        glm::length(before->target - mark.target) < kMarkArrowEms * picture.em() &&
                        path.pose(before->point).direction == path.pose(mark.point).direction;
-    if (close && !chosen) continue;
+    if (close && !selected) continue;
     before = &mark;
-    const ImU32 colour = chosen ? colours::accent() : colours::kPictureSecondary;
-    draw_arrow(path, mark, picture, chosen ? kKnobEms : kMarkArrowEms, faded(colour, mark.hidden && !chosen),
-               list);
+    const ImU32 colour = selected ? colours::accent() : colours::kPictureSecondary;
+    draw_arrow(path, mark, picture, selected ? kKnobEms : kMarkArrowEms,
+               faded(colour, mark.hidden && !selected), list);
   }
 }
 
-void draw_dot(const PathMark& mark, bool chosen, bool numbered, ImDrawList& list) {
-  const ImU32 colour = faded(chosen ? colours::accent() : colours::kPictureText, mark.hidden && !chosen);
+void draw_dot(const PathMark& mark, bool selected, bool numbered, ImDrawList& list) {
+  const ImU32 colour = faded(selected ? colours::accent() : colours::kPictureText, mark.hidden && !selected);
   list.AddCircleFilled(to_im(mark.target), kDot + 1.8f, kMarkShade);
   list.AddCircleFilled(to_im(mark.target), kDot, colour);
   if (!numbered) return;
@@ -137,8 +137,8 @@ std::vector<PathMark> path_marks(const PathWork& path, const World& world, const
     for (size_t k = 0; k < path.strokes()[i].keys.size(); ++k, ++number) {
       const PathPoint point{i, k};
       const auto place = picture.place_of(path.target(point));
-      const bool chosen = path.chosen() == point;
-      if (!place || (before && !chosen && glm::length(*place - *before) < kMinApart)) continue;
+      const bool selected = path.selected() == point;
+      if (!place || (before && !selected && glm::length(*place - *before) < kMinApart)) continue;
       before = place;
       const bool hidden = look_for_surfaces && is_hidden(world, picture, path.target(point), *place);
       marks.push_back({point, number, *place, hidden});
@@ -148,10 +148,10 @@ std::vector<PathMark> path_marks(const PathWork& path, const World& world, const
 }
 
 std::optional<PathKnob> path_knob(const PathWork& path, const FirstPicture& picture) {
-  if (!path.chosen()) return std::nullopt;
-  const Vec3 target = path.target(*path.chosen());
-  const double distance = std::min(path.distance(*path.chosen()), kKnobEms * picture.metres_of_em(target));
-  const Vec3 at = target - path.pose(*path.chosen()).direction * distance;
+  if (!path.selected()) return std::nullopt;
+  const Vec3 target = path.target(*path.selected());
+  const double distance = std::min(path.distance(*path.selected()), kKnobEms * picture.metres_of_em(target));
+  const Vec3 at = target - path.pose(*path.selected()).direction * distance;
   const auto place = picture.place_of(at);
   if (!place || !(distance > 0)) return std::nullopt;
   return PathKnob{at, distance, *place};
@@ -168,7 +168,7 @@ std::optional<PathGrip> path_grip(const PathWork& path, const World& world, cons
     found = PathGrip{mark.point};
   }
   const auto knob = path_knob(path, picture);
-  if (knob && glm::length(knob->place - at) < least) found = PathGrip{*path.chosen(), true};
+  if (knob && glm::length(knob->place - at) < least) found = PathGrip{*path.selected(), true};
   return found;
 }
 
@@ -177,7 +177,7 @@ void draw_path(const PathWork& path, const World& world, const FirstPicture& pic
   const std::vector<PathMark> marks = path_marks(path, world, picture);
   draw_arrows(path, marks, picture, list);
   for (const PathMark& mark : marks)
-    draw_dot(mark, path.chosen() == mark.point, marks.size() <= kMaxNumbered, list);
+    draw_dot(mark, path.selected() == mark.point, marks.size() <= kMaxNumbered, list);
   if (const auto knob = path_knob(path, picture)) draw_knob(*knob, list);
 }
 
@@ -206,7 +206,7 @@ std::string PathTool::press(PathWork& path, const World& world, const ViewState&
                             bool new_stroke, const Beam& beam) {
   const FirstPicture picture(view);
   if (const auto grip = path_grip(path, world, picture, pointer); grip && !new_stroke) {
-    path.choose(grip->point);
+    path.select(grip->point);
     take(grip->is_knob ? Grip::kKnob : Grip::kTarget, false, pointer);
     return "";
   }
@@ -227,7 +227,7 @@ void PathTool::take(Grip grip, bool edits, Vec2 pointer) {
 }
 
 void PathTool::move(PathWork& path, const World& world, const ViewState& view, Vec2 pointer) {
-  if (grip_ == Grip::kNone || !path.chosen()) return;
+  if (grip_ == Grip::kNone || !path.selected()) return;
   if (glm::length(pointer - pressed_at_) < kMinDrag && !edits_) return;
   if (!edits_) path.begin_edit();
   edits_ = true;
@@ -239,7 +239,7 @@ void PathTool::move(PathWork& path, const World& world, const ViewState& view, V
 }
 
 void PathTool::drag_target(PathWork& path, const World& world, const ViewState& view, Vec2 pointer) const {
-  const PathPoint point = *path.chosen();
+  const PathPoint point = *path.selected();
   const auto surface = surface_point(world, view.look, FirstPicture(view).ray(pointer));
   if (!surface) return;
   const Vec3 before = normal_under(path, world, view, point);
@@ -252,7 +252,7 @@ void PathTool::drag_knob(PathWork& path, const ViewState& view, Vec2 pointer) co
   const FirstPicture picture(view);
   const auto knob = path_knob(path, picture);
   if (!knob) return;
-  const PathPoint point = *path.chosen();
+  const PathPoint point = *path.selected();
   const Vec3 target = path.target(point);
   const Vec3 to = dragged_around(picture, target, knob->distance, knob->at, pointer);
   const Vec3 direction = beam_direction(target - to);

@@ -55,19 +55,19 @@ void PathWork::keep_speed(size_t stroke) {
 
 void PathWork::add(const Pose& pose, double distance, bool new_stroke, double radius, double speed) {
   if (empty()) now_.speed = speed;
-  size_t stroke = chosen_ ? chosen_->stroke : now_.strokes.size() - 1;
+  size_t stroke = selected_ ? selected_->stroke : now_.strokes.size() - 1;
   if (empty() || new_stroke) {
     stroke = now_.strokes.size();
     now_.strokes.emplace_back().radius = radius;
     now_.distances.emplace_back();
   }
   const size_t keys = now_.strokes[stroke].keys.size();
-  const size_t at = chosen_ && chosen_->stroke == stroke ? chosen_->key + 1 : keys;
+  const size_t at = selected_ && selected_->stroke == stroke ? selected_->key + 1 : keys;
   insert_key(now_.strokes[stroke], at, pose);
   std::vector<double>& distances = now_.distances[stroke];
   distances.insert(distances.begin() + static_cast<std::ptrdiff_t>(at), distance);
   keep_speed(stroke);
-  chosen_ = PathPoint{stroke, at};
+  selected_ = PathPoint{stroke, at};
 }
 
 void PathWork::set(PathPoint p, const Pose& pose, double distance) {
@@ -86,15 +86,15 @@ void PathWork::remove(PathPoint p) {
   distances.erase(distances.begin() + static_cast<std::ptrdiff_t>(p.key));
   if (!stroke.keys.empty()) {
     keep_speed(p.stroke);
-    chosen_ = PathPoint{p.stroke, p.key > 0 ? p.key - 1 : 0};
+    selected_ = PathPoint{p.stroke, p.key > 0 ? p.key - 1 : 0};
     return;
   }
   now_.strokes.erase(now_.strokes.begin() + static_cast<std::ptrdiff_t>(p.stroke));
   now_.distances.erase(now_.distances.begin() + static_cast<std::ptrdiff_t>(p.stroke));
-  chosen_.reset();
+  selected_.reset();
   if (empty()) return;
   const size_t before = p.stroke > 0 ? p.stroke - 1 : 0;
-  chosen_ = PathPoint{before, now_.strokes[before].keys.size() - 1};
+  selected_ = PathPoint{before, now_.strokes[before].keys.size() - 1};
 }
 
 void PathWork::set_radius(size_t stroke, double radius) {
@@ -109,7 +109,7 @@ void PathWork::set_speed(double speed) {
 
 void PathWork::add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance,
                            double speed) {
-  if (chosen_ && now_.strokes[chosen_->stroke].keys.size() == 1) remove(*chosen_);
+  if (selected_ && now_.strokes[selected_->stroke].keys.size() == 1) remove(*selected_);
   if (empty()) now_.speed = speed;
   for (const StrokePath& stroke : strokes) {
     now_.strokes.push_back(stroke);
@@ -117,7 +117,7 @@ void PathWork::add_strokes(const std::vector<StrokePath>& strokes, const World& 
     for (const Pose& pose : stroke.keys) distances.push_back(first_hit(world, pose).value_or(distance));
     keep_speed(now_.strokes.size() - 1);
   }
-  chosen_.reset();
+  selected_.reset();
 }
 
 void PathWork::load(std::vector<StrokePath> strokes, const World& world) {
@@ -132,7 +132,7 @@ void PathWork::load(std::vector<StrokePath> strokes, const World& world) {
 
 void PathWork::replace(Version version) {
   now_ = std::move(version);
-  chosen_.reset();
+  selected_.reset();
 }
 
 void PathWork::undo() {
@@ -140,7 +140,7 @@ void PathWork::undo() {
   ++changes_;
   redone_to_.push_back(std::exchange(now_, std::move(undone_to_.back())));
   undone_to_.pop_back();
-  chosen_.reset();
+  selected_.reset();
 }
 
 void PathWork::redo() {
@@ -148,7 +148,7 @@ void PathWork::redo() {
   ++changes_;
   undone_to_.push_back(std::exchange(now_, std::move(redone_to_.back())));
   redone_to_.pop_back();
-  chosen_.reset();
+  selected_.reset();
 }
 
 namespace {

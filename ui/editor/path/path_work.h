@@ -43,10 +43,10 @@ class PathWork {
   // Returns true if the times of the points are those of the loaded file.
   bool has_times_of_file() const { return !empty() && !now_.speed; }
 
-  const std::optional<PathPoint>& chosen() const { return chosen_; }
-  void choose(std::optional<PathPoint> point) {
+  const std::optional<PathPoint>& selected() const { return selected_; }
+  void select(std::optional<PathPoint> point) {
     KERF_ASSERT(!point || has(*point));
-    chosen_ = point;
+    selected_ = point;
   }
 
   // Begins an undo step, which contains all edits until the next call.
@@ -105,7 +105,7 @@ class PathWork {
 
   Version now_;
   std::vector<Version> undone_to_, redone_to_;
-  std::optional<PathPoint> chosen_;
+  std::optional<PathPoint> selected_;
   std::filesystem::path file_;
   size_t changes_ = 0;
   std::optional<size_t> run_at_;

@@ -149,7 +149,7 @@ std::string file_name_of(const std::string& piece) {
 }
 
 std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks, const fs::path& file) {
-  const size_t chosen = chosen_pieces(looks);
+  const size_t selected = selected_count(looks);
   const bool by_name = file.filename().string().find('*') != std::string::npos;
   const bool is_obj = mesh_format(file.extension().string()) == MeshFormat::kObj;
   std::vector<PieceFile> files;
@@ -158,7 +158,7 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
     const auto look = looks.find(row.id);
     if (look == looks.end() || !look->second.selected) continue;
     fs::path mesh = file.parent_path() / replaced(file.filename().string(), file_name_of(row.name));
-    if (!by_name && chosen > 1) mesh = with_suffix(file, "-" + std::to_string(files.size() + 1));
+    if (!by_name && selected > 1) mesh = with_suffix(file, "-" + std::to_string(files.size() + 1));
     const fs::path wanted = mesh;
     for (int i = 2; !taken.insert(mesh).second; ++i) mesh = with_suffix(wanted, "-" + std::to_string(i));
     const Body& body = world.body(row.id.body);
@@ -168,8 +168,8 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
   return files;
 }
 
-Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
-                                     const std::map<std::string, Paint>& paints, const fs::path& file) {
+Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks,
+                                       const std::map<std::string, Paint>& paints, const fs::path& file) {
   const auto format = mesh_format(file.extension().string());
   if (!format) return bad_input("The name must end in " + list_mesh_endings());
   std::vector<PieceFile> files = files_to_export(world, looks, file);
@@ -185,14 +185,14 @@ Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
 std::string PieceExport::suggested_name() const {
   const PieceMap& looks = workspace_.view.look.pieces;
   const std::string ending = "." + std::string(format_row(workspace_.services.browser.format).ending);
-  if (chosen_pieces(looks) != 1) return "*" + ending;
+  if (selected_count(looks) != 1) return "*" + ending;
   for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
-    if (row.id == first_chosen(looks)) return file_name_of(row.name) + ending;
+    if (row.id == first_selected(looks)) return file_name_of(row.name) + ending;
   }
   return "piece" + ending;
 }
 
-void PieceExport::choose_file() {
+void PieceExport::select_file() {
   browse(workspace_.services.browser,
          {.title = "Export Selected",
           .verb = "Export",
@@ -214,14 +214,14 @@ void PieceExport::choose_file() {
 
 std::string PieceExport::export_to(const std::filesystem::path& file) {
   const auto written =
-      export_chosen(workspace_.world(), workspace_.view.look.pieces, workspace_.session.paints, file);
+      export_selected(workspace_.world(), workspace_.view.look.pieces, workspace_.session.paints, file);
   if (!written) return written.error().message;
   const std::string first = written->files.front().mesh.string();
   const std::string done = written->files.size() == 1 ? "Exported " + first
                                                       : std::to_string(written->files.size()) +
                                                             " pieces exported, the first: " + first;
-  workspace_.message.say(written->note ? done + ". " + *written->note + "." : done,
-                         written->note.has_value());
+  workspace_.message.show(written->note ? done + ". " + *written->note + "." : done,
+                          written->note.has_value());
   return "";
 }
 

@@ -39,18 +39,18 @@ struct ExportedPieces {
 // that a mesh file describes are written with their images in the folder of OBJ files (see SurfaceFiles). Returns bad
 // input if no piece is selected or the extension is not that of a mesh. Files written before a failure
 // remain.
-Result<ExportedPieces> export_chosen(const World& world, const PieceMap& looks,
+Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks,
                                      const std::map<std::string, Paint>& paints,
                                      const std::filesystem::path& file);
 
-// Opens a file dialog and exports the selected pieces (see export_chosen).
+// Opens a file dialog and exports the selected pieces (see export_selected).
 class PieceExport {
  public:
   // The workspace must outlive it.
   explicit PieceExport(Workspace& workspace) : workspace_(workspace) {}
 
   // Precondition: a piece is selected.
-  void choose_file();
+  void select_file();
 
  private:
   std::string suggested_name() const;

@@ -221,9 +221,9 @@ void show_at(ViewState& view, const PieceId& piece, const PieceMove::Look& at) {
 
 }  // namespace
 
-const char* why_no_move(const PieceMap& looks) {
-  if (const char* why = why_none_chosen(looks)) return why;
-  return chosen_pieces(looks) > 1 ? "Select a single piece to move it." : nullptr;
+const char* move_disabled_reason(const PieceMap& looks) {
+  if (const char* why = no_selection_reason(looks)) return why;
+  return selected_count(looks) > 1 ? "Select a single piece to move it." : nullptr;
 }
 
 const PieceMove& Moving::move() const {
@@ -232,8 +232,8 @@ const PieceMove& Moving::move() const {
 }
 
 void Moving::begin(const World& world, PieceMove::Kind kind, Vec2 pointer) {
-  KERF_ASSERT(why_no_move(view_.look.pieces) == nullptr);
-  const PieceId piece = *first_chosen(view_.look.pieces);
+  KERF_ASSERT(move_disabled_reason(view_.look.pieces) == nullptr);
+  const PieceId piece = *first_selected(view_.look.pieces);
   if (view_.spread != 0) {
     view_.spread = 0;
     spread_pieces(world, 0, view_.look);

@@ -96,7 +96,7 @@ Vec3 direction_of(PieceMove::Axis axis);
 Vec3 pivot_of(const Body& body, uint32_t label);
 
 // Returns why no piece can be moved, as a sentence, or null. Exactly one must be selected.
-const char* why_no_move(const PieceMap& looks);
+const char* move_disabled_reason(const PieceMap& looks);
 
 // Interactive move of the selected piece, previewed until confirmed. Places of the pointer are in the
 // window, in screen coordinates.
@@ -110,8 +110,8 @@ class Moving {
   // Precondition of all functions except begin() and forget(): moves().
   const PieceMove& move() const;
 
-  // Begins to move the selected piece; resets an exploded view first. Precondition: why_no_move() returns
-  // null.
+  // Begins to move the selected piece; resets an exploded view first. Precondition: move_disabled_reason()
+  // returns null.
   void begin(const World& world, PieceMove::Kind kind, Vec2 pointer);
   // Handles a key (see PieceMove::key).
   bool key(int key);

@@ -71,14 +71,14 @@ void draw_words(const Area& picture, const std::string& words, ImDrawList& list)
 }
 
 // Like pivot_shown(), but also behind the eye.
-std::optional<Vec3> turned_about(const PieceMap& looks, const std::optional<PieceMove>& move, bool picks,
-                                 const World& world) {
+std::optional<Vec3> rotated_about(const PieceMap& looks, const std::optional<PieceMove>& move, bool picks,
+                                  const World& world) {
   if (move) {
     const PieceMove::Look look = move->look();
     return look.turn * move->pivot() + look.offset;
   }
-  if (!picks || why_no_move(looks) != nullptr) return std::nullopt;
-  const PieceId piece = *first_chosen(looks);
+  if (!picks || move_disabled_reason(looks) != nullptr) return std::nullopt;
+  const PieceId piece = *first_selected(looks);
   const PieceLook& look = looks.at(piece);
   return look.turn * pivot_of(world.body(piece.body), piece.label) + look.offset;
 }
@@ -87,7 +87,7 @@ std::optional<Vec3> turned_about(const PieceMap& looks, const std::optional<Piec
 
 std::optional<Vec3> pivot_shown(const ViewState& view, const std::optional<PieceMove>& move, bool picks,
                                 const World& world) {
-  const auto pivot = turned_about(view.look.pieces, move, picks, world);
+  const auto pivot = rotated_about(view.look.pieces, move, picks, world);
   return pivot && FirstPicture(view).place_of(*pivot) ? pivot : std::nullopt;
 }
 
@@ -140,10 +140,10 @@ glm::dquat orientation_of(const Vec3& angles) {
 
 std::optional<Command> PlacementRows::draw(const World& world, const ViewState& view) {
   if (!begin_properties("placement")) return std::nullopt;
-  const char* disabled_reason = why_no_move(view.look.pieces);
+  const char* disabled_reason = move_disabled_reason(view.look.pieces);
   std::optional<Command> command;
   if (disabled_reason == nullptr) {
-    command = draw_fields(world, view, *first_chosen(view.look.pieces));
+    command = draw_fields(world, view, *first_selected(view.look.pieces));
   } else {
     draw_empty(disabled_reason);
   }
@@ -184,9 +184,9 @@ void PlacementRows::draw_empty(const char* why) {
 
 namespace {
 
-class MovingFeature : public Feature {
+class TransformFeature : public Feature {
  public:
-  explicit MovingFeature(Workspace& workspace) : workspace_(workspace) {}
+  explicit TransformFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<PanelPart> panel_parts() override {
     return {{"pieces.placement", [this] { draw_placement(); }}};
@@ -226,7 +226,7 @@ class MovingFeature : public Feature {
  private:
   class DragOfPiece : public Interaction {
    public:
-    explicit DragOfPiece(MovingFeature& feature) : feature_(feature) {}
+    explicit DragOfPiece(TransformFeature& feature) : feature_(feature) {}
     void move(const InputEvent& event) override {
       if (!over()) feature_.follow_pointer(event);
     }
@@ -236,7 +236,7 @@ class MovingFeature : public Feature {
     bool over() const override { return !feature_.moving_.moves(); }
 
    private:
-    MovingFeature& feature_;
+    TransformFeature& feature_;
   };
 
   std::optional<Vec3> pivot() const {
@@ -251,12 +251,12 @@ class MovingFeature : public Feature {
   }
   void take_key(int key);
   void confirm() {
-    if (const auto command = moving_.confirm()) workspace_.changes.ask(*command);
+    if (const auto command = moving_.confirm()) workspace_.changes.enqueue(*command);
   }
   // Cancelling the move of a copy undoes the copy.
   void cancel_move() {
     if (moves_copy_)
-      workspace_.changes.ask("Undo", [this] { workspace_.changes.step_through_history(true); });
+      workspace_.changes.enqueue("Undo", [this] { workspace_.changes.step_through_history(true); });
     moving_.end();
   }
   void duplicate();
@@ -270,7 +270,7 @@ class MovingFeature : public Feature {
 };
 
 // A piece moved by keys follows the pointer without a button; a click confirms.
-bool MovingFeature::handle_event(const InputEvent& event, bool in_picture) {
+bool TransformFeature::handle_event(const InputEvent& event, bool in_picture) {
   if (!moving_.moves()) return false;
   if (event.kind == InputEvent::Kind::kKey) {
     take_key(event.button);
@@ -289,7 +289,7 @@ bool MovingFeature::handle_event(const InputEvent& event, bool in_picture) {
 }
 
 // Enter confirms, Esc cancels, G and R switch between moving and turning; PieceMove::key handles the rest.
-void MovingFeature::take_key(int key) {
+void TransformFeature::take_key(int key) {
   switch (key) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
@@ -308,7 +308,7 @@ void MovingFeature::take_key(int key) {
   moving_.follow(workspace_.world(), workspace_.input.pointer, false);
 }
 
-std::unique_ptr<Interaction> MovingFeature::begin_interaction(const Press& press) {
+std::unique_ptr<Interaction> TransformFeature::begin_interaction(const Press& press) {
   if (!picks(workspace_.input, press)) return nullptr;
   const auto handle = handle_under(piece_handles(workspace_.view, pivot()), workspace_.input.pointer);
   if (!handle) return nullptr;
@@ -319,8 +319,8 @@ std::unique_ptr<Interaction> MovingFeature::begin_interaction(const Press& press
 }
 
 // The key moves the piece only if the Select tool is active and a piece is selected.
-UserAction MovingFeature::move_action(const char* id, const char* name, const char* key,
-                                      PieceMove::Kind kind) {
+UserAction TransformFeature::move_action(const char* id, const char* name, const char* key,
+                                         PieceMove::Kind kind) {
   return {
       .id = id,
       .name = name,
@@ -334,35 +334,35 @@ UserAction MovingFeature::move_action(const char* id, const char* name, const ch
             moving_.begin(workspace_.world(), kind, workspace_.input.pointer);
             moves_copy_ = false;
           },
-      .disabled_reason = [this] { return why_no_move(workspace_.view.look.pieces); },
+      .disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); },
       .has_key_when =
-          [this] { return workspace_.input.picks() && chosen_pieces(workspace_.view.look.pieces) > 0; }};
+          [this] { return workspace_.input.picks() && selected_count(workspace_.view.look.pieces) > 0; }};
 }
 
-UserAction MovingFeature::duplicate_action() {
+UserAction TransformFeature::duplicate_action() {
   return {.id = "pieces.duplicate",
           .name = "Duplicate",
           .shortcut = "Shift+D",
           .tip = "Adds a copy of the selected piece and moves it with the pointer.",
-          .run = [this] { workspace_.changes.ask("Duplicate", [this] { duplicate(); }); },
-          .disabled_reason = [this] { return why_no_move(workspace_.view.look.pieces); }};
+          .run = [this] { workspace_.changes.enqueue("Duplicate", [this] { duplicate(); }); },
+          .disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); }};
 }
 
 // The piece may have been hidden, and so deselected, since the request.
-void MovingFeature::duplicate() {
-  const auto piece = first_chosen(workspace_.view.look.pieces);
+void TransformFeature::duplicate() {
+  const auto piece = first_selected(workspace_.view.look.pieces);
   if (!piece) return;
   newest_before_copy_ = workspace_.world().ids().back();
   workspace_.changes.apply(DuplicatePiece{*piece, workspace_.world().body(piece->body).placement});
 }
 
 // Selects the requested copy, if it exists, and begins to move it.
-void MovingFeature::grab_copy() {
+void TransformFeature::grab_copy() {
   const std::optional<BodyId> newest_before = std::exchange(newest_before_copy_, std::nullopt);
   const std::vector<BodyId> ids = workspace_.world().ids();
   if (!newest_before || ids.empty() || ids.back() == *newest_before) return;
   const Records<Piece>& pieces = workspace_.world().body(ids.back()).pieces;
-  choose_none(workspace_.view.look.pieces);
+  deselect_all(workspace_.view.look.pieces);
   for (uint32_t label = 0; label < pieces.size(); ++label) {
     if (pieces[label].faces > 0) workspace_.view.look.pieces[{ids.back(), label}].selected = true;
   }
@@ -371,15 +371,15 @@ void MovingFeature::grab_copy() {
   workspace_.view.picture_old = true;
 }
 
-void MovingFeature::draw_placement() {
+void TransformFeature::draw_placement() {
   if (const auto command = placement_.draw(workspace_.world(), workspace_.view))
-    workspace_.changes.ask(*command);
+    workspace_.changes.enqueue(*command);
 }
 
 }  // namespace
 
-std::unique_ptr<Feature> moving_feature(Workspace& workspace) {
-  return std::make_unique<MovingFeature>(workspace);
+std::unique_ptr<Feature> transform_feature(Workspace& workspace) {
+  return std::make_unique<TransformFeature>(workspace);
 }
 
 }  // namespace kerf

@@ -55,7 +55,7 @@ bool touches(const RubberBand& band, const Corners& corners) {
 class PiecesOfBody {
  public:
   PiecesOfBody(BodyId id, const Body& body, const ViewOptions& options)
-      : body_(body), looks_(id, options), decided_(body.pieces.size()), chosen_(body.pieces.size()) {
+      : body_(body), looks_(id, options), decided_(body.pieces.size()), selected_(body.pieces.size()) {
     for (uint32_t label = 0; label < body.pieces.size(); ++label) decided_[label] = looks_.of(label).hidden;
   }
 
@@ -67,14 +67,14 @@ class PiecesOfBody {
       if (decided_[label]) continue;
       const std::optional<Corners> seen =
           corners_of(FaceId(f), looks_.of(body_.mesh, FaceId(f)).offset, view);
-      if (!touching) chosen_[label] = true;
+      if (!touching) selected_[label] = true;
       const bool in = seen && (touching ? touches(band, *seen) : contains(band, *seen));
       if (in != touching) continue;
       decided_[label] = true;
-      chosen_[label] = touching;
+      selected_[label] = touching;
     }
   }
-  bool chosen(uint32_t label) const { return chosen_[label]; }
+  bool selected(uint32_t label) const { return selected_[label]; }
 
  private:
   // Returns nullopt if a corner lies behind the eye.
@@ -91,7 +91,7 @@ class PiecesOfBody {
 
   const Body& body_;
   BodyLooks looks_;
-  std::vector<char> decided_, chosen_;  // by label
+  std::vector<char> decided_, selected_;  // by label
 };
 
 void draw_dashes(Vec2 from, Vec2 to, ImU32 colour, ImDrawList& list) {
@@ -114,7 +114,7 @@ std::vector<PieceId> pieces_in(const RubberBand& band, const World& world, const
     PiecesOfBody pieces(id, body, look);
     pieces.look(band, view);
     for (uint32_t label = 0; label < body.pieces.size(); ++label) {
-      if (pieces.chosen(label)) found.push_back({id, label});
+      if (pieces.selected(label)) found.push_back({id, label});
     }
   }
   return found;
@@ -144,9 +144,9 @@ class PressOnPieces : public Interaction {
   void release(const InputEvent& event) override {
     const bool add = (event.mods & GLFW_MOD_SHIFT) != 0;
     if (boxes_) {
-      choose_in_box(add);
+      select_in_box(add);
     } else {
-      choose_under_pointer(workspace_, add);
+      select_under_pointer(workspace_, add);
     }
   }
   bool cancel() override { return boxes_; }
@@ -158,10 +158,10 @@ class PressOnPieces : public Interaction {
   }
 
  private:
-  void choose_in_box(bool add) {
-    if (workspace_.view.in_second) return workspace_.message.say("Select pieces in the left half.", true);
+  void select_in_box(bool add) {
+    if (workspace_.view.in_second) return workspace_.message.error("Select pieces in the left half.");
     PieceMap& looks = workspace_.view.look.pieces;
-    if (!add) choose_none(looks);
+    if (!add) deselect_all(looks);
     const RubberBand band{workspace_.view.in_picture(pressed_at_),
                           workspace_.view.in_picture(workspace_.input.pointer)};
     for (const PieceId& id :
@@ -204,7 +204,7 @@ std::vector<PieceId> Isolation::to_show_again() const {
 
 const char* Isolation::disabled_reason() const {
   if (!to_show_again().empty()) return nullptr;
-  if (const char* why = why_none_chosen(workspace_.view.look.pieces)) return why;
+  if (const char* why = no_selection_reason(workspace_.view.look.pieces)) return why;
   return other_pieces(workspace_.world(), workspace_.view.look.pieces).empty() ? "All pieces are selected."
                                                                                : nullptr;
 }

@@ -54,8 +54,8 @@ class PiecesFeature : public Feature {
     return picks(workspace_.input, press) ? press_on_pieces(workspace_) : nullptr;
   }
   bool clear_selection() override {
-    const bool any = chosen_pieces(workspace_.view.look.pieces) > 0;
-    choose_none(workspace_.view.look.pieces);
+    const bool any = selected_count(workspace_.view.look.pieces) > 0;
+    deselect_all(workspace_.view.look.pieces);
     workspace_.view.picture_old = workspace_.view.picture_old || any;
     return any;
   }
@@ -76,7 +76,7 @@ class PiecesFeature : public Feature {
     list_.forget_rename();
   }
   void write_session_log(nlohmann::ordered_json& report) const override {
-    report["pieces_chosen"] = chosen_pieces(workspace_.view.look.pieces);
+    report["pieces_chosen"] = selected_count(workspace_.view.look.pieces);
     report["pieces_hidden"] = hidden_pieces(workspace_.view.look.pieces).size();
     report["spread"] = workspace_.view.spread;
   }
@@ -84,7 +84,7 @@ class PiecesFeature : public Feature {
  private:
   std::vector<UserAction> piece_actions();
   std::vector<UserAction> shown_actions();
-  std::vector<UserAction> pieces_to_choose();
+  std::vector<UserAction> pieces_to_select();
   UserAction spread_action(const char* id, const char* name, double by);
   UserAction export_action();
 
@@ -92,13 +92,13 @@ class PiecesFeature : public Feature {
   void draw_buttons();
   void draw_spread(bool one_piece);
 
-  void choose_all();
-  void ask_to_hide();
-  void ask_to_show();
-  void rename_chosen();
-  bool change_chosen(const std::function<Command(const PieceId&)>& command_for);
+  void select_all();
+  void request_hide();
+  void request_show();
+  void rename_selected();
+  bool change_selected(const std::function<Command(const PieceId&)>& command_for);
   void show_hidden();
-  const char* why_none_hidden() const {
+  const char* none_hidden_reason() const {
     return hidden_pieces(workspace_.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
   }
 
@@ -112,29 +112,29 @@ class PiecesFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 std::vector<UserAction> PiecesFeature::piece_actions() {
-  const auto why_none = [this] { return why_none_chosen(workspace_.view.look.pieces); };
-  const auto why_no_rename = [this]() -> const char* {
-    if (const char* why = why_none_chosen(workspace_.view.look.pieces)) return why;
-    return chosen_pieces(workspace_.view.look.pieces) > 1 ? "Select a single piece to rename it." : nullptr;
+  const auto no_emitter_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); };
+  const auto rename_disabled_reason = [this]() -> const char* {
+    if (const char* why = no_selection_reason(workspace_.view.look.pieces)) return why;
+    return selected_count(workspace_.view.look.pieces) > 1 ? "Select a single piece to rename it." : nullptr;
   };
   return {
       UserAction{.id = "pieces.select_all",
                  .name = "Select All",
                  .shortcut = "Ctrl+A",
                  .tip = "Selects all visible pieces.",
-                 .run = [this] { choose_all(); }},
+                 .run = [this] { select_all(); }},
       UserAction{.id = "pieces.hide",
                  .name = "Hide Selected",
                  .shortcut = "H",
                  .tip = "Hides the selected pieces; the beam does not cut them.",
-                 .run = [this] { ask_to_hide(); },
-                 .disabled_reason = why_none},
+                 .run = [this] { request_hide(); },
+                 .disabled_reason = no_emitter_reason},
       UserAction{.id = "pieces.show_all",
                  .name = "Show All",
                  .shortcut = "Shift+H",
                  .tip = "Shows the hidden pieces again.",
-                 .run = [this] { ask_to_show(); },
-                 .disabled_reason = [this] { return why_none_hidden(); }},
+                 .run = [this] { request_show(); },
+                 .disabled_reason = [this] { return none_hidden_reason(); }},
       UserAction{.id = "pieces.isolate",
                  .name = "Isolate Selected",
                  .shortcut = "/",
@@ -142,17 +142,17 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                  .tip = "Hides all other pieces; repeat to show them again.",
                  .run =
                      [this] {
-                       workspace_.changes.ask({.name = "Isolate pieces",
-                                               .run = [this] { return isolation_.change(), true; },
-                                               .is_one = true});
+                       workspace_.changes.enqueue({.name = "Isolate pieces",
+                                                   .run = [this] { return isolation_.change(), true; },
+                                                   .is_one = true});
                      },
                  .disabled_reason = [this] { return isolation_.disabled_reason(); }},
       UserAction{.id = "pieces.rename",
                  .name = "Rename...",
                  .shortcut = "F2",
                  .tip = "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
-                 .run = [this] { rename_chosen(); },
-                 .disabled_reason = why_no_rename},
+                 .run = [this] { rename_selected(); },
+                 .disabled_reason = rename_disabled_reason},
       UserAction{
           .id = "pieces.delete",
           .name = "Delete Selected",
@@ -160,12 +160,13 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
           .tip = "Removes the selected pieces from the scene.",
           .run =
               [this] {
-                workspace_.changes.ask(
+                workspace_.changes.enqueue(
                     {.name = "Delete pieces",
-                     .run = [this] { return change_chosen([](const PieceId& p) { return DeletePiece{p}; }); },
+                     .run =
+                         [this] { return change_selected([](const PieceId& p) { return DeletePiece{p}; }); },
                      .is_one = true});
               },
-          .disabled_reason = why_none},
+          .disabled_reason = no_emitter_reason},
   };
 }
 
@@ -174,18 +175,18 @@ UserAction PiecesFeature::export_action() {
           .name = "Export Selected...",
           .shortcut = "Ctrl+E",
           .tip = "Writes the selected pieces to mesh files, in world space.",
-          .run = [this] { export_.choose_file(); },
-          .disabled_reason = [this] { return why_none_chosen(workspace_.view.look.pieces); }};
+          .run = [this] { export_.select_file(); },
+          .disabled_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); }};
 }
 
-std::vector<UserAction> PiecesFeature::pieces_to_choose() {
+std::vector<UserAction> PiecesFeature::pieces_to_select() {
   std::vector<UserAction> actions;
   PieceMap& looks = workspace_.view.look.pieces;
   for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
     if (actions.size() >= kMaxNamed) break;
     actions.push_back({.name = row.name, .tip = "Selects only this piece."});
     actions.back().run = [this, &looks, id = row.id] {
-      choose_none(looks);
+      deselect_all(looks);
       looks[id].selected = true;
       workspace_.view.picture_old = true;
     };
@@ -208,7 +209,7 @@ UserAction PiecesFeature::spread_action(const char* id, const char* name, double
 std::vector<UserAction> PiecesFeature::shown_actions() {
   return {
       UserAction{
-          .id = "pieces.select_one", .name = "Select Pieces", .items = [this] { return pieces_to_choose(); }},
+          .id = "pieces.select_one", .name = "Select Pieces", .items = [this] { return pieces_to_select(); }},
       spread_action("pieces.explode_more", "Explode More", kSpreadStep),
       spread_action("pieces.explode_less", "Explode Less", -kSpreadStep),
   };
@@ -219,27 +220,28 @@ std::vector<UserAction> PiecesFeature::shown_actions() {
 
 void PiecesFeature::draw_list() {
   list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces),
-             [this] { ask_to_hide(); });
+             [this] { request_hide(); });
   draw_buttons();
 }
 
 void PiecesFeature::draw_buttons() {
-  const char* why_none = chosen_pieces(workspace_.view.look.pieces) > 0
-                             ? nullptr
-                             : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
+  const char* no_emitter_reason =
+      selected_count(workspace_.view.look.pieces) > 0
+          ? nullptr
+          : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
   const auto told = [&](const char* meaning, const char* action) {
     return with_shortcut(workspace_.view, meaning, action);
   };
-  if (row_button("Hide", 3, why_none, told("Hides the selected pieces.", "pieces.hide").c_str()))
-    ask_to_hide();
+  if (row_button("Hide", 3, no_emitter_reason, told("Hides the selected pieces.", "pieces.hide").c_str()))
+    request_hide();
   ImGui::SameLine();
-  if (row_button("Show All", 3, why_none_hidden(),
+  if (row_button("Show All", 3, none_hidden_reason(),
                  told("Shows the hidden pieces again.", "pieces.show_all").c_str()))
-    ask_to_show();
+    request_show();
   ImGui::SameLine();
-  if (row_button("Export", 3, why_none,
+  if (row_button("Export", 3, no_emitter_reason,
                  told("Writes the selected pieces to mesh files.", "pieces.export").c_str()))
-    export_.choose_file();
+    export_.select_file();
 }
 
 void PiecesFeature::draw_spread(bool one_piece) {
@@ -261,7 +263,7 @@ void PiecesFeature::draw_spread(bool one_piece) {
 // Changes
 // --------------------------------------------------------------------------------------------------------
 
-void PiecesFeature::choose_all() {
+void PiecesFeature::select_all() {
   for (const PieceRow& row : list_pieces(workspace_.world())) {
     PieceLook& look = workspace_.view.look.pieces[row.id];
     look.selected = !look.hidden;
@@ -269,29 +271,30 @@ void PiecesFeature::choose_all() {
   workspace_.view.picture_old = true;
 }
 
-void PiecesFeature::ask_to_hide() {
-  workspace_.changes.ask(
+void PiecesFeature::request_hide() {
+  workspace_.changes.enqueue(
       {.name = "Hide pieces",
-       .run = [this] { return change_chosen([](const PieceId& piece) {
+       .run = [this] { return change_selected([](const PieceId& piece) {
                          return HidePiece{piece, true};
                        }); },
        .is_one = true});
 }
 
-void PiecesFeature::ask_to_show() {
-  workspace_.changes.ask({.name = "Show All", .run = [this] { return show_hidden(), true; }, .is_one = true});
+void PiecesFeature::request_show() {
+  workspace_.changes.enqueue(
+      {.name = "Show All", .run = [this] { return show_hidden(), true; }, .is_one = true});
 }
 
-void PiecesFeature::rename_chosen() {
-  KERF_ASSERT(chosen_pieces(workspace_.view.look.pieces) == 1);
+void PiecesFeature::rename_selected() {
+  KERF_ASSERT(selected_count(workspace_.view.look.pieces) == 1);
   workspace_.services.panels.reveal(kPiecesPanel);
-  list_.rename(*first_chosen(workspace_.view.look.pieces));
+  list_.rename(*first_selected(workspace_.view.look.pieces));
 }
 
 // Changes the pieces one by one, because a command may move a piece to another body. Returns false if some
 // are left because a change became pending.
-bool PiecesFeature::change_chosen(const std::function<Command(const PieceId&)>& command_for) {
-  while (const auto piece = first_chosen(workspace_.view.look.pieces)) {
+bool PiecesFeature::change_selected(const std::function<Command(const PieceId&)>& command_for) {
+  while (const auto piece = first_selected(workspace_.view.look.pieces)) {
     if (workspace_.changes.is_pending()) return false;
     workspace_.view.look.pieces[*piece].selected = false;
     workspace_.changes.apply(command_for(*piece));

@@ -42,8 +42,8 @@ Cell cell(const char* id, const char* meaning) {
 }
 
 // Draws default states in a quiet colour, so that others stand out.
-ImU32 colour_of(const Cell& cell, bool stands_out) {
-  return cell.hovered || stands_out ? colours::text() : colours::secondary();
+ImU32 colour_of(const Cell& cell, bool is_emphasised) {
+  return cell.hovered || is_emphasised ? colours::text() : colours::secondary();
 }
 
 void draw_eye(const Cell& cell, bool open) {
@@ -176,9 +176,9 @@ std::vector<Listed> rows_to_list(const SortedPieces& sorted, bool specks_unfolde
   return listed;
 }
 
-void choose_only(ViewState& view, const std::vector<PieceRow>& rows) {
-  choose_none(view.look.pieces);
-  for (const PieceRow& row : rows) choose_piece(view.look.pieces, row.id, true);
+void select_only(ViewState& view, const std::vector<PieceRow>& rows) {
+  deselect_all(view.look.pieces);
+  for (const PieceRow& row : rows) select_piece(view.look.pieces, row.id, true);
   view.picture_old = true;
 }
 
@@ -226,7 +226,7 @@ void PiecesList::take_new_name(WorldChanges& changes) {
   const PieceId piece = *std::exchange(renamed_, std::nullopt);
   take_focus_ = false;
   const std::string name = new_name_.data();
-  if (!name.empty() && name != old_name_) changes.ask(RenamePiece{piece, name});
+  if (!name.empty() && name != old_name_) changes.enqueue(RenamePiece{piece, name});
 }
 
 void PiecesList::forget_rename() {
@@ -241,7 +241,7 @@ void PiecesList::end_hidden_edit(Workspace& workspace) {
   if (renamed_ && !take_focus_ && !drawn) return take_new_name(workspace.changes);
   if (!awaits_focus() || ++unseen_frames_ <= kMaxUnseenFrames) return;
   forget_rename();
-  workspace.message.say("The list of pieces does not fit: enlarge the window to rename a piece.", true);
+  workspace.message.error("The list of pieces does not fit: enlarge the window to rename a piece.");
 }
 
 void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook& look) {
@@ -261,17 +261,17 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
   }
   if (look.hidden || renamed_) return;
   const ImGuiIO& io = ImGui::GetIO();
-  choose_piece(view.look.pieces, row.id, io.KeyCtrl || io.KeyShift);
+  select_piece(view.look.pieces, row.id, io.KeyCtrl || io.KeyShift);
   view.picture_old = true;
 }
 
 void PiecesList::draw_switches(WorldChanges& changes, const PieceRow& row, bool hidden) {
   if (eye_switch(!hidden, hidden ? "Shows this piece again." : "Hides this piece; the beam does not cut it."))
-    changes.ask(HidePiece{row.id, !hidden});
+    changes.enqueue(HidePiece{row.id, !hidden});
   mark_last_item(("eye " + row.name).c_str());
   if (pin_switch(row.pinned, row.pinned ? "Releases this piece so that it moves again."
                                         : "Fixes this piece in place while others move."))
-    changes.ask(PinPiece{row.id, !row.pinned});
+    changes.enqueue(PinPiece{row.id, !row.pinned});
   mark_last_item(("pin " + row.name).c_str());
 }
 
@@ -298,36 +298,37 @@ void PiecesList::draw_row(Workspace& workspace, const PieceRow& row, bool is_fol
 }
 
 void PiecesList::draw_specks(ViewState& view, const std::vector<PieceRow>& specks,
-                             const HideChosen& hide_chosen) {
+                             const HideChosen& hide_selected) {
   size_t faces = 0;
   double area = 0;
-  bool chosen = false;
+  bool selected = false;
   for (const PieceRow& row : specks) {
     faces += row.faces;
     area += row.area;
-    chosen = chosen || look_of(view, row.id).selected;
+    selected = selected || look_of(view, row.id).selected;
   }
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::SetNextItemOpen(specks_unfolded_, ImGuiCond_Always);
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
+  if (selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   const std::string label = grouped(specks.size()) + " specks###specks";
   specks_unfolded_ = ImGui::TreeNodeEx(
       label.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
-  if (chosen) ImGui::PopStyleColor();
+  if (selected) ImGui::PopStyleColor();
   mark_last_item("specks");
   tooltip("Pieces smaller than an eighth of the beam's cross-section when cut off. Click to list them.");
   draw_statistics(faces, area, view.frame.unit);
   if (eye_switch(true, "Hides all specks; the beam does not cut them.")) {
-    choose_only(view, specks);
-    hide_chosen();
+    select_only(view, specks);
+    hide_selected();
   }
 }
 
-void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted, const HideChosen& hide_chosen) {
+void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted,
+                           const HideChosen& hide_selected) {
   const std::vector<Listed> listed = rows_to_list(sorted, specks_unfolded_);
   const auto draw_one = [&](const Listed& each) {
-    if (each.row == nullptr) return draw_specks(workspace.view, sorted.specks, hide_chosen);
+    if (each.row == nullptr) return draw_specks(workspace.view, sorted.specks, hide_selected);
     draw_row(workspace, *each.row, each.is_folded);
   };
   // A field that needs the focus must be drawn even if it is scrolled out of view.
@@ -339,16 +340,16 @@ void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted, con
 }
 
 void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
-                      const HideChosen& hide_chosen) {
+                      const HideChosen& hide_selected) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
-  const SortedPieces sorted = set_specks_apart(rows, specks(workspace.session.document));
+  const SortedPieces sorted = separate_specks(rows, specks(workspace.session.document));
   begin_asked_rename(sorted);
   const size_t count = rows_to_list(sorted, specks_unfolded_).size();
   const float height = height_of_rows(std::min(count, kRowsInSight) + 1);
   if (!ImGui::BeginTable("pieces", 4, kList, {0, height})) return;
   set_up_columns(rows, workspace.view.frame.unit);
-  draw_rows(workspace, sorted, hide_chosen);
+  draw_rows(workspace, sorted, hide_selected);
   ImGui::EndTable();
 }
 

@@ -25,7 +25,7 @@ class PiecesList {
  public:
   using HideChosen = std::function<void()>;
 
-  void draw(Workspace& workspace, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen);
+  void draw(Workspace& workspace, const std::vector<PieceRow>& rows, const HideChosen& hide_selected);
   // Makes the next draw() edit the name of this piece.
   void rename(const PieceId& piece) {
     asked_ = piece;
@@ -39,9 +39,9 @@ class PiecesList {
   void end_hidden_edit(Workspace& workspace);
 
  private:
-  void draw_rows(Workspace& workspace, const SortedPieces& sorted, const HideChosen& hide_chosen);
+  void draw_rows(Workspace& workspace, const SortedPieces& sorted, const HideChosen& hide_selected);
   void draw_row(Workspace& workspace, const PieceRow& row, bool is_folded);
-  void draw_specks(ViewState& view, const std::vector<PieceRow>& specks, const HideChosen& hide_chosen);
+  void draw_specks(ViewState& view, const std::vector<PieceRow>& specks, const HideChosen& hide_selected);
   void draw_name(ViewState& view, const PieceRow& row, const PieceLook& look);
   void draw_switches(WorldChanges& changes, const PieceRow& row, bool hidden);
   void begin_rename(const PieceRow& row);

@@ -51,7 +51,7 @@ void rename(Command& command, const Delta& delta) {
 
 std::vector<PieceRow> pieces_to_prepare(const World& world, const PieceMap& looks) {
   std::vector<PieceRow> rows = list_pieces(world, looks);
-  if (chosen_pieces(looks) == 0) return rows;
+  if (selected_count(looks) == 0) return rows;
   std::erase_if(rows, [&](const PieceRow& row) {
     const auto look = looks.find(row.id);
     return look == looks.end() || !look->second.selected;
@@ -87,7 +87,7 @@ const char* preparation_title(Preparation::Tool tool) {
   return tool == Preparation::Tool::kSmooth ? "Smoothing" : "Simplifying";
 }
 
-const char* why_no_preparation(std::span<const PieceRow> pieces, const Preparation& p) {
+const char* prepare_disabled_reason(std::span<const PieceRow> pieces, const Preparation& p) {
   const FaceForecast faces = forecast(pieces, p);
   if (faces.before == 0) return "There are no faces.";
   if (p.tool == Preparation::Tool::kSubdivide && *faces.after > kMaxFaces)
@@ -99,7 +99,7 @@ const char* why_no_preparation(std::span<const PieceRow> pieces, const Preparati
 
 Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, const Preparation& preparation,
                        const Progress* progress) {
-  KERF_ASSERT(why_no_preparation(pieces, preparation) == nullptr);
+  KERF_ASSERT(prepare_disabled_reason(pieces, preparation) == nullptr);
   const FaceForecast faces = forecast(pieces, preparation);
   std::vector<Command> commands;
   std::vector<double> shares;  // of the run time
@@ -151,11 +151,11 @@ std::vector<Triangle> surface_of(const World& world, const PieceId& piece) {
 }
 
 void add_statistics(std::span<const Triangle> surface, Preview::Statistics& statistics) {
-  double largest = std::cos(radians_of(statistics.least_angle));
+  double largest = std::cos(radians_of(statistics.min_angle));
   if (statistics.faces == 0) largest = -1;
   for (const Triangle& t : surface) largest = std::max(largest, largest_cosine(t));
   statistics.faces += surface.size();
-  statistics.least_angle = degrees_of(std::acos(std::clamp(largest, -1.0, 1.0)));
+  statistics.min_angle = degrees_of(std::acos(std::clamp(largest, -1.0, 1.0)));
 }
 
 // Returns the edges of the faces of a piece as pairs of vertices, each once.
@@ -197,8 +197,9 @@ DrawnWire::Part wire_of(const World& world, const PieceId& made, const PieceId& 
 
 }  // namespace
 
-const char* why_no_preview(const World& world, std::span<const PieceRow> pieces, const Preparation& p) {
-  if (const char* why = why_no_preparation(pieces, p)) return why;
+const char* preview_disabled_reason(const World& world, std::span<const PieceRow> pieces,
+                                    const Preparation& p) {
+  if (const char* why = prepare_disabled_reason(pieces, p)) return why;
   if (world.live_faces() > kMaxFacesToPreview) return "No preview: the scene has more than 400 000 faces.";
   if (forecast(pieces, p).after.value_or(0) > kMaxFacesPreviewed)
     return "No preview: the result would exceed 1 600 000 faces.";
@@ -207,7 +208,7 @@ const char* why_no_preview(const World& world, std::span<const PieceRow> pieces,
 
 Result<Preview> make_preview(const World& world, std::span<const PieceRow> pieces, const Preparation& p,
                              const Progress& progress) {
-  KERF_ASSERT(why_no_preview(world, pieces, p) == nullptr);
+  KERF_ASSERT(preview_disabled_reason(world, pieces, p) == nullptr);
   ProgressShares shares(&progress);
   const Progress preparing = shares.next(0.6), measuring = shares.next(0.4);
   Document document(world);
@@ -238,7 +239,7 @@ LivePreview::~LivePreview() {
 }
 
 void LivePreview::follow(const World& world, const std::vector<PieceRow>& pieces, const Preparation& wanted) {
-  KERF_ASSERT(why_no_preview(world, pieces, wanted) == nullptr);
+  KERF_ASSERT(preview_disabled_reason(world, pieces, wanted) == nullptr);
   wait(0);
   Wanted now{{}, wanted};
   for (const PieceRow& row : pieces) now.pieces.push_back(row.id);

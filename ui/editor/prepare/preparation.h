@@ -45,11 +45,11 @@ inline constexpr size_t kQuickToPrepare = 2000;
 const char* preparation_title(Preparation::Tool tool);
 
 // Returns why these pieces cannot be prepared, as a sentence, or null.
-const char* why_no_preparation(std::span<const PieceRow> pieces, const Preparation& preparation);
+const char* prepare_disabled_reason(std::span<const PieceRow> pieces, const Preparation& preparation);
 
 // Applies the commands of a preparation to the pieces in turn; a target number of faces is shared among
 // them. If one fails or is stopped, all previous ones are undone. `progress` may be null. Precondition:
-// why_no_preparation() returns null.
+// prepare_disabled_reason() returns null.
 Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, const Preparation& preparation,
                        const Progress* progress);
 
@@ -57,7 +57,7 @@ Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, con
 struct Preview {
   struct Statistics {
     size_t faces = 0;
-    double least_angle = 0;  // [degrees]
+    double min_angle = 0;  // [degrees]
   };
   Statistics before, after;
   double distance = 0;                    // max. of both directions [m], see surface_distance()
@@ -68,11 +68,11 @@ struct Preview {
 inline constexpr size_t kMaxFacesToPreview = 400'000, kMaxFacesPreviewed = 1'600'000;
 
 // Returns why there is no preview, as a sentence, or null.
-const char* why_no_preview(const World& world, std::span<const PieceRow> pieces,
-                           const Preparation& preparation);
+const char* preview_disabled_reason(const World& world, std::span<const PieceRow> pieces,
+                                    const Preparation& preparation);
 
 // Applies the commands of the preparation to a copy of the world and measures the result. Fails like
-// prepare_pieces(), also if it is stopped. Precondition: why_no_preview() returns null.
+// prepare_pieces(), also if it is stopped. Precondition: preview_disabled_reason() returns null.
 Result<Preview> make_preview(const World& world, std::span<const PieceRow> pieces,
                              const Preparation& preparation, const Progress& progress);
 
@@ -87,7 +87,7 @@ class LivePreview {
 
   // Call once per frame: begins a preview if another one is requested than the one shown or in progress, and
   // takes a finished one. The old preview stays visible meanwhile if only a number of the preparation
-  // differs. Precondition: why_no_preview() returns null.
+  // differs. Precondition: preview_disabled_reason() returns null.
   void follow(const World& world, const std::vector<PieceRow>& pieces, const Preparation& wanted);
   // Hides the preview and cancels the work, because the world was replaced or no preview is requested.
   void drop();

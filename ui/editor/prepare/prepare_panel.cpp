@@ -51,7 +51,7 @@ void draw_statistics(const Preview& preview, FileUnit unit) {
   }
   const Preview::Statistics &before = preview.before, &after = preview.after;
   draw_row({"Faces", grouped(before.faces), grouped(after.faces), "Number of faces of the pieces."});
-  draw_row({"Least angle", angle_text(before.least_angle), angle_text(after.least_angle),
+  draw_row({"Least angle", angle_text(before.min_angle), angle_text(after.min_angle),
             "Smallest angle of all these faces."});
   draw_row({"Distance", "", preview.distance > 0 ? length_label(preview.distance, unit) : "none",
             "Maximum distance between the old and the new surface, measured both ways."});
@@ -99,7 +99,7 @@ const char* button_name(PrepareTool tool) {
 }  // namespace
 
 std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks) {
-  if (chosen_pieces(looks) == 0) return "All pieces";
+  if (selected_count(looks) == 0) return "All pieces";
   return pieces.size() == 1 ? pieces[0].name : std::to_string(pieces.size()) + " selected pieces";
 }
 
@@ -181,9 +181,9 @@ bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
     end_properties();
   }
   const Preparation wanted = with_numbers(preparation, pieces, world);
-  draw_preview(preview, why_no_preview(world, pieces, wanted), view.frame.unit, previewed);
+  draw_preview(preview, preview_disabled_reason(world, pieces, wanted), view.frame.unit, previewed);
   ImGui::TextWrapped("%s", forecast_text(pieces, wanted, view.frame.unit).c_str());
-  const bool pressed = row_button(button_name(wanted.tool), 1, why_no_preparation(pieces, wanted),
+  const bool pressed = row_button(button_name(wanted.tool), 1, prepare_disabled_reason(pieces, wanted),
                                   "Replaces the mesh of each piece, as one undo entry.");
   mark_last_item("prepare");
   return pressed;
@@ -201,7 +201,7 @@ class PrepareFeature : public Feature {
     return {{kPreparePanel, [this] {
                if (panel_.draw(workspace_.world(), workspace_.view, preparation_, preview_,
                                workspace_.settings.prepare_preview))
-                 ask();
+                 request_preparation();
              }}};
   }
   std::vector<UserAction> actions() override {
@@ -221,8 +221,8 @@ class PrepareFeature : public Feature {
         UserAction{.id = "prepare.apply",
                    .name = "Prepare Mesh",
                    .tip = "Applies the Prepare panel to the selected pieces, or to all.",
-                   .run = [this] { ask(); },
-                   .disabled_reason = [this] { return why_no_preparation(pieces(), wanted()); }},
+                   .run = [this] { request_preparation(); },
+                   .disabled_reason = [this] { return prepare_disabled_reason(pieces(), wanted()); }},
         UserAction{
             .id = "prepare.preview",
             .name = "Preview Preparation",
@@ -261,15 +261,15 @@ class PrepareFeature : public Feature {
   }
   Preparation wanted() const { return with_numbers(preparation_, pieces(), workspace_.world()); }
 
-  void ask() {
-    workspace_.changes.ask({.name = preparation_title(preparation_.tool),
-                            .run = [this, wanted = wanted()] { return prepare(wanted), true; },
-                            .is_one = true});
+  void request_preparation() {
+    workspace_.changes.enqueue({.name = preparation_title(preparation_.tool),
+                                .run = [this, wanted = wanted()] { return prepare(wanted), true; },
+                                .is_one = true});
   }
   // Prepares all pieces, or none if one fails or the user stops it.
   void prepare(const Preparation& wanted) {
     const std::vector<PieceRow> pieces = this->pieces();
-    if (why_no_preparation(pieces, wanted) != nullptr) return;  // the selection has changed since
+    if (prepare_disabled_reason(pieces, wanted) != nullptr) return;  // the selection has changed since
     cancel_stroke(workspace_);
     const FaceForecast faces = forecast(pieces, wanted);
     const bool quick = std::max(faces.before, faces.after.value_or(0)) <= kQuickToPrepare;
@@ -284,7 +284,7 @@ class PrepareFeature : public Feature {
     const Document& document = workspace_.session.document;
     const bool queued = document.waiting() > 0 && !document.queue().only_cools();
     return !workspace_.links.plays && !workspace_.cutting() && !queued && !workspace_.changes.is_pending() &&
-           !workspace_.changes.is_asked() && !workspace_.opening.loader.busy();
+           !workspace_.changes.has_requests() && !workspace_.opening.loader.busy();
   }
 
   Workspace& workspace_;
@@ -298,7 +298,7 @@ void PrepareFeature::after_queue(double) {
       workspace_.settings.prepare_preview && workspace_.services.panels.shows(kPreparePanel) && world_rests();
   const std::vector<PieceRow> pieces = seen ? this->pieces() : std::vector<PieceRow>();
   const Preparation preparation = with_numbers(preparation_, pieces, workspace_.world());
-  if (!seen || why_no_preview(workspace_.world(), pieces, preparation) != nullptr) {
+  if (!seen || preview_disabled_reason(workspace_.world(), pieces, preparation) != nullptr) {
     preview_.drop();
   } else {
     preview_.follow(workspace_.world(), pieces, preparation);
@@ -314,7 +314,7 @@ void PrepareFeature::write_session_log(nlohmann::ordered_json& report) const {
   const Preview* shown = preview_.shown();
   if (shown == nullptr) return;
   report["preview"] = {{"faces", shown->after.faces},
-                       {"least_angle", shown->after.least_angle},
+                       {"least_angle", shown->after.min_angle},
                        {"distance", shown->distance},
                        {"edges", 0}};
   size_t edges = 0;

@@ -45,8 +45,8 @@ constexpr std::chrono::milliseconds kBetweenCopies(250);
 constexpr int kCopyShare = 8;  // inverse of the maximum share of time for copies
 
 // Is never stopped, so it does not fail.
-CutSoFar copy_of(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
-  CutSoFar copy{scene, world, {}};
+PartialReplay copy_of(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
+  PartialReplay copy{scene, world, {}};
   for (const BodyId id : world.ids()) copy.prepared.emplace(id, prepare_shading(world.body(id), shadings));
   const Status cast = prepare_shadows(world, copy.prepared, nullptr);
   KERF_ASSERT(cast.ok());
@@ -60,18 +60,18 @@ void LoadNews::show(const SceneDescription& scene, const World& world, const Loa
   if (!watched_ || began < next_ || world.live_faces() > Document::kMaxFacesToCopy) return;
   {
     const std::lock_guard lock(mutex_);
-    if (so_far_) return;
+    if (partial_replay_) return;
   }
-  CutSoFar copy = copy_of(scene, world, shadings);
+  PartialReplay copy = copy_of(scene, world, shadings);
   const Clock::time_point ended = Clock::now();
   next_ = ended + std::max<Clock::duration>(kBetweenCopies, kCopyShare * (ended - began));
   const std::lock_guard lock(mutex_);
-  so_far_ = std::move(copy);
+  partial_replay_ = std::move(copy);
 }
 
-std::optional<CutSoFar> LoadNews::take() {
+std::optional<PartialReplay> LoadNews::take() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(so_far_, std::nullopt);
+  return std::exchange(partial_replay_, std::nullopt);
 }
 
 namespace {
@@ -231,10 +231,10 @@ std::string LoadOrder::name() const {
 
 Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNews* news) {
   KERF_ASSERT(order.left || !order.files.empty());
-  const auto say = [news](const char* what) {
-    if (news != nullptr) news->say(what);
+  const auto set_task = [news](const char* what) {
+    if (news != nullptr) news->set_task(what);
   };
-  say("reading");
+  set_task("reading");
   const bool journal = order.left || (order.files.size() == 1 && is_journal(order.files.front()));
   ProgressShares shares(progress);
   const double cutting = journal ? kCutting : 0, rest = 1 - cutting;
@@ -251,7 +251,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
   loaded.notes = notes_of(scene.world);
   loaded.scene = scene;
   if (const Status hashed = hash_all(loaded, hashing); !hashed) return hashed.error();
-  say("shading");
+  set_task("shading");
   const bool uncut = loaded.scene.strokes.empty() && work->journal.commands.empty();
   loaded.shadows_later = uncut && scene.world.live_faces() > kShadowsLater;
   const Progress& shading_alone = uncut ? drawing : shading;
@@ -262,14 +262,14 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
   loaded.prepared = std::move(*prepared);
   if (scene.world.live_faces() <= Document::kMaxFacesToCopy) loaded.as_loaded = scene.world;
   loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
-  if (!uncut) say("recutting");
+  if (!uncut) set_task("recutting");
   const AfterStep after_step = shown_by(uncut ? nullptr : news, loaded);
   after_step();
   const Status cut = cut_all(work->journal, loaded, uncut ? afterwards : deeds, after_step);
   if (!cut) return cut.error();
   loaded.document.set_face_budget(usual_face_budget(machine_memory()));
   if (uncut) return loaded;
-  say("shadows");
+  set_task("shadows");
   const Status cast = prepare_shadows(loaded.document.world(), loaded.prepared, &shadows);
   if (!cast) return cast.error();
   return loaded;
@@ -283,7 +283,7 @@ void FileLoader::start(LoadOrder order, bool watched) {
   job_->result = std::async(std::launch::async, [job = job_.get()] {
     const Progress progress{[job](double fraction) {
       job->fraction = fraction;
-      return !job->given_up;
+      return !job->cancelled;
     }};
     return load_files(job->order, &progress, &job->news);
   });
@@ -291,8 +291,8 @@ void FileLoader::start(LoadOrder order, bool watched) {
 
 void FileLoader::cancel() {
   if (!job_) return;
-  job_->given_up = true;
-  given_up_.push_back(std::move(job_));
+  job_->cancelled = true;
+  cancelled_.push_back(std::move(job_));
 }
 
 bool FileLoader::is_over(double seconds) const {
@@ -301,7 +301,7 @@ bool FileLoader::is_over(double seconds) const {
 }
 
 std::optional<Result<LoadedFiles>> FileLoader::take() {
-  std::erase_if(given_up_, [](const auto& job) { return kerf::is_over(job->result, 0); });
+  std::erase_if(cancelled_, [](const auto& job) { return kerf::is_over(job->result, 0); });
   if (!job_ || !is_over(0)) return std::nullopt;
   const std::unique_ptr<Job> job = std::move(job_);
   return job->result.get();
@@ -309,9 +309,9 @@ std::optional<Result<LoadedFiles>> FileLoader::take() {
 
 void cancel_opening(Opening& opening, Message& message) {
   KERF_ASSERT(opening.loader.busy());
-  message.say("Cancelled opening " + opening.loader.order().name() + ".");
+  message.info("Cancelled opening " + opening.loader.order().name() + ".");
   opening.loader.cancel();
-  opening.left_work.clear();  // offered at the next start
+  opening.recoverable.clear();  // offered at the next start
 }
 
 }  // namespace kerf

@@ -35,7 +35,7 @@ nlohmann::json head_entry(const SceneDescription& scene, const char* key);
 void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::json& entry);
 
 // A partially replayed world with its render data.
-struct CutSoFar {
+struct PartialReplay {
   SceneDescription scene;
   World world;  // a copy
   PreparedBodies prepared;
@@ -45,17 +45,17 @@ struct CutSoFar {
 class LoadNews {
  public:
   // Reader: sets the current task, a word or two.
-  void say(const char* what) { doing_ = what; }
-  // Reader, after every step that cuts: publishes a copy of the world, unless nobody watches, the world is
-  // too large (see Document::kMaxFacesToCopy), the last copy was not taken yet, or copying would take more
-  // than a small part of the time. `shadings` holds the bodies as loaded. O(faces) for a copy.
+  void set_task(const char* what) { doing_ = what; }
+  // Reader, after every step that cuts: publishes a copy of the world. Skips this if it is not watched, the
+  // world is too large (see Document::kMaxFacesToCopy), the last copy was not taken, or copying would take
+  // too much of the time. `shadings` holds the bodies as loaded. O(faces) for a copy.
   void show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings);
 
   // Waiting thread, before the reader starts: requests copies.
   void watch() { watched_ = true; }
   const char* doing() const { return doing_; }
   // Returns the last published copy, once.
-  std::optional<CutSoFar> take();
+  std::optional<PartialReplay> take();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -64,7 +64,7 @@ class LoadNews {
   bool watched_ = false;
   Clock::time_point next_ = Clock::now();  // earliest time of the next copy; for the reader alone
   std::mutex mutex_;
-  std::optional<CutSoFar> so_far_;  // guarded by mutex_
+  std::optional<PartialReplay> partial_replay_;  // guarded by mutex_
 };
 
 struct LoadOrder {
@@ -103,7 +103,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
 // Reads files on a background thread into a separate world.
 class FileLoader {
  public:
-  // Cancels the current job and starts to read files. `watched`: take_so_far() will be called.
+  // Cancels the current job and starts to read files. `watched`: take_partial_replay() will be called.
   void start(LoadOrder order, bool watched = false);
   // Cancels the current job; its thread ends at its next report of progress.
   void cancel();
@@ -120,8 +120,8 @@ class FileLoader {
   double fraction() const { return job_->fraction; }
   // The current task: "reading". Precondition: busy().
   const char* doing() const { return job_->news.doing(); }
-  // Returns the world as far as it is replayed, once for each published state. Precondition: busy().
-  std::optional<CutSoFar> take_so_far() { return job_->news.take(); }
+  // Returns the latest partially replayed world, once for each published state. Precondition: busy().
+  std::optional<PartialReplay> take_partial_replay() { return job_->news.take(); }
 
   // Returns the result of a finished job, once; otherwise nullopt.
   std::optional<Result<LoadedFiles>> take();
@@ -131,11 +131,11 @@ class FileLoader {
     LoadOrder order;
     std::atomic<double> fraction = 0;
     LoadNews news;
-    std::atomic<bool> given_up = false;
+    std::atomic<bool> cancelled = false;
     std::future<Result<LoadedFiles>> result;
   };
   std::unique_ptr<Job> job_;
-  std::vector<std::unique_ptr<Job>> given_up_;  // until their threads end
+  std::vector<std::unique_ptr<Job>> cancelled_;  // until their threads end
 };
 
 // The open document, its origin and its saved state.
@@ -167,7 +167,7 @@ inline InputFiles inputs_of(const DocumentSession& session) {
 struct Opening {
   FileLoader loader;
   std::optional<World> partial_world;  // of a replay, shown on the empty stage
-  std::vector<LeftWork> left_work;     // of crashed editors, not offered yet
+  std::vector<RecoverableDocument> recoverable;     // of crashed editors, not offered yet
 };
 
 // Cancels reading and reports it; the open work is unchanged. Precondition: the loader is busy.

@@ -31,7 +31,7 @@ std::unique_ptr<Feature> time_feature(Workspace& workspace);
 // The pieces: their list, their selection, hiding, isolating, deleting, renaming, and the exploded view.
 std::unique_ptr<Feature> pieces_feature(Workspace& workspace);
 // Moves, rotates and duplicates the selected piece: by handles, by keys and by numbers.
-std::unique_ptr<Feature> moving_feature(Workspace& workspace);
+std::unique_ptr<Feature> transform_feature(Workspace& workspace);
 // Simplifies, subdivides and smooths the meshes of pieces before they are cut.
 std::unique_ptr<Feature> prepare_feature(Workspace& workspace);
 // The view: the camera, the axes gizmo, the view options with their legends, and the theme of the panels.

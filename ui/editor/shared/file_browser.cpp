@@ -81,14 +81,14 @@ constexpr std::array kChoices{
 }  // namespace
 
 std::optional<MeshFormat> draw_mesh_formats(MeshFormat current) {
-  std::optional<MeshFormat> chosen;
+  std::optional<MeshFormat> selected;
   for (const Choice& choice : kChoices) {
     if (&choice != kChoices.data()) ImGui::SameLine();
-    if (ImGui::RadioButton(choice.name, choice.format == current)) chosen = choice.format;
+    if (ImGui::RadioButton(choice.name, choice.format == current)) selected = choice.format;
     mark_last_item((std::string("format ") + choice.name).c_str());
     tooltip(choice.tip);
   }
-  return chosen;
+  return selected;
 }
 
 void draw_file_names(std::span<const std::filesystem::path> files) {
@@ -131,7 +131,7 @@ void enter_folder(FileBrowser& b, const fs::path& folder) {
   b.folder = error ? folder : whole;
   b.entries = list_folder(b.folder, b.fault);
   b.cursor = 0;
-  b.is_chosen = false;
+  b.is_selected = false;
   b.replace.clear();
   b.show_cursor = true;
   b.take_focus = true;
@@ -166,7 +166,7 @@ std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file)
   return files;
 }
 
-void choose_file(FileBrowser& b, const fs::path& file) {
+void select_file(FileBrowser& b, const fs::path& file) {
   const std::vector<fs::path> there = to_be_replaced(b, file);
   for (const fs::path& replaced : there) {
     if (!b.wish.inputs) break;
@@ -187,12 +187,12 @@ void choose_file(FileBrowser& b, const fs::path& file) {
   b.open = !b.fault.empty();
 }
 
-void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
+void select_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
   const fs::path path = b.folder / entry.name;
   if (entry.folder) {
     enter_folder(b, path);
   } else if (opens(b)) {
-    choose_file(b, path);
+    select_file(b, path);
   } else {
     set_name(b, entry.name);
   }
@@ -211,16 +211,16 @@ void accept(FileBrowser& b) {
   std::error_code error;
   if (const auto typed = typed_path(b)) {
     if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
-    return choose_file(b, with_ending(*typed, b));
+    return select_file(b, with_ending(*typed, b));
   }
   if (!opens(b)) {
-    if (b.name.front() != '\0') choose_file(b, with_ending(b.folder / b.name.data(), b));
+    if (b.name.front() != '\0') select_file(b, with_ending(b.folder / b.name.data(), b));
     return;
   }
   const std::vector<size_t> left = left_by_filter(b);
-  if (!b.is_chosen || b.cursor >= left.size()) return;
+  if (!b.is_selected || b.cursor >= left.size()) return;
   const FileBrowser::Entry entry = b.entries[left[b.cursor]];
-  choose_entry(b, entry);
+  select_entry(b, entry);
 }
 
 void draw_where(FileBrowser& b) {
@@ -261,7 +261,7 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   constexpr ImGuiSelectableFlags kRow = ImGuiSelectableFlags_SpanAllColumns |
                                         ImGuiSelectableFlags_AllowDoubleClick |
                                         ImGuiSelectableFlags_DontClosePopups;
-  const bool clicked = ImGui::Selectable(label.c_str(), b.is_chosen && b.cursor == place, kRow);
+  const bool clicked = ImGui::Selectable(label.c_str(), b.is_selected && b.cursor == place, kRow);
   const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (b.cursor == place && b.show_cursor) ImGui::SetScrollHereY();
   ImGui::PopID();
@@ -269,12 +269,12 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   if (!entry.folder) draw_size(entry.bytes);
   if (!clicked) return;
   b.cursor = place;
-  b.is_chosen = true;
+  b.is_selected = true;
   if (!opens(b) && !entry.folder) set_name(b, entry.name);
   if (!twice) return;
-  const FileBrowser::Entry chosen = entry;
+  const FileBrowser::Entry selected = entry;
   gone = true;
-  choose_entry(b, chosen);
+  select_entry(b, selected);
 }
 
 void draw_list(FileBrowser& b) {
@@ -308,7 +308,7 @@ void draw_name(FileBrowser& b) {
   if (ImGui::InputTextWithHint("##name", b.wish.hint, b.name.data(), b.name.size(),
                                ImGuiInputTextFlags_AutoSelectAll)) {
     b.cursor = 0;
-    b.is_chosen = b.name.front() != '\0';
+    b.is_selected = b.name.front() != '\0';
     b.replace.clear();
     b.fault.clear();
   }
@@ -317,11 +317,11 @@ void draw_name(FileBrowser& b) {
   if (keys.backspace && was_empty) enter_folder(b, b.folder.parent_path());
   const auto count = static_cast<std::ptrdiff_t>(left_by_filter(b).size());
   std::ptrdiff_t at = static_cast<std::ptrdiff_t>(b.cursor) + keys.steps;
-  if (!b.is_chosen && keys.steps > 0) --at;  // the first step selects the first entry
+  if (!b.is_selected && keys.steps > 0) --at;  // the first step selects the first entry
   if (keys.first) at = 0;
   if (keys.last) at = count;
   b.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(at, 0, std::max<std::ptrdiff_t>(count - 1, 0)));
-  if (keys.steps != 0 || keys.first || keys.last) b.show_cursor = b.is_chosen = true;
+  if (keys.steps != 0 || keys.first || keys.last) b.show_cursor = b.is_selected = true;
   if (keys.enter) {
     b.take_focus = true;
     accept(b);
@@ -332,8 +332,8 @@ void draw_name(FileBrowser& b) {
 void draw_export(FileBrowser& b) {
   const fs::path name = b.name.data();
   if (const auto typed = mesh_format(name.extension().string())) b.format = *typed;
-  if (const auto chosen = draw_mesh_formats(b.format)) {
-    b.format = *chosen;
+  if (const auto selected = draw_mesh_formats(b.format)) {
+    b.format = *selected;
     fs::path stem = name;
     if (mesh_format(name.extension().string())) stem.replace_extension();
     set_name(b, with_ending(stem, b).string());
@@ -360,7 +360,7 @@ void draw_buttons(FileBrowser& b) {
 
 }  // namespace
 
-void browse(FileBrowser& b, FileWish wish, fs::path folder, const std::string& name) {
+void browse(FileBrowser& b, FileRequest wish, fs::path folder, const std::string& name) {
   const MeshFormat format = b.format;
   b = FileBrowser();
   b.format = format;

@@ -34,7 +34,7 @@ std::optional<MeshFormat> draw_mesh_formats(MeshFormat current);
 void draw_file_names(std::span<const std::filesystem::path> files);
 
 // Request for a file to open, save or export.
-struct FileWish {
+struct FileRequest {
   const char* title;
   const char* verb;         // on the button
   const char* hint;         // in the field for the name
@@ -53,14 +53,14 @@ struct FileWish {
 struct FileBrowser {
   using Entry = FolderEntry;
 
-  FileWish wish = {};
+  FileRequest wish = {};
   MeshFormat format = MeshFormat::kObj;  // of an export; the last one selected
   bool open = false;
   std::filesystem::path folder;
   std::vector<Entry> entries;     // of the folder: folders first, by name
   std::array<char, 1024> name{};  // a filter or path to open; the name to write
   size_t cursor = 0;              // index into the filtered entries
-  bool is_chosen = false;         // the cursor was set by the filter, a key or a click: Enter takes it
+  bool is_selected = false;       // the cursor was set by the filter, a key or a click: Enter takes it
   std::string fault;              // error of the folder or of writing
   std::filesystem::path replace;  // an existing file, which is replaced if confirmed again
 
@@ -73,7 +73,7 @@ struct FileBrowser {
 };
 
 // Opens the window in a folder (the current one if it does not exist) with a name. Keeps `format`.
-void browse(FileBrowser& browser, FileWish wish, std::filesystem::path folder, const std::string& name);
+void browse(FileBrowser& browser, FileRequest wish, std::filesystem::path folder, const std::string& name);
 
 // Processes a key (GLFW_KEY_*) while the browser is open.
 void browser_key(FileBrowser& browser, int key);

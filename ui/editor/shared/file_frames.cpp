@@ -30,7 +30,7 @@ std::string mesh_kind(const SceneDescription& scene) {
   return format ? std::string(format_row(*format).ending) : "";
 }
 
-FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
+FrameChoice select_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
                          const Settings& settings) {
   if (const auto noted = frame_from_json(head_entry(scene, kKey))) return {*noted};
   const std::string kind = mesh_kind(scene);

@@ -26,7 +26,7 @@ struct FrameChoice {
 // Returns the frame that was saved with the scene; else the user's setting for the format; else, for a mesh
 // file, a guess from its size and format, about which the user is asked once per format. Scenes use metres
 // and +Y up.
-FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
+FrameChoice select_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
                          const Settings& settings);
 
 // Records the frame in a scene to be saved. No-op if it is Kerf's own and was not recorded before.

@@ -35,7 +35,7 @@ void ResolutionControls::show(const Resolution& resolution, double radius) {
   rim = resolution.rim;
   if (rule == Resolution::Rule::kTargetEdge) edge_fraction = fraction(resolution.target_edge);
   if (rule == Resolution::Rule::kTolerance) tolerance_fraction = fraction(resolution.tolerance);
-  if (rule == Resolution::Rule::kDepth) depth = std::clamp(resolution.depth, 0, kLargestDepth);
+  if (rule == Resolution::Rule::kDepth) depth = std::clamp(resolution.depth, 0, kMaxDepth);
 }
 
 void LaserControls::show(const CutSettings& settings) {
@@ -55,7 +55,7 @@ void make_finer(ResolutionControls& controls, int steps) {
     case Resolution::Rule::kTolerance:
       return divide(controls.tolerance_fraction);
     case Resolution::Rule::kDepth:
-      controls.depth = std::clamp(controls.depth + steps, 0, Controls::kLargestDepth);
+      controls.depth = std::clamp(controls.depth + steps, 0, Controls::kMaxDepth);
   }
 }
 
@@ -128,7 +128,7 @@ bool depth_row(ResolutionControls& to) {
   constexpr const char* kMeaning =
       "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "
       "as in the paper's figure 3.";
-  whole_slider({"Depth", "##depth", kMeaning}, to.depth, 0, ResolutionControls::kLargestDepth, text);
+  whole_slider({"Depth", "##depth", kMeaning}, to.depth, 0, ResolutionControls::kMaxDepth, text);
   return to.depth != before;
 }
 

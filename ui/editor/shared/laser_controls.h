@@ -13,11 +13,11 @@ struct ResolutionControls {
   Resolution::Rule rule = Resolution::Rule::kTargetEdge;
   double edge_fraction = 0.25;        // target edge over radius, 1/32 .. 2
   double tolerance_fraction = 0.125;  // tolerance over radius, 1/32 .. 2
-  int depth = 4;                      // levels, 0 .. kLargestDepth
+  int depth = 4;                      // levels, 0 .. kMaxDepth
   Rim rim = Rim::kSmooth;
 
   static constexpr double kMinFraction = 1.0 / 32, kMaxFraction = 2;
-  static constexpr int kLargestDepth = 10;
+  static constexpr int kMaxDepth = 10;
 
   // Returns the resolution for a beam of this radius [m, > 0].
   Resolution of(double radius) const;

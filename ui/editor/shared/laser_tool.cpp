@@ -18,7 +18,7 @@ constexpr double kEmitterAside = 0.004;
 constexpr double kMinMove = 0.5;  // pixels
 
 // Returns the depth of the nearest corner of the world's box, or of the camera's pivot if that is nearer.
-double least_depth(const World& world, const CameraView& view) {
+double min_depth(const World& world, const CameraView& view) {
   const World::Bounds b = world.bounds();
   double least = view.focus;
   for (int i = 0; i < 8; ++i) {
@@ -35,7 +35,7 @@ double least_depth(const World& world, const CameraView& view) {
 double LaserTool::distance_of_emitter(const World& world, const CameraView& view) const {
   const double diagonal = world.bounds().diagonal();
   if (!view.parallel || !(diagonal > 0)) return focus_;
-  return focus_ - least_depth(world, view) + 0.1 * diagonal;
+  return focus_ - min_depth(world, view) + 0.1 * diagonal;
 }
 
 // In an orthographic view the emitter moves with the pointer, so that all poses are parallel.
@@ -61,7 +61,7 @@ void LaserTool::take_over(const CutSettings& settings, double emitter) {
 }
 
 void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
-                      double heard) {
+                      double time) {
   const Pose ray = view.ray(pointer.x, pointer.y);
   const double diagonal = document.world().bounds().diagonal();
   const std::optional<double> hit = first_hit(document.world(), ray);
@@ -69,12 +69,12 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   emitter_ = distance_of_emitter(document.world(), view);
   pointer_ = pointer;
   pose_ = aim(view, pointer);
-  begin(document, controls.settings(diagonal), heard);
+  begin(document, controls.settings(diagonal), time);
   held_ = {BeginStroke{settings_, pose_}};
   if (hit) begin_held(document);
 }
 
-void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
+void LaserTool::begin(const Document& document, const CutSettings& settings, double time) {
   settings_ = settings;
   set_up(settings);
   if (!document.queue().pending().holds_beam()) {
@@ -82,40 +82,40 @@ void LaserTool::begin(const Document& document, const CutSettings& settings, dou
     strike_.reset();
   }
   cutting_ = true;
-  began_ = heard;
-  told_ = 0;
+  began_ = time;
+  last_time_ = 0;
 }
 
 void LaserTool::fire(Document& document, const Pose& pose, double distance, const CutSettings& settings,
-                     double heard) {
+                     double time) {
   KERF_ASSERT(!cutting_ && distance > 0 && is_unit(pose.direction));
   emitter_ = distance;
   pose_ = pose;
-  begin(document, settings, heard);
+  begin(document, settings, time);
   held_ = {BeginStroke{settings_, pose_}};
-  if (time_passes_ || meets_anything(document.world(), settings_.laser, pose_)) begin_held(document);
+  if (time_passes_ || hits_anything(document.world(), settings_.laser, pose_)) begin_held(document);
 }
 
-void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
+void LaserTool::carry_to(Document& document, const Pose& pose, double time) {
   if (!cutting_ || (pose.origin == pose_.origin && pose.direction == pose_.direction)) return;
   if (are_opposite(pose_.direction, pose.direction)) {
     release(document);
-    return fire(document, pose, emitter_, settings_, heard);
+    return fire(document, pose, emitter_, settings_, time);
   }
-  move_to(document, pose, heard);
+  move_to(document, pose, time);
 }
 
 // A beam that meets nothing is drawn at once.
-void LaserTool::move_to(Document& document, const Pose& pose, double heard) {
+void LaserTool::move_to(Document& document, const Pose& pose, double time) {
   const Pose before = std::exchange(pose_, pose);
-  told_ = std::max(told_, heard - began_);
-  const MoveBeam move{pose_, told_};
+  last_time_ = std::max(last_time_, time - began_);
+  const MoveBeam move{pose_, last_time_};
   if (held_.empty()) {
     document.apply(move);
     return;
   }
   held_.emplace_back(move);
-  if (time_passes_ || meets_anything(document.world(), settings_.laser, BeamMove{before, pose_, 0}))
+  if (time_passes_ || hits_anything(document.world(), settings_.laser, BeamMove{before, pose_, 0}))
     return begin_held(document);
   if (!document.queue().pending().holds_beam()) beam_ = pose_;
 }
@@ -129,34 +129,34 @@ void LaserTool::follow_time(Document& document, bool passes) {
   if (passes && has_moved()) begin_held(document);
 }
 
-void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard) {
+void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double time) {
   if (!cutting_) return;
   const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
   const bool is_click = !held_.empty() && !has_moved();
   if (glm::length(moved) < (is_click ? kClickReach : kMinMove)) return;
   pointer_ = pointer;
-  KERF_ASSERT(heard >= began_);
-  move_to(document, aim(view, pointer), heard);
+  KERF_ASSERT(time >= began_);
+  move_to(document, aim(view, pointer), time);
 }
 
-void LaserTool::go_on(Document& document, double heard) {
-  if (!emits() || document.waiting() > 0 || heard - began_ <= told_) return;
-  told_ = heard - began_;
-  document.apply(MoveBeam{pose_, told_});
+void LaserTool::hold_beam(Document& document, double time) {
+  if (!emits() || document.waiting() > 0 || time - began_ <= last_time_) return;
+  last_time_ = time - began_;
+  document.apply(MoveBeam{pose_, last_time_});
 }
 
 bool LaserTool::release(Document& document) {
   if (!cutting_) return false;
   cutting_ = false;
   // The ray of the pointer met nothing, but the beam may touch a body with its edge.
-  if (!held_.empty() && meets_anything(document.world(), settings_.laser, pose_)) begin_held(document);
+  if (!held_.empty() && hits_anything(document.world(), settings_.laser, pose_)) begin_held(document);
   const bool missed = !std::exchange(held_, {}).empty();
   if (!missed) document.apply(EndStroke{});
   return missed;
 }
 
-void LaserTool::find_strike(const Document& document) {
-  strike_ = kerf::find_strike(document.world(), beam_, radius_, overshoot_, reach_);
+void LaserTool::find_impact(const Document& document) {
+  strike_ = kerf::find_impact(document.world(), beam_, radius_, overshoot_, reach_);
 }
 
 std::optional<BeamPicture> LaserTool::picture(const Document& document) const {

@@ -16,22 +16,22 @@ namespace kerf {
 // off the pointer, because the emitter is near the eye.
 class LaserTool {
  public:
-  // x and y of the pointer are as in CameraView::ray; `pixel` is the size of a pixel in y; `heard` is the
+  // x and y of the pointer are as in CameraView::ray; `pixel` is the size of a pixel in y; `time` is the
   // time of the event [s] on a monotonic clock, which the poses of the stroke store. The document receives a
   // stroke when its beam meets a body, so that a miss leaves no history step and no command in the journal.
   // While time passes, bodies may move into the beam: then a stroke begins when the pointer has moved
   // further than a click allows.
   void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
-             double heard);
-  void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard);
+             double time);
+  void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double time);
   // Begin and continue a stroke with given poses instead of the pointer's; the emitter is `distance` [m]
   // from its target. A turn to the opposite direction ends the stroke and begins another. Preconditions:
   // fire() is called while no stroke is drawn, the distance is positive, and directions are unit vectors.
-  void fire(Document& document, const Pose& pose, double distance, const CutSettings& settings, double heard);
-  void carry_to(Document& document, const Pose& pose, double heard);
+  void fire(Document& document, const Pose& pose, double distance, const CutSettings& settings, double time);
+  void carry_to(Document& document, const Pose& pose, double time);
   // Lets a still beam of the thermal model go on emitting; called once a frame with the present time. No-op
   // while moves are queued; the next call makes up for the time.
-  void go_on(Document& document, double heard);
+  void hold_beam(Document& document, double time);
   // Returns true if a stroke ended that met nothing.
   bool release(Document& document);
   // Sets whether bodies move by themselves; called once a frame.
@@ -47,7 +47,7 @@ class LaserTool {
   // Records the pose that the cut has reached, which may lag behind the pointer. The beam is drawn there.
   void reach(const Pose& pose) { beam_ = pose; }
   // Finds the point where the beam strikes at that pose: the rim of its cut, or a surface behind it.
-  void find_strike(const Document& document);
+  void find_impact(const Document& document);
   // Returns the beam to draw while it is on, until the stroke has ended and its last move is cut.
   std::optional<BeamPicture> picture(const Document& document) const;
 
@@ -55,16 +55,16 @@ class LaserTool {
   void set_up(const CutSettings& settings);
   double distance_of_emitter(const World& world, const CameraView& view) const;
   Pose aim(const CameraView& view, Vec2 pointer) const;
-  void begin(const Document& document, const CutSettings& settings, double heard);
-  void move_to(Document& document, const Pose& pose, double heard);
+  void begin(const Document& document, const CutSettings& settings, double time);
+  void move_to(Document& document, const Pose& pose, double time);
   bool has_moved() const { return held_.size() > 1; }
   void begin_held(Document& document);
 
   bool cutting_ = false;
   std::vector<Command> held_;     // of the stroke, until it meets a body
   bool time_passes_ = false;      // bodies move by themselves
-  double began_ = 0;              // s of the clock of `heard`, start of the stroke
-  double told_ = 0;               // s since began_, last pose passed to the document
+  double began_ = 0;              // s of the clock of `time`, start of the stroke
+  double last_time_ = 0;          // s since began_, last pose passed to the document
   double focus_ = 1;              // m along the pointer's ray
   double emitter_ = 1;            // m, from the target back to the emitter
   double reach_ = 1;              // m along the beam

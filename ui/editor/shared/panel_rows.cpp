@@ -28,7 +28,7 @@ std::string with_shortcut(const ViewState& view, std::string sentence, const std
 namespace {
 
 // Draws the states as radio buttons in a row. Returns the one that was clicked, or the present one.
-size_t choose_state(const ViewSwitch& s, size_t state) {
+size_t select_state(const ViewSwitch& s, size_t state) {
   for (size_t i = 0; i < s.states.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     if (ImGui::RadioButton(s.states[i], state == i)) state = i;
@@ -42,22 +42,22 @@ bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ke
 
 // Draws the open list of a row: a click selects, or Enter at the cursor that Up and Down move. Returns true
 // if one was selected.
-bool choose_in_list(std::span<const char* const> names, int& choice, const char* landmark) {
+bool select_in_list(std::span<const char* const> names, int& choice, const char* landmark) {
   int& cursor = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("cursor"), choice);
   if (ImGui::IsWindowAppearing()) cursor = choice;
   const int step = (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
   cursor = std::clamp(cursor + step, 0, static_cast<int>(names.size()) - 1);
-  int chosen = -1;
+  int selected = -1;
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-    if (ImGui::Selectable(names[static_cast<size_t>(i)], i == cursor)) chosen = i;
+    if (ImGui::Selectable(names[static_cast<size_t>(i)], i == cursor)) selected = i;
     if (landmark != nullptr) mark_last_item(landmark, i);
   }
   if (is_pressed(ImGuiKey_Enter) || is_pressed(ImGuiKey_KeyPadEnter)) {
-    chosen = cursor;
+    selected = cursor;
     ImGui::CloseCurrentPopup();
   }
-  if (chosen < 0) return false;
-  choice = chosen;
+  if (selected < 0) return false;
+  choice = selected;
   return true;
 }
 
@@ -78,7 +78,7 @@ bool draw_switch(ViewState& view, SwitchId id, const char* label) {
     state = on ? 1 : 0;
   } else {
     ImGui::PushID(s.report);
-    state = choose_state(s, state);
+    state = select_state(s, state);
     ImGui::SameLine();
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopID();
@@ -110,9 +110,9 @@ bool marked_choice_row(const char* label, const char* id, int& choice, std::span
   KERF_ASSERT(static_cast<size_t>(choice) < names.size());
   property(label);
   if (begin_fitted_combo(id, names[static_cast<size_t>(choice)])) {
-    const bool chosen = choose_in_list(names, choice, landmark);
+    const bool selected = select_in_list(names, choice, landmark);
     ImGui::EndCombo();
-    return chosen;
+    return selected;
   }
   if (landmark != nullptr) mark_last_item(landmark);
   if (meaning != nullptr) tooltip(meaning);

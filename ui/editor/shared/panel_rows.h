@@ -39,9 +39,9 @@ template <typename Choice>
 bool choice_row(const char* label, const char* id, Choice& choice, const char* names, const char* landmark,
                 const char* meaning) {
   int number = static_cast<int>(choice);
-  const bool chosen = choice_row(label, id, number, names, landmark, meaning);
+  const bool selected = choice_row(label, id, number, names, landmark, meaning);
   choice = static_cast<Choice>(number);
-  return chosen;
+  return selected;
 }
 
 // Like choice_row(), with an array of names. Each name in the open list has a landmark, too: that of the
@@ -52,9 +52,9 @@ template <typename Choice>
 bool marked_choice_row(const char* label, const char* id, Choice& choice, std::span<const char* const> names,
                        const char* landmark, const char* meaning) {
   int number = static_cast<int>(choice);
-  const bool chosen = marked_choice_row(label, id, number, names, landmark, meaning);
+  const bool selected = marked_choice_row(label, id, number, names, landmark, meaning);
   choice = static_cast<Choice>(number);
-  return chosen;
+  return selected;
 }
 
 // Draws the context menu of the last item, which resets the value to its default. Returns true if it did.

@@ -59,7 +59,7 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
   return rows;
 }
 
-SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId>& specks) {
+SortedPieces separate_specks(std::vector<PieceRow> rows, const std::set<PieceId>& specks) {
   const auto is_one = [&](const PieceRow& row) { return specks.contains(row.id); };
   SortedPieces sorted;
   if (std::count_if(rows.begin(), rows.end(), is_one) < 2) {
@@ -76,31 +76,31 @@ Vec3 strong_piece_colour(uint32_t number) {
   return glm::pow(hue_colour(turn, 0.80, 0.40 + 0.25 * shade), Vec3(1 / 2.2));
 }
 
-void choose_piece(PieceMap& looks, const PieceId& id, bool add) {
+void select_piece(PieceMap& looks, const PieceId& id, bool add) {
   const auto found = looks.find(id);
   const bool was = found != looks.end() && found->second.selected;
-  const bool alone = was && chosen_pieces(looks) == 1;
-  if (!add) choose_none(looks);
+  const bool alone = was && selected_count(looks) == 1;
+  if (!add) deselect_all(looks);
   looks[id].selected = add ? !was : !alone;
   drop_plain(looks);
 }
 
-void choose_none(PieceMap& looks) {
+void deselect_all(PieceMap& looks) {
   for (auto& [id, look] : looks) look.selected = false;
   drop_plain(looks);
 }
 
-size_t chosen_pieces(const PieceMap& looks) {
+size_t selected_count(const PieceMap& looks) {
   return static_cast<size_t>(
       std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.selected; }));
 }
 
-const char* why_none_chosen(const PieceMap& looks) {
-  return chosen_pieces(looks) > 0 ? nullptr
-                                  : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
+const char* no_selection_reason(const PieceMap& looks) {
+  return selected_count(looks) > 0 ? nullptr
+                                   : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
 }
 
-std::optional<PieceId> first_chosen(const PieceMap& looks) {
+std::optional<PieceId> first_selected(const PieceMap& looks) {
   for (const auto& [key, look] : looks) {
     if (look.selected) return key;
   }
@@ -179,27 +179,27 @@ std::vector<PieceNumbers::Known> PieceNumbers::pieces_of(const World& world) {
   return pieces;
 }
 
-void PieceNumbers::follow(const World& world, bool anew, bool may_return, PieceMap& looks) {
-  anew_ = anew_ || anew;
+void PieceNumbers::follow(const World& world, bool replaced, bool may_return, PieceMap& looks) {
+  replaced_ = replaced_ || replaced;
   waits_ = !all_settled(world);
   if (waits_) return;
   std::map<PieceId, Known*> present;
   for (Known& known : known_) {
-    if (known.present && !anew_) present.emplace(known.id, &known);
+    if (known.present && !replaced_) present.emplace(known.id, &known);
     known.present = false;
   }
-  std::vector<Known> came;
+  std::vector<Known> created;
   for (Known& piece : pieces_of(world)) {
     const auto same = present.find(piece.id);
     if (same == present.end()) {
-      came.push_back(piece);
+      created.push_back(piece);
     } else {
       piece.number = same->second->number;
       *same->second = piece;
     }
   }
-  anew_ = false;
-  match(came);
+  replaced_ = false;
+  match(created);
   if (!may_return) std::erase_if(known_, [](const Known& k) { return !k.present; });
   for (const Known& known : known_) {
     if (known.present) looks[known.id].number = known.number == known.id.label ? 0 : known.number;
@@ -208,11 +208,11 @@ void PieceNumbers::follow(const World& world, bool anew, bool may_return, PieceM
 }
 
 // Matches the most similar pairs first.
-void PieceNumbers::match(std::vector<Known>& came) {
+void PieceNumbers::match(std::vector<Known>& created) {
   std::vector<std::tuple<double, size_t, size_t>> pairs;
-  for (size_t i = 0; i < came.size(); ++i) {
+  for (size_t i = 0; i < created.size(); ++i) {
     for (size_t j = 0; j < known_.size(); ++j) {
-      const Known &a = came[i], &b = known_[j];
+      const Known &a = created[i], &b = known_[j];
       const double larger = std::max(a.area, b.area);
       if (b.present || a.loaded_as != b.loaded_as || !(larger > 0)) continue;
       const Vec3 apart = a.centre - b.centre;
@@ -222,11 +222,11 @@ void PieceNumbers::match(std::vector<Known>& came) {
   }
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [differ, i, j] : pairs) {
-    if (came[i].number != 0 || known_[j].present) continue;
-    came[i].number = known_[j].number;
-    known_[j] = came[i];
+    if (created[i].number != 0 || known_[j].present) continue;
+    created[i].number = known_[j].number;
+    known_[j] = created[i];
   }
-  for (Known& piece : came) {
+  for (Known& piece : created) {
     if (piece.number != 0) continue;
     piece.number = free_number(piece);
     known_.push_back(piece);

@@ -33,7 +33,7 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks = {}
 struct SortedPieces {
   std::vector<PieceRow> rest, specks;
 };
-SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId>& specks);
+SortedPieces separate_specks(std::vector<PieceRow> rows, const std::set<PieceId>& specks);
 
 // Returns the colour of a piece of this number under ShowOptions::pieces (sRGB, 0 .. 1); grey for a body
 // (0).
@@ -44,12 +44,12 @@ void drop_plain(PieceMap& looks);
 
 // Selects only this piece, or deselects it if it was the only selected one. `add`: toggles this piece and
 // keeps the rest of the selection.
-void choose_piece(PieceMap& looks, const PieceId& id, bool add);
-void choose_none(PieceMap& looks);
-size_t chosen_pieces(const PieceMap& looks);
+void select_piece(PieceMap& looks, const PieceId& id, bool add);
+void deselect_all(PieceMap& looks);
+size_t selected_count(const PieceMap& looks);
 // Returns an error sentence if no piece is selected, otherwise null.
-const char* why_none_chosen(const PieceMap& looks);
-std::optional<PieceId> first_chosen(const PieceMap& looks);
+const char* no_selection_reason(const PieceMap& looks);
+std::optional<PieceId> first_selected(const PieceMap& looks);
 std::vector<PieceId> hidden_pieces(const PieceMap& looks);
 // Returns the pieces that are neither hidden nor selected.
 std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks);
@@ -62,17 +62,15 @@ PieceId named_after(const Delta& delta, PieceId id);
 // moves to its new body.
 void follow_world(const World& world, const Delta& delta, PieceMap& looks);
 
-// Numbers of the pieces, for their colours and names. A new piece is numbered by its label. Labels follow
-// the order in which parts come off, which a recut may change; a piece that replaces an earlier one, by its
-// centre and area, therefore keeps that number.
+// Numbers of the pieces, for their colours and names. A new piece is numbered by its label. A recut may
+// change the order of labels, so a piece with the centre and area of an earlier one keeps that number.
 class PieceNumbers {
  public:
-  // Updates the numbers in `looks` after pieces appeared or disappeared. The second argument is true after
-  // undo, redo or a recut, when a label may denote another piece. `may_return`: missing pieces may return by
-  // redo or a recut in progress; their numbers are kept for them. While a search for separated parts is
-  // open, the update is deferred to the next call. O(n log n) in the pieces, plus new pieces times those
-  // that may return.
-  void follow(const World& world, bool anew, bool may_return, PieceMap& looks);
+  // Updates the numbers in `looks` after pieces appeared or disappeared. `replaced`: after undo, redo or a
+  // recut, when a label may denote another piece. `may_return`: missing pieces may return by redo or a recut
+  // in progress; their numbers are kept for them. While a search for separated parts is open, the update is
+  // deferred to the next call. O(n log n) in the pieces, plus new pieces times those that may return.
+  void follow(const World& world, bool replaced, bool may_return, PieceMap& looks);
   // Returns true if an update is deferred.
   bool waits() const { return waits_; }
 
@@ -87,11 +85,11 @@ class PieceNumbers {
   };
 
   static std::vector<Known> pieces_of(const World& world);
-  void match(std::vector<Known>& came);
+  void match(std::vector<Known>& created);
   uint32_t free_number(const Known& piece) const;
 
   std::vector<Known> known_;
-  bool anew_ = false;  // since the last update
+  bool replaced_ = false;  // since the last update
   bool waits_ = false;
 };
 

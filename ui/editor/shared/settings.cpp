@@ -403,7 +403,7 @@ void PanelPlaces::add(const std::string& id, Tab tab, Dock dock, bool unfolded) 
   if (dock != Dock::kColumn) settings_.docks.try_emplace(id, dock);
 }
 
-void PanelPlaces::choose_tab() {
+void PanelPlaces::select_tab() {
   if (settings_.tab) return;
   const auto first = std::find_if(known_.begin(), known_.end(), [this](const Known& k) {
     return is_unfolded(k.id) && dock_of(k.id) == Dock::kColumn;

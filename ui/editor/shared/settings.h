@@ -98,7 +98,7 @@ class PanelPlaces {
   // Registers a panel. `dock` and `unfolded` apply if the settings have no state for it.
   void add(const std::string& id, Tab tab, Dock dock, bool unfolded);
   // Called after all add(): selects the tab of the first unfolded panel if the settings name none.
-  void choose_tab();
+  void select_tab();
 
   Tab tab() const { return settings_.tab.value_or(Tab::kCut); }
   void show_tab(Tab tab);

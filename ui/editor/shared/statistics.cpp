@@ -40,18 +40,18 @@ void StepChart::record_step(const StepResult& step) {
   const StepStatistics& f = step.statistics;
   const bool cuts = step.moves > 0 || !step.delta.bodies.empty() || f.separate_s > 0;
   if (!cuts) return;  // only time passed
-  size_t born = 0, gone = 0;
+  size_t added = 0, dead = 0;
   for (const BodyDelta& body : step.delta.bodies) {
-    born += body.born.size();
-    gone += body.gone.size();
+    added += body.added.size();
+    dead += body.dead.size();
   }
   const std::array<std::pair<Line, double>, 7> now{{{kFind, 1e3 * f.query_s},
                                                     {kRefine, 1e3 * f.refine_s},
                                                     {kRemove, 1e3 * f.remove_s},
                                                     {kTree, 1e3 * f.update_tree_s},
                                                     {kSeparate, 1e3 * f.separate_s},
-                                                    {kBorn, static_cast<double>(born)},
-                                                    {kGone, static_cast<double>(gone)}}};
+                                                    {kAdded, static_cast<double>(added)},
+                                                    {kDead, static_cast<double>(dead)}}};
   for (const auto& [line, value] : now) add(line, value);
 }
 

@@ -37,7 +37,7 @@ class FrameStatistics {
 // Durations and changes of the last steps, and bytes uploaded for the last frames, as lines of a chart.
 class StepChart {
  public:
-  enum Line { kFind, kRefine, kRemove, kTree, kSeparate, kBorn, kGone, kSent, kLines };
+  enum Line { kFind, kRefine, kRemove, kTree, kSeparate, kAdded, kDead, kSent, kLines };
   static constexpr size_t kKept = 240;
 
   void record_step(const StepResult& step);  // milliseconds and faces

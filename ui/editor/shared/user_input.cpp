@@ -42,7 +42,7 @@ bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Messag
   if (action == nullptr) return false;
   KERF_ASSERT(action->run);
   if (const char* why = action->objection()) {
-    message.say(why, true);
+    message.error(why);
   } else {
     action->run();
   }

@@ -86,12 +86,12 @@ void draw_badge_sign(Badges::Sign sign, ImVec2 at, float side, ImDrawList& list)
 }  // namespace
 
 void Badges::draw(const ViewState& view, Sign sign, const std::string& text, const char* landmark,
-                  float least_ems) {
+                  float min_ems) {
   const Area& picture = view.layout.first;
   const float em = ImGui::GetFontSize(), side = 0.62f * em, gap = 0.5f * em;
   const float room = static_cast<float>(picture.size.x) - 2 * kBadgeMargin * em - side - gap;
   const std::string fitted = fitted_text(text, room);
-  const float width = side + gap + std::max(width_of_text(fitted), std::min(room, least_ems * em));
+  const float width = side + gap + std::max(width_of_text(fitted), std::min(room, min_ems * em));
   const float left = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * width;
   const float top = static_cast<float>(picture.at.y) + em +
                     static_cast<float>(drawn_++) * (kBadgeHeight + kBadgesApart) * em;

@@ -83,10 +83,10 @@ class Badges {
 
   // Called once a frame, before any is drawn.
   void begin_frame() { drawn_ = 0; }
-  // Draws the next badge, at least `least_ems` wide, so that its width does not change with its text. The
+  // Draws the next badge, at least `min_ems` wide, so that its width does not change with its text. The
   // landmark is its name in tests.
   void draw(const ViewState& view, Sign sign, const std::string& text, const char* landmark,
-            float least_ems = 0);
+            float min_ems = 0);
 
  private:
   int drawn_ = 0;

@@ -66,26 +66,26 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
   return turn * direction;
 }
 
-void choose_under_pointer(Workspace& workspace, bool add) {
-  if (workspace.view.in_second) return workspace.message.say("Select pieces in the left half.", true);
+void select_under_pointer(Workspace& workspace, bool add) {
+  if (workspace.view.in_second) return workspace.message.error("Select pieces in the left half.");
   const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
   const std::optional<Pick> seen =
       pick(workspace.world(), workspace.view.look, workspace.view.seen().ray(p.x, p.y));
   if (seen) {
     const uint32_t label = workspace.world().body(seen->body).mesh.data(seen->face).piece;
-    choose_piece(workspace.view.look.pieces, {seen->body, label}, add);
+    select_piece(workspace.view.look.pieces, {seen->body, label}, add);
   } else if (!add) {
-    choose_none(workspace.view.look.pieces);
+    deselect_all(workspace.view.look.pieces);
   }
   workspace.view.picture_old = true;
 }
 
-std::vector<PieceId> chosen_ids(const PieceMap& looks) {
-  std::vector<PieceId> chosen;
+std::vector<PieceId> selected_ids(const PieceMap& looks) {
+  std::vector<PieceId> selected;
   for (const auto& [id, look] : looks) {
-    if (look.selected) chosen.push_back(id);
+    if (look.selected) selected.push_back(id);
   }
-  return chosen;
+  return selected;
 }
 
 }  // namespace kerf

@@ -50,9 +50,9 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);
 inline bool picks(const PointerInput& input, const Press& press) { return input.picks() || press.control; }
 
 // Selects the piece under the pointer; `add` keeps the rest of the selection.
-void choose_under_pointer(Workspace& workspace, bool add);
+void select_under_pointer(Workspace& workspace, bool add);
 
 // Returns the selected pieces in the order of their ids.
-std::vector<PieceId> chosen_ids(const PieceMap& looks);
+std::vector<PieceId> selected_ids(const PieceMap& looks);
 
 }  // namespace kerf

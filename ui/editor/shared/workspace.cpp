@@ -25,7 +25,7 @@ std::vector<std::filesystem::path> FeatureLinks::not_taken(std::vector<std::file
 bool cancel_stroke(Workspace& workspace) {
   if (!workspace.beam.cutting()) return false;
   if (workspace.beam.release(workspace.session.document))
-    workspace.message.say("Missed: the beam hit nothing.");
+    workspace.message.info("Missed: the beam hit nothing.");
   return true;
 }
 

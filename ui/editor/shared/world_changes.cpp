@@ -74,7 +74,7 @@ bool is_quick(const Document& document, const Command& command) {
       command);
 }
 
-const char* why_beside(const Document& document) {
+const char* background_reason(const Document& document) {
   return document.queue().next_makes_ready() > kManyFaces ? "Creating bodies of the pieces" : nullptr;
 }
 
@@ -123,7 +123,7 @@ constexpr size_t kMovesOfStep = 16;
 // Prepares render data of the new bodies or, if the world was replaced, of all bodies.
 PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
   PreparedBodies prepared;
-  for (const BodyId id : delta.anew ? world.ids() : delta.came)
+  for (const BodyId id : delta.replaced ? world.ids() : delta.created)
     prepared.emplace(id, prepare_shading(world.body(id), loaded));
   (void)prepare_shadows(world, prepared, nullptr);  // is never stopped
   return prepared;
@@ -168,32 +168,32 @@ Renderer& WorldChanges::renderer() const {
 // The queue
 // --------------------------------------------------------------------------------------------------------
 
-void WorldChanges::ask(Asked change) {
+void WorldChanges::enqueue(Request change) {
   KERF_ASSERT(change.run);
-  std::erase_if(asked_, [&](const Asked& a) { return !change.name.empty() && a.name == change.name; });
-  asked_.push_back(std::move(change));
+  std::erase_if(requests_, [&](const Request& a) { return !change.name.empty() && a.name == change.name; });
+  requests_.push_back(std::move(change));
 }
 
-void WorldChanges::ask(std::string name, const std::function<void()>& run) {
-  ask({std::move(name), [run] {
-         run();
-         return true;
-       }});
+void WorldChanges::enqueue(std::string name, const std::function<void()>& run) {
+  enqueue({std::move(name), [run] {
+             run();
+             return true;
+           }});
 }
 
-void WorldChanges::ask(const Command& command) {
-  ask("", [this, command] { apply(command); });
+void WorldChanges::enqueue(const Command& command) {
+  enqueue("", [this, command] { apply(command); });
 }
 
 void WorldChanges::process_requests() {
   groups_.follow(workspace_.session.document);
-  for (size_t left = asked_.size(); left > 0 && !asked_.empty() && !pending_; --left) {
-    Asked next = std::move(asked_.front());
-    asked_.pop_front();
+  for (size_t left = requests_.size(); left > 0 && !requests_.empty() && !pending_; --left) {
+    Request next = std::move(requests_.front());
+    requests_.pop_front();
     if (!next.always && workspace_.opening.loader.busy()) continue;  // the open work is about to be replaced
     if (next.is_one && !group_) group_ = {workspace_.session.document.history().position(), next.name};
     if (!next.run()) {
-      asked_.push_front(std::move(next));
+      requests_.push_front(std::move(next));
       return;
     }
     end_group();
@@ -208,7 +208,7 @@ void WorldChanges::end_group() {
 }
 
 void WorldChanges::end_pending() {
-  const bool goes_on = group_ && !asked_.empty() && asked_.front().name == group_->name;
+  const bool goes_on = group_ && !requests_.empty() && requests_.front().name == group_->name;
   if (!goes_on) end_group();
   workspace_.view.picture_old = true;
 }
@@ -222,7 +222,7 @@ void WorldChanges::forget() {
   groups_ = StepGroups();
   group_.reset();
   pending_.reset();
-  std::erase_if(asked_, [](const Asked& a) { return !a.always; });
+  std::erase_if(requests_, [](const Request& a) { return !a.always; });
 }
 
 // Commands
@@ -233,12 +233,12 @@ void WorldChanges::apply(const Command& command) {
          [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
-void WorldChanges::travel_to(size_t position, const std::string& said) {
+void WorldChanges::travel_to(size_t position, const std::string& message) {
   const Document& document = workspace_.session.document;
   const UndoStack& history = document.history();
   change(
       "Jumping to a history step", is_small(document) && history.holds_images(position, history.position()),
-      [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, said);
+      [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, message);
 }
 
 void WorldChanges::step_through_history(bool back) {
@@ -250,23 +250,24 @@ void WorldChanges::step_through_history(bool back) {
   if (group != nullptr) return travel_to(back ? group->from : group->to, did + group->name);
   const UndoStack& history = document.history();
   const bool there_is_one = back ? history.position() > 0 : history.position() < history.size();
-  std::string said;
+  std::string message;
   if (there_is_one) {
     const size_t step = back ? history.position() - 1 : history.position();
-    said = did + step_words(history, step, workspace_.view.frame.unit);
+    message = did + step_words(history, step, workspace_.view.frame.unit);
   }
   const Command command = back ? Command(Undo{}) : Command(Redo{});
   change(
       command_label(command, workspace_.view.frame.unit), is_quick(document, command),
-      [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, said);
+      [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, message);
 }
 
 // Makes a quick change at once, any other in the background.
-void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
+void WorldChanges::change(const std::string& title, bool quick, const Change& what,
+                          const std::string& message) {
   KERF_ASSERT(!pending_);
-  workspace_.message.say("");
-  if (!said_later_.empty()) workspace_.message.note(std::exchange(said_later_, ""), false);
-  if (quick) return show_outcome(what(workspace_.session.document, nullptr), {}, said);
+  workspace_.message.clear();
+  if (!pending_message_.empty()) workspace_.message.note(std::exchange(pending_message_, ""), false);
+  if (quick) return show_outcome(what(workspace_.session.document, nullptr), {}, message);
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
   change.title = title;
@@ -276,8 +277,8 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
     *prepared = prepare(document.world(), outcome.delta, loaded);
     return outcome;
   };
-  change.then = [this, prepared, said](const Outcome& outcome) {
-    show_outcome(outcome, std::move(*prepared), said);
+  change.then = [this, prepared, message](const Outcome& outcome) {
+    show_outcome(outcome, std::move(*prepared), message);
   };
   pending_ = std::move(change);
 }
@@ -287,7 +288,7 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
 
 bool WorldChanges::step(const Part& part) {
   KERF_ASSERT(!pending_);
-  if (do_beside(part)) return false;
+  if (run_in_background(part)) return false;
   const Result<StepResult> step = part(workspace_.session.document);
   if (!step) {
     show_failed_step(step.error());
@@ -310,7 +311,7 @@ void WorldChanges::cut() {
   while (can_cut() && workspace_.screen.clock->seconds() < workspace_.screen.cut_until) {
     if (!step([](Document& d) { return d.step(kMovesOfStep); })) break;
   }
-  if (beam) workspace_.beam.find_strike(document);
+  if (beam) workspace_.beam.find_impact(document);
   if (workspace_.view.spread > 0)
     spread_pieces(document.world(), workspace_.view.spread, workspace_.view.look);
   workspace_.screen.cut_seconds += workspace_.screen.clock->seconds() - began;
@@ -319,8 +320,8 @@ void WorldChanges::cut() {
   workspace_.services.statistics.world_changed = true;
 }
 
-bool WorldChanges::do_beside(const Part& part) {
-  const char* title = why_beside(workspace_.session.document);
+bool WorldChanges::run_in_background(const Part& part) {
+  const char* title = background_reason(workspace_.session.document);
   if (title == nullptr) return false;
   const auto step = std::make_shared<StepResult>();
   const auto prepared = std::make_shared<PreparedBodies>();
@@ -351,28 +352,28 @@ void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) 
   if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
     renderer().send_faces(workspace_.world());
   follow_released(step.delta);
-  const bool came = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
+  const bool created = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
                                 [](const BodyDelta& body) { return !body.new_pieces.empty(); });
-  if (came || workspace_.view.numbers.waits()) {
+  if (created || workspace_.view.numbers.waits()) {
     workspace_.view.numbers.follow(workspace_.world(), false,
                                    pieces_may_return(workspace_.session.document.history()),
                                    workspace_.view.look.pieces);
   }
   workspace_.services.statistics.chart.record_step(step);
-  tell_left_open(step.delta);
+  report_left_open(step.delta);
 }
 
 // Reports solid bodies that a stroke left open: shows the first, and logs all.
-void WorldChanges::tell_left_open(const Delta& delta) {
+void WorldChanges::report_left_open(const Delta& delta) {
   for (size_t i = delta.left_open.size(); i-- > 1;)
     workspace_.message.note(left_open_text(delta.left_open[i], workspace_.world()), true);
   if (!delta.left_open.empty())
-    workspace_.message.say(left_open_text(delta.left_open.front(), workspace_.world()), true);
+    workspace_.message.error(left_open_text(delta.left_open.front(), workspace_.world()));
 }
 
 // Pieces that came off become bodies when time passes.
 void WorldChanges::follow_released(const Delta& delta) {
-  if (delta.came.empty() && delta.detached.empty()) return;
+  if (delta.created.empty() && delta.detached.empty()) return;
   const World& world = workspace_.world();
   ViewOptions& look = workspace_.view.look;
   follow_world(world, delta, look.pieces);
@@ -384,26 +385,26 @@ void WorldChanges::follow_released(const Delta& delta) {
 void WorldChanges::show_failed_step(const Error& error) {
   cancel_stroke(workspace_);
   renderer().resend(workspace_.world());
-  workspace_.message.say(error.message, true);
+  workspace_.message.error(error.message);
 }
 
 // Viewport
 // --------------------------------------------------------------------------------------------------------
 
-void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared, const std::string& said) {
+void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared, const std::string& message) {
   show_change(outcome.delta, std::move(prepared));
   if (!outcome.ok()) {
-    workspace_.message.say(outcome.error().message, true);
+    workspace_.message.error(outcome.error().message);
   } else {
-    said_later_ = said;
-    tell_done();
-    tell_left_open(outcome.delta);
+    pending_message_ = message;
+    report_done();
+    report_left_open(outcome.delta);
   }
 }
 
-void WorldChanges::tell_done() {
-  if (said_later_.empty() || workspace_.session.document.queue().pending().holds_beam()) return;
-  workspace_.message.say(std::exchange(said_later_, ""));
+void WorldChanges::report_done() {
+  if (pending_message_.empty() || workspace_.session.document.queue().pending().holds_beam()) return;
+  workspace_.message.info(std::exchange(pending_message_, ""));
 }
 
 void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {

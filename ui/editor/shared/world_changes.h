@@ -65,10 +65,10 @@ bool is_quick(const Document& document, const Command& command);
 
 // Describes the next step of the document in a few words if it has to run in the background, because it
 // makes bodies or colliders of many faces; otherwise returns null. O(pieces).
-const char* why_beside(const Document& document);
+const char* background_reason(const Document& document);
 
-// Consecutive steps of the history made by one user action, such as hiding several pieces, which one undo
-// reverts together. The document does not store groups: they last as long as the editor is open.
+// Consecutive history steps of one user action, such as hiding several pieces, undone together. The document
+// does not store groups: they last as long as the editor is open.
 class StepGroups {
  public:
   struct Group {
@@ -109,19 +109,19 @@ class WorldChanges {
   // The queue
   // ------------------------------------------------------------------------------------------------------
 
-  // A change requested by a menu, key or panel, which is made between two frames, in the order of requests.
-  struct Asked {
-    std::string name;           // replaces a waiting one of the same name
+  // A change requested by a menu, key or panel. Executed between two frames, in order.
+  struct Request {
+    std::string name;           // replaces a queued request of the same name
     std::function<bool()> run;  // returns false if it must be called again after its pending change
-    bool is_one = false;        // its steps of the history are undone as one, under this name
-    bool always = false;        // also while a file is being opened; other changes are dropped then
+    bool is_one = false;        // undone as one step, under this name
+    bool always = false;        // kept while a file is being opened; others are dropped
   };
-  void ask(Asked change);
-  // Requests a change that takes one call.
-  void ask(std::string name, const std::function<void()>& run);
-  // Requests a command. It does not replace others.
-  void ask(const Command& command);
-  bool is_asked() const { return !asked_.empty(); }
+  void enqueue(Request change);
+  // Enqueues a change that takes one call.
+  void enqueue(std::string name, const std::function<void()>& run);
+  // Enqueues a command, which replaces no other request.
+  void enqueue(const Command& command);
+  bool has_requests() const { return !requests_.empty(); }
   // Called once a frame: executes requests until a change becomes pending.
   void process_requests();
 
@@ -141,16 +141,16 @@ class WorldChanges {
   // ------------------------------------------------------------------------------------------------------
 
   void apply(const Command& command);
-  // Goes to a position of the history, then shows the message `said`. Strokes that have to be cut again are
-  // cut during the next frames.
-  void travel_to(size_t position, const std::string& said = "");
+  // Goes to a position of the history, then shows `message`. Strokes that need a recut are cut during the
+  // next frames.
+  void travel_to(size_t position, const std::string& message = "");
   // Undoes or redoes a step or a group of steps, and reports it. Ends a stroke in progress.
   void step_through_history(bool back);
   // Changes the document by `what`, which must accept a null progress. A change that is not `quick` becomes
-  // pending under the title. Shows `said` once it is done and the strokes that it queued are cut (see
-  // tell_done).
+  // pending under the title. Shows `message` once it is done and the strokes that it queued are cut (see
+  // report_done).
   using Change = std::function<Outcome(Document&, const Progress*)>;
-  void change(const std::string& title, bool quick, const Change& what, const std::string& said = "");
+  void change(const std::string& title, bool quick, const Change& what, const std::string& message = "");
 
   // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed, or became
   // pending because it makes bodies of many faces.
@@ -162,7 +162,7 @@ class WorldChanges {
   bool can_cut() const;
 
   // Called once a frame: shows the message of a completed change.
-  void tell_done();
+  void report_done();
 
   // Makes a renderer show a world derived from the open document, with the smooth normals as loaded.
   void show_world(const World& world, Renderer& renderer) const;
@@ -179,20 +179,20 @@ class WorldChanges {
 
   Renderer& renderer() const;
   void end_group();
-  bool do_beside(const Part& part);
+  bool run_in_background(const Part& part);
   void follow_step(const StepResult& step, PreparedBodies prepared = {});
   void follow_released(const Delta& delta);
   void show_failed_step(const Error& error);
-  void tell_left_open(const Delta& delta);
-  void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& said = "");
+  void report_left_open(const Delta& delta);
+  void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& message = "");
   void show_change(const Delta& delta, PreparedBodies prepared);
 
   Workspace& workspace_;
-  std::deque<Asked> asked_;
+  std::deque<Request> requests_;
   std::optional<OpenGroup> group_;
   StepGroups groups_;
   std::optional<LongChange> pending_;
-  std::string said_later_;  // message to show once nothing is left to cut
+  std::string pending_message_;  // message to show once nothing is left to cut
 };
 
 // Returns a change that applies commands one after the other, for WorldChanges::change.

@@ -195,7 +195,7 @@ void draw_field(CommandPalette& palette) {
                                palette.typed.size(), ImGuiInputTextFlags_CallbackAlways, select_nothing,
                                &palette)) {
     palette.cursor = 0;
-    palette.is_chosen = palette.typed.front() != '\0';
+    palette.is_selected = palette.typed.front() != '\0';
     palette.show_cursor = true;
   }
   if (ImGui::IsItemActive()) palette.begins = false;
@@ -205,7 +205,7 @@ void move_cursor(CommandPalette& palette, int steps, size_t count) {
   const auto last = static_cast<std::ptrdiff_t>(count) - 1;
   const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(palette.cursor) + steps;
   palette.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(to, 0, std::max<std::ptrdiff_t>(last, 0)));
-  if (steps != 0) palette.show_cursor = palette.is_chosen = true;
+  if (steps != 0) palette.show_cursor = palette.is_selected = true;
 }
 
 // Draws the list of matches. Returns the place of the row that was clicked.
@@ -217,7 +217,7 @@ std::optional<size_t> draw_matches(CommandPalette& palette, std::span<const User
   if (ImGui::BeginChild("matches", {0, rows * row})) {
     if (found.empty()) ImGui::TextDisabled("No matching actions");
     for (size_t place = 0; place < found.size(); ++place) {
-      const bool at_cursor = palette.is_chosen && place == palette.cursor;
+      const bool at_cursor = palette.is_selected && place == palette.cursor;
       if (draw_row(actions[found[place]], place, at_cursor)) clicked = place;
       if (at_cursor && std::exchange(palette.show_cursor, false)) ImGui::SetScrollHereY();
       if (at_cursor) palette.show_cursor = false;
@@ -232,7 +232,7 @@ void draw_explanation(std::span<const UserAction> actions, const std::vector<siz
   ImGui::Separator();
   const ImVec2 at = ImGui::GetCursorPos();
   ImGui::PushTextWrapPos(0);
-  if (palette.is_chosen && palette.cursor < found.size()) {
+  if (palette.is_selected && palette.cursor < found.size()) {
     const UserAction& action = actions[found[palette.cursor]];
     const char* disabled_reason = action.objection();
     ImGui::TextDisabled("%s", disabled_reason != nullptr ? disabled_reason : action.tip.c_str());
@@ -253,18 +253,18 @@ const UserAction* draw_window(CommandPalette& palette, std::span<const UserActio
   const std::vector<size_t> found = find_actions(actions, palette.typed.data());
   const CommandPalette::Keys keys = std::exchange(palette.keys, {});
   move_cursor(palette, keys.steps, found.size());
-  std::optional<size_t> chosen = draw_matches(palette, actions, found);
+  std::optional<size_t> selected = draw_matches(palette, actions, found);
   draw_explanation(actions, found, palette);
   if (keys.escape) {
     close(palette);
     return nullptr;
   }
-  if (keys.enter && palette.is_chosen) chosen = palette.cursor;
-  if (keys.enter && !palette.is_chosen) palette.begins = true;  // the field lost the focus
-  if (!chosen || *chosen >= found.size()) return nullptr;
-  palette.cursor = *chosen;
-  palette.is_chosen = true;
-  const UserAction& action = actions[found[*chosen]];
+  if (keys.enter && palette.is_selected) selected = palette.cursor;
+  if (keys.enter && !palette.is_selected) palette.begins = true;  // the field lost the focus
+  if (!selected || *selected >= found.size()) return nullptr;
+  palette.cursor = *selected;
+  palette.is_selected = true;
+  const UserAction& action = actions[found[*selected]];
   if (action.objection() != nullptr) {
     palette.begins = true;  // Enter ended the typing
     return nullptr;
@@ -352,9 +352,9 @@ void draw_palette(CommandPalette& palette, std::span<const UserAction> actions, 
   if (!drawn) return;
   mark_window("palette");
   const std::vector<UserAction> nameable = nameable_actions(actions);
-  const UserAction* chosen = draw_window(palette, nameable);
+  const UserAction* selected = draw_window(palette, nameable);
   ImGui::EndPopup();
-  if (chosen != nullptr) chosen->run();
+  if (selected != nullptr) selected->run();
 }
 
 }  // namespace kerf

@@ -22,8 +22,8 @@ std::optional<int> fuzzy_score(std::string_view query, std::string_view text);
 struct CommandPalette {
   bool open = false;
   std::array<char, 96> typed{};
-  size_t cursor = 0;       // in the list of matches
-  bool is_chosen = false;  // the cursor was set by the query or the arrows: Enter runs the action
+  size_t cursor = 0;         // in the list of matches
+  bool is_selected = false;  // the cursor was set by the query or the arrows: Enter runs the action
 
   // Keys received since the window was last drawn.
   struct Keys {

@@ -130,7 +130,7 @@ void Catalogue::add_panels(const Features& features, PanelPlaces& places) {
       places.add(layout.id, tab.tab, layout.dock, layout.unfolded);
     }
   }
-  places.choose_tab();
+  places.select_tab();
 }
 
 void Catalogue::add_actions(const Features& features) {

@@ -32,13 +32,13 @@ std::string time_text(std::time_t when) {
   return text.data();
 }
 
-std::string as_text(const std::deque<Message::Said>& log) {
+std::string as_text(const std::deque<Message::Entry>& log) {
   std::string all;
-  for (const Message::Said& said : log) all += time_text(said.when) + "  " + said.text + "\n";
+  for (const Message::Entry& said : log) all += time_text(said.when) + "  " + said.text + "\n";
   return all;
 }
 
-void draw_said(const Message::Said& said) {
+void draw_entry(const Message::Entry& said) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
@@ -49,14 +49,14 @@ void draw_said(const Message::Said& said) {
   if (!said.is_error) ImGui::PopStyleColor();
 }
 
-void draw_log(const std::deque<Message::Said>& log) {
+void draw_log(const std::deque<Message::Entry>& log) {
   if (log.empty()) return ImGui::TextDisabled("No messages");
   if (ImGui::SmallButton("Copy All")) ImGui::SetClipboardText(as_text(log).c_str());
   tooltip("Copies the messages as text, oldest first.");
   if (!ImGui::BeginTable("log", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthFixed, kTimeEms * ImGui::GetFontSize());
   ImGui::TableSetupColumn("sentence", ImGuiTableColumnFlags_WidthStretch);
-  for (size_t i = log.size(); i-- > 0;) draw_said(log[i]);
+  for (size_t i = log.size(); i-- > 0;) draw_entry(log[i]);
   ImGui::EndTable();
 }
 

@@ -33,13 +33,13 @@ void BusyWindow::keep(const Vec2& pixels) {
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-bool BusyWindow::hear(const Input& input, ChangeThread& change) {
+bool BusyWindow::handle_input(const Input& input, ChangeThread& change) {
   KERF_ASSERT(change.busy());
   for (const InputEvent& event : input.events) {
     if (event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_ESCAPE) {
       change.stop();
     } else {
-      heard_.push_back(event);
+      deferred_events_.push_back(event);
     }
   }
   if (input.close) change.stop();
@@ -55,13 +55,13 @@ void BusyWindow::draw(const Vec2& window, const Area& picture, ChangeThread& cha
   if (lasts && draw_progress(picture, change.title(), change.fraction(), change.can_stop())) change.stop();
 }
 
-std::vector<InputEvent> BusyWindow::take_heard() {
-  std::vector<InputEvent> heard = std::exchange(heard_, {});
-  if (heard.empty() || Clock::now() - began_ < kSoon) return heard;
-  std::erase_if(heard, [](const InputEvent& event) {
+std::vector<InputEvent> BusyWindow::take_deferred_events() {
+  std::vector<InputEvent> events = std::exchange(deferred_events_, {});
+  if (events.empty() || Clock::now() - began_ < kSoon) return events;
+  std::erase_if(events, [](const InputEvent& event) {
     return event.kind == InputEvent::Kind::kPress || event.kind == InputEvent::Kind::kWheel;
   });
-  return heard;
+  return events;
 }
 
 namespace {
@@ -141,11 +141,11 @@ void EditorScreen::rest() {
   for (const auto& feature : features_) feature->on_idle();
 }
 
-void EditorScreen::tell(const std::string& fault) {
-  if (!fault.empty() && !workspace_.message.is_error) workspace_.message.say(fault, true);
+void EditorScreen::report_error(const std::string& fault) {
+  if (!fault.empty() && !workspace_.message.is_error) workspace_.message.error(fault);
 }
 
-void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& scene) {
+void EditorScreen::resume_from_game(const GuiLook& look, const std::filesystem::path& scene) {
   KERF_ASSERT(wants_game());
   workspace_.links.leaves = Leaves::kNot;
   workspace_.settings.palette = look.palette;
@@ -176,15 +176,15 @@ GuiLook EditorScreen::look() const {
 bool EditorScreen::moving() const {
   if (thread_.busy() || easing_ || workspace_.view.picture_old || workspace_.view.heat_old || picture_.busy())
     return true;
-  if (workspace_.changes.is_asked()) return true;
+  if (workspace_.changes.has_requests()) return true;
   return std::any_of(features_.begin(), features_.end(),
                      [](const auto& feature) { return feature->needs_redraw(); });
 }
 
-double EditorScreen::least_frame() const {
+double EditorScreen::min_frame_seconds() const {
   constexpr double kProgress = 0.1;
   const bool still =
-      !easing_ && !workspace_.view.picture_old && !picture_.busy() && !workspace_.changes.is_asked();
+      !easing_ && !workspace_.view.picture_old && !picture_.busy() && !workspace_.changes.has_requests();
   return still && workspace_.opening.loader.busy() ? kProgress : 0;
 }
 
@@ -198,50 +198,51 @@ KeyboardHold EditorScreen::keyboard_hold() const {
   return opens && !is_text_field_active() ? KeyboardHold::kForFocus : KeyboardHold::kNone;
 }
 
-void EditorScreen::hear(const Input& input) {
+void EditorScreen::handle_input(const Input& input) {
   if (thread_.busy()) {
-    if (busy_.hear(input, thread_)) workspace_.links.quit();
+    if (busy_.handle_input(input, thread_)) workspace_.links.quit();
     return;
   }
   lay_out_window();
   catalogue_.bind(workspace_.settings, workspace_.view.shortcuts);
-  std::vector<InputEvent> events = busy_.take_heard();
+  std::vector<InputEvent> events = busy_.take_deferred_events();
   events.insert(events.end(), input.events.begin(), input.events.end());
-  for (const InputEvent& event : events) hear_event(event);
+  for (const InputEvent& event : events) handle_input_event(event);
   if (!input.drops.empty()) workspace_.links.open(input.drops);
   if (input.close) workspace_.links.quit();
 }
 
 // Releases of keys, and characters, are handled by ImGui alone.
-void EditorScreen::hear_event(const InputEvent& event) {
+void EditorScreen::handle_input_event(const InputEvent& event) {
   switch (event.kind) {
     case InputEvent::Kind::kMove:
     case InputEvent::Kind::kPress:
     case InputEvent::Kind::kRelease:
     case InputEvent::Kind::kWheel:
-      return hear_pointer(event);
+      return handle_pointer(event);
     case InputEvent::Kind::kKey:
-      return hear_key(event);
+      return handle_key(event);
     case InputEvent::Kind::kKeyUp:
     case InputEvent::Kind::kText:
       break;
   }
 }
 
-void EditorScreen::hear_pointer(const InputEvent& event) {
+void EditorScreen::handle_pointer(const InputEvent& event) {
   const bool in_picture = workspace_.view.layout.viewport.contains(event.at) && !pointer_is_over_panel();
   if (event.kind == InputEvent::Kind::kPress && is_popup_open() && in_picture) {
     close_popups();
-    return held_press_.hold(event);
+    return deferred_press_.hold(event);
   }
-  if (const auto press = held_press_.press_of(event)) hear_mouse(workspace_, features_, *press, true);
+  if (const auto press = deferred_press_.press_of(event)) handle_mouse(workspace_, features_, *press, true);
   const bool taken = std::any_of(features_.begin(), features_.end(), [&](const auto& feature) {
     return feature->handle_event(event, in_picture);
   });
-  if (!taken) hear_mouse(workspace_, features_, event, !ImGui::GetIO().WantCaptureMouse && !is_popup_open());
+  if (!taken)
+    handle_mouse(workspace_, features_, event, !ImGui::GetIO().WantCaptureMouse && !is_popup_open());
 }
 
-void EditorScreen::hear_key(const InputEvent& event) {
+void EditorScreen::handle_key(const InputEvent& event) {
   const bool taken = std::any_of(features_.begin(), features_.end(),
                                  [&](const auto& feature) { return feature->handle_event(event, false); });
   if (taken || is_text_field_active() || event.again) return;
@@ -277,7 +278,7 @@ void EditorScreen::advance() {
   workspace_.screen.cut_seconds = 0;
   for (const auto& feature : features_) feature->update(seconds);
   workspace_.changes.cut();
-  if (!workspace_.changes.is_pending()) workspace_.changes.tell_done();
+  if (!workspace_.changes.is_pending()) workspace_.changes.report_done();
   for (const auto& feature : features_) feature->after_queue(seconds);
   if (workspace_.input.held && workspace_.input.held->over()) workspace_.input.held.reset();
   send(workspace_);
@@ -309,7 +310,7 @@ void EditorScreen::save_settings() {
   if (now == saved_) return;
   saved_ = now;
   if (const Status written = write_settings(now, settings_file()); !written)
-    workspace_.message.say(written.error().message, true);
+    workspace_.message.error(written.error().message);
 }
 
 // Draw
@@ -409,7 +410,7 @@ void EditorScreen::took(const FrameTime& time) {
   if (is_popup_open()) landmarks_.mark("popup", {{at.x, at.y}, Vec2(1)});
   for (const auto& feature : features_) feature->add_landmarks(landmarks_);
   if (const Status written = landmarks_.finish(moving(), {at.x, at.y}); !written)
-    workspace_.message.say(written.error().message, true);
+    workspace_.message.error(written.error().message);
 }
 
 // Report

@@ -38,22 +38,22 @@ class ThreadSetting {
 // The window while a background change owns the document: its last frame under a progress bar.
 class BusyWindow {
  public:
-  // Stores the frame that is drawn but not swapped yet, of this size in pixels, to show it from now on.
+  // Stores the drawn, not yet swapped frame of this size in pixels, which is shown from now on.
   void keep(const Vec2& pixels);
   // Stops the change on Esc and when the window is closed; stores other events. Returns true if the window
   // is to be closed. Precondition of this and of draw(): a change is running.
-  bool hear(const Input& input, ChangeThread& change);
+  bool handle_input(const Input& input, ChangeThread& change);
   // Draws a frame in a window of this size. The bar appears if the change lasts; its button stops it.
   void draw(const Vec2& window, const Area& picture, ChangeThread& change) const;
-  // Returns the stored events, once. After more than a second, presses in the viewport are dropped, because
-  // it shows another frame by then.
-  std::vector<InputEvent> take_heard();
+  // Returns the stored events, once. After more than a second, drops presses in the viewport, whose content
+  // has changed by then.
+  std::vector<InputEvent> take_deferred_events();
 
  private:
   using Clock = std::chrono::steady_clock;
 
   gl::Texture kept_;
-  std::vector<InputEvent> heard_;
+  std::vector<InputEvent> deferred_events_;
   Clock::time_point began_;
 };
 
@@ -71,7 +71,7 @@ class EditorScreen : public Screen {
   // Opens the files of the options. Fails if not even the default scene can be read.
   Status open();
   // Shows an error in the status bar unless a more important one is shown.
-  void tell(const std::string& fault);
+  void report_error(const std::string& fault);
   // Ends background work and writes the settings. Unsaved work is kept unless the user closed the editor.
   void close(bool left_by_user);
   // Returns the report of the session, which tests read.
@@ -79,26 +79,26 @@ class EditorScreen : public Screen {
 
   KeyboardHold keyboard_hold() const override;
   GuiLook look() const override;
-  void hear(const Input& input) override;
+  void handle_input(const Input& input) override;
   void advance() override;
   void draw() override;
   void drawn() override;
   void took(const FrameTime& time) override;
   bool moving() const override;
-  double least_frame() const override;
+  double min_frame_seconds() const override;
   void rest() override;
   bool over() const override { return workspace_.links.leaves == Leaves::kForGood || wants_game(); }
   std::optional<std::string> answer(const std::string& what) const override;
 
-  // Returns true if the screen ends only until the player returns from the game.
+  // Returns true if the screen is suspended for the game.
   bool wants_game() const { return workspace_.links.leaves == Leaves::kForTheGame && !thread_.busy(); }
   // Called after the game, with a scene to open or an empty path.
-  void come_back(const GuiLook& look, const std::filesystem::path& scene);
+  void resume_from_game(const GuiLook& look, const std::filesystem::path& scene);
 
  private:
-  void hear_event(const InputEvent& event);
-  void hear_pointer(const InputEvent& event);
-  void hear_key(const InputEvent& event);
+  void handle_input_event(const InputEvent& event);
+  void handle_pointer(const InputEvent& event);
+  void handle_key(const InputEvent& event);
   void escape();
   void lay_out_window();
   void draw_panels();
@@ -115,7 +115,7 @@ class EditorScreen : public Screen {
   Features features_;
   Settings saved_;  // in the file
   ThreadSetting threads_;
-  HeldPress held_press_;
+  DeferredPress deferred_press_;
   ChangeThread thread_;  // while it is busy the document is not accessed
   BusyWindow busy_;
   std::string title_;           // of the window

@@ -125,7 +125,7 @@ Features make_features(Workspace& workspace, const Catalogue& catalogue) {
   features.push_back(section_feature(workspace));
   features.push_back(emitter_feature(workspace));
   features.push_back(path_feature(workspace));
-  features.push_back(moving_feature(workspace));
+  features.push_back(transform_feature(workspace));
   features.push_back(time_feature(workspace));
   features.push_back(inspect_feature(workspace));
   features.push_back(ruler_feature(workspace));

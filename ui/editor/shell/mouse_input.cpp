@@ -28,7 +28,7 @@ bool pointer_is_over_panel() {
                                 ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
 }
 
-std::optional<InputEvent> HeldPress::press_of(const InputEvent& event) {
+std::optional<InputEvent> DeferredPress::press_of(const InputEvent& event) {
   if (!held_) return std::nullopt;
   switch (event.kind) {
     case InputEvent::Kind::kMove:
@@ -63,7 +63,7 @@ std::unique_ptr<Interaction> begin(Workspace& workspace, const Features& feature
 
 }  // namespace
 
-void hear_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free) {
+void handle_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free) {
   PointerInput& input = workspace.input;
   input.pointer = event.at;
   input.viewport_hovered = free && workspace.view.layout.viewport.contains(event.at);

@@ -18,10 +18,10 @@ void close_popups();
 // Returns true if the pointer is over a panel, a bar, a menu or a dialog.
 bool pointer_is_over_panel();
 
-// A press of a mouse button in the viewport that closed a popup. If the pointer then moves, it was the start
-// of a drag, and a stroke begins where the button was pressed. If the button is released without a move, the
-// click only closed the popup.
-class HeldPress {
+// A press in the viewport that closed a popup. A following move makes it the start of a drag, so that a
+// stroke begins where the button was pressed. A release without a move makes it a click that only closed the
+// popup.
+class DeferredPress {
  public:
   // Stores the press in place of an earlier one.
   void hold(const InputEvent& press) { held_ = press; }
@@ -35,6 +35,6 @@ class HeldPress {
 // Handles the mouse in the viewport: a press of the left button belongs to the first feature that claims it;
 // middle or Alt+left drag orbits, Shift+middle or right drag pans, the wheel zooms to the pointer. A drag
 // belongs to the place where it began, and continues across panels. `free`: no panel or menu uses the mouse.
-void hear_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free);
+void handle_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free);
 
 }  // namespace kerf

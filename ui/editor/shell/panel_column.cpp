@@ -130,18 +130,18 @@ void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton(look.id, size)) places.show_tab(look.tab);
   mark_last_item((std::string("tab ") + look.id).c_str());
-  const bool over = ImGui::IsItemHovered(), chosen = places.tab() == look.tab;
+  const bool over = ImGui::IsItemHovered(), selected = places.tab() == look.tab;
   tooltip((std::string(look.tip) + " " + look.shortcut).c_str());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize(), middle = std::round(at.x + 0.5f * size.x);
-  const ImU32 colour = chosen ? colours::accent() : over ? colours::text() : colours::secondary();
-  if (chosen) {
+  const ImU32 colour = selected ? colours::accent() : over ? colours::text() : colours::secondary();
+  if (selected) {
     list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
     list.AddRectFilled({at.x, at.y + size.y - 2}, {at.x + size.x, at.y + size.y}, colours::accent());
   }
   look.draw(list, {middle, at.y + 0.8f * em}, 0.5f * em, colour);
   const float text = ImGui::CalcTextSize(look.name).x;
-  list.AddText({std::round(middle - 0.5f * text), at.y + 1.45f * em}, chosen ? colours::text() : colour,
+  list.AddText({std::round(middle - 0.5f * text), at.y + 1.45f * em}, selected ? colours::text() : colour,
                look.name);
 }
 

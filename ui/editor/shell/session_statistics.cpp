@@ -73,9 +73,9 @@ nlohmann::ordered_json times_of_cutting(const Statistics& statistics) {
           {"each_between_pictures_ms", statistics.between_cutting_pictures.each()}};
 }
 
-nlohmann::ordered_json texts_of(const std::deque<Message::Said>& log) {
+nlohmann::ordered_json texts_of(const std::deque<Message::Entry>& log) {
   nlohmann::ordered_json texts = nlohmann::ordered_json::array();
-  for (const Message::Said& said : log) texts.push_back(said.text);
+  for (const Message::Entry& said : log) texts.push_back(said.text);
   return texts;
 }
 
@@ -139,10 +139,10 @@ namespace {
 
 struct Count {
   std::string text;
-  float least_width;  // sizes of the text; keeps its neighbours in place
+  float min_width;  // sizes of the text; keeps its neighbours in place
   ImU32 colour;
   float width() const {
-    return std::max(ImGui::CalcTextSize(text.c_str()).x, least_width * ImGui::GetFontSize()) +
+    return std::max(ImGui::CalcTextSize(text.c_str()).x, min_width * ImGui::GetFontSize()) +
            1.2f * ImGui::GetFontSize();
   }
 };

@@ -43,51 +43,51 @@ float width_of_one(int buttons) {
 }
 
 void draw_beginnings(StageState& stages, const Document& document, const ViewState& view) {
-  StageWishes& wishes = stages.wishes;
-  bool on = wishes.on;
+  StageRequests& requests = stages.requests;
+  bool on = requests.on;
   if (ImGui::Checkbox((with_shortcut(view, "Step Mode", "stages.step_mode") + "###on").c_str(), &on)) {
-    wishes.stop();
-    wishes.on = on;
+    requests.stop();
+    requests.on = on;
   }
   mark_last_item("stages on");
   tooltip("A drawn stroke waits and is cut stage by stage. The result is the same.");
   ImGui::SameLine();
   if (button(view, "Restart", "stage start", "Undoes the last stroke and cuts it again, stage by stage.",
-             "stages.step_last_cut", why_not_again(document), width_of_one(1)))
-    wishes.begin_again();
+             "stages.step_last_cut", restart_disabled_reason(document), width_of_one(1)))
+    requests.start_over();
 }
 
 void draw_steps(StageState& stages, const Document& document, const ViewState& view) {
-  StageWishes& wishes = stages.wishes;
-  const char* no_next = why_no_next_stage(stages, document);
+  StageRequests& requests = stages.requests;
+  const char* no_next = next_stage_disabled_reason(stages, document);
   const float third = width_of_one(3);
   if (button(view, "Previous", "stage back", "Undoes the last stage.", "stages.previous",
-             why_no_stage_back(stages, document), third))
-    wishes.go_to(stages.log.done() - 1);
+             stage_back_disabled_reason(stages, document), third))
+    requests.go_to(stages.log.done() - 1);
   ImGui::SameLine();
-  const char* no_play = no_next != nullptr && !wishes.playing ? why_not_again(document) : nullptr;
-  if (button(view, wishes.playing ? "Pause" : "Play", "stage play",
+  const char* no_play = no_next != nullptr && !requests.playing ? restart_disabled_reason(document) : nullptr;
+  if (button(view, requests.playing ? "Pause" : "Play", "stage play",
              "Plays the stages; restarts at the end of the stroke.", "stages.play", no_play, third))
     play_or_pause(stages, document);
   ImGui::SameLine();
   if (button(view, "Next", "stage next", "Executes one stage.", "stages.next", no_next, third))
-    wishes.go_to(stages.log.done() + 1);
+    requests.go_to(stages.log.done() + 1);
   const float half = width_of_one(2);
   if (button(view, "Finish Segment", "stage end of move",
              "Executes the remaining stages of this segment of the beam.", "stages.finish_segment", no_next,
              half))
-    wishes.run_to_end_of_move();
+    requests.run_to_end_of_move();
   ImGui::SameLine();
   if (button(view, "Finish Stroke", "stage end of stroke", "Executes all remaining stages.",
              "stages.finish_stroke", no_next, half))
-    wishes.go_to(StageWishes::kAll);
+    requests.go_to(StageRequests::kAll);
 }
 
-void draw_speed(StageWishes& wishes) {
+void draw_speed(StageRequests& requests) {
   if (!begin_properties("speed")) return;
   property("Speed");
-  real_slider({"Speed", "##speed", "Speed of playback in stages per second.", true}, wishes.per_second,
-              StageWishes::kSlowest, StageWishes::kFastest, "%.1f stages/s");
+  real_slider({"Speed", "##speed", "Speed of playback in stages per second.", true}, requests.per_second,
+              StageRequests::kSlowest, StageRequests::kFastest, "%.1f stages/s");
   mark_last_item("stage speed");
   end_properties();
 }
@@ -136,7 +136,8 @@ void SingleStepPanel::draw_list(StageState& stages, const Document& document) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
         const auto stage = static_cast<size_t>(i) + 1;
         const bool clicked = draw_row(stage, told[stage - 1], done);
-        if (clicked && (stage > done || why_not_again(document) == nullptr)) stages.wishes.go_to(stage);
+        if (clicked && (stage > done || restart_disabled_reason(document) == nullptr))
+          stages.requests.go_to(stage);
       }
     }
     if (shown_ != done) ImGui::SetScrollY(line * static_cast<float>(done) - 0.6f * height);
@@ -148,9 +149,9 @@ void SingleStepPanel::draw_list(StageState& stages, const Document& document) {
 
 void SingleStepPanel::draw(StageState& stages, const Document& document, const ViewState& view) {
   draw_beginnings(stages, document, view);
-  if (!stages.wishes.on) return;
+  if (!stages.requests.on) return;
   draw_steps(stages, document, view);
-  draw_speed(stages.wishes);
+  draw_speed(stages.requests);
   const std::string place = place_text(stages, document);
   if (place.empty()) {
     return secondary_text("Draw a stroke, or step through the last one again.");
@@ -251,13 +252,13 @@ class SingleStepFeature : public Feature {
   explicit SingleStepFeature(Workspace& workspace) : workspace_(workspace) {
     workspace.links.holds_back = [this] { return cut_.holds_back(); };
     workspace.links.time_holds.push_back(
-        [this] { return stages_.wishes.on ? "Bodies do not move in step mode." : nullptr; });
+        [this] { return stages_.requests.on ? "Bodies do not move in step mode." : nullptr; });
   }
 
   std::vector<PanelPart> panel_parts() override {
     return {{"tree.query",
              [this] {
-               if (stages_.wishes.on) draw_query_walk(stages_.log);
+               if (stages_.requests.on) draw_query_walk(stages_.log);
              }},
             {"single_step", [this] { panel_.draw(stages_, workspace_.session.document, workspace_.view); }}};
   }
@@ -267,7 +268,7 @@ class SingleStepFeature : public Feature {
   void after_queue(double) override {
     if (workspace_.changes.is_pending()) return;
     std::shared_ptr<const StageMarks> marks;
-    if (stages_.wishes.on) marks = stages_.log.marks(workspace_.world());
+    if (stages_.requests.on) marks = stages_.log.marks(workspace_.world());
     if (workspace_.view.look.stage == marks) return;
     workspace_.view.look.stage = std::move(marks);
     workspace_.view.picture_old = true;
@@ -276,7 +277,7 @@ class SingleStepFeature : public Feature {
   void on_document_opened() override { stages_.log.forget(); }
 
   void draw_overlay(ImDrawList&) override {
-    if (!stages_.wishes.on) return;
+    if (!stages_.requests.on) return;
     workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode, "Step mode: " + state_text(),
                                     "single step badge");
     if (stages_.log.done() > 0) draw_stage_caption(stages_.log, workspace_.view.layout.first);
@@ -284,18 +285,18 @@ class SingleStepFeature : public Feature {
   void write_session_log(nlohmann::ordered_json& report) const override {
     const QueryWalk& query = stages_.log.query();
     report["stages"] = {
-        {"on", stages_.wishes.on},
-        {"playing", stages_.wishes.playing},
+        {"on", stages_.requests.on},
+        {"playing", stages_.requests.playing},
         {"done", stages_.log.done()},
         {"told", stages_.log.told()},
-        {"state", stages_.wishes.on ? state_text() : ""},
+        {"state", stages_.requests.on ? state_text() : ""},
         {"query", {{"drawn", query.drawn}, {"visited", query.visited()}, {"boxes", query.size()}}}};
   }
 
  private:
   // Describes what single steps do or wait for.
   std::string state_text() const;
-  const char* why_no_next() const { return why_no_next_stage(stages_, workspace_.session.document); }
+  const char* next_disabled_reason() const { return next_stage_disabled_reason(stages_, workspace_.session.document); }
   std::vector<UserAction> beginnings();
   std::vector<UserAction> steps();
   std::vector<UserAction> view_actions();
@@ -310,49 +311,49 @@ class SingleStepFeature : public Feature {
 
 std::string SingleStepFeature::state_text() const {
   if (cut_.waits_for_earlier())
-    return cut_.wants_more() ? "an earlier stroke is cut first, then the next stage"
+    return cut_.needs_more() ? "an earlier stroke is cut first, then the next stage"
                              : "an earlier stroke is cut first";
   const size_t waiting = workspace_.session.document.waiting();
   if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
-  if (waiting > 0 && stages_.wishes.playing) return "playing";
+  if (waiting > 0 && stages_.requests.playing) return "playing";
   if (waiting > 0) return with_shortcut(workspace_.view, "next stage", "stages.next");
   return stages_.log.done() > 0 ? "the stroke is cut" : "draw a stroke";
 }
 
 std::vector<UserAction> SingleStepFeature::beginnings() {
-  StageWishes& wishes = stages_.wishes;
-  const auto why_not_start = [this] { return why_not_again(workspace_.session.document); };
-  const auto why_no_play = [this, why_not_start]() -> const char* {
-    return stages_.wishes.playing || why_no_next() == nullptr ? nullptr : why_not_start();
+  StageRequests& requests = stages_.requests;
+  const auto start_disabled_reason = [this] { return restart_disabled_reason(workspace_.session.document); };
+  const auto play_disabled_reason = [this, start_disabled_reason]() -> const char* {
+    return stages_.requests.playing || next_disabled_reason() == nullptr ? nullptr : start_disabled_reason();
   };
   return {
       UserAction{.id = "stages.step_mode",
                  .name = "Step Mode",
                  .shortcut = "F8",
                  .tip = "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
-                 .run = [&wishes] { wishes.stop(), wishes.on = !wishes.on; },
-                 .checked = [&wishes] { return wishes.on; }},
+                 .run = [&requests] { requests.stop(), requests.on = !requests.on; },
+                 .checked = [&requests] { return requests.on; }},
       UserAction{.id = "stages.step_last_cut",
                  .name = "Step Through Last Cut",
                  .shortcut = "Shift+F8",
                  .tip = "Undoes the last stroke and cuts it again, stage by stage.",
-                 .run = [&wishes] { wishes.begin_again(); },
-                 .disabled_reason = why_not_start},
+                 .run = [&requests] { requests.start_over(); },
+                 .disabled_reason = start_disabled_reason},
       UserAction{.id = "stages.play",
                  .name = "Play Stages",
                  .shortcut = "Space",
                  .tip = "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
                  .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.session.document); },
-                 .checked = [&wishes] { return wishes.playing; },
-                 .disabled_reason = why_no_play,
-                 .has_key_when = [&wishes] { return wishes.on; }},
+                 .checked = [&requests] { return requests.playing; },
+                 .disabled_reason = play_disabled_reason,
+                 .has_key_when = [&requests] { return requests.on; }},
   };
 }
 
 std::vector<UserAction> SingleStepFeature::steps() {
-  StageWishes& wishes = stages_.wishes;
-  const auto disabled_reason = [this] { return why_no_next(); };
-  const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key advances a tick
+  StageRequests& requests = stages_.requests;
+  const auto disabled_reason = [this] { return next_disabled_reason(); };
+  const auto while_on = [&requests] { return requests.on; };  // otherwise the key advances a tick
   return {
       UserAction{.id = "stages.next",
                  .name = "Next Stage",
@@ -361,7 +362,7 @@ std::vector<UserAction> SingleStepFeature::steps() {
                  .run =
                      [this] {
                        cut_.follow();
-                       stages_.wishes.go_to(stages_.log.done() + 1);
+                       stages_.requests.go_to(stages_.log.done() + 1);
                      },
                  .disabled_reason = disabled_reason,
                  .has_key_when = while_on},
@@ -370,27 +371,27 @@ std::vector<UserAction> SingleStepFeature::steps() {
           .name = "Previous Stage",
           .shortcut = ",",
           .tip = "Undoes the last stage, to the bit.",
-          .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
-          .disabled_reason = [this] { return why_no_stage_back(stages_, workspace_.session.document); }},
+          .run = [this] { stages_.requests.go_to(stages_.log.done() - 1); },
+          .disabled_reason = [this] { return stage_back_disabled_reason(stages_, workspace_.session.document); }},
       UserAction{.id = "stages.finish_segment",
                  .name = "Finish Segment",
                  .shortcut = "Shift+.",
                  .tip = "Executes the remaining stages of this segment of the beam.",
-                 .run = [this] { cut_.follow(), stages_.wishes.run_to_end_of_move(); },
+                 .run = [this] { cut_.follow(), stages_.requests.run_to_end_of_move(); },
                  .disabled_reason = disabled_reason},
       UserAction{.id = "stages.finish_stroke",
                  .name = "Finish Stroke",
                  .shortcut = "End",
                  .tip = "Executes all remaining stages.",
-                 .run = [this] { cut_.follow(), stages_.wishes.go_to(StageWishes::kAll); },
+                 .run = [this] { cut_.follow(), stages_.requests.go_to(StageRequests::kAll); },
                  .disabled_reason = disabled_reason},
   };
 }
 
 UserAction SingleStepFeature::speed_action(const char* id, const char* name, double factor) {
   return {.id = id, .name = name, .tip = "Speed of playback in stages per second.", .run = [this, factor] {
-            double& speed = stages_.wishes.per_second;
-            speed = std::clamp(speed * factor, StageWishes::kSlowest, StageWishes::kFastest);
+            double& speed = stages_.requests.per_second;
+            speed = std::clamp(speed * factor, StageRequests::kSlowest, StageRequests::kFastest);
           }};
 }
 

@@ -12,33 +12,33 @@ constexpr const char* kOff = "Step mode is off.";
 }  // namespace
 
 void play_or_pause(StageState& stages, const Document& document) {
-  StageWishes& wishes = stages.wishes;
-  const bool play = !wishes.playing;
-  if (play && why_no_next_stage(stages, document) != nullptr) {
-    wishes.begin_again();
+  StageRequests& requests = stages.requests;
+  const bool play = !requests.playing;
+  if (play && next_stage_disabled_reason(stages, document) != nullptr) {
+    requests.start_over();
   } else {
-    wishes.stop();
+    requests.stop();
   }
-  wishes.playing = play;
+  requests.playing = play;
 }
 
-const char* why_not_again(const Document& document) {
+const char* restart_disabled_reason(const Document& document) {
   if (!document.history().last_cut()) return "No cut yet.";
   if (*document.history().last_cut() + 1 != document.history().position()) return "Undo later changes first.";
   return can_restart_stroke(document) ? nullptr : "The undo data of the last cut were discarded.";
 }
 
-const char* why_no_next_stage(const StageState& stages, const Document& document) {
-  if (!stages.wishes.on) return kOff;
+const char* next_stage_disabled_reason(const StageState& stages, const Document& document) {
+  if (!stages.requests.on) return kOff;
   if (document.waiting() > 0 && stages.runs_on)
     return "This stroke is cut to its end, because its undo data were discarded.";
   return document.waiting() > 0 ? nullptr
                                 : "The stroke is finished: go back, start again, or draw another one.";
 }
 
-const char* why_no_stage_back(const StageState& stages, const Document& document) {
-  if (!stages.wishes.on) return kOff;
-  return stages.log.done() > 0 ? why_not_again(document) : "No stage was executed yet.";
+const char* stage_back_disabled_reason(const StageState& stages, const Document& document) {
+  if (!stages.requests.on) return kOff;
+  return stages.log.done() > 0 ? restart_disabled_reason(document) : "No stage was executed yet.";
 }
 
 namespace {
@@ -56,43 +56,43 @@ bool StageCut::can_go_on() const {
   return document.waiting() > 0 && document.queue().next_is_of_last_step();
 }
 
-bool StageCut::holds_back() const { return stages_.wishes.on && from_its_start_ && can_go_on(); }
+bool StageCut::holds_back() const { return stages_.requests.on && from_its_start_ && can_go_on(); }
 
 bool StageCut::waits_for_earlier() const {
   const Document& document = workspace_.session.document;
-  return stages_.wishes.on && document.waiting() > 0 && !document.queue().next_is_of_last_step();
+  return stages_.requests.on && document.waiting() > 0 && !document.queue().next_is_of_last_step();
 }
 
-bool StageCut::must_go_back() const {
-  const StageWishes& wishes = stages_.wishes;
-  return wishes.start_again || (wishes.stage && *wishes.stage < stages_.log.done());
+bool StageCut::needs_step_back() const {
+  const StageRequests& requests = stages_.requests;
+  return requests.start_again || (requests.stage && *requests.stage < stages_.log.done());
 }
 
-bool StageCut::wants_more() const {
-  const StageWishes& wishes = stages_.wishes;
-  if (wishes.stage) return stages_.log.done() < *wishes.stage;
-  return wishes.to_end_of_move || wishes.playing;
+bool StageCut::needs_more() const {
+  const StageRequests& requests = stages_.requests;
+  if (requests.stage) return stages_.log.done() < *requests.stage;
+  return requests.to_end_of_move || requests.playing;
 }
 
 bool StageCut::waits() const {
-  return stages_.wishes.on && !workspace_.changes.is_pending() &&
-         (must_go_back() || (wants_more() && can_go_on()));
+  return stages_.requests.on && !workspace_.changes.is_pending() &&
+         (needs_step_back() || (needs_more() && can_go_on()));
 }
 
 void StageCut::advance(double seconds) {
   if (workspace_.changes.is_pending()) return;
-  StageWishes& wishes = stages_.wishes;
-  if (!wishes.on) return key_.reset();
-  if (std::exchange(went_back_, false)) show();
+  StageRequests& requests = stages_.requests;
+  if (!requests.on) return key_.reset();
+  if (std::exchange(stepped_back_, false)) show();
   follow();
-  if (must_go_back()) return go_back(wishes.stage.value_or(0));
-  due_ = wishes.playing ? std::min(due_ + seconds * wishes.per_second, 1 + wishes.per_second) : 1;
-  go_on();
+  if (needs_step_back()) return go_back(requests.stage.value_or(0));
+  due_ = requests.playing ? std::min(due_ + seconds * requests.per_second, 1 + requests.per_second) : 1;
+  advance();
   drop_fulfilled();
 }
 
 void StageCut::follow() {
-  if (!stages_.wishes.on || key_ == key_now()) return;
+  if (!stages_.requests.on || key_ == key_now()) return;
   stages_.log.forget();
   key_ = key_now();
   begin();
@@ -102,19 +102,19 @@ void StageCut::follow() {
 void StageCut::begin() {
   single_.emplace(workspace_.session.document);
   spent_ = 0;
-  StageWishes& wishes = stages_.wishes;
-  if (!wishes.start_again) wishes.stop();
+  StageRequests& requests = stages_.requests;
+  if (!requests.start_again) requests.stop();
   const Document& document = workspace_.session.document;
   from_its_start_ = !can_go_on() || document.history().last().waiting();
-  if (!from_its_start_ && can_restart_stroke(document)) wishes.start_again = true;
-  stages_.runs_on = !from_its_start_ && !wishes.start_again;
+  if (!from_its_start_ && can_restart_stroke(document)) requests.start_again = true;
+  stages_.runs_on = !from_its_start_ && !requests.start_again;
 }
 
 void StageCut::go_back(size_t stages) {
-  StageWishes& wishes = stages_.wishes;
+  StageRequests& requests = stages_.requests;
   const size_t done = stages_.log.done();
-  wishes.start_again = false;
-  wishes.stage.reset();
+  requests.start_again = false;
+  requests.stage.reset();
   if (!can_restart_stroke(workspace_.session.document)) return;
   stages = std::min(stages, done);
   const double again = static_cast<double>(stages - single_->resumes_after(stages));
@@ -128,19 +128,19 @@ void StageCut::go_back(size_t stages) {
                               Outcome gone = single_->go_back_to(
                                   stages, [this](const StageRecord& stage) { note(stage); }, progress);
                               key_ = key_now();
-                              went_back_ = true;
+                              stepped_back_ = true;
                               return gone;
                             });
 }
 
-void StageCut::go_on() {
+void StageCut::advance() {
   const double began = workspace_.screen.clock->seconds();
   const auto spent = [&] { return workspace_.screen.clock->seconds() - began; };
   const double budget = std::max(kStageSeconds, workspace_.services.statistics.shown.frame_ms / 1000);
   const size_t before = stages_.log.done();
-  while (holds_back() && wants_more() && due_ >= 1 && spent() < budget) {
+  while (holds_back() && needs_more() && due_ >= 1 && spent() < budget) {
     if (!next()) break;
-    if (stages_.wishes.playing) due_ -= 1;
+    if (stages_.requests.playing) due_ -= 1;
   }
   if (stages_.log.done() == before) return;
   spent_ += spent();
@@ -149,13 +149,13 @@ void StageCut::go_on() {
 
 // Requests made while earlier strokes are cut are kept.
 void StageCut::drop_fulfilled() {
-  StageWishes& wishes = stages_.wishes;
+  StageRequests& requests = stages_.requests;
   const Document& document = workspace_.session.document;
   const bool over = document.waiting() == 0 && !document.queue().in_stroke();
-  if (over || (wishes.stage && *wishes.stage <= stages_.log.done())) {
-    const bool playing = wishes.playing && !over;
-    wishes.stop();
-    wishes.playing = playing;
+  if (over || (requests.stage && *requests.stage <= stages_.log.done())) {
+    const bool playing = requests.playing && !over;
+    requests.stop();
+    requests.playing = playing;
   }
 }
 
@@ -164,7 +164,7 @@ bool StageCut::next() {
     Result<StageRecord> stage = single_->next();
     if (!stage) return stage.error();
     note(*stage);
-    if (stage->done.moves > 0) stages_.wishes.to_end_of_move = false;
+    if (stage->done.moves > 0) stages_.requests.to_end_of_move = false;
     return std::move(stage->done);
   });
 }
@@ -182,7 +182,7 @@ void StageCut::show() {
                               glm::length(0.5 * (bounds.min + bounds.max) - pose.origin));
     workspace_.beam.reach(pose);
   }
-  workspace_.beam.find_strike(workspace_.session.document);
+  workspace_.beam.find_impact(workspace_.session.document);
   workspace_.view.picture_old = workspace_.services.statistics.world_changed = true;
 }
 

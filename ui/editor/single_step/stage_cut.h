@@ -12,7 +12,7 @@
 namespace kerf {
 
 // Requests of the user in single steps.
-struct StageWishes {
+struct StageRequests {
   static constexpr double kSlowest = 0.5, kFastest = 60;
   static constexpr size_t kAll = std::numeric_limits<size_t>::max();
 
@@ -35,7 +35,7 @@ struct StageWishes {
     stop();
     to_end_of_move = true;
   }
-  void begin_again() {
+  void start_over() {
     stop();
     on = start_again = true;
   }
@@ -43,7 +43,7 @@ struct StageWishes {
 
 // State of single steps; StageCut executes them.
 struct StageState {
-  StageWishes wishes;
+  StageRequests requests;
   StageLog log;
   bool runs_on = false;  // a part of the last stroke was cut without stages and cannot be undone
 };
@@ -53,9 +53,9 @@ void play_or_pause(StageState& stages, const Document& document);
 
 // Return why the last stroke cannot be stepped through again, why there is no next stage, and why the last
 // stage cannot be undone; a sentence, or null if it is possible.
-const char* why_not_again(const Document& document);
-const char* why_no_next_stage(const StageState& stages, const Document& document);
-const char* why_no_stage_back(const StageState& stages, const Document& document);
+const char* restart_disabled_reason(const Document& document);
+const char* next_stage_disabled_reason(const StageState& stages, const Document& document);
+const char* stage_back_disabled_reason(const StageState& stages, const Document& document);
 
 // Executes the last stroke of the open document in single steps, forward and backward. Leaves earlier
 // strokes with queued moves to WorldChanges::cut.
@@ -74,7 +74,7 @@ class StageCut {
   // Returns true if the last stroke and its requests wait for earlier strokes, which are cut without stages.
   bool waits_for_earlier() const;
   // Returns true if more stages are requested.
-  bool wants_more() const;
+  bool needs_more() const;
   // Returns true if the next frames have to execute more.
   bool waits() const;
 
@@ -87,9 +87,9 @@ class StageCut {
   Key key_now() const;
   void begin();
   void go_back(size_t stages);
-  bool must_go_back() const;
+  bool needs_step_back() const;
   bool can_go_on() const;
-  void go_on();
+  void advance();
   void drop_fulfilled();
   bool next();
   void note(const StageRecord& stage);
@@ -99,7 +99,7 @@ class StageCut {
   StageState& stages_;
   std::optional<SingleStep> single_;
   std::optional<Key> key_;
-  bool went_back_ = false;      // since the last frame
+  bool stepped_back_ = false;   // since the last frame
   bool from_its_start_ = true;  // the last stroke is in single steps from its start
   double spent_ = 0;            // on the executed stages [s]
   double due_ = 0;              // stages due while playing

@@ -81,7 +81,7 @@ void mark_delta(const World& world, const BodyDelta& delta, StageRecord::Kind st
   for (const CutFace& f : delta.removed) mark_face(f.corners, f.piece, Kind::kRemoved, on);
   const bool splits = stage == StageRecord::Kind::kRefine || stage == StageRecord::Kind::kCloseRim;
   if (splits) {
-    for (const FaceId f : delta.born) outline(body.mesh.triangle(f), body.label(f), Kind::kBorn, on);
+    for (const FaceId f : delta.added) outline(body.mesh.triangle(f), body.label(f), Kind::kAdded, on);
   }
   std::set<uint32_t> off(delta.new_pieces.begin(), delta.new_pieces.end());
   for (const FaceId f : delta.relabelled) off.insert(body.mesh.data(f).piece);
@@ -126,7 +126,7 @@ Kind kind_of(Found outcome) {
   return Kind::kEntered;
 }
 
-std::string why_culled(Side side) {
+std::string cull_reason(Side side) {
   switch (side) {
     case Side::kDepth:
       return "it lies before the start or beyond the end of the beam";
@@ -188,7 +188,7 @@ std::string QueryWalk::words() const {
     case Found::kEntered:
       return box + " was entered: it may intersect the beam, so its contents are tested.";
     case Found::kCulled:
-      return box + " was culled: " + why_culled(visit.outside) + ".";
+      return box + " was culled: " + cull_reason(visit.outside) + ".";
     case Found::kMissed:
       return box + " may intersect the beam, so the face was tested: the beam misses it.";
     case Found::kTouched:

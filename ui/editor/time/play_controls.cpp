@@ -43,7 +43,7 @@ UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
               [&play, &message = workspace.message, faster] {
                 KERF_ASSERT(faster ? play.can_go_faster() : play.can_go_slower());
                 faster ? ++play.speed_index : --play.speed_index;
-                message.say(std::string("Speed: ") + play.speed().name);
+                message.info(std::string("Speed: ") + play.speed().name);
               },
           .disabled_reason = [&play, faster]() -> const char* {
             if (faster) return play.can_go_faster() ? nullptr : "Already at maximum speed: real time.";
@@ -52,7 +52,7 @@ UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
 }
 
 std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
-  const auto why_no_play = [&workspace] { return workspace.why_time_stands_still(); };
+  const auto play_disabled_reason = [&workspace] { return workspace.why_time_stands_still(); };
   return {
       UserAction{
           .id = "physics.play",
@@ -61,13 +61,14 @@ std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
           .tip = "Plays or pauses the simulation, in which separated pieces fall. One undo covers all of it.",
           .run = [&play] { play.play_or_pause(); },
           .checked = [&play] { return play.playing; },
-          .disabled_reason = [&play, why_no_play] { return play.playing ? nullptr : why_no_play(); }},
+          .disabled_reason =
+              [&play, play_disabled_reason] { return play.playing ? nullptr : play_disabled_reason(); }},
       UserAction{.id = "physics.step",
                  .name = "Step Physics",
                  .shortcut = ".",
                  .tip = "Advances the simulation by one tick (1/120 s).",
-                 .run = [&play] { play.ask_for_tick(); },
-                 .disabled_reason = why_no_play},
+                 .run = [&play] { play.request_tick(); },
+                 .disabled_reason = play_disabled_reason},
       speed_action(workspace, play, false),
       speed_action(workspace, play, true),
   };
@@ -75,9 +76,9 @@ std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
 
 }  // namespace
 
-const char* why_no_pin(const ViewState& view) { return why_none_chosen(view.look.pieces); }
+const char* pin_disabled_reason(const ViewState& view) { return no_selection_reason(view.look.pieces); }
 
-bool chosen_are_pinned(const World& world, const ViewState& view) {
+bool selected_are_pinned(const World& world, const ViewState& view) {
   bool any = false;
   for (const auto& [id, look] : view.look.pieces) {
     if (!look.selected || !world.contains(id.body)) continue;
@@ -94,29 +95,29 @@ SetEnvironment with_gravity(const World& world, const FileFrame& frame, bool on)
   return {around};
 }
 
-void ask_to_pin(Workspace& workspace, bool pinned) {
+void request_pin(Workspace& workspace, bool pinned) {
   const char* name = pinned ? "Pin pieces" : "Unpin pieces";
   const auto run = [&workspace, name, pinned] {
     cancel_stroke(workspace);
     workspace.changes.change(name, is_small(workspace.session.document),
-                             edit_all(chosen_ids(workspace.view.look.pieces), [pinned](const PieceId& p) {
+                             edit_all(selected_ids(workspace.view.look.pieces), [pinned](const PieceId& p) {
                                return PinPiece{p, pinned};
                              }));
     return true;
   };
-  workspace.changes.ask({.name = name, .run = run, .is_one = true});
+  workspace.changes.enqueue({.name = name, .run = run, .is_one = true});
 }
 
 std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
   std::vector<UserAction> actions = time_actions(workspace, play);
   const auto has_gravity = [&workspace] { return workspace.world().environment().gravity != Vec3(0); };
-  const auto are_pinned = [&workspace] { return chosen_are_pinned(workspace.world(), workspace.view); };
+  const auto are_pinned = [&workspace] { return selected_are_pinned(workspace.world(), workspace.view); };
   actions.push_back({.id = "physics.gravity",
                      .name = "Gravity",
                      .tip = "Switches gravity on or off; the Bodies panel sets its value.",
                      .run =
                          [&workspace, has_gravity] {
-                           workspace.changes.ask(
+                           workspace.changes.enqueue(
                                with_gravity(workspace.world(), workspace.view.frame, !has_gravity()));
                          },
                      .checked = has_gravity});
@@ -124,9 +125,9 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
                      .name = "Pin Selected",
                      .shortcut = "Shift+P",
                      .tip = "Fixes the selected pieces in place while others move; repeat to release them.",
-                     .run = [&workspace, are_pinned] { ask_to_pin(workspace, !are_pinned()); },
+                     .run = [&workspace, are_pinned] { request_pin(workspace, !are_pinned()); },
                      .checked = are_pinned,
-                     .disabled_reason = [&workspace] { return why_no_pin(workspace.view); }});
+                     .disabled_reason = [&workspace] { return pin_disabled_reason(workspace.view); }});
   return actions;
 }
 
@@ -235,7 +236,7 @@ void draw_time(Workspace& workspace, PlayState& play) {
   ImGui::SameLine();
   if (row_button("Step Physics", 2, disabled_reason,
                  told("Advances the simulation by one tick (1/120 s).", "physics.step").c_str()))
-    play.ask_for_tick();
+    play.request_tick();
   mark_last_item("bodies tick");
 }
 
@@ -252,12 +253,12 @@ void draw_speed(PlayState& play) {
 }
 
 void draw_pin(Workspace& workspace) {
-  const bool pinned = chosen_are_pinned(workspace.world(), workspace.view);
+  const bool pinned = selected_are_pinned(workspace.world(), workspace.view);
   if (row_button(
-          pinned ? "Unpin Selected###pin" : "Pin Selected###pin", 1, why_no_pin(workspace.view),
+          pinned ? "Unpin Selected###pin" : "Pin Selected###pin", 1, pin_disabled_reason(workspace.view),
           with_shortcut(workspace.view, "Fixes the selected pieces in place while others move.", "pieces.pin")
               .c_str()))
-    ask_to_pin(workspace, !pinned);
+    request_pin(workspace, !pinned);
   mark_last_item("bodies pin");
 }
 
@@ -277,7 +278,7 @@ void BodiesPanel::draw_environment(Workspace& workspace) {
   const double metres = metres_per_unit(frame.unit);
   bool gravity = around.gravity != Vec3(0);
   property("Gravity");
-  if (ImGui::Checkbox("##gravity", &gravity)) workspace.changes.ask(with_gravity(world, frame, gravity));
+  if (ImGui::Checkbox("##gravity", &gravity)) workspace.changes.enqueue(with_gravity(world, frame, gravity));
   mark_last_item("gravity on");
   tooltip("Switches gravity on or off.");
   if (!around.ground) around = default_environment(world, frame);
@@ -287,14 +288,14 @@ void BodiesPanel::draw_environment(Workspace& workspace) {
   if (gravity && fields_.number("Its value", value, "%.3g m/s\xc2\xb2",
                                 "Gravity: 9.81 on Earth, 1.62 on the Moon.", {}, kPositive)) {
     around.gravity = value / metres * down;
-    workspace.changes.ask(SetEnvironment{around});
+    workspace.changes.enqueue(SetEnvironment{around});
   }
   double height = around.ground.value_or(0);
   const LengthUnit unit = label_unit(0.1 * world.loaded_bounds().diagonal(), frame.unit);
   if (gravity &&
       length_field(fields_, "Ground", height, unit, "Height of the ground on which pieces rest.")) {
     around.ground = height;
-    workspace.changes.ask(SetEnvironment{around});
+    workspace.changes.enqueue(SetEnvironment{around});
   }
 }
 
@@ -373,7 +374,7 @@ class TimeFeature : public Feature {
 
     void move(const InputEvent&) override;
     void release(const InputEvent& event) override {
-      if (!pulls_) choose_under_pointer(feature_.workspace_, (event.mods & GLFW_MOD_SHIFT) != 0);
+      if (!pulls_) select_under_pointer(feature_.workspace_, (event.mods & GLFW_MOD_SHIFT) != 0);
     }
     bool cancel() override { return pulls_; }
     const char* words() const override { return pulls_ ? "Pulling: release to end" : nullptr; }

@@ -14,12 +14,12 @@ namespace kerf {
 std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play);
 
 // Pins the selected pieces, or releases them. The selection is kept.
-void ask_to_pin(Workspace& workspace, bool pinned);
+void request_pin(Workspace& workspace, bool pinned);
 
 // Returns why no piece can be pinned or released, as a sentence, or null.
-const char* why_no_pin(const ViewState& view);
+const char* pin_disabled_reason(const ViewState& view);
 // Returns true if all selected pieces are pinned. Precondition: the pieces are those of the world.
-bool chosen_are_pinned(const World& world, const ViewState& view);
+bool selected_are_pinned(const World& world, const ViewState& view);
 
 // Returns the command that switches gravity on or off. Its value is that of the Earth, and the ground lies
 // where it is drawn. Without gravity there is a ground only if +Y points upwards.

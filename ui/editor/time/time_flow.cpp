@@ -27,17 +27,17 @@ void ReachedSpeed::follow(bool playing, Ticks clock, double seconds) {
 }
 
 namespace {
-constexpr double kLongestLag = 0.1;  // s, max. lag to catch up with
-constexpr double kMaxTicks = kLongestLag * kTicksPerSecond;
-constexpr double kLongestFrame = 0.1, kRest = 1;  // s, max. time to catch up with, visible and not visible
-constexpr double kTintedFrom = 500;               // K; below, there is neither tint nor glow
-constexpr double kSeenOnScale = 8;                // K above ambient, a step of the temperature view
+constexpr double kMaxLag = 0.1;  // s, max. lag to catch up with
+constexpr double kMaxTicks = kMaxLag * kTicksPerSecond;
+constexpr double kMaxFrame = 0.1, kRest = 1;  // s, max. time to catch up with, visible and not visible
+constexpr double kTintedFrom = 500;           // K; below, there is neither tint nor glow
+constexpr double kSeenOnScale = 8;            // K above ambient, a step of the temperature view
 }  // namespace
 
 void TimeFlow::advance(double seconds) {
   if (!may_go_on()) return end();
   const Document& document = workspace_.session.document;
-  pace_.due += std::min(seconds, kLongestLag) * play_.speed().of_real_time * kTicksPerSecond;
+  pace_.due += std::min(seconds, kMaxLag) * play_.speed().of_real_time * kTicksPerSecond;
   if (workspace_.changes.is_pending() || document.waiting() > 0) {
     pace_.slow_down();
     return pace_.limit_to(pace_.most);
@@ -65,7 +65,7 @@ bool TimeFlow::may_go_on() {
   if (!play_.playing && !play_.one_tick) return false;
   if (workspace_.changes.is_pending()) return true;
   const char* disabled_reason = workspace_.why_time_stands_still();
-  if (disabled_reason != nullptr) workspace_.message.say(disabled_reason);
+  if (disabled_reason != nullptr) workspace_.message.info(disabled_reason);
   if (disabled_reason != nullptr || (undone && begun_)) play_.stop();
   return play_.playing || play_.one_tick;
 }
@@ -137,7 +137,7 @@ void Cooling::advance(double seconds) {
   }
   if (document.waiting() > 0) return pace_.slow_down();
   const bool seen = is_seen();
-  const double longest = (seen ? kLongestFrame : kRest) * kTicksPerSecond;
+  const double longest = (seen ? kMaxFrame : kRest) * kTicksPerSecond;
   pace_.due = std::min(longest, pace_.due + seconds * kTicksPerSecond);
   unseen_ = false;
   if (!seen && pace_.due < longest) return;

@@ -31,7 +31,7 @@ struct PlayState {
     playing = !playing;
     one_tick = false;
   }
-  void ask_for_tick() {
+  void request_tick() {
     playing = false;
     one_tick = true;
   }

@@ -153,7 +153,7 @@ const char* meaning_of(StageMarks::Kind kind) {
       return "swept volume";
     case StageMarks::Kind::kHit:
       return "hit faces";
-    case StageMarks::Kind::kBorn:
+    case StageMarks::Kind::kAdded:
       return "new faces";
     case StageMarks::Kind::kRemoved:
       return "removed faces";

@@ -84,8 +84,8 @@ void add_light(ViewOptions& look, UpAxis up) {
 
 void remove_light(ViewOptions& look) {
   KERF_ASSERT(!look.lights.empty());
-  const size_t chosen = std::min(look.shadow.inspected, look.lights.size() - 1);
-  look.lights.erase(look.lights.begin() + static_cast<std::ptrdiff_t>(chosen));
+  const size_t selected = std::min(look.shadow.inspected, look.lights.size() - 1);
+  look.lights.erase(look.lights.begin() + static_cast<std::ptrdiff_t>(selected));
   look.shadow.inspected = 0;
 }
 
@@ -147,18 +147,18 @@ void draw_light_handles(const ViewState& view, ImDrawList& list) {
     const std::optional<Vec2> at = light_handle(view, i);
     if (!at) continue;
     const Light& light = view.look.lights[i];
-    const bool chosen = view.look.shadow.inspected == i;
+    const bool selected = view.look.shadow.inspected == i;
     const ImVec4 colour(static_cast<float>(std::sqrt(std::min(light.colour.x, 1.0))),
                         static_cast<float>(std::sqrt(std::min(light.colour.y, 1.0))),
                         static_cast<float>(std::sqrt(std::min(light.colour.z, 1.0))), 1);
     list.AddCircleFilled(to_im(*at), 7.5f, IM_COL32(10, 12, 16, 170));
     list.AddCircleFilled(to_im(*at), 5, ImGui::ColorConvertFloat4ToU32(colour));
-    list.AddCircle(to_im(*at), 9, chosen ? colours::accent() : colours::kPictureSecondary, 0, 1.5f);
+    list.AddCircle(to_im(*at), 9, selected ? colours::accent() : colours::kPictureSecondary, 0, 1.5f);
     // Rays distinguish the sun from a lamp.
     for (int ray = 0; light.kind == Light::Kind::kDirectional && ray < 8; ++ray) {
       const Vec2 out(std::cos(0.785398 * ray), std::sin(0.785398 * ray));
       list.AddLine(to_im(*at + out * 11.0), to_im(*at + out * 15.0),
-                   chosen ? colours::accent() : colours::kPictureSecondary, 1.5f);
+                   selected ? colours::accent() : colours::kPictureSecondary, 1.5f);
     }
   }
 }
@@ -241,7 +241,7 @@ void trace_rows(ViewState& view, const ShadowStatistics& statistics) {
       (statistics.wrong ? text_of("%zu wrong", *statistics.wrong) : tracing_text(statistics)).c_str());
 }
 
-void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
+void select_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
   if (light.kind == kind) return;
   const Vec3 middle = (bounds.min + bounds.max) * 0.5;
   const Vec3 way = light.kind == Light::Kind::kPoint ? light.at - middle : light.at;
@@ -256,7 +256,7 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
   Light::Kind kind = light.kind;
   if (choice_row("Kind", "##kind", kind, "Directional\0Point\0", nullptr,
                  "Drag the handle in the viewport to move the light.")) {
-    choose_kind(light, kind, bounds);
+    select_kind(light, kind, bounds);
     changed = true;
   }
   property("Colour");
@@ -289,18 +289,18 @@ bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
   return changed;
 }
 
-bool choose_light(ViewOptions& look, UpAxis up) {
+bool select_light(ViewOptions& look, UpAxis up) {
   std::vector<Light>& lights = look.lights;
-  size_t& chosen = look.shadow.inspected;
+  size_t& selected = look.shadow.inspected;
   bool changed = false;
   for (size_t i = 0; i < lights.size(); ++i) {
     const std::string label = " " + std::to_string(i + 1) + " ";
     if (i > 0) ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Button,
-                          ImGui::GetStyleColorVec4(i == chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+                          ImGui::GetStyleColorVec4(i == selected ? ImGuiCol_ButtonActive : ImGuiCol_Button));
     if (ImGui::Button(label.c_str())) {
-      changed = chosen != i;
-      chosen = i;
+      changed = selected != i;
+      selected = i;
     }
     ImGui::PopStyleColor();
   }
@@ -325,7 +325,7 @@ bool choose_light(ViewOptions& look, UpAxis up) {
 // Draws the lights and shadow options. `bounds`: of the world.
 void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowStatistics& statistics) {
   ViewOptions& look = view.look;
-  bool changed = choose_light(look, view.camera.up_axis());
+  bool changed = select_light(look, view.camera.up_axis());
   if (begin_properties("light")) {
     changed |= preset_row(look, bounds, view.camera.up_axis());
     if (look.shadow.inspected < look.lights.size())

@@ -174,15 +174,15 @@ void turn_section_to_view(ViewState& view) {
 void copy_section(const ViewState& view, Message& message) {
   KERF_ASSERT(view.look.section);
   ImGui::SetClipboardText(section_text(*view.look.section).c_str());
-  message.say("Copied the section plane as text for kerf render --section");
+  message.info("Copied the section plane as text for kerf render --section");
 }
 
 void paste_section(ViewState& view, Message& message) {
   const char* text = ImGui::GetClipboardText();
   const Result<SectionPlane> plane = parse_section(text != nullptr ? text : "");
-  if (!plane) return message.say("Cannot paste a section plane: " + plane.error().message, true);
+  if (!plane) return message.error("Cannot paste a section plane: " + plane.error().message);
   show(view, *plane);
-  message.say("");
+  message.clear();
 }
 
 // The panel

@@ -81,15 +81,15 @@ class PressOnAxes : public Interaction {
 
 void copy_view(const ViewState& view, Message& message) {
   ImGui::SetClipboardText(view_text({view.seen().near().eye, view.camera.pivot()}).c_str());
-  message.say("Copied the camera as text");
+  message.info("Copied the camera as text");
 }
 
 void paste_view(ViewState& view, Message& message) {
   const char* text = ImGui::GetClipboardText();
   const Result<View> pasted = parse_view_text(text != nullptr ? text : "");
-  if (!pasted) return message.say(pasted.error().message, true);
+  if (!pasted) return message.error(pasted.error().message);
   view.camera.look(pasted->eye, pasted->target);
-  message.say("");
+  message.clear();
 }
 
 void change_scale(Settings& settings, double by) {
@@ -119,7 +119,7 @@ UserAction switch_action(ViewState& view, Message& message, const ViewSwitch& s)
   action.run = [&view, &message, &s] {
     s.flip(view.look);
     view.picture_old = true;
-    if (!s.is_two_state()) message.say(std::string(s.label) + ": " + s.states[s.get(view.look)]);
+    if (!s.is_two_state()) message.info(std::string(s.label) + ": " + s.states[s.get(view.look)]);
   };
   action.checked = [&view, &s] { return s.get(view.look) != 0; };
   return action;

@@ -17,9 +17,9 @@ namespace kerf {
 namespace {
 
 constexpr double kCreaseCosine = 0.8191520442889918;  // 35 degrees
-constexpr size_t kLargestFan = 512;  // corners around a position; faces with more are shaded flat
-constexpr double kOnSide = 1e-4;     // barycentric; positions are floats
-constexpr size_t kAlike = 8;         // latest normals at a position searched for an equal one
+constexpr size_t kMaxFan = 512;   // corners around a position; faces with more are shaded flat
+constexpr double kOnSide = 1e-4;  // barycentric; positions are floats
+constexpr size_t kAlike = 8;      // latest normals at a position searched for an equal one
 
 uint64_t position_hash(const Vec3& p) {
   return hash_combine(hash_combine(mix64(number_bits(p.x)), number_bits(p.y)), number_bits(p.z));
@@ -194,7 +194,7 @@ class BaseFaces::Builder {
   glm::dvec3 normal(uint32_t side, std::span<const uint32_t> fan) const {
     const glm::dvec3 own = planes_[side / 3];
     glm::dvec3 sum(0);
-    if (fan.size() <= kLargestFan) {
+    if (fan.size() <= kMaxFan) {
       for (const uint32_t other : fan) {
         const glm::dvec3& plane = planes_[other / 3];
         if (own == glm::dvec3(0) || glm::dot(own, plane) >= kCreaseCosine) sum += angles_[other] * plane;

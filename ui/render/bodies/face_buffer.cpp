@@ -119,8 +119,8 @@ FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_pt
 }
 
 void FaceBuffer::follow(const BodyDelta& delta) {
-  dirty_.mark(delta.born);
-  dirty_.mark(delta.gone);
+  dirty_.mark(delta.added);
+  dirty_.mark(delta.dead);
   relabelled_.mark(delta.relabelled);
   removed_.forget();
 }
@@ -153,10 +153,10 @@ size_t FaceBuffer::update(const Body& body, uint32_t most) {
   if (dirty_.empty() && relabelled_.empty()) return 0;
   const Mesh& mesh = body.mesh;
   has_uvs_ = has_uvs_ || (body.looks && body.looks->uv_sets() > 0);
-  DirtySlots born = take_born(mesh, most);
-  find_rims(mesh, born);
+  DirtySlots added = take_added(mesh, most);
+  find_rims(mesh, added);
   size_t bytes = 0;
-  for (const SlotRange range : born.take(kGap, kChunkFaces)) {
+  for (const SlotRange range : added.take(kGap, kChunkFaces)) {
     bytes += update_slots(body, range) + update_uvs(range) + update_labels(mesh, range);
   }
   for (const SlotRange range : relabelled_.take(kGap, kChunkFaces)) bytes += update_labels(mesh, range);
@@ -165,12 +165,12 @@ size_t FaceBuffer::update(const Body& body, uint32_t most) {
 }
 
 // Removes slots that died, since their corners need no upload, from the list, and returns the others.
-DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
+DirtySlots FaceBuffer::take_added(const Mesh& mesh, uint32_t most) {
   if (halvings_.size() < mesh.face_slots()) {
     halvings_.resize(mesh.face_slots(), kDead);
     corners_.resize(mesh.face_slots());
   }
-  DirtySlots born;
+  DirtySlots added;
   for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
     // An undo may have removed slots that were never uploaded.
     if (halvings_.size() < range.end) {
@@ -183,11 +183,11 @@ DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
       if (live.set(f % kChunkFaces, lives)) record_change(mesh, FaceId(f), lives);
       count(mesh, f);
       record_corners(mesh, f);
-      if (lives) born.mark(f);
+      if (lives) added.mark(f);
       if (lives && heat_.any()) reheated_.mark(f);
     }
   }
-  return born;
+  return added;
 }
 
 void FaceBuffer::record_corners(const Mesh& mesh, uint32_t slot) {
@@ -200,7 +200,7 @@ void FaceBuffer::record_corners(const Mesh& mesh, uint32_t slot) {
 
 // Adds the faces whose look changed because a rim near them was created or removed. A mesh as loaded has no
 // rim.
-void FaceBuffer::find_rims(const Mesh& mesh, DirtySlots& born) {
+void FaceBuffer::find_rims(const Mesh& mesh, DirtySlots& added) {
   std::vector<VertexId> changed = std::exchange(moved_corners_, {});
   if (heat_.any()) reheated_corners_.insert(reheated_corners_.end(), changed.begin(), changed.end());
   if (bases_->are_whole(mesh) && !rims_.any()) return;
@@ -212,7 +212,7 @@ void FaceBuffer::find_rims(const Mesh& mesh, DirtySlots& born) {
   for (const VertexId v : affected) {
     mesh.star(v, star);
     for (const FaceId f : star.faces) {
-      if (halvings_[f.index] != kDead) born.mark(f.index);
+      if (halvings_[f.index] != kDead) added.mark(f.index);
     }
   }
 }

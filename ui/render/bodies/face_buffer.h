@@ -127,9 +127,9 @@ class FaceBuffer {
   Chunk& chunk_of(const SlotRange& range);
   void count(const Mesh& mesh, uint32_t slot);
   void record_change(const Mesh& mesh, FaceId f, bool lives);
-  DirtySlots take_born(const Mesh& mesh, uint32_t most);
+  DirtySlots take_added(const Mesh& mesh, uint32_t most);
   void record_corners(const Mesh& mesh, uint32_t slot);
-  void find_rims(const Mesh& mesh, DirtySlots& born);
+  void find_rims(const Mesh& mesh, DirtySlots& added);
   std::array<float, 3> rim_of(const Mesh& mesh, FaceId f) const;
   size_t update_slots(const Body& body, const SlotRange& range);
   size_t update_uvs(const SlotRange& range);

@@ -59,7 +59,7 @@ struct StageMarks {
   enum class Kind {
     kSwept,    // volume swept by the beam
     kHit,      // face touched by the beam
-    kBorn,     // face created by a split
+    kAdded,    // face created by a split
     kRemoved,  // removed face
     // Boxes that a tree query visited; see TouchedWalk::Outcome.
     kEntered,

@@ -128,7 +128,7 @@ std::optional<double> first_hit(const World& world, const Pose& ray) {
   return nearest;
 }
 
-std::optional<double> find_strike(const World& world, const Pose& beam, double radius, double overshoot,
+std::optional<double> find_impact(const World& world, const Pose& beam, double radius, double overshoot,
                                   double reach) {
   std::optional<double> strike;
   const Vec3 u = any_perpendicular(beam.direction), w = glm::cross(beam.direction, u);
@@ -150,7 +150,7 @@ BeamPicture picture_of_beam(const World& world, const CutSettings& settings, con
   BeamPicture picture{beam.origin, end, std::nullopt, radius};
   const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
   const double overshoot = by_edge ? settings.resolution.target_edge : 0.5 * radius;
-  if (const auto strike = find_strike(world, beam, radius, overshoot, reach))
+  if (const auto strike = find_impact(world, beam, radius, overshoot, reach))
     picture.strike = beam.origin + beam.direction * *strike;
   return picture;
 }

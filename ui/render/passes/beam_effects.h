@@ -59,7 +59,7 @@ std::optional<double> first_hit(const World& world, const Pose& ray);
 // Returns the length [m] at which a beam first hits such a body. Casts rays along its axis, around its
 // radius and around the edge of the burnt zone, which is `overshoot` metres farther out. Returns nullopt if
 // no ray hits within `reach` metres.
-std::optional<double> find_strike(const World& world, const Pose& beam, double radius, double overshoot,
+std::optional<double> find_impact(const World& world, const Pose& beam, double radius, double overshoot,
                                   double reach);
 
 // Returns a beam to draw with at most a given length [m], with its first hit on a body.

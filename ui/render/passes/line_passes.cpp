@@ -39,7 +39,7 @@ float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
 
 // Draws each line twice: wide and dark, then thin in its colour.
 void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vertices, GLsizei instances,
-                GLsizei most_dark, const glm::vec4& first, const glm::vec4& second, double scale) {
+                GLsizei max_dark, const glm::vec4& first, const glm::vec4& second, double scale) {
   if (instances == 0) return;
   program.use();
   program.set("frame_from_body", from_body);
@@ -47,7 +47,7 @@ void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vert
     program.set("half_width", static_cast<float>(scale) * (dark ? kDarkHalfWidth : kColourHalfWidth));
     program.set("hit_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.55f) : first);
     program.set("other_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.30f) : second);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, dark ? std::min(instances, most_dark) : instances);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, dark ? std::min(instances, max_dark) : instances);
   }
 }
 
@@ -106,7 +106,7 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   const glm::mat4 from_body = space.from_body(body.placement, frame);
   const gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   if (boxes) {
-    lines.boxes.send(choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMaxBoxes), GL_DYNAMIC_DRAW);
+    lines.boxes.send(select_boxes(lines.all_boxes, clip_from_frame * from_body, kMaxBoxes), GL_DYNAMIC_DRAW);
     const BoxColours colours = colours_of(options.tree.palette);
     draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count(), kMaxDark, srgb(colours.hit, 1),
                srgb(colours.untouched, 1), options.mark_scale);

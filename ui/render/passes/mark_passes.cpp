@@ -160,7 +160,7 @@ struct StageLook {
 // In the order of StageMarks::Kind.
 constexpr std::array kStageLooks{StageLook{overlay_colours::kSwept, 0.07f},
                                  StageLook{overlay_colours::kHit},
-                                 StageLook{overlay_colours::kBorn},
+                                 StageLook{overlay_colours::kAdded},
                                  StageLook{overlay_colours::kRemoved, 0.34f, 0.7f},
                                  StageLook{.colour = overlay_colours::kEntered, .line = 0.6f},
                                  StageLook{.colour = overlay_colours::kCulled, .line = 0.45f},

@@ -67,7 +67,7 @@ inline constexpr uint32_t kReached = 0x4aa3ff, kApart = 0xf2dc9a, kRemoved = 0xf
 
 // Marks of a stage of a cut: the volume swept by the beam, touched faces, and faces created by a split;
 // removed faces have the colour of the graph.
-inline constexpr uint32_t kSwept = 0xa8d4ff, kHit = 0xffd27a, kBorn = 0x4aa3ff;
+inline constexpr uint32_t kSwept = 0xa8d4ff, kHit = 0xffd27a, kAdded = 0x4aa3ff;
 
 // Boxes visited by a tree query: entered and culled ones; of single faces those missed and touched by the
 // beam; and the last visited one.

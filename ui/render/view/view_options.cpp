@@ -36,7 +36,7 @@ glm::vec4 row(const glm::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[
 
 }  // namespace
 
-std::vector<BoxLine> choose_boxes(std::span<const BoxLine> boxes, const glm::mat4& clip_from_body,
+std::vector<BoxLine> select_boxes(std::span<const BoxLine> boxes, const glm::mat4& clip_from_body,
                                   size_t most) {
   const glm::vec4 x = row(clip_from_body, 0), y = row(clip_from_body, 1), w = row(clip_from_body, 3);
   const float unit_x = glm::length(glm::vec3(x)), unit_y = glm::length(glm::vec3(y)),
@@ -58,9 +58,9 @@ std::vector<BoxLine> choose_boxes(std::span<const BoxLine> boxes, const glm::mat
   };
   const auto end = seen.begin() + static_cast<std::ptrdiff_t>(std::min(most, seen.size()));
   std::partial_sort(seen.begin(), end, seen.end(), larger);
-  std::vector<BoxLine> chosen;
-  for (auto s = seen.begin(); s != end; ++s) chosen.push_back(boxes[s->box]);
-  return chosen;
+  std::vector<BoxLine> selected;
+  for (auto s = seen.begin(); s != end; ++s) selected.push_back(boxes[s->box]);
+  return selected;
 }
 
 namespace {

@@ -71,7 +71,7 @@ struct BoxLine {
 // Selects at most `most` possibly visible boxes, the largest on screen, in descending order of size. Boxes
 // that the beam has hit count as larger, because they are of interest. A tree has far more boxes than fit a
 // frame; small ones matter from near and large ones from afar. O(n), plus sorting of the visible boxes.
-std::vector<BoxLine> choose_boxes(std::span<const BoxLine> boxes, const glm::mat4& clip_from_body,
+std::vector<BoxLine> select_boxes(std::span<const BoxLine> boxes, const glm::mat4& clip_from_body,
                                   size_t most);
 
 // The surfaces that receive shadows.

@@ -16,7 +16,7 @@ TEST(FixedFaces, are_those_of_what_is_pinned_at_its_place) {
     Body& body = arena.bodies.emplace_back().body;
     body = make_body("plate", test::build(test::plate(1)));
     body.pinned = pinned;
-    body.placement = {{5, 2, 0}, turn_about({1, 0, 0}, kPi / 2)};
+    body.placement = {{5, 2, 0}, axis_angle({1, 0, 0}, kPi / 2)};
   }
   const std::vector<Triangle> faces = fixed_faces(arena);
   ASSERT_EQ(faces.size(), 2u);

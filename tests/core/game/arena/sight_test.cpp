@@ -51,7 +51,7 @@ TEST_F(SheetInSight, lets_a_ray_through_that_it_does_not_stop_or_where_it_is_hid
 }
 
 TEST_F(SheetInSight, is_met_where_it_was_moved_to) {
-  world_.body(sheet_).placement = {{0, 0, 5}, turn_about({1, 0, 0}, kPi / 2)};
+  world_.body(sheet_).placement = {{0, 0, 5}, axis_angle({1, 0, 0}, kPi / 2)};
   const auto hit = look({0, 0.5, 0}, {0, 0, 1}, 9);
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->length, 5, 1e-9);
@@ -68,12 +68,12 @@ TEST_F(SheetInSight, ends_with_the_length_of_the_ray) {
 
 TEST(Sight, a_half_line_comes_near_what_is_beside_it_and_beyond_neither_end) {
   const Pose ray{{0, 0, 0}, {0, 0, 1}};
-  EXPECT_TRUE(comes_near(ray, 4, {1, 0, 2}, 1));
-  EXPECT_FALSE(comes_near(ray, 4, {1.01, 0, 2}, 1));
-  EXPECT_TRUE(comes_near(ray, 4, {1.01, 0, 2}, 1, 0.02));
-  EXPECT_FALSE(comes_near(ray, 4, {0, 0, 5.01}, 1));
-  EXPECT_FALSE(comes_near(ray, 4, {0, 0, -1.01}, 1));
-  EXPECT_TRUE(comes_near(ray, 4, {0, 0, -0.99}, 1));
+  EXPECT_TRUE(passes_near(ray, 4, {1, 0, 2}, 1));
+  EXPECT_FALSE(passes_near(ray, 4, {1.01, 0, 2}, 1));
+  EXPECT_TRUE(passes_near(ray, 4, {1.01, 0, 2}, 1, 0.02));
+  EXPECT_FALSE(passes_near(ray, 4, {0, 0, 5.01}, 1));
+  EXPECT_FALSE(passes_near(ray, 4, {0, 0, -1.01}, 1));
+  EXPECT_TRUE(passes_near(ray, 4, {0, 0, -0.99}, 1));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_F(AimingAtOne, holds_its_fire_behind_a_wall_and_without_a_laser) {
   Aiming aiming(1, perfect());
   ASSERT_TRUE(aim(aiming, 120).fire);
   duel_.wall = test::add(duel_.world(), test::rectangle(20, 20, 2), {6, 0, 8},
-                         turn_about({0, 1, 0}, std::atan2(12, 16)) * turn_about({1, 0, 0}, kPi / 2));
+                         axis_angle({0, 1, 0}, std::atan2(12, 16)) * axis_angle({1, 0, 0}, kPi / 2));
   EXPECT_FALSE(aim(aiming, 60).fire);
   duel_.wall.reset();
   EXPECT_TRUE(aim(aiming, 60).fire) << "a body that is no wall is cut";

@@ -10,10 +10,10 @@ Duel::Duel(std::span<const Vec3> places) {
   Environment around;
   around.ground = 0;
   world_.set_environment(around);
-  Delta came;
+  Delta created;
   for (const Vec3& place : places) {
     if (!vehicles_.empty()) opponents_.push_back(vehicles_.size());
-    vehicles_.push_back(add_vehicle(world_, hatchback(), {place, {1, 0, 0, 0}}, 0, came));
+    vehicles_.push_back(add_vehicle(world_, hatchback(), {place, {1, 0, 0, 0}}, 0, created));
   }
 }
 

@@ -20,7 +20,7 @@ TEST(Traffic, leaves_out_what_is_pinned_hidden_small_or_flat) {
   test::add(world, test::rectangle(3, 3, 2), {15, 0, 0});
   EXPECT_TRUE(find_traffic(world, {}).empty());
   const BodyId upright =
-      test::add(world, test::rectangle(3, 3, 2), {20, 0, 0}, turn_about({1, 0, 0}, kPi / 2));
+      test::add(world, test::rectangle(3, 3, 2), {20, 0, 0}, axis_angle({1, 0, 0}, kPi / 2));
   const std::vector<Disc> discs = find_traffic(world, {});
   ASSERT_FALSE(discs.empty());
   for (const Disc& disc : discs) EXPECT_EQ(disc.body, upright);
@@ -39,7 +39,7 @@ double outside(const std::vector<Disc>& discs, const Vec3& p) {
 TEST(Traffic, covers_a_long_body_by_several_discs_and_not_much_more) {
   World world;
   const BodyId beam =
-      test::add(world, test::closed_box({0.6, 0.6, 4}), {2, 0.3, 1}, turn_about({0, 1, 0}, 0.7));
+      test::add(world, test::closed_box({0.6, 0.6, 4}), {2, 0.3, 1}, axis_angle({0, 1, 0}, 0.7));
   world.body(beam).motion.velocity = {1, 0, 2};
   const std::vector<Disc> discs = find_traffic(world, {});
   EXPECT_GE(discs.size(), 4u);

@@ -23,12 +23,12 @@ class Van : public testing::Test {
     world_ = MatchWorld(arena);
     auto file = read_vehicle(test::checkout() / "assets/vehicles/van.json");
     auto model = load_vehicle(std::move(*file));
-    Delta came;
-    van_ = add_vehicle(world_.world(), *model, Placement{}, MatchWorld::kGeneration, came);
+    Delta created;
+    van_ = add_vehicle(world_.world(), *model, Placement{}, MatchWorld::kGeneration, created);
     world_.make_colliders(carried_bodies(van_));
   }
 
-  std::vector<Guided> guided() const { return {{van_.chassis, true, 0}}; }
+  std::vector<KinematicBody> guided() const { return {{van_.chassis, true, 0}}; }
   const Body& chassis() const { return world_.world().body(van_.chassis); }
 
   // Burns a vertical slit into the left side of the van, through one sheet.

@@ -102,7 +102,7 @@ std::shared_ptr<const Rules> ten_easy_waves() {
   rules->description.laser.drain = rules->description.laser.heating = 0;
   for (EnemySkill& skill : rules->description.skills) {
     skill.speed = 0;
-    skill.at_once = 0;
+    skill.max_firing = 0;
   }
   return rules;
 }
@@ -136,7 +136,7 @@ TEST(Match, holds_no_more_after_ten_waves_than_after_one) {
   for (Ticks t = 0; t < 200 * kTicksPerSecond && !match.standing().over(); ++t) {
     match.tick(bot.next(match));
     most_slots = std::max(most_slots, held_by(match).slots);
-    if (!match.delta().anew) continue;
+    if (!match.delta().replaced) continue;
     ++waves;
     EXPECT_EQ(held_by(match), first) << "wave " << waves;
   }
@@ -329,7 +329,7 @@ TEST(Match, tells_when_a_wave_begins) {
   ASSERT_EQ(match.events().size(), 1u);
   EXPECT_EQ(match.events()[0].kind, Event::Kind::kWaveBegins);
   EXPECT_EQ(match.events()[0].part, 0u);
-  EXPECT_TRUE(match.delta().anew);
+  EXPECT_TRUE(match.delta().replaced);
   match.tick({});
   EXPECT_TRUE(match.events().empty());
 }

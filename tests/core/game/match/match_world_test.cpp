@@ -36,7 +36,7 @@ class Lateness {
  public:
   // To be called after every tick.
   void follow(const Match& match) {
-    if (match.delta().anew) *this = Lateness();
+    if (match.delta().replaced) *this = Lateness();
     unnoticed_.resize(match.vehicles().size(), 0);
     record_changes(match);
     if (match.standing().ticks % kEvery == 0) look(match, std::exchange(changed_, {}));

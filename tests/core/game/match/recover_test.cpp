@@ -23,7 +23,7 @@ class HeldVehicles {
   };
   // To be called after each tick.
   Times after(const Match& match) {
-    if (match.delta().anew) held_.clear();
+    if (match.delta().replaced) held_.clear();
     held_.resize(match.vehicles().size());
     for (const Event& e : match.events()) {
       if (e.kind == Event::Kind::kRighted) held_[e.vehicle].unhelped = 0;
@@ -134,7 +134,7 @@ TEST_F(Stuck, a_vehicle_without_driven_wheels_is_not_helped) {
 
 TEST_F(Stuck, a_vehicle_that_does_not_get_away_after_it_was_put_upright_is_moved_soon) {
   lone_.vehicle.free_place = Placement{{20, 0, 5}, {1, 0, 0, 0}};
-  chassis().placement = {{3, 1.6, 4}, turn_about({0, 0, 1}, kPi)};
+  chassis().placement = {{3, 1.6, 4}, axis_angle({0, 0, 1}, kPi)};
   push(100);
   EXPECT_NEAR(seconds_until_helped([&](Ticks) {}), 3, 0.02);
   EXPECT_LT(chassis().placement.position.x, 4);
@@ -145,7 +145,7 @@ TEST_F(Stuck, a_vehicle_that_does_not_get_away_after_it_was_put_upright_is_moved
 TEST(Recovery, a_vehicle_on_its_roof_is_put_upright_after_a_while) {
   test::LoneVehicle lone;
   Body& chassis = lone.world.body(lone.vehicle.chassis);
-  chassis.placement = {{3, 1.6, 4}, turn_about({0, 0, 1}, kPi)};
+  chassis.placement = {{3, 1.6, 4}, axis_angle({0, 0, 1}, kPi)};
   int ticks = 0;
   while (!recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}) && ticks < 1000) ++ticks;
   EXPECT_NEAR(ticks, 360, 2);
@@ -155,7 +155,7 @@ TEST(Recovery, a_vehicle_on_its_roof_is_put_upright_after_a_while) {
 
 TEST(Recovery, a_vehicle_without_wheels_stays_on_its_roof) {
   test::LoneVehicle lone;
-  lone.world.body(lone.vehicle.chassis).placement = {{0, 1.6, 0}, turn_about({0, 0, 1}, kPi)};
+  lone.world.body(lone.vehicle.chassis).placement = {{0, 1.6, 0}, axis_angle({0, 0, 1}, kPi)};
   for (Wheel& wheel : lone.vehicle.wheels) wheel.attached = false;
   for (int t = 0; t < 1000; ++t)
     ASSERT_FALSE(recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}));

@@ -39,7 +39,7 @@ TEST_F(RulesOfAssets, load_each_vehicle_once_and_keep_the_order_of_the_waves) {
   EXPECT_EQ(r.waves[0][0]->description.name, "van");
   EXPECT_EQ(r.waves[1][0], r.player);
   EXPECT_EQ(r.waves[1][1], r.waves[0][0]);
-  EXPECT_EQ(r.skill(Difficulty::kHard).at_once, r.description.skills[2].at_once);
+  EXPECT_EQ(r.skill(Difficulty::kHard).max_firing, r.description.skills[2].max_firing);
 }
 
 TEST_F(RulesOfAssets, name_a_vehicle_or_an_arena_that_is_missing) {
@@ -71,9 +71,8 @@ TEST_F(RulesOfAssets, with_a_key_that_does_not_exist_are_refused_and_so_is_their
   };
   EXPECT_EQ(error_with("", ""), "");
   const std::string file = (folder_ / "rules.json").string();
-  EXPECT_EQ(
-      error_with("", R"(, "times": {"macth": 3})"),
-      file + ": /times/macth: is no key of this version here; the nearest name is \"match\"");
+  EXPECT_EQ(error_with("", R"(, "times": {"macth": 3})"),
+            file + ": /times/macth: is no key of this version here; the nearest name is \"match\"");
   EXPECT_NE(error_with("", R"(, "naem": "x")").find("/naem"), std::string::npos);
   EXPECT_NE(error_with(R"(, "haeding": 3)", "").find("/starts/player/haeding"), std::string::npos);
 }

@@ -30,7 +30,7 @@ Played play(const MatchSetup& setup, double seconds) {
   while (seconds_of_ticks(played.match->standing().ticks) < seconds && !played.match->standing().over()) {
     played.controls.push_back(bot.next(*played.match));
     played.match->tick(played.controls.back());
-    played.log.hear(*played.match);
+    played.log.on_tick(*played.match);
     for (const Event& e : played.match->events()) {
       if (e.points <= 0) continue;
       Played::Points& points = played.points[played.match->standing().ticks];
@@ -87,7 +87,7 @@ TEST(ScoreLog, without_points_the_best_moment_is_the_last_one) {
   EXPECT_FALSE(log.best());
   for (int t = 0; t < 1500; ++t) {
     match.tick({});
-    log.hear(match);
+    log.on_tick(match);
   }
   const auto best = log.best();
   ASSERT_TRUE(best);

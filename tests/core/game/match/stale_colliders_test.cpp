@@ -17,10 +17,10 @@ Delta changed(std::initializer_list<BodyId> ids) {
   return delta;
 }
 
-Delta came_off(BodyId from, BodyId to, bool carries_on) {
-  Delta delta = changed({carries_on ? to : from});
-  delta.came = {carries_on ? from : to};
-  delta.detached = {{from, 1, to, carries_on}};
+Delta came_off(BodyId from, BodyId to, bool keeps_slots) {
+  Delta delta = changed({keeps_slots ? to : from});
+  delta.created = {keeps_slots ? from : to};
+  delta.detached = {{from, 1, to, keeps_slots}};
   return delta;
 }
 
@@ -63,7 +63,7 @@ TEST_F(StaleCollidersOfSheets, are_renewed_in_the_next_tick_where_a_piece_came_o
 TEST_F(StaleCollidersOfSheets, are_no_more_where_bodies_have_gone_or_exchanged_their_faces) {
   stale_.note(changed({small_[0], large_[0]}), 0);
   Delta gone;
-  gone.went = {small_[0]};
+  gone.destroyed = {small_[0]};
   stale_.note(gone, 1);
   stale_.note(came_off(large_[0], large_[1], true), 2);
   for (const BodyId id : {small_[0], large_[0], large_[1]}) EXPECT_EQ(renewed(id, stale_), std::nullopt);

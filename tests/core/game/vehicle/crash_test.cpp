@@ -18,7 +18,7 @@ TEST(Crash, pushes_a_chassis_at_the_side_from_which_the_push_comes) {
   for (uint64_t seed = 1; seed <= runs(50); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    chassis.placement = {{random.uniform(-9, 9), 0, 3}, turn_about({0, 1, 0}, random.uniform(-3, 3))};
+    chassis.placement = {{random.uniform(-9, 9), 0, 3}, axis_angle({0, 1, 0}, random.uniform(-3, 3))};
     const Vec3 change = random.uniform(1, 30) * direction_of(random.uniform(-3, 3), random.uniform(-1, 1));
     const Vec3 at = chassis.placement.to_body(pushed_at(chassis, change));
     const Vec3 from_middle = at - 0.5 * (box.min + box.max);
@@ -39,7 +39,7 @@ TEST(Crash, lets_go_what_may_break_near_the_place_and_nothing_else) {
     const Vec3 at(random.uniform(-1, 1), random.uniform(0, 1.5), random.uniform(-2, 2));
     const double change = random.uniform(kCrash, 25);
     const Joints before = lone.world.joints();
-    const bool any = let_go_near(lone.world, lone.vehicle, at, change);
+    const bool any = release_joints_near(lone.world, lone.vehicle, at, change);
     const Joints& after = lone.world.joints();
     double nearest_left = 1e9, farthest_gone = 0;
     size_t own = 0, gone = 0;
@@ -54,7 +54,7 @@ TEST(Crash, lets_go_what_may_break_near_the_place_and_nothing_else) {
       if (breaks && !is_gone) nearest_left = std::min(nearest_left, distance);
     }
     EXPECT_EQ(any, gone > 0);
-    EXPECT_EQ(joints_asked(lone.world), any);
+    EXPECT_EQ(joints_requested(lone.world), any);
     EXPECT_LE(farthest_gone, nearest_left);
     let_go += gone;
   }

@@ -42,7 +42,7 @@ TEST_F(Firing, splits_few_faces_where_the_muzzle_moves_ahead_and_aside_within_a_
     const BodyId sheet = add_sheet(2, 4, 0.3);
     const auto cut = fire_once(0.15, behind);
     ASSERT_TRUE(cut.contains(sheet));
-    EXPECT_FALSE(cut.at(sheet).delta.anew) << "it failed";
+    EXPECT_FALSE(cut.at(sheet).delta.replaced) << "it failed";
     EXPECT_GT(cut.at(sheet).delta.removed_faces, 10u);
     EXPECT_LT(faces(sheet), 5'000u);
     lone_.world.remove(sheet);
@@ -54,7 +54,7 @@ TEST_F(Firing, ends_a_cut_that_would_make_too_many_faces_and_says_that_all_may_h
   ASSERT_EQ(faces(sheet), 39'762u);
   const auto cut = fire_once(0.15, 0);
   ASSERT_TRUE(cut.contains(sheet));
-  EXPECT_TRUE(cut.at(sheet).delta.anew);
+  EXPECT_TRUE(cut.at(sheet).delta.replaced);
   EXPECT_GT(faces(sheet), kMaxFacesOfTarget - 1'000);
   EXPECT_LT(faces(sheet), kMaxFacesOfTarget + 100);
 }

@@ -62,11 +62,11 @@ TEST_F(GlideAlongWall, is_for_the_upright_and_awake) {
   glide();
   EXPECT_EQ(chassis().placement.position.x, 1.25);
   chassis().motion.asleep = false;
-  chassis().placement.orientation = turn_about({0, 0, 1}, radians_of(61));
+  chassis().placement.orientation = axis_angle({0, 0, 1}, radians_of(61));
   EXPECT_FALSE(is_upright(lone_.world, lone_.vehicle));
   glide();
   EXPECT_EQ(chassis().placement.position.x, 1.25);
-  chassis().placement.orientation = turn_about({0, 0, 1}, radians_of(59));
+  chassis().placement.orientation = axis_angle({0, 0, 1}, radians_of(59));
   EXPECT_TRUE(is_upright(lone_.world, lone_.vehicle));
 }
 

@@ -56,7 +56,7 @@ TEST_F(GunOfOne, turns_the_shorter_way_and_not_beyond_its_limits) {
 }
 
 TEST_F(GunOfOne, is_pointed_in_the_world_and_turns_against_its_chassis) {
-  lone_.world.body(lone_.vehicle.chassis).placement.orientation = turn_about({0, 1, 0}, 0.5);
+  lone_.world.body(lone_.vehicle.chassis).placement.orientation = axis_angle({0, 1, 0}, 0.5);
   point_at(1.25, 0);
   aim_for(2);
   EXPECT_NEAR(gun().yaw, 0.75, 1e-3);

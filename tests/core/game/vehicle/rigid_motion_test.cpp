@@ -12,7 +12,7 @@ namespace {
 // A turned plate of two metres by one that moves and spins.
 Body moving_plate() {
   Body body = make_body("plate", test::build(test::rectangle(2, 1, 4)));
-  body.placement = {{3, 1, -2}, turn_about({1, 0, 0}, 0.4)};
+  body.placement = {{3, 1, -2}, axis_angle({1, 0, 0}, 0.4)};
   body.motion.velocity = {1, 2, 3};
   body.motion.spin = {0.3, -0.2, 0.5};
   return body;

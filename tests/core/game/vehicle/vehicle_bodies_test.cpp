@@ -14,7 +14,7 @@ namespace {
 class CarriedBodies : public testing::Test {
  protected:
   CarriedBodies() {
-    chassis().placement = {{4, 1, -3}, turn_about({0, 1, 0}, 0.8) * turn_about({1, 0, 0}, 0.1)};
+    chassis().placement = {{4, 1, -3}, axis_angle({0, 1, 0}, 0.8) * axis_angle({1, 0, 0}, 0.1)};
     chassis().motion.velocity = {2, 0, 5};
     chassis().motion.spin = {0, 0.7, 0};
   }
@@ -73,7 +73,7 @@ TEST_F(CarriedBodies, aim_the_beam_by_turret_and_barrel) {
   const Pose beam = muzzle_pose(lone_.world, lone_.vehicle);
   EXPECT_NEAR(glm::distance(beam.direction, direction_of(0.5, 0.3)), 0, 1e-9);
   const TurretDescription& turret = lone_.vehicle.what().turret;
-  const Vec3 pivot = turret.pivot + turn_about({0, 1, 0}, 0.5) * (turret.barrel.pivot - turret.pivot);
+  const Vec3 pivot = turret.pivot + axis_angle({0, 1, 0}, 0.5) * (turret.barrel.pivot - turret.pivot);
   EXPECT_NEAR(glm::distance(beam.origin, pivot), glm::distance(turret.barrel.muzzle, turret.barrel.pivot),
               1e-9);
 }

@@ -18,9 +18,9 @@ class RandomPoints : public testing::Test {
  protected:
   RandomPoints() {
     for (int i = 0; i < 500; ++i) points_.emplace_back(random_.unit(), random_.unit());
-    chosen_.resize(points_.size());
-    std::iota(chosen_.begin(), chosen_.end(), 0u);
-    tree_.build(points_, chosen_);
+    selected_.resize(points_.size());
+    std::iota(selected_.begin(), selected_.end(), 0u);
+    tree_.build(points_, selected_);
   }
   static double side(const Vec2& a, const Vec2& b, const Vec2& p) {
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
@@ -33,7 +33,7 @@ class RandomPoints : public testing::Test {
   }
   std::set<uint32_t> within(const std::array<Vec2, 3>& t) const {
     std::set<uint32_t> found;
-    for (const uint32_t i : chosen_) {
+    for (const uint32_t i : selected_) {
       const Vec2& p = points_[i];
       if (side(t[0], t[1], p) >= 0 && side(t[1], t[2], p) >= 0 && side(t[2], t[0], p) >= 0) found.insert(i);
     }
@@ -42,7 +42,7 @@ class RandomPoints : public testing::Test {
 
   Random random_{8};
   std::vector<Vec2> points_;
-  std::vector<uint32_t> chosen_;
+  std::vector<uint32_t> selected_;
   PointTree tree_;
 };
 

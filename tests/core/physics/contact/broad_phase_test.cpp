@@ -65,7 +65,7 @@ TEST(BroadPhase, leaves_out_what_glides_beside_what_is_fixed) {
   sheets.body(1).pinned = true;
   std::vector<MovingBody>& bodies = sheets.bodies();
   EXPECT_EQ(near_pairs(bodies).size(), 1u);
-  bodies[0].glides = true;
+  bodies[0].passes_fixed = true;
   EXPECT_TRUE(near_pairs(bodies).empty());
 }
 

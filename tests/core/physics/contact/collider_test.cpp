@@ -35,7 +35,7 @@ TEST(Collider, points_of_a_rim_know_where_the_sheet_ends) {
 }
 
 TEST(Collider, has_no_more_than_is_asked_for) {
-  const ColliderSettings few{.most_points = 10, .most_chords = 12, .chord_error = 1e-9};
+  const ColliderSettings few{.max_points = 10, .max_chords = 12, .chord_error = 1e-9};
   const Collider collider = make_collider(test::build(test::tube(5, 200, 1, 1)).mesh, few);
   EXPECT_LE(collider.points.size(), 10u);
   EXPECT_LE(collider.chords.size(), 12u);

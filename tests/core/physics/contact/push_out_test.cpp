@@ -39,8 +39,8 @@ TEST_F(PlateThroughPlate, is_pushed_out_on_the_shortest_way) {
 TEST_F(PlateThroughPlate, is_not_pushed_where_that_would_take_too_long) {
   EXPECT_TRUE(push(0.119, 1));
   EXPECT_FALSE(push(0.121, 1));
-  EXPECT_TRUE(push(0.119, static_cast<uint32_t>(kLongestPush * kTicksPerSecond) - 1));
-  EXPECT_FALSE(push(0.001, static_cast<uint32_t>(kLongestPush * kTicksPerSecond)));
+  EXPECT_TRUE(push(0.119, static_cast<uint32_t>(kMaxPush * kTicksPerSecond) - 1));
+  EXPECT_FALSE(push(0.001, static_cast<uint32_t>(kMaxPush * kTicksPerSecond)));
 }
 
 TEST(PushOut, keeps_the_way_of_the_last_tick_and_turns_it_to_where_it_is_shorter) {

@@ -50,7 +50,7 @@ class SaveWork : public testing::Test {
   Settings settings_;
   Message message_;
   Decisions decisions_;
-  std::vector<LeftWork> left_work_;
+  std::vector<RecoverableDocument> left_work_;
 };
 
 TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
@@ -145,7 +145,7 @@ TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
     ASSERT_TRUE(dead.follow(session_.document, {}).ok());
   }
   std::vector<std::string> faults;
-  ask_about_left_work(decisions_, find_left_work(folder_ / "state", faults));
+  ask_about_recovery(decisions_, find_recoverable_documents(folder_ / "state", faults));
   EXPECT_NE(decisions_.question.text.find("saving workshop.json,"), std::string::npos)
       << decisions_.question.text;
 }
@@ -159,16 +159,16 @@ TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor
     ASSERT_TRUE(dead.follow(session_.document, {}).ok());
   }
   std::vector<std::string> faults;
-  left_work_ = find_left_work(folder_ / "state", faults);
+  left_work_ = find_recoverable_documents(folder_ / "state", faults);
   ASSERT_EQ(left_work_.size(), 1u);
-  ask_about_left_work(decisions_, left_work_);
+  ask_about_recovery(decisions_, left_work_);
   EXPECT_NE(decisions_.question.text.find("plate.obj, with 1 stroke,"), std::string::npos)
       << decisions_.question.text;
   question_key(decisions_.question, GLFW_KEY_D);
   EXPECT_FALSE(decisions_.question.answer.has_value());
   question_key(decisions_.question, GLFW_KEY_R);
   EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kGoOn);
-  ask_about_left_work(decisions_, left_work_);
+  ask_about_recovery(decisions_, left_work_);
   decisions_.question.answer = 1;
   EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);
   EXPECT_TRUE(left_work_.empty());

@@ -24,13 +24,13 @@ struct RulerBench {
     workspace.input.tool = kRulerTool;
   }
   Vec2 seen(const Vec3& p) const { return FirstPicture(workspace.view).place_of(p).value(); }
-  void hear(InputEvent::Kind kind, Vec2 at) {
-    hear_mouse(workspace, editor.features, {kind, at, GLFW_MOUSE_BUTTON_LEFT}, true);
+  void handle(InputEvent::Kind kind, Vec2 at) {
+    handle_mouse(workspace, editor.features, {kind, at, GLFW_MOUSE_BUTTON_LEFT}, true);
   }
   void drag(Vec2 from, Vec2 to) {
-    hear(InputEvent::Kind::kPress, from);
-    if (from != to) hear(InputEvent::Kind::kMove, to);
-    hear(InputEvent::Kind::kRelease, to);
+    handle(InputEvent::Kind::kPress, from);
+    if (from != to) handle(InputEvent::Kind::kMove, to);
+    handle(InputEvent::Kind::kRelease, to);
   }
   void click(const Vec3& p) { drag(seen(p), seen(p)); }
   void run(const std::string& id) {

@@ -16,7 +16,7 @@ World sheet_world() {
 
 Delta replaced() {
   Delta delta;
-  delta.anew = true;
+  delta.replaced = true;
   return delta;
 }
 

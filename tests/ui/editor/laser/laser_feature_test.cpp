@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-const char* why_no_recut(Feature& laser) {
+const char* recut_disabled_reason(Feature& laser) {
   for (const UserAction& action : laser.actions()) {
     if (action.id == "laser.recut") return action.objection();
   }
@@ -20,14 +20,14 @@ TEST(LaserFeature, the_last_stroke_can_be_cut_again_and_where_there_is_none_it_s
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
   workspace.session.document = Document(std::move(world));
   const auto laser = laser_feature(workspace);
-  EXPECT_NE(why_no_recut(*laser), nullptr);
+  EXPECT_NE(recut_disabled_reason(*laser), nullptr);
   CutSettings settings;
   settings.laser.radius = 0.1;
   workspace.session.document.apply(BeginStroke{settings, {{0, 0, 5}, {0, 0, -1}}});
-  EXPECT_NE(why_no_recut(*laser), nullptr);
+  EXPECT_NE(recut_disabled_reason(*laser), nullptr);
   workspace.session.document.apply(EndStroke{});
   while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
-  EXPECT_EQ(why_no_recut(*laser), nullptr);
+  EXPECT_EQ(recut_disabled_reason(*laser), nullptr);
 }
 
 TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_moves_wait) {
@@ -43,7 +43,7 @@ TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_mov
   workspace.session.document.apply(MoveBeam{{{0.5, 0, 5}, {0, 0, -1}}, 1});
   workspace.session.document.apply(EndStroke{});
   EXPECT_TRUE(laser->cancel());  // in the frame in which the button was released
-  EXPECT_TRUE(workspace.changes.is_asked());
+  EXPECT_TRUE(workspace.changes.has_requests());
   while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
   EXPECT_FALSE(laser->cancel());
 }

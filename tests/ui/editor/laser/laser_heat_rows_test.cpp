@@ -8,7 +8,7 @@ namespace {
 TEST(Forecast, is_told_with_the_speed_of_the_path_and_without_one) {
   LaserControls laser;
   laser.radius = 0.0001;
-  const MetSheet sheet;
+  const SheetHit sheet;
   EXPECT_NE(forecast_text(laser, sheet, 0, FileUnit::kMetre).find("2000 W cuts this sheet of 1 mm at up to"),
             std::string::npos);
   const std::string with_speed = forecast_text(laser, sheet, 0.02, FileUnit::kMetre);
@@ -20,14 +20,14 @@ TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
   LaserControls laser;
   laser.radius = 0.01;
   laser.power = 1;
-  EXPECT_NE(forecast_text(laser, MetSheet(), 0, FileUnit::kMetre).find("too little to cut"),
+  EXPECT_NE(forecast_text(laser, SheetHit(), 0, FileUnit::kMetre).find("too little to cut"),
             std::string::npos);
 }
 
 TEST(Forecast, of_a_sheet_that_is_met_at_a_slant_is_slower) {
   LaserControls laser;
   laser.radius = 0.0001;
-  MetSheet met;
+  SheetHit met;
   const double upright = cutting_speed(met.balance(laser.beam()), met.sheet.thickness);
   met.slant = 3;
   const std::string slanted = forecast_text(laser, met, 0, FileUnit::kMetre);

@@ -11,15 +11,15 @@ namespace {
 
 TEST(SolidRow, says_what_a_solid_lacks) {
   LaserControls laser;
-  EXPECT_EQ(why_not_solid(true, laser), nullptr);
-  EXPECT_NE(std::string(why_not_solid(false, laser)).find("open edges"), std::string::npos);
+  EXPECT_EQ(solid_disabled_reason(true, laser), nullptr);
+  EXPECT_NE(std::string(solid_disabled_reason(false, laser)).find("open edges"), std::string::npos);
   LaserControls thermal = laser, rays = laser, faces = laser;
   thermal.model = Model::kThermal;
   rays.pattern = Pattern::kRays4;
   faces.resolution.rim = Rim::kFaces;
-  EXPECT_NE(std::string(why_not_solid(true, thermal)).find("Geometric"), std::string::npos);
-  EXPECT_NE(std::string(why_not_solid(true, rays)).find("Volume"), std::string::npos);
-  EXPECT_NE(std::string(why_not_solid(true, faces)).find("smooth rim"), std::string::npos);
+  EXPECT_NE(std::string(solid_disabled_reason(true, thermal)).find("Geometric"), std::string::npos);
+  EXPECT_NE(std::string(solid_disabled_reason(true, rays)).find("Volume"), std::string::npos);
+  EXPECT_NE(std::string(solid_disabled_reason(true, faces)).find("smooth rim"), std::string::npos);
 }
 
 TEST(KnownClosed, follows_the_faces_of_the_piece_that_is_asked_about) {

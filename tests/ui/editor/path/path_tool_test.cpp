@@ -72,7 +72,7 @@ TEST_F(PathToolTest, a_click_on_a_point_chooses_it_without_an_edit) {
   press(middle() + Vec2(2, 1));
   tool.move(path, world, view, middle() + Vec2(1, 1));
   tool.release();
-  EXPECT_EQ(path.chosen(), (PathPoint{0, 0}));
+  EXPECT_EQ(path.selected(), (PathPoint{0, 0}));
   EXPECT_EQ(path.changes(), changes);
 }
 
@@ -104,7 +104,7 @@ TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims
     EXPECT_GT(moved[static_cast<int>(handle.part)], 0) << handle.name;
     EXPECT_NEAR(glm::length(moved), moved[static_cast<int>(handle.part)], 1e-12) << handle.name;
     EXPECT_EQ(emitter.target(), Vec3(0, 0, 1));
-    emitter.stand_at(before);
+    emitter.move_to(before);
   }
   const Vec2 at = *picture.place_of(emitter.target());
   emitter.take(EmitterHandle::Part::kTarget, at);
@@ -117,7 +117,7 @@ TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims
 TEST(Emitter, never_stands_where_it_aims) {
   Emitter emitter;
   emitter.place({0, 1, 0}, {0, 0, 0});
-  emitter.stand_at({0, 0, 0});
+  emitter.move_to({0, 0, 0});
   EXPECT_EQ(emitter.at(), Vec3(0, 1, 0));
   emitter.aim_at({0, 1, 0});
   EXPECT_EQ(emitter.target(), Vec3(0));

@@ -22,10 +22,10 @@ PathWork two_strokes() {
 TEST(PathWork, points_come_after_the_chosen_one_or_begin_another_stroke) {
   PathWork path = two_strokes();
   ASSERT_EQ(path.strokes().size(), 2u);
-  path.choose(PathPoint{0, 0});
+  path.select(PathPoint{0, 0});
   path.begin_edit();
   path.add({{0.5, 1, 0}, kDownwards}, 1, false, 0.01, 2);
-  EXPECT_EQ(path.chosen(), (PathPoint{0, 1}));
+  EXPECT_EQ(path.selected(), (PathPoint{0, 1}));
   EXPECT_EQ(path.strokes()[0].keys.size(), 3u);
   EXPECT_EQ(path.target({0, 1}), Vec3(0.5, 0, 0));
   EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 0.25, 0.5}));
@@ -53,11 +53,11 @@ TEST(PathWork, the_last_point_of_a_stroke_takes_the_stroke_with_it) {
   path.remove({1, 0});
   path.remove({1, 0});
   EXPECT_EQ(path.strokes().size(), 1u);
-  EXPECT_EQ(path.chosen(), (PathPoint{0, 1}));
+  EXPECT_EQ(path.selected(), (PathPoint{0, 1}));
   path.remove({0, 1});
   path.remove({0, 0});
   EXPECT_TRUE(path.empty());
-  EXPECT_FALSE(path.chosen().has_value());
+  EXPECT_FALSE(path.selected().has_value());
 }
 
 TEST(PathWork, undo_and_redo_go_through_all_edits) {

@@ -23,7 +23,7 @@ World world_of(const Names& bodies) {
   return world;
 }
 
-PieceMap all_chosen(const World& world) {
+PieceMap all_selected(const World& world) {
   PieceMap looks;
   for (const BodyId id : world.ids()) looks[{id, 0}].selected = true;
   return looks;
@@ -44,11 +44,11 @@ TEST(ExportPieces, makes_names_that_every_file_system_takes) {
 
 TEST(ExportPieces, names_files_after_their_pieces_and_no_two_alike) {
   const World world = world_of({"car", "door left", "car"});
-  EXPECT_EQ(names(files_to_export(world, all_chosen(world), "/x/*.ply")),
+  EXPECT_EQ(names(files_to_export(world, all_selected(world), "/x/*.ply")),
             (Names{"/x/car.ply", "/x/door-left.ply", "/x/car-2.ply"}));
-  EXPECT_EQ(names(files_to_export(world, all_chosen(world), "/x/old *.stl")),
+  EXPECT_EQ(names(files_to_export(world, all_selected(world), "/x/old *.stl")),
             (Names{"/x/old car.stl", "/x/old door-left.stl", "/x/old car-2.stl"}));
-  EXPECT_EQ(names(files_to_export(world, all_chosen(world), "/x/part.off")),
+  EXPECT_EQ(names(files_to_export(world, all_selected(world), "/x/part.off")),
             (Names{"/x/part-1.off", "/x/part-2.off", "/x/part-3.off"}));
   PieceMap one;
   one[{world.ids()[1], 0}].selected = true;
@@ -61,7 +61,7 @@ TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an
   const test::TemporaryFolder folder;
   const World world = world_of({"car"});
   const std::map<std::string, Paint> paints = {{"paint", {{1, 0, 0.5}, 1}}, {"tyre", {{0, 0, 0}, 0}}};
-  const auto written = export_chosen(world, all_chosen(world), paints, folder / "*.obj");
+  const auto written = export_selected(world, all_selected(world), paints, folder / "*.obj");
   ASSERT_TRUE(written.ok()) << written.error().message;
   ASSERT_EQ(written->files.size(), 1u);
   EXPECT_EQ(written->files.front().mtl, folder / "car.mtl");
@@ -74,7 +74,7 @@ TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an
   const auto soup = read_mesh(folder / "car.obj");
   ASSERT_TRUE(soup.ok());
   EXPECT_EQ(soup->material_names, (Names{"paint", "chrome"}));
-  ASSERT_TRUE(export_chosen(world, all_chosen(world), paints, folder / "*.stl").ok());
+  ASSERT_TRUE(export_selected(world, all_selected(world), paints, folder / "*.stl").ok());
   EXPECT_TRUE(std::filesystem::exists(folder / "car.stl"));
 }
 
@@ -82,10 +82,10 @@ TEST(ExportPieces, notes_what_single_precision_loses_far_from_the_origin) {
   const test::TemporaryFolder folder;
   World world;
   world.add(make_body("far", test::build(test::moved(test::grid(2, 0.7), {4.5e5, 0, 5.4e6}, 1))));
-  const auto near_middle = export_chosen(world, all_chosen(world), {}, folder / "*.glb");
+  const auto near_middle = export_selected(world, all_selected(world), {}, folder / "*.glb");
   ASSERT_TRUE(near_middle.ok()) << near_middle.error().message;
   EXPECT_FALSE(near_middle->note) << *near_middle->note;
-  const auto written = export_chosen(world, all_chosen(world), {}, folder / "*.stl");
+  const auto written = export_selected(world, all_selected(world), {}, folder / "*.stl");
   ASSERT_TRUE(written.ok()) << written.error().message;
   ASSERT_TRUE(written->note);
   EXPECT_NE(written->note->find("single precision"), std::string::npos) << *written->note;
@@ -94,8 +94,8 @@ TEST(ExportPieces, notes_what_single_precision_loses_far_from_the_origin) {
 TEST(ExportPieces, refuses_other_endings_and_an_empty_choice) {
   const test::TemporaryFolder folder;
   const World world = world_of({"car"});
-  EXPECT_FALSE(export_chosen(world, all_chosen(world), {}, folder / "car.txt").ok());
-  EXPECT_FALSE(export_chosen(world, {}, {}, folder / "car.obj").ok());
+  EXPECT_FALSE(export_selected(world, all_selected(world), {}, folder / "car.txt").ok());
+  EXPECT_FALSE(export_selected(world, {}, {}, folder / "car.obj").ok());
   EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
 }
 

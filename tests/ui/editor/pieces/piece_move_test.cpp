@@ -180,7 +180,7 @@ struct Bench {
 
   Workspace workspace;
   BodyId id;
-  std::unique_ptr<Feature> feature = moving_feature(workspace);
+  std::unique_ptr<Feature> feature = transform_feature(workspace);
 };
 
 TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
@@ -188,10 +188,10 @@ TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
   b.run("pieces.move");
   b.keys("Y2");
   EXPECT_EQ(b.look().offset, Vec3(0, 2, 0));
-  EXPECT_FALSE(b.workspace.changes.is_asked());
+  EXPECT_FALSE(b.workspace.changes.has_requests());
   EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
   EXPECT_FALSE(b.look().is_away());
-  EXPECT_TRUE(b.workspace.changes.is_asked());
+  EXPECT_TRUE(b.workspace.changes.has_requests());
   EXPECT_FALSE(b.key(GLFW_KEY_X));
 }
 
@@ -214,17 +214,17 @@ TEST(Moving, asks_for_nothing_when_it_is_cancelled_or_goes_nowhere) {
   EXPECT_FALSE(b.look().is_away());
   b.run("pieces.move");
   EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
-  EXPECT_FALSE(b.workspace.changes.is_asked());
+  EXPECT_FALSE(b.workspace.changes.has_requests());
 }
 
-TEST(Moving, needs_exactly_one_chosen_piece) {
+TEST(Moving, needs_exactly_one_selected_piece) {
   Bench b;
   PieceMap& looks = b.workspace.view.look.pieces;
-  EXPECT_EQ(why_no_move(looks), nullptr);
+  EXPECT_EQ(move_disabled_reason(looks), nullptr);
   looks[{b.id, 7}].selected = true;
-  EXPECT_NE(why_no_move(looks), nullptr);
+  EXPECT_NE(move_disabled_reason(looks), nullptr);
   looks.clear();
-  EXPECT_NE(why_no_move(looks), nullptr);
+  EXPECT_NE(move_disabled_reason(looks), nullptr);
 }
 
 TEST(PieceHandles, are_found_where_they_are_drawn_and_only_with_the_tool_that_picks) {

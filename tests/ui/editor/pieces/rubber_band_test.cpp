@@ -20,7 +20,7 @@ World three_spheres() {
 
 const CameraView kView = look_at({0, 0, 10}, {0, 0, 0}, 1.5);
 
-size_t chosen(const World& world, Vec2 from, Vec2 to, const ViewOptions& look = {}) {
+size_t selected(const World& world, Vec2 from, Vec2 to, const ViewOptions& look = {}) {
   return pieces_in({from, to}, world, look, kView).size();
 }
 
@@ -28,17 +28,17 @@ Vec2 seen(const Vec3& p) { return Vec2(kView.project(p)); }
 
 TEST(RubberBand, drawn_from_left_to_right_it_chooses_what_lies_wholly_in_it) {
   const World world = three_spheres();
-  EXPECT_EQ(chosen(world, seen({-2.7, -0.7, 0}), seen({0.7, 0.7, 0})), 2u);
-  EXPECT_EQ(chosen(world, seen({-2.7, -0.7, 0}), seen({0.2, 0.7, 0})), 1u);
-  EXPECT_EQ(chosen(world, seen({-0.1, -0.1, 0}), seen({0.1, 0.1, 0})), 0u);
+  EXPECT_EQ(selected(world, seen({-2.7, -0.7, 0}), seen({0.7, 0.7, 0})), 2u);
+  EXPECT_EQ(selected(world, seen({-2.7, -0.7, 0}), seen({0.2, 0.7, 0})), 1u);
+  EXPECT_EQ(selected(world, seen({-0.1, -0.1, 0}), seen({0.1, 0.1, 0})), 0u);
 }
 
 TEST(RubberBand, drawn_from_right_to_left_it_chooses_what_it_touches) {
   const World world = three_spheres();
-  EXPECT_EQ(chosen(world, seen({0.2, 0.7, 0}), seen({-2.7, -0.7, 0})), 2u);
+  EXPECT_EQ(selected(world, seen({0.2, 0.7, 0}), seen({-2.7, -0.7, 0})), 2u);
   // Within a face.
-  EXPECT_EQ(chosen(world, seen({0.01, 0.012, 0.5}), seen({0.005, 0.01, 0.5})), 1u);
-  EXPECT_EQ(chosen(world, seen({1.2, 0.7, 0}), seen({0.7, -0.7, 0})), 0u);
+  EXPECT_EQ(selected(world, seen({0.01, 0.012, 0.5}), seen({0.005, 0.01, 0.5})), 1u);
+  EXPECT_EQ(selected(world, seen({1.2, 0.7, 0}), seen({0.7, -0.7, 0})), 0u);
 }
 
 TEST(RubberBand, looks_at_pieces_where_they_are_drawn_and_not_at_hidden_ones) {
@@ -47,10 +47,10 @@ TEST(RubberBand, looks_at_pieces_where_they_are_drawn_and_not_at_hidden_ones) {
   const Vec2 low = seen({-0.7, -0.7, 0}), high = seen({0.7, 0.7, 0});
   ViewOptions look;
   look.pieces[middle].offset = {0, 3, 0};
-  EXPECT_EQ(chosen(world, low, high, look), 0u);
-  EXPECT_EQ(chosen(world, seen({-0.7, 2.3, 0}), seen({0.7, 3.7, 0}), look), 1u);
+  EXPECT_EQ(selected(world, low, high, look), 0u);
+  EXPECT_EQ(selected(world, seen({-0.7, 2.3, 0}), seen({0.7, 3.7, 0}), look), 1u);
   look.pieces[middle] = {.hidden = true};
-  EXPECT_EQ(chosen(world, low, high, look), 0u);
+  EXPECT_EQ(selected(world, low, high, look), 0u);
 }
 
 // Against points of the face, which lie closer together than the margin.
@@ -82,7 +82,7 @@ TEST(RubberBand, touches_a_triangle_exactly_where_they_have_a_point_in_common) {
         near = near || within(kMargin);
       }
     }
-    const bool touched = chosen(world, high, low) == 1;
+    const bool touched = selected(world, high, low) == 1;
     if (common) {
       EXPECT_TRUE(touched);
     }

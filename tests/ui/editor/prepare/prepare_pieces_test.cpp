@@ -25,9 +25,9 @@ TEST(PreparePieces, are_the_chosen_ones_or_all) {
   PieceMap looks;
   EXPECT_EQ(pieces_to_prepare(world, looks).size(), 2u);
   looks[{world.ids()[1], 0}].selected = true;
-  const auto chosen = pieces_to_prepare(world, looks);
-  ASSERT_EQ(chosen.size(), 1u);
-  EXPECT_EQ(chosen[0].id.body, world.ids()[1]);
+  const auto selected = pieces_to_prepare(world, looks);
+  ASSERT_EQ(selected.size(), 1u);
+  EXPECT_EQ(selected[0].id.body, world.ids()[1]);
 }
 
 TEST(PreparePieces, are_told_their_numbers_before_and_have_them_afterwards) {
@@ -89,10 +89,10 @@ TEST(PreparePieces, are_all_as_they_were_where_it_is_stopped) {
 TEST(PreparePieces, say_why_they_cannot) {
   const World world = two_spheres();
   const auto pieces = pieces_to_prepare(world, {});
-  EXPECT_NE(why_no_preparation({}, {}), nullptr);
-  EXPECT_NE(why_no_preparation(pieces, {.faces = world.live_faces()}), nullptr);
-  EXPECT_EQ(why_no_preparation(pieces, {.faces = world.live_faces() - 1}), nullptr);
-  EXPECT_NE(why_no_preparation(pieces, {.tool = Tool::kSubdivide, .times = 9}), nullptr);
+  EXPECT_NE(prepare_disabled_reason({}, {}), nullptr);
+  EXPECT_NE(prepare_disabled_reason(pieces, {.faces = world.live_faces()}), nullptr);
+  EXPECT_EQ(prepare_disabled_reason(pieces, {.faces = world.live_faces() - 1}), nullptr);
+  EXPECT_NE(prepare_disabled_reason(pieces, {.tool = Tool::kSubdivide, .times = 9}), nullptr);
 }
 
 }  // namespace

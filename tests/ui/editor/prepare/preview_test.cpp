@@ -50,8 +50,8 @@ TEST(Preview, measures_the_angles_and_the_distance) {
   const auto halves =
       make_preview(world, plate, {.tool = Tool::kSubdivide, .scheme = Subdivision::kMidpoint}, kGoesOn);
   ASSERT_TRUE(halves.ok());
-  EXPECT_NEAR(halves->before.least_angle, 45, 1e-6);
-  EXPECT_NEAR(halves->after.least_angle, 45, 1e-6);
+  EXPECT_NEAR(halves->before.min_angle, 45, 1e-6);
+  EXPECT_NEAR(halves->after.min_angle, 45, 1e-6);
   EXPECT_NEAR(halves->distance, 0, 1e-12);
   EXPECT_NEAR(halves->wire->parts[0].mean_edge, (2 * 0.05 + std::sqrt(2) * 0.05) / 3, 0.002);
 }
@@ -73,9 +73,9 @@ TEST(Preview, can_be_stopped_and_says_where_there_is_none) {
   const auto pieces = pieces_to_prepare(world, {});
   const Progress stop{[](double) { return false; }};
   EXPECT_FALSE(make_preview(world, pieces, {.faces = 100}, stop).ok());
-  EXPECT_EQ(why_no_preview(world, pieces, {.faces = 100}), nullptr);
-  EXPECT_NE(why_no_preview(world, pieces, {.tool = Tool::kSubdivide, .times = 7}), nullptr);
-  EXPECT_NE(why_no_preview(world, {}, {.faces = 100}), nullptr);
+  EXPECT_EQ(preview_disabled_reason(world, pieces, {.faces = 100}), nullptr);
+  EXPECT_NE(preview_disabled_reason(world, pieces, {.tool = Tool::kSubdivide, .times = 7}), nullptr);
+  EXPECT_NE(preview_disabled_reason(world, {}, {.faces = 100}), nullptr);
 }
 
 }  // namespace

@@ -17,29 +17,29 @@ SceneDescription scene_of(const char* mesh) {
 
 TEST(FileFrames, are_guessed_for_a_mesh_file_and_asked_about_once_a_kind) {
   Settings settings;
-  const FrameChoice first = choose_frame(scene_of("part.STL"), true, kPart, settings);
+  const FrameChoice first = select_frame(scene_of("part.STL"), true, kPart, settings);
   EXPECT_EQ(first.frame, (FileFrame{FileUnit::kMillimetre, UpAxis::kZ}));
   EXPECT_TRUE(first.ask);
 
   settings.frames["stl"] = std::nullopt;
-  const FrameChoice again = choose_frame(scene_of("part.stl"), true, kPart, settings);
+  const FrameChoice again = select_frame(scene_of("part.stl"), true, kPart, settings);
   EXPECT_EQ(again.frame, first.frame);
   EXPECT_FALSE(again.ask);
 
   settings.frames["stl"] = kInchZ;
-  EXPECT_EQ(choose_frame(scene_of("part.stl"), true, kPart, settings).frame, kInchZ);
-  EXPECT_TRUE(choose_frame(scene_of("part.obj"), true, kPart, settings).ask);
+  EXPECT_EQ(select_frame(scene_of("part.stl"), true, kPart, settings).frame, kInchZ);
+  EXPECT_TRUE(select_frame(scene_of("part.obj"), true, kPart, settings).ask);
 }
 
 TEST(FileFrames, of_scenes_are_metres_and_y_upwards_unless_they_were_saved_otherwise) {
   SceneDescription scene = scene_of("part.stl");
-  const FrameChoice plain = choose_frame(scene, false, kPart, {});
+  const FrameChoice plain = select_frame(scene, false, kPart, {});
   EXPECT_TRUE(plain.frame.is_default());
   EXPECT_FALSE(plain.ask);
   record_frame(scene, kInchZ);
-  EXPECT_EQ(choose_frame(scene, false, kPart, {}).frame, kInchZ);
+  EXPECT_EQ(select_frame(scene, false, kPart, {}).frame, kInchZ);
   record_frame(scene, {});
-  EXPECT_TRUE(choose_frame(scene, false, kPart, {}).frame.is_default());
+  EXPECT_TRUE(select_frame(scene, false, kPart, {}).frame.is_default());
 }
 
 TEST(FileFrames, turn_lights_and_camera_and_leave_no_trace_when_they_are_turned_back) {

@@ -106,13 +106,13 @@ TEST(LoadNews, shows_what_is_cut_again_from_the_uncut_world_on) {
   const Result<LoadedFiles> loaded = load_files({{scene}, {}, 0}, nullptr, &news);
   ASSERT_TRUE(loaded.ok());
   ASSERT_NE(state_hash(loaded->document.world()), state_hash(uncut->world));
-  const std::optional<CutSoFar> so_far = news.take();  // the first, since nobody took it until now
-  ASSERT_TRUE(so_far);
-  EXPECT_EQ(state_hash(so_far->world), state_hash(uncut->world));
-  EXPECT_EQ(so_far->scene.paints.size(), uncut->paints.size());
-  for (const BodyId id : so_far->world.ids()) {
-    ASSERT_TRUE(so_far->prepared.contains(id));
-    EXPECT_NE(so_far->prepared.at(id).caster, nullptr);
+  const std::optional<PartialReplay> replay = news.take();  // the first, since nobody took it until now
+  ASSERT_TRUE(replay);
+  EXPECT_EQ(state_hash(replay->world), state_hash(uncut->world));
+  EXPECT_EQ(replay->scene.paints.size(), uncut->paints.size());
+  for (const BodyId id : replay->world.ids()) {
+    ASSERT_TRUE(replay->prepared.contains(id));
+    EXPECT_NE(replay->prepared.at(id).caster, nullptr);
   }
   EXPECT_FALSE(news.take());
 }

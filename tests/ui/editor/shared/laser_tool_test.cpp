@@ -174,7 +174,7 @@ TEST_F(LaserToolTest, the_beam_is_drawn_where_the_cut_has_come_to) {
   const auto some = document.step(4);
   ASSERT_TRUE(some.ok() && some->last.has_value() && document.waiting() > 0);
   tool.reach(some->last->to);
-  tool.find_strike(document);
+  tool.find_impact(document);
   const auto beam = tool.picture(document);
   ASSERT_TRUE(beam && beam->strike);
   const double seen = view.project(*beam->strike).x;
@@ -187,7 +187,7 @@ TEST_F(LaserToolTest, the_beam_is_drawn_where_the_cut_has_come_to) {
 TEST_F(LaserToolTest, the_beam_strikes_the_rim_of_what_it_burnt) {
   tool.press(document, view, {0, 0}, controls, 7);
   step();
-  tool.find_strike(document);
+  tool.find_impact(document);
   const auto beam = tool.picture(document);
   ASSERT_TRUE(beam.has_value());
   ASSERT_TRUE(beam->strike.has_value());

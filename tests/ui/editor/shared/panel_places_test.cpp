@@ -13,7 +13,7 @@ struct Places : ::testing::Test {
     places.add("laser", Tab::kCut, Dock::kColumn, true);
     places.add("light", Tab::kView, Dock::kColumn, true);
     places.add("graph", Tab::kView, Dock::kStrip, false);
-    places.choose_tab();
+    places.select_tab();
   }
 };
 

@@ -40,17 +40,17 @@ class CutStrips : public testing::Test {
     walk(false);
   }
 
-  void walk(bool anew) {
-    follow(anew);
+  void walk(bool replaced) {
+    follow(replaced);
     while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
     follow(false);
   }
 
-  void follow(bool anew) {
+  void follow(bool replaced) {
     const bool recut =
         document.history().position() > 0 && document.history().last().kind() == HistoryStep::Kind::kRecut;
-    numbers.follow(document.world(), anew, recut || document.history().size() > document.history().position(),
-                   looks);
+    numbers.follow(document.world(), replaced,
+                   recut || document.history().size() > document.history().position(), looks);
   }
 
   void apply(const Command& command) {

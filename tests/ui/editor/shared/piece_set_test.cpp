@@ -16,14 +16,14 @@ PieceId key(uint32_t label) { return {BodyId{0, 0}, label}; }
 
 TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
   PieceMap looks;
-  choose_piece(looks, key(1), false);
-  choose_piece(looks, key(2), false);
-  EXPECT_EQ(chosen_pieces(looks), 1u);
-  choose_piece(looks, key(3), true);
-  EXPECT_EQ(chosen_pieces(looks), 2u);
-  choose_piece(looks, key(3), true);
-  EXPECT_EQ(chosen_pieces(looks), 1u);
-  choose_piece(looks, key(2), false);
+  select_piece(looks, key(1), false);
+  select_piece(looks, key(2), false);
+  EXPECT_EQ(selected_count(looks), 1u);
+  select_piece(looks, key(3), true);
+  EXPECT_EQ(selected_count(looks), 2u);
+  select_piece(looks, key(3), true);
+  EXPECT_EQ(selected_count(looks), 1u);
+  select_piece(looks, key(2), false);
   EXPECT_TRUE(looks.empty());
 }
 
@@ -49,11 +49,11 @@ class CutSphere : public testing::Test {
 
 TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
   const PieceId half = list_pieces(document.world())[1].id;
-  choose_piece(looks, half, false);
+  select_piece(looks, half, false);
   const Outcome hid = document.apply(HidePiece{half, true});
   ASSERT_TRUE(hid.ok());
   follow_world(document.world(), hid.delta, looks);
-  EXPECT_EQ(chosen_pieces(looks), 0u);
+  EXPECT_EQ(selected_count(looks), 0u);
   ASSERT_EQ(hidden_pieces(looks).size(), 1u);
   EXPECT_EQ(document.world().body(hidden_pieces(looks).front().body).own_name(), "sphere 1");
   EXPECT_EQ(list_pieces(document.world()).size(), 2u);
@@ -65,16 +65,16 @@ TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
 
 TEST_F(CutSphere, a_piece_stays_chosen_when_it_is_detached_and_put_back) {
   for (const PieceRow& row : list_pieces(document.world())) {
-    choose_piece(looks, row.id, false);
+    select_piece(looks, row.id, false);
     const Outcome moved = document.apply(MovePiece{row.id, {{1, 2, 3}, {1, 0, 0, 0}}});
     ASSERT_TRUE(moved.ok());
     follow_world(document.world(), moved.delta, looks);
     const BodyId own = document.world().ids().back();
-    EXPECT_EQ(first_chosen(looks), (PieceId{own, row.id.label}));
+    EXPECT_EQ(first_selected(looks), (PieceId{own, row.id.label}));
     const Outcome back = document.apply(Undo{});
     ASSERT_TRUE(back.ok());
     follow_world(document.world(), back.delta, looks);
-    EXPECT_EQ(first_chosen(looks), row.id);
+    EXPECT_EQ(first_selected(looks), row.id);
   }
 }
 
@@ -124,12 +124,12 @@ TEST(PieceSet, specks_are_set_apart_and_one_alone_stays_in_the_list) {
     return PieceRow{{{0, 0}, label}, label, "piece " + std::to_string(label), faces, 1};
   };
   const SortedPieces sorted =
-      set_specks_apart({row(0, 4), row(1, 9), row(2, 8), row(3, 1)}, {{{0, 0}, 2}, {{0, 0}, 3}, {{1, 0}, 1}});
+      separate_specks({row(0, 4), row(1, 9), row(2, 8), row(3, 1)}, {{{0, 0}, 2}, {{0, 0}, 3}, {{1, 0}, 1}});
   ASSERT_EQ(sorted.rest.size(), 2u);
   EXPECT_EQ(sorted.rest[1].id.label, 1u);
   ASSERT_EQ(sorted.specks.size(), 2u);
   EXPECT_EQ(sorted.specks[1].id.label, 3u);
-  EXPECT_TRUE(set_specks_apart({row(0, 90), row(1, 1)}, {{{0, 0}, 1}}).specks.empty());
+  EXPECT_TRUE(separate_specks({row(0, 90), row(1, 1)}, {{{0, 0}, 1}}).specks.empty());
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct MouseBench {
     workspace.view.camera.finish();
     workspace.laser.radius = 0.03;
   }
-  void hear(const InputEvent& event) { hear_mouse(workspace, editor.features, event, true); }
+  void handle(const InputEvent& event) { handle_mouse(workspace, editor.features, event, true); }
   void cut() {
     while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
   }
@@ -57,10 +57,10 @@ std::vector<InputEvent> arc() {
 
 TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames) {
   MouseBench slow, fast;
-  for (const InputEvent& e : arc()) slow.hear(e);
+  for (const InputEvent& e : arc()) slow.handle(e);
   slow.cut();
   for (const InputEvent& e : arc()) {
-    fast.hear(e);
+    fast.handle(e);
     fast.cut();
   }
   EXPECT_GT(slow.workspace.session.document.history().totals().removed_faces, 100u);
@@ -69,7 +69,7 @@ TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames)
 
 TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
   MouseBench bench;
-  for (const InputEvent& e : arc()) bench.hear(e);
+  for (const InputEvent& e : arc()) bench.handle(e);
   std::vector<double> times;
   for (const Command& c : bench.workspace.session.document.journal()) {
     if (const auto* move = std::get_if<MoveBeam>(&c)) times.push_back(move->time);
@@ -84,12 +84,12 @@ TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_clo
     bench.workspace.settings.drag_speed = bench.workspace.settings.wheel_speed = speed;
     InputEvent wheel{EventKind::kWheel, {400, 300}};
     wheel.wheel = 1;
-    bench.hear(wheel);
+    bench.handle(wheel);
     bench.workspace.view.camera.finish();
     const double distance = bench.workspace.view.seen().focus;
     InputEvent press{EventKind::kPress, {400, 300}, GLFW_MOUSE_BUTTON_MIDDLE};
-    bench.hear(press);
-    bench.hear({EventKind::kMove, {430, 300}});
+    bench.handle(press);
+    bench.handle({EventKind::kMove, {430, 300}});
     bench.workspace.view.camera.finish();
     return std::pair(std::asin(bench.workspace.view.seen().forward.x), std::log(distance / 5));
   };
@@ -103,18 +103,18 @@ TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_clo
 TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
   MouseBench bench;
   bench.workspace.input.tool = kPickTool;
-  for (const InputEvent& e : arc()) bench.hear(e);
+  for (const InputEvent& e : arc()) bench.handle(e);
   EXPECT_EQ(bench.workspace.session.document.history().totals().strokes, 0u);
   EXPECT_EQ(bench.workspace.input.held, nullptr);
 }
 
 TEST(Mouse, a_stroke_that_is_cancelled_lets_go_of_the_mouse) {
   MouseBench bench;
-  bench.hear(arc()[0]);
-  bench.hear(arc()[1]);
+  bench.handle(arc()[0]);
+  bench.handle(arc()[1]);
   ASSERT_NE(bench.workspace.input.held, nullptr);
   EXPECT_TRUE(cancel_stroke(bench.workspace));
-  bench.hear(arc()[2]);
+  bench.handle(arc()[2]);
   EXPECT_EQ(bench.workspace.input.held, nullptr);
   EXPECT_FALSE(bench.workspace.beam.cutting());
 }

@@ -86,11 +86,11 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
     const auto marks = log.marks(document.world());
     ASSERT_NE(marks, nullptr);
     EXPECT_EQ(marks, log.marks(document.world())) << "made once";
-    size_t born = 0;
-    for (const BodyDelta& b : stage->done.delta.bodies) born += b.born.size();
+    size_t added = 0;
+    for (const BodyDelta& b : stage->done.delta.bodies) added += b.added.size();
     EXPECT_EQ(count(*marks, StageMarks::Kind::kHit), stage->hit.size());
     EXPECT_EQ(count(*marks, StageMarks::Kind::kRemoved), stage->done.delta.removed_faces);
-    EXPECT_EQ(lines(*marks, StageMarks::Kind::kBorn), stage->kind == StageKind::kRefine ? 3 * born : 0);
+    EXPECT_EQ(lines(*marks, StageMarks::Kind::kAdded), stage->kind == StageKind::kRefine ? 3 * added : 0);
     EXPECT_EQ(count(*marks, StageMarks::Kind::kSwept) > 0, stage->move.has_value());
     if (!marks->came_off.empty()) {
       EXPECT_FALSE(marks->stayed.empty());
@@ -183,27 +183,27 @@ TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
 TEST(StageState, says_why_there_is_nothing_to_step_through) {
   Document document = sheet();
   StageState stages;
-  EXPECT_NE(why_no_next_stage(stages, document), nullptr) << "off";
-  stages.wishes.on = true;
-  EXPECT_EQ(why_no_next_stage(stages, document), nullptr);
-  EXPECT_NE(why_no_stage_back(stages, document), nullptr) << "nothing was executed";
-  EXPECT_EQ(why_not_again(document), nullptr);
+  EXPECT_NE(next_stage_disabled_reason(stages, document), nullptr) << "off";
+  stages.requests.on = true;
+  EXPECT_EQ(next_stage_disabled_reason(stages, document), nullptr);
+  EXPECT_NE(stage_back_disabled_reason(stages, document), nullptr) << "nothing was executed";
+  EXPECT_EQ(restart_disabled_reason(document), nullptr);
   document.apply(RenamePiece{{document.world().ids().front(), 0}, "plate"});
-  EXPECT_NE(why_not_again(document), nullptr) << "the stroke is not the last step";
-  EXPECT_NE(why_no_next_stage(stages, document), nullptr) << "everything is cut";
-  EXPECT_NE(why_not_again(Document(World())), nullptr);
+  EXPECT_NE(restart_disabled_reason(document), nullptr) << "the stroke is not the last step";
+  EXPECT_NE(next_stage_disabled_reason(stages, document), nullptr) << "everything is cut";
+  EXPECT_NE(restart_disabled_reason(Document(World())), nullptr);
 }
 
 TEST(StageState, plays_from_where_it_is_and_at_the_end_from_the_start) {
   Document document = sheet();
   StageState stages;
   play_or_pause(stages, document);
-  EXPECT_TRUE(stages.wishes.on && stages.wishes.playing && stages.wishes.start_again);
-  stages.wishes.start_again = false;
+  EXPECT_TRUE(stages.requests.on && stages.requests.playing && stages.requests.start_again);
+  stages.requests.start_again = false;
   play_or_pause(stages, document);
-  EXPECT_FALSE(stages.wishes.playing);
+  EXPECT_FALSE(stages.requests.playing);
   play_or_pause(stages, document);
-  EXPECT_TRUE(stages.wishes.playing && !stages.wishes.start_again);
+  EXPECT_TRUE(stages.requests.playing && !stages.requests.start_again);
 }
 
 }  // namespace

@@ -239,12 +239,12 @@ TEST(CornerHeat, follows_changes_like_one_that_begins_anew) {
     for (size_t i = random.below(6); i > 0; --i) change(body, random, changed);
     std::vector<FaceId> affected;
     followed.update(body, 1, changed, affected);
-    CornerHeat anew;
-    anew.update(body, 1, {}, affected);
-    EXPECT_EQ(followed.warmest(), anew.warmest());
+    CornerHeat rebuilt;
+    rebuilt.update(body, 1, {}, affected);
+    EXPECT_EQ(followed.warmest(), rebuilt.warmest());
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (!body.mesh.is_live(FaceId(f))) continue;
-      ASSERT_EQ(followed.of(body.mesh, FaceId(f)), anew.of(body.mesh, FaceId(f))) << f;
+      ASSERT_EQ(followed.of(body.mesh, FaceId(f)), rebuilt.of(body.mesh, FaceId(f))) << f;
     }
   }
 }

@@ -200,7 +200,7 @@ Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progre
   return remesh_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const TrackedFaces& tracked, const Progress* working) {
-        return simplify(mesh, target, {tracked.kept, heeded.is_seam}, working, tracked.warm);
+        return simplify(mesh, target, {tracked.kept, tracked.is_seam}, working, tracked.warm);
       },
       progress);
 }
@@ -216,7 +216,7 @@ Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progr
   return remesh_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const TrackedFaces& tracked, const Progress* working) {
-        return subdivide(mesh, scheme, {tracked.kept, heeded.is_seam}, working);
+        return subdivide(mesh, scheme, {tracked.kept, tracked.is_seam}, working);
       },
       progress);
 }
@@ -230,7 +230,7 @@ Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress
   return remesh_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const TrackedFaces& tracked, const Progress* working) {
-        return smooth(mesh, times, {tracked.kept, heeded.is_seam}, working);
+        return smooth(mesh, times, {tracked.kept, tracked.is_seam}, working);
       },
       progress);
 }

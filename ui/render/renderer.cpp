@@ -53,7 +53,7 @@ void Renderer::send_faces(const World& world) {
 
 void Renderer::catch_up(const World& world) {
   send_faces(world);
-  for (const auto& textures : textures_) textures->update(most_faces_sent_ == DirtySlots::kAll);
+  for (const auto& textures : textures_) textures->update(max_faces_sent_ == DirtySlots::kAll);
   find_finest();
   follow_heat(world);
 }

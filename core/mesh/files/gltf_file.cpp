@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <system_error>
 
 #include "core/mesh/files/bytes.h"
@@ -214,7 +215,7 @@ std::optional<Error> GltfFile::check_extensions() const {
   for (const nlohmann::json& extension : *required) {
     if (!extension.is_string()) return wrong("/extensionsRequired", "must be a list of names");
     const auto name = extension.get<std::string>();
-    if (changes_looks_only(name)) continue;
+    if (changes_looks_only(name) || name == "KHR_mesh_quantization" || name == kGltfInstancing) continue;
     return wrong("/extensionsRequired", in_quotes(name) + " is not supported; export the file without it");
   }
   return std::nullopt;
@@ -309,6 +310,11 @@ Result<std::string_view> GltfFile::buffer_bytes(size_t i, const fs::path& folder
   return std::string_view(owned_.back());
 }
 
+uint64_t GltfFile::buffer_bytes() const {
+  return std::accumulate(buffers_.begin(), buffers_.end(), uint64_t{0},
+                         [](uint64_t sum, std::string_view buffer) { return sum + buffer.size(); });
+}
+
 Result<GltfFile::View> GltfFile::view(uint32_t i) const {
   const std::string where = "/bufferViews/" + std::to_string(i);
   const nlohmann::json& json = element("bufferViews", i);
@@ -326,148 +332,6 @@ Result<GltfFile::View> GltfFile::view(uint32_t i) const {
                             std::to_string(bytes.size()));
   }
   return View{bytes.substr(*offset, *length), *stride};
-}
-
-namespace {
-
-constexpr uint64_t kMaxStride = 252;
-
-std::string accessor_place(uint32_t accessor) { return "/accessors/" + std::to_string(accessor); }
-
-}  // namespace
-
-Result<GltfAccessor> GltfAccessor::rows(const GltfFile& file, uint32_t accessor, const char* type,
-                                        uint64_t row) {
-  const nlohmann::json& json = file.element("accessors", accessor);
-  const std::string where = accessor_place(accessor);
-  if (json.contains("sparse")) return file.wrong(where, "is sparse, which is not supported; export it dense");
-  if (!json.contains("type") || json["type"] != type)
-    return file.wrong(where + "/type", std::string("must be ") + type);
-  const auto view_index = file.index(json, "bufferView", "bufferViews", where);
-  if (!view_index) return view_index.error();
-  if (!*view_index) return file.wrong(where + "/bufferView", "is missing; the accessor has no data");
-  const auto view = file.view(**view_index);
-  if (!view) return view.error();
-  const auto offset = file.whole(json, "byteOffset", 0, where), count = file.whole(json, "count", 0, where);
-  if (!offset) return offset.error();
-  if (!count) return count.error();
-  const uint64_t stride = view->stride == 0 ? row : view->stride;
-  if (stride < row || stride > kMaxStride)
-    return file.wrong("/bufferViews/" + std::to_string(**view_index) + "/byteStride",
-                      "must be from " + std::to_string(row) + " to 252");
-  GltfAccessor rows;
-  if (*count == 0) return rows;
-  const uint64_t room = *offset < view->bytes.size() ? view->bytes.size() - *offset : 0;
-  if (room < row || (room - row) / stride < *count - 1) {
-    return file.wrong(where, "declares " + std::to_string(*count) + " elements, but the " +
-                                 std::to_string(view->bytes.size()) + " bytes of its view cannot hold them");
-  }
-  rows.bytes_ = view->bytes.substr(*offset);
-  rows.size_ = *count;
-  rows.stride_ = stride;
-  rows.width_ = row;
-  return rows;
-}
-
-Result<GltfAccessor> GltfAccessor::positions(const GltfFile& file, uint32_t accessor) {
-  const auto kind =
-      file.whole(file.element("accessors", accessor), "componentType", 0, accessor_place(accessor));
-  if (!kind) return kind.error();
-  if (*kind != kGltfFloat)
-    return file.wrong(accessor_place(accessor),
-                      "has quantised positions, which are not supported; export them as floats");
-  return rows(file, accessor, "VEC3", 3 * sizeof(float));
-}
-
-Result<GltfAccessor> GltfAccessor::indices(const GltfFile& file, uint32_t accessor) {
-  const auto kind =
-      file.whole(file.element("accessors", accessor), "componentType", 0, accessor_place(accessor));
-  if (!kind) return kind.error();
-  if (*kind != kGltfByte && *kind != kGltfShort && *kind != kGltfInt)
-    return file.wrong(accessor_place(accessor) + "/componentType", "must be 5121, 5123 or 5125 for indices");
-  return rows(file, accessor, "SCALAR", *kind == kGltfByte ? 1 : *kind == kGltfShort ? 2 : 4);
-}
-
-Result<GltfAccessor> GltfAccessor::colours(const GltfFile& file, uint32_t accessor) {
-  const nlohmann::json& json = file.element("accessors", accessor);
-  const auto kind = file.whole(json, "componentType", 0, accessor_place(accessor));
-  if (!kind) return kind.error();
-  if (*kind != kGltfFloat && *kind != kGltfByte && *kind != kGltfShort)
-    return file.wrong(accessor_place(accessor) + "/componentType", "must be 5121, 5123 or 5126 for colours");
-  const size_t parts = json.contains("type") && json["type"] == "VEC4" ? 4 : 3;
-  auto colours = rows(file, accessor, parts == 4 ? "VEC4" : "VEC3",
-                      parts * (*kind == kGltfByte    ? 1
-                               : *kind == kGltfShort ? 2
-                                                     : sizeof(float)));
-  if (colours) colours->parts_ = parts;
-  return colours;
-}
-
-VertexColour GltfAccessor::colour(size_t i) const {
-  assert(i < size_ && parts_ > 0);
-  const char* at = bytes_.data() + i * stride_;
-  const size_t bytes = width_ / parts_;
-  VertexColour colour;
-  for (size_t k = 0; k < parts_; ++k, at += bytes) {
-    const double fraction = bytes == 1   ? static_cast<uint8_t>(*at) / 255.0
-                            : bytes == 2 ? fraction_of(load<uint16_t>(at, std::endian::little))
-                                         : load<float>(at, std::endian::little);
-    colour.part[k] = k == VertexColour::kOpacity ? colour_part(fraction) : part_of_linear(fraction);
-  }
-  return colour;
-}
-
-Result<GltfAccessor> GltfAccessor::vectors(const GltfFile& file, uint32_t accessor, size_t parts) {
-  const nlohmann::json& json = file.element("accessors", accessor);
-  const auto kind = file.whole(json, "componentType", 0, accessor_place(accessor));
-  if (!kind) return kind.error();
-  const bool is_byte = *kind == kGltfByte || *kind == kGltfSignedByte;
-  const bool is_short = *kind == kGltfShort || *kind == kGltfSignedShort;
-  if (*kind != kGltfFloat && !is_byte && !is_short)
-    return file.wrong(accessor_place(accessor) + "/componentType", "must be 5120 to 5123 or 5126");
-  auto vectors = rows(file, accessor, parts == 2 ? "VEC2" : "VEC3",
-                      parts * (is_byte    ? 1
-                               : is_short ? 2
-                                          : sizeof(float)));
-  if (vectors) vectors->parts_ = parts;
-  if (vectors) vectors->is_signed_ = *kind == kGltfSignedByte || *kind == kGltfSignedShort;
-  return vectors;
-}
-
-Vec3 GltfAccessor::vector(size_t i) const {
-  assert(i < size_ && parts_ > 0 && parts_ <= 3);
-  const char* at = bytes_.data() + i * stride_;
-  const size_t bytes = width_ / parts_;
-  Vec3 v(0);
-  for (size_t k = 0; k < parts_; ++k, at += bytes) {
-    double& number = v[static_cast<int>(k)];
-    if (bytes == sizeof(float)) {
-      number = load<float>(at, std::endian::little);
-    } else if (is_signed_) {
-      number =
-          bytes == 1 ? static_cast<int8_t>(*at) / 127.0 : load<int16_t>(at, std::endian::little) / 32767.0;
-      number = std::max(number, -1.0);
-    } else {
-      number =
-          bytes == 1 ? static_cast<uint8_t>(*at) / 255.0 : load<uint16_t>(at, std::endian::little) / 65535.0;
-    }
-  }
-  return v;
-}
-
-Vec3 GltfAccessor::position(size_t i) const {
-  assert(i < size_ && width_ == 3 * sizeof(float));
-  const char* at = bytes_.data() + i * stride_;
-  Vec3 p;
-  for (int k = 0; k < 3; ++k, at += sizeof(float)) p[k] = load<float>(at, std::endian::little);
-  return p;
-}
-
-uint32_t GltfAccessor::index(size_t i) const {
-  assert(i < size_ && width_ <= 4);
-  const char* at = bytes_.data() + i * stride_;
-  if (width_ == 1) return static_cast<uint8_t>(*at);
-  return width_ == 2 ? load<uint16_t>(at, std::endian::little) : load<uint32_t>(at, std::endian::little);
 }
 
 }  // namespace kerf

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +24,8 @@ inline constexpr uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2, kGlbJson = 0x
 // The component types of accessors: unsigned integers and float.
 inline constexpr uint64_t kGltfByte = 5121, kGltfShort = 5123, kGltfInt = 5125, kGltfFloat = 5126;
 inline constexpr uint64_t kGltfSignedByte = 5120, kGltfSignedShort = 5122;
+
+inline constexpr const char* kGltfInstancing = "EXT_mesh_gpu_instancing";
 
 // Encodes bytes in base 64 (RFC 4648), with padding.
 std::string to_base64(std::string_view bytes);
@@ -64,6 +69,8 @@ class GltfFile {
     uint64_t stride = 0;
   };
   Result<View> view(uint32_t i) const;
+  // Returns the number of bytes of all buffers.
+  uint64_t buffer_bytes() const;
 
   // "FILE: WHERE: WHAT."
   Error wrong(const std::string& where, const std::string& what) const;
@@ -87,34 +94,58 @@ class GltfFile {
   std::vector<std::string_view> buffers_;  // by index
 };
 
-// The elements of an accessor of a glTF file: rows of numbers in a buffer.
+// The elements of an accessor of a glTF file: rows of numbers in a buffer, with those that a sparse accessor
+// replaces. All functions fail if the accessor has another type or if the buffer ends too early.
 class GltfAccessor {
  public:
-  // Positions: three floats each. Fails for sparse and quantised ones, and if the buffer ends too early.
-  static Result<GltfAccessor> positions(const GltfFile& file, uint32_t accessor);
-  // Indices: one unsigned whole number each. Fails likewise.
+  // Indices: one unsigned whole number each.
   static Result<GltfAccessor> indices(const GltfFile& file, uint32_t accessor);
 
-  // Vectors of two or three floats, or of normalised whole numbers. Fails likewise.
+  // Vectors of one to four floats, or of whole numbers of 8 or 16 bits (KHR_mesh_quantization). Normalised
+  // whole numbers are fractions of the largest one.
   static Result<GltfAccessor> vectors(const GltfFile& file, uint32_t accessor, size_t parts);
+  // Likewise with the number of parts that the accessor has.
+  static Result<GltfAccessor> vectors(const GltfFile& file, uint32_t accessor);
 
-  // Colours: three or four floats or normalised whole numbers each. Fails likewise.
+  // Colours: three or four floats or normalised whole numbers each.
   static Result<GltfAccessor> colours(const GltfFile& file, uint32_t accessor);
 
   size_t size() const { return size_; }
+  size_t parts() const { return parts_; }  // of a colour or a vector
   // Precondition of each: i < size(), and the accessor is of this kind.
-  Vec3 position(size_t i) const;
   VertexColour colour(size_t i) const;  // converted from linear light to sRGB
-  Vec3 vector(size_t i) const;          // with zero for a missing part
+  glm::dvec4 vector(size_t i) const;    // with zero for a missing part
   uint32_t index(size_t i) const;
 
  private:
-  static Result<GltfAccessor> rows(const GltfFile& file, uint32_t accessor, const char* type, uint64_t row);
+  // The type of an accessor: "VEC3" and so on, and the bytes of an element.
+  struct Row {
+    const char* type;
+    uint64_t bytes;
+  };
+  static Result<GltfAccessor> rows(const GltfFile& file, uint32_t accessor, const Row& row);
+  static Result<GltfAccessor> dense_rows(const GltfFile& file, const nlohmann::json& json,
+                                         const std::string& where, const Row& row);
+  // Replaces the rows that the member "sparse" lists.
+  std::optional<Error> replace_sparse(const GltfFile& file, const nlohmann::json& sparse,
+                                      const std::string& where, const Row& row);
 
   std::string_view bytes_;
+  std::shared_ptr<const std::string> owned_;  // the bytes of a sparse accessor
   size_t size_ = 0, stride_ = 0, width_ = 0;
-  size_t parts_ = 0;        // of a colour or a vector
-  bool is_signed_ = false;  // of a vector of whole numbers
+  size_t parts_ = 0;
+  uint64_t component_ = 0;  // of a vector
+  bool is_normalised_ = false;
 };
+
+using GltfMatrix = glm::dmat4;
+
+// Returns the transform of a node to its parent. `where` names it in errors.
+Result<GltfMatrix> gltf_transform(const GltfFile& file, const nlohmann::json& node, const std::string& where);
+
+// Returns the transforms of the instances of a node's mesh to the scene (EXT_mesh_gpu_instancing); that of
+// the node, `to_scene`, without the extension. Fails for instances that are not finite.
+Result<std::vector<GltfMatrix>> gltf_instances(const GltfFile& file, const nlohmann::json& node,
+                                               const std::string& where, const GltfMatrix& to_scene);
 
 }  // namespace kerf

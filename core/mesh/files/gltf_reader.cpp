@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <map>
 #include <optional>
@@ -19,7 +18,7 @@ namespace kerf {
 
 namespace {
 
-using Matrix = glm::dmat4;
+using Matrix = GltfMatrix;
 
 constexpr size_t kMaxTriangles = 100'000'000, kMaxPositions = 3 * kMaxTriangles;
 constexpr uint64_t kTriangles = 4, kStrip = 5, kFan = 6, kModes = 7;
@@ -104,49 +103,10 @@ class GltfReader {
     return std::nullopt;
   }
 
-  // Reads kCount finite numbers; `missing` if there is no such member.
-  template <size_t kCount>
-  Result<std::array<double, kCount>> numbers(const nlohmann::json& of, const char* key,
-                                             const std::string& where,
-                                             const std::array<double, kCount>& missing) const {
-    const auto at = of.find(key);
-    if (at == of.end()) return missing;
-    std::array<double, kCount> found{};
-    const auto is_finite = [](const nlohmann::json& n) {
-      return n.is_number() && std::isfinite(n.get<double>());
-    };
-    if (!at->is_array() || at->size() != kCount || !std::all_of(at->begin(), at->end(), is_finite))
-      return file_.wrong(where + "/" + key, "must be " + std::to_string(kCount) + " finite numbers");
-    for (size_t i = 0; i < kCount; ++i) found[i] = (*at)[i].template get<double>();
-    return found;
-  }
-
-  Result<Matrix> transform_of(const nlohmann::json& node, const std::string& where) const {
-    Matrix matrix(1);
-    const auto whole = numbers<16>(node, "matrix", where, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
-    const auto moved = numbers<3>(node, "translation", where, {0, 0, 0});
-    const auto turned = numbers<4>(node, "rotation", where, {0, 0, 0, 1});
-    const auto scaled = numbers<3>(node, "scale", where, {1, 1, 1});
-    if (!whole) return whole.error();
-    if (!moved) return moved.error();
-    if (!turned) return turned.error();
-    if (!scaled) return scaled.error();
-    if (node.contains("matrix")) {
-      for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = (*whole)[static_cast<size_t>(i)];
-      return matrix;
-    }
-    const glm::dquat q((*turned)[3], (*turned)[0], (*turned)[1], (*turned)[2]);
-    if (!(glm::dot(q, q) > 0)) return file_.wrong(where + "/rotation", "must not be zero");
-    const glm::dmat3 turn = glm::mat3_cast(glm::normalize(q));
-    for (int k = 0; k < 3; ++k) matrix[k] = glm::dvec4(turn[k] * (*scaled)[static_cast<size_t>(k)], 0);
-    matrix[3] = glm::dvec4((*moved)[0], (*moved)[1], (*moved)[2], 1);
-    return matrix;
-  }
-
   Problem read_node(const Open& open) {
     const nlohmann::json& node = file_.element("nodes", open.node);
     const std::string where = node_place(open.node);
-    const auto own = transform_of(node, where);
+    const auto own = gltf_transform(file_, node, where);
     if (!own) return own.error();
     const Matrix to_scene = open.to_scene * *own;
     if (auto problem = push_nodes(node, "children", where, to_scene)) return problem;
@@ -154,8 +114,13 @@ class GltfReader {
     if (!mesh) return mesh.error();
     if (!*mesh) return std::nullopt;
     if (node.contains("skin")) record_once(skinned_, "Meshes with a skin were read in their rest pose.");
-    polygons_.begin_parts(PolygonList::Level::kObject, {name_of(node, file_.element("meshes", **mesh))});
-    return read_mesh(**mesh, to_scene);
+    const auto instances = gltf_instances(file_, node, where, to_scene);
+    if (!instances) return instances.error();
+    for (const Matrix& instance : *instances) {
+      polygons_.begin_parts(PolygonList::Level::kObject, {name_of(node, file_.element("meshes", **mesh))});
+      if (auto problem = read_mesh(**mesh, instance)) return problem;
+    }
+    return std::nullopt;
   }
 
   static std::string text_of(const nlohmann::json& of, const char* key) {
@@ -227,7 +192,7 @@ class GltfReader {
   Result<Placed> place_vertices(const VertexAccessors& accessors, const Matrix& to_scene) {
     if (const auto known = placed_.find(accessors); known != placed_.end()) return known->second;
     const auto of_positions = static_cast<uint32_t>(accessors[0]);
-    const auto rows = GltfAccessor::positions(file_, of_positions);
+    const auto rows = GltfAccessor::vectors(file_, of_positions, 3);
     if (!rows) return rows.error();
     if (rows->size() > kMaxPositions - positions_.size())
       return file_.wrong("/accessors/" + std::to_string(of_positions),
@@ -235,7 +200,7 @@ class GltfReader {
     const Placed placed{positions_.size(), rows->size()};
     for (size_t i = 0; i < rows->size(); ++i) {
       if (i % kBetweenReports == 0 && progress_ && !progress_->report(0)) return cancelled();
-      positions_.push_back(Vec3(to_scene * glm::dvec4(rows->position(i), 1)));
+      positions_.push_back(Vec3(to_scene * glm::dvec4(Vec3(rows->vector(i)), 1)));
     }
     if (accessors[1] >= 0) {
       if (auto problem = place_colours(static_cast<uint32_t>(accessors[1]), placed)) return *problem;
@@ -270,7 +235,7 @@ class GltfReader {
       return;
     }
     to.resize(positions.first, T(std::numeric_limits<float>::quiet_NaN()));
-    for (size_t i = 0; i < rows->size(); ++i) to.push_back(convert(rows->vector(i)));
+    for (size_t i = 0; i < rows->size(); ++i) to.push_back(convert(Vec3(rows->vector(i))));
   }
 
   // Gives the triangles the normals and UVs of their vertices.

@@ -66,11 +66,12 @@ Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
 // all its nodes with their transforms, each a part with the name of the node; also strips and fans. Materials
 // have names; they and their textures and samplers are kept as JSON, their images as bytes (see
 // SurfaceLibrary). Reads normals and up to four sets of UVs. Ignores animations; with a warning, skips points
-// and lines and reads meshes with a skin or morph targets in their rest pose. Rejects sparse and quantised
-// positions, Draco and meshopt by name. Buffers and images are data URIs or files in `folder`, the folder of
-// the file, and below; if it is empty, no other files are read. An index that is out of range makes an
-// invalid face. Linear in the number of bytes and of triangles of all nodes, at most 10^8. `progress` may be
-// null.
+// and lines and reads meshes with a skin or morph targets in their rest pose. Reads sparse accessors,
+// quantised attributes (KHR_mesh_quantization) and instances, each a part with the name of its node
+// (EXT_mesh_gpu_instancing). Rejects Draco, meshopt and other required extensions by name. Buffers and images
+// are data URIs or files in `folder`, the folder of the file, and below; if it is empty, no other files are
+// read. An index that is out of range makes an invalid face. Linear in the number of bytes and of triangles
+// of all nodes and instances, at most 10^8. `progress` may be null.
 Result<Soup> read_gltf(std::string_view bytes, const std::string& file_name,
                        const Progress* progress = nullptr, const std::filesystem::path& folder = {});
 

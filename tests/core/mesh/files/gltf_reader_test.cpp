@@ -152,8 +152,9 @@ TEST(Gltf, what_is_not_read_is_named) {
     EXPECT_TRUE(is_one_line_about(Error{ErrorCode::kBadInput, message}, "a.gltf: ")) << message;
   };
   says(with("/extensionsRequired", {"KHR_draco_mesh_compression"}), "KHR_draco_mesh_compression");
+  says(with("/extensionsRequired", {"EXT_meshopt_compression"}), "EXT_meshopt_compression");
   says(with("/accessors/0/sparse", json::object()), "sparse");
-  says(with("/accessors/0/componentType", 5122), "quantised");
+  says(with("/accessors/0/componentType", 5125), "componentType");
   says(with("/asset/version", "1.0"), "this is glTF 1.0, but only glTF 2.0 is supported; convert it to 2.0");
   says(with("/asset/version", 1), "this is glTF 1,");
   says(with("/asset/minVersion", "2.1"), "this is glTF 2.1,");

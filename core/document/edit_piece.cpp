@@ -140,7 +140,7 @@ Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generati
   const Progress working = shares.next(0.6), making = shares.next(0.4);
   const PieceCopy copy = copy_piece(body, piece.label);
   const TrackedFaces tracked{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh),
-                           seam_test(body, copy)};
+                             seam_test(body, copy)};
   auto remeshed = remake(copy.mesh, tracked, &working);
   if (!remeshed) return remeshed.error();
   if (remeshed->triangles.empty()) return failed(piece_words(piece) + " would have no faces left");

@@ -96,7 +96,7 @@ class Transfer {
   const Body& body_;
   const Looks& looks_;
   const Remeshed& remeshed_;
-  std::vector<FaceId> sources_;                  // by triangle, loaded faces
+  std::vector<FaceId> sources_;                 // by triangle, loaded faces
   std::vector<std::vector<PointOnFace>> near_;  // by position
 };
 

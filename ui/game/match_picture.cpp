@@ -5,8 +5,8 @@
 
 #include "core/base/assert.h"
 #include "core/base/tick.h"
-#include "ui/render/bodies/overlay_marks.h"
 #include "ui/gl/image.h"
+#include "ui/render/bodies/overlay_marks.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 
 #include "core/base/assert.h"
 #include "core/document/cut_effects.h"
-#include "ui/render/bodies/overlay_marks.h"
 #include "ui/gl/image.h"
+#include "ui/render/bodies/overlay_marks.h"
 #include "ui/render/passes/beam_effects.h"
 
 namespace kerf {

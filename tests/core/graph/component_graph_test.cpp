@@ -1,5 +1,5 @@
-#include "core/base/json.h"
 #include "core/graph/component_graph.h"
+#include "core/base/json.h"
 
 #include <gtest/gtest.h>
 

@@ -67,7 +67,8 @@ TEST(WriteMesh, reads_back_bit_equal) {
       ASSERT_TRUE(write_mesh(mesh.view(), path, format));
       const Result<Soup> soup = read_mesh(path);
       ASSERT_TRUE(soup) << soup.error().message;
-      EXPECT_TRUE(same_bits(soup->positions, mesh.positions)) << format_row(format).ending << ", seed " << seed;
+      EXPECT_TRUE(same_bits(soup->positions, mesh.positions))
+          << format_row(format).ending << ", seed " << seed;
       EXPECT_EQ(soup->triangles, mesh.triangles) << format_row(format).ending << ", seed " << seed;
       EXPECT_TRUE(soup->warnings.empty());
       if (format != MeshFormat::kObj) continue;

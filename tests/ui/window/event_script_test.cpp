@@ -62,10 +62,10 @@ TEST(EventScript, settles_a_few_frames_after_nothing_moves_and_no_later_than_it_
   EXPECT_EQ(frames_of(stops, [](int frame) { return frame < 20; }), 21);
 }
 
-TEST(EventScript, hears_the_steps_of_one_frame_in_their_order) {
-  EventScript events = script(R"({"together": [{"move": [10, 20]}, {"press": "left"}, {"move": [30, 40]}]})");
-  ASSERT_TRUE(*events.begin_frame(false, no_answer));
-  const auto& events = events.input().input_state().events;
+TEST(EventScript, takes_the_steps_of_one_frame_in_their_order) {
+  EventScript steps = script(R"({"together": [{"move": [10, 20]}, {"press": "left"}, {"move": [30, 40]}]})");
+  ASSERT_TRUE(*steps.begin_frame(false, no_answer));
+  const auto& events = steps.input().input_state().events;
   ASSERT_EQ(events.size(), 3u);
   EXPECT_EQ(events[0].kind, InputEvent::Kind::kMove);
   EXPECT_EQ(events[1].kind, InputEvent::Kind::kPress);

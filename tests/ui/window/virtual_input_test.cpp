@@ -7,7 +7,7 @@ namespace kerf {
 namespace {
 
 // Hears a step that a script could hold.
-Status apply(VirtualInput& input, const std::string& text) {
+Status apply_step(VirtualInput& input, const std::string& text) {
   const auto step = nlohmann::json::parse(text);
   return input.apply(step.begin().key(), JsonValue(step, "step")[step.begin().key()]);
 }
@@ -16,7 +16,7 @@ TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
   VirtualInput input({640, 480});
   for (const char* step : {R"({"key_down": "Ctrl"})", R"({"key_down": "Shift"})", R"({"move": [5, 6]})",
                            R"({"press": "right"})", R"({"key_down": "Z"})"})
-    ASSERT_TRUE(apply(input, step)) << step;
+    ASSERT_TRUE(apply_step(input, step)) << step;
   EXPECT_EQ(input.keys(), (std::set<int>{GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_Z}));
   EXPECT_EQ(input.buttons(), std::set<int>{GLFW_MOUSE_BUTTON_RIGHT});
   EXPECT_EQ(input.mods(), GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
@@ -27,8 +27,8 @@ TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
   EXPECT_EQ(press.at, Vec2(5, 6));
   EXPECT_EQ(press.mods, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
 
-  ASSERT_TRUE(apply(input, R"({"key_up": "Ctrl"})"));
-  ASSERT_TRUE(apply(input, R"({"release": "right"})"));
+  ASSERT_TRUE(apply_step(input, R"({"key_up": "Ctrl"})"));
+  ASSERT_TRUE(apply_step(input, R"({"release": "right"})"));
   EXPECT_EQ(input.mods(), GLFW_MOD_SHIFT);
   EXPECT_TRUE(input.buttons().empty());
   const std::vector<InputEvent>& events = input.input_state().events;
@@ -39,11 +39,11 @@ TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
 
 TEST(VirtualInput, reports_each_change_of_a_button_or_a_key_once) {
   VirtualInput input({640, 480});
-  ASSERT_TRUE(apply(input, R"({"press": "left"})"));
-  ASSERT_TRUE(apply(input, R"({"press": "left"})"));  // is down already
-  ASSERT_TRUE(apply(input, R"({"release": "left"})"));
-  ASSERT_TRUE(apply(input, R"({"release": "left"})"));
-  ASSERT_TRUE(apply(input, R"({"key_up": "Z"})"));  // is up already
+  ASSERT_TRUE(apply_step(input, R"({"press": "left"})"));
+  ASSERT_TRUE(apply_step(input, R"({"press": "left"})"));  // is down already
+  ASSERT_TRUE(apply_step(input, R"({"release": "left"})"));
+  ASSERT_TRUE(apply_step(input, R"({"release": "left"})"));
+  ASSERT_TRUE(apply_step(input, R"({"key_up": "Z"})"));  // is up already
   EXPECT_EQ(input.input_state().events.size(), 2u);
   EXPECT_TRUE(input.buttons().empty());
 }
@@ -55,7 +55,7 @@ TEST(VirtualInput, names_keys_as_menus_write_them) {
                                                {"Del", GLFW_KEY_DELETE},   {"Num Enter", GLFW_KEY_KP_ENTER}};
   for (const auto& [name, key] : names) {
     VirtualInput input({640, 480});
-    ASSERT_TRUE(apply(input, nlohmann::json{{"key_down", name}}.dump())) << name;
+    ASSERT_TRUE(apply_step(input, nlohmann::json{{"key_down", name}}.dump())) << name;
     EXPECT_EQ(input.keys(), std::set<int>{key}) << name;
   }
 }
@@ -64,7 +64,7 @@ TEST(VirtualInput, reports_the_wheel_and_the_characters_of_a_text_in_their_order
   VirtualInput input({640, 480});
   for (const char* step : {R"({"wheel": 2})", R"({"wheel": -0.5})", R"({"type": "a\u00e9"})",
                            R"({"type": "c"})", R"({"drop": ["one.obj", "two.stl"]})", R"({"close": true})"})
-    ASSERT_TRUE(apply(input, step)) << step;
+    ASSERT_TRUE(apply_step(input, step)) << step;
   const std::vector<InputEvent>& events = input.input_state().events;
   ASSERT_EQ(events.size(), 5u);
   EXPECT_EQ(events[0].wheel + events[1].wheel, 1.5);
@@ -79,13 +79,13 @@ TEST(VirtualInput, changes_nothing_where_a_value_is_wrong) {
   VirtualInput input({640, 480});
   for (const char* step : {R"({"move": [1]})", R"({"press": "thumb"})", R"({"key_down": "Ctrl+S"})",
                            R"({"size": [0, 5]})", R"({"drop": ["a", 1]})", R"({"focus": "no"})"}) {
-    EXPECT_FALSE(apply(input, step)) << step;
+    EXPECT_FALSE(apply_step(input, step)) << step;
     EXPECT_TRUE(input.input_state().events.empty() && input.input_state().drops.empty()) << step;
     EXPECT_EQ(input.size(), Vec2(640, 480)) << step;
     EXPECT_TRUE(input.has_focus()) << step;
   }
-  ASSERT_TRUE(apply(input, R"({"size": [300.7, 200]})"));
-  ASSERT_TRUE(apply(input, R"({"focus": false})"));
+  ASSERT_TRUE(apply_step(input, R"({"size": [300.7, 200]})"));
+  ASSERT_TRUE(apply_step(input, R"({"focus": false})"));
   EXPECT_EQ(input.size(), Vec2(300, 200));
   EXPECT_FALSE(input.has_focus());
 }

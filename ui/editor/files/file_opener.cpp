@@ -55,7 +55,7 @@ void report_opened(Message& message, const LoadedFiles& loaded) {
 
 // Records how much of the open work is saved, and where.
 void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
-                          const std::vector<Light>& lights) {
+                        const std::vector<Light>& lights) {
   const LoadOrder& order = loaded.order;
   KERF_ASSERT(order.left || !order.files.empty());
   session.files = order.files;

@@ -183,7 +183,7 @@ class HistoryFeature : public Feature {
   const UndoStack& history() const { return workspace_.session.document.history(); }
   void request_step(bool back) {
     workspace_.changes.enqueue(back ? "Undo" : "Redo",
-                           [this, back] { workspace_.changes.step_through_history(back); });
+                               [this, back] { workspace_.changes.step_through_history(back); });
   }
 
   Workspace& workspace_;

@@ -228,7 +228,7 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   workspace_.input.tool = kPathTool;
   workspace_.services.panels.show(kPathPanel);
   workspace_.message.info("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") +
-                         ", " + count_text(path_.points(), "point"));
+                          ", " + count_text(path_.points(), "point"));
   return "";
 }
 

@@ -36,12 +36,12 @@ struct ExportedPieces {
 };
 
 // Writes the selected pieces, in world space and with their looks, to the files of files_to_export. Materials
-// that a mesh file describes are written with their images in the folder of OBJ files (see SurfaceFiles). Returns bad
-// input if no piece is selected or the extension is not that of a mesh. Files written before a failure
-// remain.
+// that a mesh file describes are written with their images in the folder of OBJ files (see SurfaceFiles).
+// Returns bad input if no piece is selected or the extension is not that of a mesh. Files written before a
+// failure remain.
 Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks,
-                                     const std::map<std::string, Paint>& paints,
-                                     const std::filesystem::path& file);
+                                       const std::map<std::string, Paint>& paints,
+                                       const std::filesystem::path& file);
 
 // Opens a file dialog and exports the selected pieces (see export_selected).
 class PieceExport {

@@ -166,8 +166,8 @@ inline InputFiles inputs_of(const DocumentSession& session) {
 
 struct Opening {
   FileLoader loader;
-  std::optional<World> partial_world;  // of a replay, shown on the empty stage
-  std::vector<RecoverableDocument> recoverable;     // of crashed editors, not offered yet
+  std::optional<World> partial_world;            // of a replay, shown on the empty stage
+  std::vector<RecoverableDocument> recoverable;  // of crashed editors, not offered yet
 };
 
 // Cancels reading and reports it; the open work is unchanged. Precondition: the loader is busy.

@@ -353,7 +353,7 @@ void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) 
     renderer().send_faces(workspace_.world());
   follow_released(step.delta);
   const bool created = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
-                                [](const BodyDelta& body) { return !body.new_pieces.empty(); });
+                                   [](const BodyDelta& body) { return !body.new_pieces.empty(); });
   if (created || workspace_.view.numbers.waits()) {
     workspace_.view.numbers.follow(workspace_.world(), false,
                                    pieces_may_return(workspace_.session.document.history()),

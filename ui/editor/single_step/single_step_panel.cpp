@@ -296,7 +296,9 @@ class SingleStepFeature : public Feature {
  private:
   // Describes what single steps do or wait for.
   std::string state_text() const;
-  const char* next_disabled_reason() const { return next_stage_disabled_reason(stages_, workspace_.session.document); }
+  const char* next_disabled_reason() const {
+    return next_stage_disabled_reason(stages_, workspace_.session.document);
+  }
   std::vector<UserAction> beginnings();
   std::vector<UserAction> steps();
   std::vector<UserAction> view_actions();
@@ -366,13 +368,13 @@ std::vector<UserAction> SingleStepFeature::steps() {
                      },
                  .disabled_reason = disabled_reason,
                  .has_key_when = while_on},
-      UserAction{
-          .id = "stages.previous",
-          .name = "Previous Stage",
-          .shortcut = ",",
-          .tip = "Undoes the last stage, to the bit.",
-          .run = [this] { stages_.requests.go_to(stages_.log.done() - 1); },
-          .disabled_reason = [this] { return stage_back_disabled_reason(stages_, workspace_.session.document); }},
+      UserAction{.id = "stages.previous",
+                 .name = "Previous Stage",
+                 .shortcut = ",",
+                 .tip = "Undoes the last stage, to the bit.",
+                 .run = [this] { stages_.requests.go_to(stages_.log.done() - 1); },
+                 .disabled_reason =
+                     [this] { return stage_back_disabled_reason(stages_, workspace_.session.document); }},
       UserAction{.id = "stages.finish_segment",
                  .name = "Finish Segment",
                  .shortcut = "Shift+.",

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "ui/render/bodies/body_picture.h"
 #include "ui/gl/image.h"
+#include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
 

@@ -1,5 +1,5 @@
-#include "core/base/json.h"
 #include "core/document/text/fields.h"
+#include "core/base/json.h"
 
 #include <gtest/gtest.h>
 
@@ -108,8 +108,8 @@ TEST(Fields, say_the_file_the_place_and_what_was_expected) {
 
 TEST(Fields, that_do_not_exist_are_refused_wherever_they_are_and_the_nearest_is_named) {
   const auto unknown = [](const std::string& pointer, const std::string& nearest) {
-    return "lamp.json: " + pointer + ": is no key of this version here; the nearest name is \"" +
-           nearest + '"';
+    return "lamp.json: " + pointer + ": is no key of this version here; the nearest name is \"" + nearest +
+           '"';
   };
   EXPECT_EQ(error_of(R"({"power": 5, "hieght": 1})"), unknown("/hieght", "height"));
   EXPECT_EQ(error_of(R"({"power": 5, "Count": 1})"), unknown("/Count", "count"));

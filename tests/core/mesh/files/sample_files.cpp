@@ -43,9 +43,8 @@ Reader reader_of(MeshFormat format) {
   constexpr Reader kGltf = [](std::string_view bytes, const std::string& name, const Progress* progress) {
     return read_gltf(bytes, name, progress);
   };
-  constexpr Reader kPlyReader = [](std::string_view bytes, const std::string& name, const Progress* progress) {
-    return read_ply(bytes, name, progress);
-  };
+  constexpr Reader kPlyReader = [](std::string_view bytes, const std::string& name,
+                                   const Progress* progress) { return read_ply(bytes, name, progress); };
   constexpr std::array<Reader, 6> kReaders{read_obj, kPlyReader, read_stl, read_off, kGltf, kGltf};
   return kReaders[static_cast<size_t>(format)];
 }

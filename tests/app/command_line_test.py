@@ -388,7 +388,7 @@ class CommandLine(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         message = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 130, message)
-        self.assertIn("stopped", message)
+        self.assertIn("interrupted", message)
         self.assertEqual([name for name in os.listdir(self.folder.name) if name.startswith("a.")], [])
 
     def thermal(self, speed, *options):
@@ -409,7 +409,7 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("cut", "plate.obj", "--path", "some.json", "--out", "out", "--journal", "some.kerf")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr.splitlines()[0], "kerf: warning: some.json: /strokes/0 and /strokes/2 hit nothing: "
-                                                      "no mesh is where the beam goes")
+                                                      "no mesh is in the path of the beam")
         self.assertEqual(json.loads(self.read("out/report.json"))["missed"], [0, 2])
         done = self.run_here("replay", "some.kerf", "--out", "again")
         self.assertEqual(json.loads(self.read("again/report.json"))["missed"], [0, 2])
@@ -484,7 +484,7 @@ class CommandLine(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         message = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 130, message)
-        self.assertIn("stopped", message)
+        self.assertIn("interrupted", message)
         self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), [])
 
     def test_a_cut_ends_with_one_line_of_what_came_of_it_and_shows_no_progress_without_a_terminal(self):

@@ -82,7 +82,7 @@ class SweptDistance {
     size_t first, end;
     Vec3 origin, direction;
     double aside = 0, apart = 0;
-    uint32_t halves = 0;  // index of the first half, which lexicographic_less the second one; 0: a leaf
+    uint32_t halves = 0;  // index of the first half, before the second one; 0: a leaf
   };
   void bound(uint32_t node, std::span<const BeamMove> moves);
   double at_least(const Node& node, const Vec3& p) const;

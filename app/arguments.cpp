@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/document/cut_report.h"
-#include "core/document/input_files.h"
+#include "core/document/save.h"
 
 namespace kerf {
 

@@ -1,8 +1,7 @@
 #include <iostream>
 
-#include "app/commands.h"
+#include "app/arguments.h"
 #include "app/console.h"
-#include "app/standard_streams.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/material_table.h"
@@ -72,19 +71,6 @@ Status run_info(const std::string& file) {
   return flush_output();
 }
 
-}  // namespace
-
-void add_info_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("info", "Describe a mesh file as JSON on standard output");
-  auto file = std::make_shared<std::string>();
-  command->add_option("MESH", *file, "A mesh file, or - for standard input: " + list_mesh_titles())
-      ->required();
-  on_call(
-      *command, invocation, [file] { return run_info(*file); }, "kerf info assets/meshes/car.obj");
-}
-
-namespace {
-
 Status run_materials() {
   const auto materials = load_materials(assets_folder() / "materials.json");
   if (!materials) return materials.error();
@@ -99,6 +85,15 @@ Status run_materials() {
 }
 
 }  // namespace
+
+void add_info_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand("info", "Describe a mesh file as JSON on standard output");
+  auto file = std::make_shared<std::string>();
+  command->add_option("MESH", *file, "A mesh file, or - for standard input: " + list_mesh_titles())
+      ->required();
+  on_call(
+      *command, invocation, [file] { return run_info(*file); }, "kerf info assets/meshes/car.obj");
+}
 
 void add_materials_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command =

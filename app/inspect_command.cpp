@@ -1,21 +1,20 @@
-#include "app/inspect_command.h"
-
 #include <array>
 #include <iostream>
 
 #include "app/arguments.h"
-#include "app/commands.h"
 #include "app/console.h"
 #include "core/base/assert.h"
 #include "core/base/json.h"
+#include "core/base/parallel.h"
 #include "core/document/cut_effects.h"
+#include "core/document/journal.h"
 #include "core/document/replay.h"
 #include "core/document/single_step.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 #include "core/document/text/hash.h"
 #include "core/document/text/json.h"
-#include "core/graph/graph_text.h"
-#include "core/tree/touched_walk.h"
+#include "core/graph/component_graph.h"
+#include "core/tree/queries.h"
 #include "core/world/world.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/render/picture.h"
@@ -147,8 +146,15 @@ class MoveSearch {
   Json found_;
 };
 
-}  // namespace
-
+// Returns the stages of one move of the beam, like the single steps of the editor. Moves are counted from 1
+// over all strokes of the file, in the order of execution and with their subdivision:
+// {"step": 3, "move": {"from": {"origin": [..], "direction": [..]}, "to": {..}, "seconds": 0.1},
+//  "stages": [{"stage": "hit", "body": "car", "words": "..", "hit": [..], "born": [..], "gone": [..],
+//              "relabelled": [..], "pieces": [..], "queries": [{..}]}], "state_hash": "0123456789abcdef"}
+// The queries of "hit" and "hit-again" list the boxes of the tree in the order of the tests: the index of the
+// parent, the outcome ("entered", "culled", "missed" or "touched"), the side that culled it ("depth",
+// "motion" or "lateral"), and the face of a leaf. Boxes are in the frame of the body. Fails with bad input if
+// there are fewer moves, and with cancelled() when stopped.
 Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const Progress* progress) {
   KERF_ASSERT(number > 0);
   const double diagonal = file.scene.world.bounds().diagonal();
@@ -173,8 +179,6 @@ Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const P
   json.update(moves.found());
   return json;
 }
-
-namespace {
 
 struct InspectArguments {
   std::string file;

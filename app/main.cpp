@@ -7,13 +7,12 @@
 #include <optional>
 #include <string_view>
 
-#include "app/commands.h"
+#include "app/arguments.h"
 #include "app/console.h"
 #include "app/run_description.h"
-#include "app/standard_streams.h"
 #include "app/version.h"
 #include "core/base/parallel.h"
-#include "core/document/text/nearest_name.h"
+#include "core/document/text/json.h"
 #include "ui/screen/stop_signals.h"
 
 namespace {

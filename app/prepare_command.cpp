@@ -1,19 +1,16 @@
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
 #include "app/arguments.h"
-#include "app/commands.h"
 #include "app/console.h"
-#include "app/standard_streams.h"
 #include "core/base/number_format.h"
 #include "core/document/commands.h"
 #include "core/document/extract.h"
-#include "core/document/input_files.h"
 #include "core/document/lost_looks.h"
 #include "core/document/piece_looks.h"
+#include "core/document/save.h"
 #include "core/document/surface_files.h"
 #include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"

@@ -1,4 +1,3 @@
-#include "app/commands.h"
 
 #include <cstdio>
 
@@ -7,7 +6,6 @@
 #include "app/cut_output.h"
 #include "core/base/platform.h"
 #include "ui/figures/draw_figure.h"
-#include "ui/figures/figure_films.h"
 #include "ui/render/view/view_options.h"
 
 namespace kerf {
@@ -33,24 +31,6 @@ Status render(const RenderArguments& a) {
   if (const auto s = show_as_asked(a.picture, work->scene, a.file, *options); !s) return s;
   return render_picture(std::move(*work), *options, a.out);
 }
-
-}  // namespace
-
-void add_render_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command =
-      app.add_subcommand("render", "Draw a scene, a journal or a mesh to a PNG, without a display");
-  auto a = std::make_shared<RenderArguments>();
-  command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
-  command->add_option("-o,--out", a->out, "The PNG to write")->required();
-  a->picture.add_to(*command);
-  add_number(*command, "--spread", a->spread, kSpread,
-             "Explosion of the pieces, in distances from the centre (0)");
-  on_call(
-      *command, invocation, [a] { return render(*a); },
-      "kerf render assets/scenes/sphere.json --out ball.png --size 640x360");
-}
-
-namespace {
 
 struct FiguresArguments {
   std::string out, film, list, size = "1280x720";
@@ -137,6 +117,20 @@ Status run(const FiguresArguments& a) {
 }
 
 }  // namespace
+
+void add_render_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("render", "Draw a scene, a journal or a mesh to a PNG, without a display");
+  auto a = std::make_shared<RenderArguments>();
+  command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
+  command->add_option("-o,--out", a->out, "The PNG to write")->required();
+  a->picture.add_to(*command);
+  add_number(*command, "--spread", a->spread, kSpread,
+             "Explosion of the pieces, in distances from the centre (0)");
+  on_call(
+      *command, invocation, [a] { return render(*a); },
+      "kerf render assets/scenes/sphere.json --out ball.png --size 640x360");
+}
 
 void add_figures_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(

@@ -2,7 +2,6 @@
 #include <iostream>
 
 #include "app/arguments.h"
-#include "app/commands.h"
 #include "app/console.h"
 #include "app/cut_output.h"
 #include "app/run_description.h"
@@ -16,7 +15,7 @@
 #include "core/world/world.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/game/match_picture.h"
-#include "ui/render/offscreen_renderer.h"
+#include "ui/render/picture.h"
 
 namespace kerf {
 

@@ -1,4 +1,3 @@
-#include "app/commands.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +8,7 @@
 #include "app/console.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
-#include "core/document/input_files.h"
+#include "core/document/save.h"
 #include "core/document/text/hash.h"
 #include "core/game/match/match.h"
 #include "core/game/match/recording.h"
@@ -55,24 +54,6 @@ Status edit(const EditorArguments& a) {
   }
   return run_editor(options);
 }
-
-}  // namespace
-
-void add_editor(CLI::App& app, Invocation& invocation) {
-  auto a = std::make_shared<EditorArguments>();
-  app.add_option("FILE", a->files,
-                 "Scenes (.json) and meshes to open together in the editor, or a journal (.kerf)");
-  app.add_option("--report", a->report, "The file for the JSON report of the session");
-  app.add_option("--size", a->size, "Size of the editor's window, WxH");
-  constexpr auto kHidden = "";  // from the help: these are for the tests of the window
-  app.add_option("--landmarks", a->landmarks, "The file for the places of widgets, as JSON")->group(kHidden);
-  app.add_option("--events", a->events, "A script of input that drives the editor without a screen")
-      ->group(kHidden);
-  app.add_flag("--own-font", a->own_font, "Draw the panels without an installed font")->group(kHidden);
-  invocation = [a] { return edit(*a); };
-}
-
-namespace {
 
 struct PlayArguments {
   std::string rules, driver, difficulty, report, record, size, landmarks, events;
@@ -285,6 +266,20 @@ class PlayRun {
 };
 
 }  // namespace
+
+void add_editor(CLI::App& app, Invocation& invocation) {
+  auto a = std::make_shared<EditorArguments>();
+  app.add_option("FILE", a->files,
+                 "Scenes (.json) and meshes to open together in the editor, or a journal (.kerf)");
+  app.add_option("--report", a->report, "The file for the JSON report of the session");
+  app.add_option("--size", a->size, "Size of the editor's window, WxH");
+  constexpr auto kHidden = "";  // from the help: these are for the tests of the window
+  app.add_option("--landmarks", a->landmarks, "The file for the places of widgets, as JSON")->group(kHidden);
+  app.add_option("--events", a->events, "A script of input that drives the editor without a screen")
+      ->group(kHidden);
+  app.add_flag("--own-font", a->own_font, "Draw the panels without an installed font")->group(kHidden);
+  invocation = [a] { return edit(*a); };
+}
 
 void add_play_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("play", "Play the game: car combat with roof-mounted lasers");

@@ -12,7 +12,7 @@
 #include "core/document/command_queue.h"
 #include "core/document/document.h"
 #include "core/document/material_table.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 
 namespace kerf {
 

@@ -18,10 +18,10 @@
 #include "core/document/journal.h"
 #include "core/document/replay.h"
 #include "core/document/save.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 #include "core/document/text/hash.h"
 #include "core/document/text/json.h"
-#include "core/graph/graph_text.h"
+#include "core/graph/component_graph.h"
 #include "core/mesh/mesh_file.h"
 #include "core/world/world.h"
 

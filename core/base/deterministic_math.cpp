@@ -1,10 +1,5 @@
 #include "core/base/deterministic_math.h"
 
-#include <cmath>
-#include <cstdint>
-
-#include "core/base/assert.h"
-
 namespace kerf {
 
 namespace {

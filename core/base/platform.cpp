@@ -16,6 +16,8 @@
 
 namespace kerf {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 Error write_error(const std::filesystem::path& path, int code) {
@@ -34,6 +36,32 @@ std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& t
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file >= 0 || errno != EEXIST || attempt == 1000) return {path, file};
   }
+}
+
+fs::path folder_by(const char* variable, const char* below_home) {
+  const char* named = std::getenv(variable);
+  if (named != nullptr && fs::path(named).is_absolute()) return fs::path(named) / "kerf";
+  const fs::path home = home_folder();
+  return (home.empty() ? fs::path("/") : home) / below_home / "kerf";
+}
+
+constexpr uint64_t kNone = std::numeric_limits<uint64_t>::max();
+
+uint64_t physical_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGE_SIZE);
+  return pages > 0 && bytes > 0 ? static_cast<uint64_t>(pages) * static_cast<uint64_t>(bytes) : kNone;
+}
+
+// Returns the limit of the control group as a container sees it; "max" is no number and means no limit.
+uint64_t limit_in(const char* file) {
+  std::ifstream in(file);
+  uint64_t bytes = 0;
+  return in >> bytes ? bytes : kNone;
+}
+
+uint64_t resource_limit() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur : kNone;
 }
 
 }  // namespace
@@ -132,19 +160,6 @@ Status write_file_atomically(const std::filesystem::path& path,
   return written ? file->commit() : written;
 }
 
-namespace fs = std::filesystem;
-
-namespace {
-
-fs::path folder_by(const char* variable, const char* below_home) {
-  const char* named = std::getenv(variable);
-  if (named != nullptr && fs::path(named).is_absolute()) return fs::path(named) / "kerf";
-  const fs::path home = home_folder();
-  return (home.empty() ? fs::path("/") : home) / below_home / "kerf";
-}
-
-}  // namespace
-
 fs::path settings_folder() { return folder_by("XDG_CONFIG_HOME", ".config"); }
 
 fs::path state_folder() { return folder_by("XDG_STATE_HOME", ".local/state"); }
@@ -153,29 +168,6 @@ fs::path home_folder() {
   const char* home = std::getenv("HOME");
   return home != nullptr ? home : "";
 }
-
-namespace {
-
-constexpr uint64_t kNone = std::numeric_limits<uint64_t>::max();
-
-uint64_t physical_memory() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGE_SIZE);
-  return pages > 0 && bytes > 0 ? static_cast<uint64_t>(pages) * static_cast<uint64_t>(bytes) : kNone;
-}
-
-// Returns the limit of the control group as a container sees it; "max" is no number and means no limit.
-uint64_t limit_in(const char* file) {
-  std::ifstream in(file);
-  uint64_t bytes = 0;
-  return in >> bytes ? bytes : kNone;
-}
-
-uint64_t resource_limit() {
-  rlimit limit{};
-  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur : kNone;
-}
-
-}  // namespace
 
 uint64_t machine_memory() {
   return std::min({physical_memory(), limit_in("/sys/fs/cgroup/memory.max"),

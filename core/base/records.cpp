@@ -2,9 +2,6 @@
 
 #include <sys/mman.h>
 
-#include <cstdint>
-#include <new>
-
 #include "core/base/assert.h"
 
 namespace kerf {

@@ -21,63 +21,6 @@ bool within_beam(const BodyStep& step, FaceId f) {
                      [&](const SweptCylinder& part) { return part.contains(element); });
 }
 
-}  // namespace
-
-size_t faces_per_batch() {
-  static const size_t faces = [] {
-    constexpr size_t kVaried[] = {1, 17, 128, 3000};
-    const Shuffle& shuffle = Shuffle::selected();
-    return shuffle.on() ? kVaried[shuffle.random(2).below(std::size(kVaried))] : 128;
-  }();
-  return faces;
-}
-
-void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame) {
-  const Placement& placement = step.body().placement;
-  const BeamMove seen{placement.to_body(move.from), placement.to_body(move.to)};
-  step.beam = sweep_beam(laser, in_body_frame ? move : seen);
-}
-
-void hit(BodyStep& step, std::vector<FaceId>& faces) {
-  const Stopwatch watch(step.statistics.query_s);
-  faces.clear();
-  for (const SweptCylinder& part : step.beam) {
-    const QueryCounts counts = step.edit.touched(part, faces);
-    ++step.statistics.queries;
-    step.statistics.tested.boxes += counts.boxes;
-    step.statistics.tested.faces += counts.faces;
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-}
-
-// Removes a green pair as a whole: if the beam touches either half, or, for a smooth rim, contains both.
-void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
-  std::vector<FaceId> going;
-  const size_t end = std::min(move.hit.size(), move.removed + faces_per_batch());
-  for (; move.removed < end; ++move.removed) {
-    const FaceId f = move.hit[move.removed];
-    if (!step.mesh().is_live(f)) continue;  // removed with the other half of its pair
-    if (only_within && !within_beam(step, f)) continue;
-    const OneToFour::Element element = step.body().refinement.element(step.mesh(), f);
-    going.insert(going.end(), element.faces.begin(), element.faces.begin() + element.face_count);
-  }
-  if (keeps_beside) {
-    for (const FaceId f : going) step.mesh().append_neighbours(f, move.beside);
-  }
-  remove_faces(step, going);
-}
-
-void remove_faces(BodyStep& step, std::span<const FaceId> faces) {
-  {
-    const Stopwatch watch(step.statistics.remove_s);
-    step.edit.remove(faces);
-  }
-  update_tree(step);
-}
-
-namespace {
-
 // Returns the overshoot of a face beyond the volume of a move, relative to the nearest ray of the beam.
 double overshoot(const BodyStep& step, const Triangle& t) {
   double least = std::numeric_limits<double>::infinity();
@@ -139,48 +82,6 @@ class Refinement {
   const CutSettings& settings_;
   std::vector<FaceId>& to_split_;
 };
-
-}  // namespace
-
-// The tree is updated even if the work fails half-way.
-Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress) {
-  if (!progress.report(0)) return cancelled();
-  Refinement refinement(step, settings, move.to_split);
-  const Status done = [&] {
-    const Stopwatch watch(step.statistics.refine_s);
-    return refinement.run();
-  }();
-  if (step.edit.splits().empty()) return done;
-  move.has_split = true;
-  update_tree(step);
-  return done;
-}
-
-bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f) {
-  return is_fine_enough(step, settings, step.body().refinement.triangle(step.mesh(), f), f);
-}
-
-Error too_many_faces(const CutSettings& settings) {
-  return failed("the cut would make more than " + std::to_string(settings.max_faces) +
-                " faces: use a coarser resolution or a shorter stroke");
-}
-
-void update_tree(BodyStep& step) {
-  const Stopwatch watch(step.statistics.update_tree_s);
-  step.edit.update_tree();
-}
-
-std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, FaceId f) {
-  const size_t first = step.edit.splits().size();
-  if (scheme == Scheme::kOneToFour) {
-    step.edit.split_in_four(f);
-  } else {
-    step.edit.bisect_at_longest_edge(f);
-  }
-  return step.edit.splits().subspan(first);
-}
-
-namespace {
 
 constexpr int kFinestSample = 5;  // max halvings of a face for samples
 constexpr size_t kAtATime = 16;   // faces per task of a thread
@@ -268,6 +169,97 @@ void raise(World& world, BodyId id, std::span<const FaceId> faces, std::span<con
 }
 
 }  // namespace
+
+size_t faces_per_batch() {
+  static const size_t faces = [] {
+    constexpr size_t kVaried[] = {1, 17, 128, 3000};
+    const Shuffle& shuffle = Shuffle::selected();
+    return shuffle.on() ? kVaried[shuffle.random(2).below(std::size(kVaried))] : 128;
+  }();
+  return faces;
+}
+
+void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame) {
+  const Placement& placement = step.body().placement;
+  const BeamMove seen{placement.to_body(move.from), placement.to_body(move.to)};
+  step.beam = sweep_beam(laser, in_body_frame ? move : seen);
+}
+
+void hit(BodyStep& step, std::vector<FaceId>& faces) {
+  const Stopwatch watch(step.statistics.query_s);
+  faces.clear();
+  for (const SweptCylinder& part : step.beam) {
+    const QueryCounts counts = step.edit.touched(part, faces);
+    ++step.statistics.queries;
+    step.statistics.tested.boxes += counts.boxes;
+    step.statistics.tested.faces += counts.faces;
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+// Removes a green pair as a whole: if the beam touches either half, or, for a smooth rim, contains both.
+void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
+  std::vector<FaceId> going;
+  const size_t end = std::min(move.hit.size(), move.removed + faces_per_batch());
+  for (; move.removed < end; ++move.removed) {
+    const FaceId f = move.hit[move.removed];
+    if (!step.mesh().is_live(f)) continue;  // removed with the other half of its pair
+    if (only_within && !within_beam(step, f)) continue;
+    const OneToFour::Element element = step.body().refinement.element(step.mesh(), f);
+    going.insert(going.end(), element.faces.begin(), element.faces.begin() + element.face_count);
+  }
+  if (keeps_beside) {
+    for (const FaceId f : going) step.mesh().append_neighbours(f, move.beside);
+  }
+  remove_faces(step, going);
+}
+
+void remove_faces(BodyStep& step, std::span<const FaceId> faces) {
+  {
+    const Stopwatch watch(step.statistics.remove_s);
+    step.edit.remove(faces);
+  }
+  update_tree(step);
+}
+
+// The tree is updated even if the work fails half-way.
+Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress) {
+  if (!progress.report(0)) return cancelled();
+  Refinement refinement(step, settings, move.to_split);
+  const Status done = [&] {
+    const Stopwatch watch(step.statistics.refine_s);
+    return refinement.run();
+  }();
+  if (step.edit.splits().empty()) return done;
+  move.has_split = true;
+  update_tree(step);
+  return done;
+}
+
+bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f) {
+  return is_fine_enough(step, settings, step.body().refinement.triangle(step.mesh(), f), f);
+}
+
+Error too_many_faces(const CutSettings& settings) {
+  return failed("the cut would make more than " + std::to_string(settings.max_faces) +
+                " faces: use a coarser resolution or a shorter stroke");
+}
+
+void update_tree(BodyStep& step) {
+  const Stopwatch watch(step.statistics.update_tree_s);
+  step.edit.update_tree();
+}
+
+std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, FaceId f) {
+  const size_t first = step.edit.splits().size();
+  if (scheme == Scheme::kOneToFour) {
+    step.edit.split_in_four(f);
+  } else {
+    step.edit.bisect_at_longest_edge(f);
+  }
+  return step.edit.splits().subspan(first);
+}
 
 void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside) {
   KERF_ASSERT(settings.heat_width > 0);

@@ -7,8 +7,8 @@
 #include "core/cut/cut_stages.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
-#include "core/edit/cavities.h"
-#include "core/tree/touched_walk.h"
+#include "core/edit/detach.h"
+#include "core/tree/queries.h"
 
 namespace kerf {
 
@@ -32,45 +32,6 @@ double reach(const World& world, const Laser& laser, const Vec3& origin) {
   const Vec3 far = glm::max(glm::abs(bounds.min - origin), glm::abs(bounds.max - origin));
   return std::min(laser.range.high, glm::length(far));
 }
-
-}  // namespace
-
-std::vector<BodyId> cuttable(const World& world) {
-  std::vector<BodyId> ids = world.ids();
-  std::erase_if(ids, [&](BodyId id) { return world.body(id).hidden; });
-  return ids;
-}
-
-bool hits_anything(const World& world, const Laser& laser, const BeamMove& move) {
-  const double far = reach(world, laser, move.from.origin);
-  if (subdivisions(move, laser.radius, far) > kMaxParts) return true;
-  const std::vector<BeamMove> parts = subdivide(move, laser.radius, far);
-  return std::ranges::any_of(cuttable(world), [&](BodyId id) {
-    return std::ranges::any_of(parts,
-                               [&](const BeamMove& part) { return meets(world.body(id), laser, part); });
-  });
-}
-
-bool hits_anything(const World& world, const Laser& laser, const Pose& pose) {
-  return hits_anything(world, laser, {pose, pose, 0});
-}
-
-void StepStatistics::add(const StepStatistics& other) {
-  queries += other.queries;
-  tested.boxes += other.tested.boxes;
-  tested.faces += other.tested.faces;
-  faces_made += other.faces_made;
-  largest_cosine = std::max(largest_cosine, other.largest_cosine);
-  met_s += other.met_s;
-  depth_s += other.depth_s;
-  query_s += other.query_s;
-  refine_s += other.refine_s;
-  remove_s += other.remove_s;
-  update_tree_s += other.update_tree_s;
-  separate_s += other.separate_s;
-}
-
-namespace {
 
 // One step, which ends after settings.bite faces.
 class Bite {
@@ -244,6 +205,41 @@ Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
 }
 
 }  // namespace
+
+std::vector<BodyId> cuttable(const World& world) {
+  std::vector<BodyId> ids = world.ids();
+  std::erase_if(ids, [&](BodyId id) { return world.body(id).hidden; });
+  return ids;
+}
+
+bool hits_anything(const World& world, const Laser& laser, const BeamMove& move) {
+  const double far = reach(world, laser, move.from.origin);
+  if (subdivisions(move, laser.radius, far) > kMaxParts) return true;
+  const std::vector<BeamMove> parts = subdivide(move, laser.radius, far);
+  return std::ranges::any_of(cuttable(world), [&](BodyId id) {
+    return std::ranges::any_of(parts,
+                               [&](const BeamMove& part) { return meets(world.body(id), laser, part); });
+  });
+}
+
+bool hits_anything(const World& world, const Laser& laser, const Pose& pose) {
+  return hits_anything(world, laser, {pose, pose, 0});
+}
+
+void StepStatistics::add(const StepStatistics& other) {
+  queries += other.queries;
+  tested.boxes += other.tested.boxes;
+  tested.faces += other.tested.faces;
+  faces_made += other.faces_made;
+  largest_cosine = std::max(largest_cosine, other.largest_cosine);
+  met_s += other.met_s;
+  depth_s += other.depth_s;
+  query_s += other.query_s;
+  refine_s += other.refine_s;
+  remove_s += other.remove_s;
+  update_tree_s += other.update_tree_s;
+  separate_s += other.separate_s;
+}
 
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                             UnfinishedMove& unfinished, const Progress* progress) {

@@ -11,7 +11,7 @@
 #include "core/base/ids.h"
 #include "core/base/parallel.h"
 #include "core/base/result.h"
-#include "core/cut/close_by_walls_internal.h"
+#include "core/cut/close_rim_internal.h"
 #include "core/cut/stroke_region.h"
 #include "core/joints/joined_parts.h"
 #include "core/laser/laser.h"

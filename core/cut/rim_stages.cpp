@@ -1,12 +1,10 @@
-#include "core/cut/rim_stages_internal.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <tuple>
 
 #include "core/base/tolerances.h"
-#include "core/cut/stroke_region.h"
+#include "core/cut/rim_stages_internal.h"
 #include "core/mesh/measures.h"
 
 namespace kerf {
@@ -23,34 +21,6 @@ bool fails(RimState& rim, FaceId f) {
   return chord_fails(rim.region, f, rim.mesh().triangle(f), rim.distances_of(f), kRimChord * rim.radius(),
                      kRimGraze * rim.radius());
 }
-
-}  // namespace
-
-// The beam may be near one half of a green pair only, and the faces that replace it may span both halves.
-void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
-  for (const Replacement& r : split_by_scheme(rim.step, rim.settings.resolution.scheme, f)) {
-    const std::span<const FaceId> removed(r.removed.data(), r.removed_count),
-        added(r.added.data(), r.added_count);
-    const auto is_near = [&](FaceId g) { return rim.region.is_near(g); };
-    if (std::none_of(removed.begin(), removed.end(), is_near)) continue;
-    std::remove_copy_if(added.begin(), added.end(), std::back_inserter(rim.faces), is_near);
-    parts.insert(parts.end(), added.begin(), added.end());
-    rim.region.inherit(added, removed);
-  }
-}
-
-Status refine_rim(RimState& rim) {
-  std::vector<FaceId>& waiting = rim.work.waiting;
-  for (size_t tests = 0; tests < faces_per_batch() && !waiting.empty(); ++tests) {
-    if (rim.mesh().live_faces() > rim.settings.max_faces) return too_many_faces(rim.settings);
-    const FaceId f = waiting.back();
-    waiting.pop_back();
-    if (may_split(rim, f) && fails(rim, f)) split_near_rim(rim, f, waiting);
-  }
-  return Done{};
-}
-
-namespace {
 
 // Returns true if b is processed before a. Entries that compare equal are equal.
 bool is_processed_later(const RimSnap& a, const RimSnap& b) {
@@ -206,47 +176,6 @@ void add_very_near(RimState& rim, FaceId f, std::vector<RimSnap>& near) {
   }
 }
 
-}  // namespace
-
-bool list_moves_in_plane(RimState& rim) {
-  return visit_next(rim, rim.faces, [&](FaceId f) { add_moves_in_plane(rim, f, rim.work.snaps); });
-}
-
-bool list_moves_along_edges(RimState& rim) {
-  return visit_next(rim, rim.faces, [&](FaceId f) { add_moves_along_edges(rim, f, rim.work.snaps); });
-}
-
-bool move_onto_rim(RimState& rim) {
-  Mesh::Star star;
-  return visit_nearest(rim.work.snaps, [&](const RimSnap& s) { move(rim, s, star); });
-}
-
-bool split_in_the_way(RimState& rim) {
-  std::vector<FaceId>& faces = rim.work.in_the_way;
-  if (rim.work.next == 0) {
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  }
-  const bool over = visit_next(rim, faces, [&](FaceId f) { split_near_rim(rim, f, rim.work.waiting); });
-  if (over) faces.clear();
-  return over;
-}
-
-bool list_near_rim(RimState& rim) {
-  return visit_next(rim, rim.faces, [&](FaceId f) { add_very_near(rim, f, rim.work.snaps); });
-}
-
-bool settle_on_rim(RimState& rim) {
-  Mesh::Star star;
-  return visit_nearest(rim.work.snaps, [&](const RimSnap& s) {
-    if (rim.distance(s.vertex, s.face) == 0) return;
-    rim.mesh().star(s.vertex, star);
-    if (star.alone && !without_chord(rim, star, s).valid()) rim.record_on_boundary(s.vertex);
-  });
-}
-
-namespace {
-
 struct Crossing {
   VertexId from, to;  // in the direction of the face
   bool from_inside = false;
@@ -285,32 +214,6 @@ void split_at(RimState& rim, FaceId f, const Crossing& edge) {
     rim.faces.push_back(s.added);
   }
 }
-
-}  // namespace
-
-bool clip_at_rim(RimState& rim) {
-  return visit_next(rim, rim.faces, [&](FaceId f) {
-    for (Crossing edge = longest_crossing(rim, f); edge.found(); edge = longest_crossing(rim, f))
-      split_at(rim, f, edge);
-  });
-}
-
-bool select_within_rim(RimState& rim) {
-  return visit_next(rim, rim.faces, [&](FaceId f) {
-    if (rim.inside(f)) rim.work.waiting.push_back(f);
-  });
-}
-
-bool remove_within_rim(RimState& rim) {
-  std::vector<FaceId> going;
-  const bool over = visit_next(rim, rim.work.waiting, [&](FaceId f) { going.push_back(f); });
-  rim.work.removed |= !going.empty();
-  remove_faces(rim.step, going);
-  if (over) rim.work.waiting.clear();
-  return over;
-}
-
-namespace {
 
 Vec3 area_vector(const Triangle& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
 
@@ -378,6 +281,89 @@ bool on_rim(RimState& rim, FaceId f) {
 }
 
 }  // namespace
+
+// The beam may be near one half of a green pair only, and the faces that replace it may span both halves.
+void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
+  for (const Replacement& r : split_by_scheme(rim.step, rim.settings.resolution.scheme, f)) {
+    const std::span<const FaceId> removed(r.removed.data(), r.removed_count),
+        added(r.added.data(), r.added_count);
+    const auto is_near = [&](FaceId g) { return rim.region.is_near(g); };
+    if (std::none_of(removed.begin(), removed.end(), is_near)) continue;
+    std::remove_copy_if(added.begin(), added.end(), std::back_inserter(rim.faces), is_near);
+    parts.insert(parts.end(), added.begin(), added.end());
+    rim.region.inherit(added, removed);
+  }
+}
+
+Status refine_rim(RimState& rim) {
+  std::vector<FaceId>& waiting = rim.work.waiting;
+  for (size_t tests = 0; tests < faces_per_batch() && !waiting.empty(); ++tests) {
+    if (rim.mesh().live_faces() > rim.settings.max_faces) return too_many_faces(rim.settings);
+    const FaceId f = waiting.back();
+    waiting.pop_back();
+    if (may_split(rim, f) && fails(rim, f)) split_near_rim(rim, f, waiting);
+  }
+  return Done{};
+}
+
+bool list_moves_in_plane(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) { add_moves_in_plane(rim, f, rim.work.snaps); });
+}
+
+bool list_moves_along_edges(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) { add_moves_along_edges(rim, f, rim.work.snaps); });
+}
+
+bool move_onto_rim(RimState& rim) {
+  Mesh::Star star;
+  return visit_nearest(rim.work.snaps, [&](const RimSnap& s) { move(rim, s, star); });
+}
+
+bool split_in_the_way(RimState& rim) {
+  std::vector<FaceId>& faces = rim.work.in_the_way;
+  if (rim.work.next == 0) {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+  const bool over = visit_next(rim, faces, [&](FaceId f) { split_near_rim(rim, f, rim.work.waiting); });
+  if (over) faces.clear();
+  return over;
+}
+
+bool list_near_rim(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) { add_very_near(rim, f, rim.work.snaps); });
+}
+
+bool settle_on_rim(RimState& rim) {
+  Mesh::Star star;
+  return visit_nearest(rim.work.snaps, [&](const RimSnap& s) {
+    if (rim.distance(s.vertex, s.face) == 0) return;
+    rim.mesh().star(s.vertex, star);
+    if (star.alone && !without_chord(rim, star, s).valid()) rim.record_on_boundary(s.vertex);
+  });
+}
+
+bool clip_at_rim(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) {
+    for (Crossing edge = longest_crossing(rim, f); edge.found(); edge = longest_crossing(rim, f))
+      split_at(rim, f, edge);
+  });
+}
+
+bool select_within_rim(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) {
+    if (rim.inside(f)) rim.work.waiting.push_back(f);
+  });
+}
+
+bool remove_within_rim(RimState& rim) {
+  std::vector<FaceId> going;
+  const bool over = visit_next(rim, rim.work.waiting, [&](FaceId f) { going.push_back(f); });
+  rim.work.removed |= !going.empty();
+  remove_faces(rim.step, going);
+  if (over) rim.work.waiting.clear();
+  return over;
+}
 
 bool select_beside_rim(RimState& rim) {
   return visit_next(rim, rim.faces, [&](FaceId f) {

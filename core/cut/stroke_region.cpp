@@ -1,7 +1,6 @@
 #include "core/cut/stroke_region.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -87,143 +86,8 @@ bool has_point_within(const SweptCylinder& part, const Triangle& t, double depth
   return false;
 }
 
-}  // namespace
-
-bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) const {
-  bool any = false;
-  for_each_part_near(near, [&](uint32_t i) {
-    const SweptCylinder& part = parts_[i];
-    if (any || !part.touches(t, part.radius() - graze)) return;
-    any =
-        !part.tilts() || longest_edge2(t) > part.radius() * part.radius() || has_point_within(part, t, graze);
-  });
-  return any;
-}
-
-class StrokeRegion::PartsOnSegment {
- public:
-  PartsOnSegment(const StrokeRegion& region, FaceId near) : region_(region) {
-    region.for_each_part_near(near, [&](uint32_t i) {
-      if (count_ < kMost) parts_[count_] = i;
-      ++count_;
-    });
-  }
-  // Returns true if they fit into the array.
-  bool fit() const { return count_ <= kMost; }
-
-  // Returns true if any part contains the point, the midpoint of a segment of which one half is visited
-  // next. Drops the parts whose boundary is too far from `p` to reach that half of `length` metres; the
-  // rounding of the distances is far below the margin.
-  bool hold(const Vec3& p, double length) {
-    size_t kept = 0;
-    bool held = false;
-    for (size_t i = 0; i < count_; ++i) {
-      const SweptCylinder& part = region_.parts_[parts_[i]];
-      const double distance = part.signed_distance(p);
-      held |= distance <= 0;
-      if (distance <= part.steepest() * length + kMargin * part.radius()) parts_[kept++] = parts_[i];
-    }
-    count_ = kept;
-    return held;
-  }
-
- private:
-  static constexpr size_t kMost = 64;
-  static constexpr double kMargin = 1e-3;  // of the radius
-
-  const StrokeRegion& region_;
-  std::array<uint32_t, kMost> parts_;
-  size_t count_ = 0;
-};
-
-Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside) const {
-  constexpr int kHalvings = 52;  // precision of the position on the segment
-  const Vec3 way = outside - inside;
-  PartsOnSegment parts(*this, near);
-  double low = 0, high = 1, length = glm::length(way);
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    const Vec3 p = inside + middle * way;
-    length *= 0.5;
-    const bool held = parts.fit() ? parts.hold(p, length) : signed_distance(near, p) <= 0;
-    (held ? low : high) = middle;
-  }
-  return inside + high * way;
-}
-
-namespace {
-
 constexpr size_t kMaxOfLeaf = 4;
 constexpr size_t kDeepest = 64;  // exceeds any possible depth of the tree
-
-}  // namespace
-
-SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) {
-  KERF_ASSERT(region.parts() == moves.size() && !moves.empty());
-  for (size_t i = 0; i < region.parts(); ++i) parts_.push_back(region.part(i));
-  nodes_.push_back({0, moves.size(), {}, {}});
-  for (uint32_t i = 0; i < nodes_.size(); ++i) {
-    bound(i, moves);
-    const auto [first, end] = std::pair(nodes_[i].first, nodes_[i].end);
-    if (end - first <= kMaxOfLeaf) continue;
-    nodes_[i].halves = static_cast<uint32_t>(nodes_.size());
-    const size_t middle = first + (end - first) / 2;
-    nodes_.push_back({first, middle, {}, {}});
-    nodes_.push_back({middle, end, {}, {}});
-  }
-}
-
-void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
-  Node& n = nodes_[node];
-  const Pose& middle = moves[n.first + (n.end - n.first) / 2].from;
-  n.origin = middle.origin;
-  n.direction = middle.direction;
-  for (const BeamMove& m : moves.subspan(n.first, n.end - n.first)) {
-    for (const Pose* pose : {&m.from, &m.to}) {
-      n.aside = std::max(n.aside, glm::length(pose->origin - n.origin));
-      n.apart = std::max(n.apart, glm::length(pose->direction - n.direction));
-    }
-  }
-}
-
-// Returns a lower bound of the distances from the parts of a node.
-double SweptDistance::at_least(const Node& node, const Vec3& p) const {
-  constexpr double kRounding = 1e-9;  // relative; parts of a tilting beam also err by the angle squared
-  const Vec3 from = p - node.origin;
-  const double away = glm::length(from);
-  const double from_axis = glm::length(from - glm::dot(from, node.direction) * node.direction);
-  const double aside = node.aside + node.apart * (1 + node.apart) * (away + node.aside);
-  return from_axis - aside - parts_[node.first].radius() - kRounding * (away + node.aside);
-}
-
-double SweptDistance::operator()(const Vec3& p) const {
-  struct Visit {
-    double at_least;
-    uint32_t node;
-  };
-  std::array<Visit, kDeepest> stack;
-  size_t waiting = 0;
-  stack[waiting++] = {-std::numeric_limits<double>::infinity(), 0};
-  double least = std::numeric_limits<double>::infinity();
-  while (waiting > 0) {
-    const Visit visit = stack[--waiting];
-    if (visit.at_least >= least) continue;
-    const Node& node = nodes_[visit.node];
-    if (node.halves == 0) {
-      for (size_t i = node.first; i < node.end; ++i) least = std::min(least, parts_[i].signed_distance(p));
-      continue;
-    }
-    Visit nearer{at_least(nodes_[node.halves], p), node.halves};
-    Visit farther{at_least(nodes_[node.halves + 1], p), node.halves + 1};
-    if (farther.at_least < nearer.at_least) std::swap(nearer, farther);
-    KERF_ASSERT(waiting + 2 <= kDeepest);
-    stack[waiting++] = farther;
-    stack[waiting++] = nearer;
-  }
-  return least;
-}
-
-namespace {
 
 class ChordTest {
  public:
@@ -293,6 +157,133 @@ class ChordTest {
 };
 
 }  // namespace
+
+bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) const {
+  bool any = false;
+  for_each_part_near(near, [&](uint32_t i) {
+    const SweptCylinder& part = parts_[i];
+    if (any || !part.touches(t, part.radius() - graze)) return;
+    any =
+        !part.tilts() || longest_edge2(t) > part.radius() * part.radius() || has_point_within(part, t, graze);
+  });
+  return any;
+}
+
+class StrokeRegion::PartsOnSegment {
+ public:
+  PartsOnSegment(const StrokeRegion& region, FaceId near) : region_(region) {
+    region.for_each_part_near(near, [&](uint32_t i) {
+      if (count_ < kMost) parts_[count_] = i;
+      ++count_;
+    });
+  }
+  // Returns true if they fit into the array.
+  bool fit() const { return count_ <= kMost; }
+
+  // Returns true if any part contains the point, the midpoint of a segment of which one half is visited
+  // next. Drops the parts whose boundary is too far from `p` to reach that half of `length` metres; the
+  // rounding of the distances is far below the margin.
+  bool hold(const Vec3& p, double length) {
+    size_t kept = 0;
+    bool held = false;
+    for (size_t i = 0; i < count_; ++i) {
+      const SweptCylinder& part = region_.parts_[parts_[i]];
+      const double distance = part.signed_distance(p);
+      held |= distance <= 0;
+      if (distance <= part.steepest() * length + kMargin * part.radius()) parts_[kept++] = parts_[i];
+    }
+    count_ = kept;
+    return held;
+  }
+
+ private:
+  static constexpr size_t kMost = 64;
+  static constexpr double kMargin = 1e-3;  // of the radius
+
+  const StrokeRegion& region_;
+  std::array<uint32_t, kMost> parts_;
+  size_t count_ = 0;
+};
+
+Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside) const {
+  constexpr int kHalvings = 52;  // precision of the position on the segment
+  const Vec3 way = outside - inside;
+  PartsOnSegment parts(*this, near);
+  double low = 0, high = 1, length = glm::length(way);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    const Vec3 p = inside + middle * way;
+    length *= 0.5;
+    const bool held = parts.fit() ? parts.hold(p, length) : signed_distance(near, p) <= 0;
+    (held ? low : high) = middle;
+  }
+  return inside + high * way;
+}
+
+SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) {
+  KERF_ASSERT(region.parts() == moves.size() && !moves.empty());
+  for (size_t i = 0; i < region.parts(); ++i) parts_.push_back(region.part(i));
+  nodes_.push_back({0, moves.size(), {}, {}});
+  for (uint32_t i = 0; i < nodes_.size(); ++i) {
+    bound(i, moves);
+    const auto [first, end] = std::pair(nodes_[i].first, nodes_[i].end);
+    if (end - first <= kMaxOfLeaf) continue;
+    nodes_[i].halves = static_cast<uint32_t>(nodes_.size());
+    const size_t middle = first + (end - first) / 2;
+    nodes_.push_back({first, middle, {}, {}});
+    nodes_.push_back({middle, end, {}, {}});
+  }
+}
+
+void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
+  Node& n = nodes_[node];
+  const Pose& middle = moves[n.first + (n.end - n.first) / 2].from;
+  n.origin = middle.origin;
+  n.direction = middle.direction;
+  for (const BeamMove& m : moves.subspan(n.first, n.end - n.first)) {
+    for (const Pose* pose : {&m.from, &m.to}) {
+      n.aside = std::max(n.aside, glm::length(pose->origin - n.origin));
+      n.apart = std::max(n.apart, glm::length(pose->direction - n.direction));
+    }
+  }
+}
+
+// Returns a lower bound of the distances from the parts of a node.
+double SweptDistance::at_least(const Node& node, const Vec3& p) const {
+  constexpr double kRounding = 1e-9;  // relative; parts of a tilting beam also err by the angle squared
+  const Vec3 from = p - node.origin;
+  const double away = glm::length(from);
+  const double from_axis = glm::length(from - glm::dot(from, node.direction) * node.direction);
+  const double aside = node.aside + node.apart * (1 + node.apart) * (away + node.aside);
+  return from_axis - aside - parts_[node.first].radius() - kRounding * (away + node.aside);
+}
+
+double SweptDistance::operator()(const Vec3& p) const {
+  struct Visit {
+    double at_least;
+    uint32_t node;
+  };
+  std::array<Visit, kDeepest> stack;
+  size_t waiting = 0;
+  stack[waiting++] = {-std::numeric_limits<double>::infinity(), 0};
+  double least = std::numeric_limits<double>::infinity();
+  while (waiting > 0) {
+    const Visit visit = stack[--waiting];
+    if (visit.at_least >= least) continue;
+    const Node& node = nodes_[visit.node];
+    if (node.halves == 0) {
+      for (size_t i = node.first; i < node.end; ++i) least = std::min(least, parts_[i].signed_distance(p));
+      continue;
+    }
+    Visit nearer{at_least(nodes_[node.halves], p), node.halves};
+    Visit farther{at_least(nodes_[node.halves + 1], p), node.halves + 1};
+    if (farther.at_least < nearer.at_least) std::swap(nearer, farther);
+    KERF_ASSERT(waiting + 2 <= kDeepest);
+    stack[waiting++] = farther;
+    stack[waiting++] = nearer;
+  }
+  return least;
+}
 
 bool chord_fails(const StrokeRegion& region, FaceId face, const Triangle& at,
                  const std::array<double, 3>& distances, double chord, double graze) {

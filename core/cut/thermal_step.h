@@ -8,7 +8,7 @@
 #include "core/cut/cut_stages.h"
 #include "core/cut/cut_step.h"
 #include "core/laser/laser.h"
-#include "core/world/heat_flow.h"
+#include "core/world/world.h"
 
 namespace kerf {
 

@@ -34,6 +34,8 @@ struct LockedFile::Handle {
   }
 };
 
+namespace fs = std::filesystem;
+
 namespace {
 
 Error file_error(const std::filesystem::path& path, const char* what, int code) {
@@ -57,6 +59,14 @@ int give_name(const std::filesystem::path& nameless, const std::filesystem::path
   if (::link(nameless.c_str(), path.c_str()) == 0) return 0;
   if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
   return ::rename(nameless.c_str(), path.c_str()) == 0 ? 0 : errno;
+}
+
+constexpr const char* kEnding = ".kerf";
+
+size_t count_strokes(const Journal& journal) {
+  return static_cast<size_t>(
+      std::count_if(journal.commands.begin(), journal.commands.end(),
+                    [](const Command& c) { return std::holds_alternative<BeginStroke>(c); }));
 }
 
 }  // namespace
@@ -137,20 +147,6 @@ bool LockedFile::flush() {
 }
 
 void LockedFile::remove() { ::unlink(path_.c_str()); }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* kEnding = ".kerf";
-
-size_t count_strokes(const Journal& journal) {
-  return static_cast<size_t>(
-      std::count_if(journal.commands.begin(), journal.commands.end(),
-                    [](const Command& c) { return std::holds_alternative<BeginStroke>(c); }));
-}
-
-}  // namespace
 
 void Autosave::begin(SceneDescription scene, fs::path work_of, std::vector<fs::path> opened) {
   if (file_) replaced_ = std::move(*file_);

@@ -20,6 +20,32 @@ double distance(const Pose& beam, const Vec3& p) {
   return glm::length(way - along * beam.direction);
 }
 
+// The length of the beam up to the farthest corner of the loaded bounds at their current placement [m]. It
+// ignores removed faces, which depend on the progress of the moves before.
+double reach(const World& world, const Stroke& stroke, const Pose& pose) {
+  const World::Bounds bounds = world.loaded_bounds();
+  const Vec3 far = glm::max(glm::abs(bounds.min - pose.origin), glm::abs(bounds.max - pose.origin));
+  return std::min(stroke.settings.laser.range.high, glm::length(far));
+}
+
+std::vector<BeamMove> subdivide_in(const World& world, const Stroke& stroke, const BeamMove& move) {
+  return subdivide(move, stroke.settings.laser.radius, reach(world, stroke, move.from));
+}
+
+// Joins the first `parts` of `of` equal parts of a straight move.
+BeamMove first_parts(const BeamMove& move, const Pose& to, size_t parts, size_t of) {
+  return {move.from, to, move.seconds * static_cast<double>(parts) / static_cast<double>(of)};
+}
+
+bool is_straight(const BeamMove& move) { return move.from.direction == move.to.direction; }
+
+// The number of parts of a move that make up a share of it, rounded up.
+size_t parts_of(double share, size_t parts) {
+  if (share >= 1) return parts;
+  const auto rounded = static_cast<size_t>(std::ceil(share * static_cast<double>(parts)));
+  return std::clamp<size_t>(rounded, 1, parts);
+}
+
 }  // namespace
 
 void Stroke::list_path(const World& world) {
@@ -68,36 +94,6 @@ std::vector<BeamMove> Stroke::move_body(BodyId id, const Body& body, const Place
   at->second.insert(at->second.end(), moves.begin(), moves.end());
   return moves;
 }
-
-namespace {
-
-// The length of the beam up to the farthest corner of the loaded bounds at their current placement [m]. It
-// ignores removed faces, which depend on the progress of the moves before.
-double reach(const World& world, const Stroke& stroke, const Pose& pose) {
-  const World::Bounds bounds = world.loaded_bounds();
-  const Vec3 far = glm::max(glm::abs(bounds.min - pose.origin), glm::abs(bounds.max - pose.origin));
-  return std::min(stroke.settings.laser.range.high, glm::length(far));
-}
-
-std::vector<BeamMove> subdivide_in(const World& world, const Stroke& stroke, const BeamMove& move) {
-  return subdivide(move, stroke.settings.laser.radius, reach(world, stroke, move.from));
-}
-
-// Joins the first `parts` of `of` equal parts of a straight move.
-BeamMove first_parts(const BeamMove& move, const Pose& to, size_t parts, size_t of) {
-  return {move.from, to, move.seconds * static_cast<double>(parts) / static_cast<double>(of)};
-}
-
-bool is_straight(const BeamMove& move) { return move.from.direction == move.to.direction; }
-
-// The number of parts of a move that make up a share of it, rounded up.
-size_t parts_of(double share, size_t parts) {
-  if (share >= 1) return parts;
-  const auto rounded = static_cast<size_t>(std::ceil(share * static_cast<double>(parts)));
-  return std::clamp<size_t>(rounded, 1, parts);
-}
-
-}  // namespace
 
 bool BeamQueue::only_cools() const {
   return !empty() && !holds_beam() && std::all_of(entries_.begin(), entries_.end(), [](const Entry& e) {

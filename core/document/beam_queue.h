@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/cut/cut_step.h"
 #include "core/document/commands.h"
 #include "core/world/world.h"

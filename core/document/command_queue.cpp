@@ -5,7 +5,7 @@
 #include "core/base/assert.h"
 #include "core/base/number_format.h"
 #include "core/cut/cut_step.h"
-#include "core/document/edit_piece.h"
+#include "core/document/extract.h"
 #include "core/physics/sleep.h"
 
 namespace kerf {

@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "core/document/command_queue.h"
-#include "core/document/edit_piece.h"
+#include "core/document/extract.h"
 #include "core/edit/separation.h"
 #include "core/joints/joined_parts.h"
-#include "core/physics/release_pieces.h"
+#include "core/physics/physics.h"
 #include "core/physics/sleep.h"
-#include "core/world/heat_flow.h"
+#include "core/world/world.h"
 
 namespace kerf {
 

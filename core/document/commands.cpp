@@ -3,13 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/document/edit_piece.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/world_fields.h"
 #include "core/edit/detach.h"
-#include "core/mesh/files/mesh_format.h"
-#include "core/mesh/remesh/remeshed.h"
-#include "core/mesh/remesh/simplify.h"
 #include "core/world/body_creation.h"
 #include "core/world/body_mass.h"
 

@@ -9,12 +9,10 @@
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
 #include "core/base/parallel.h"
-#include "core/base/tick.h"
 #include "core/cut/cut_step.h"
-#include "core/document/edit_piece.h"
-#include "core/mesh/files/mesh_format.h"
+#include "core/document/extract.h"
 #include "core/mesh/remesh/openmesh_tools.h"
-#include "core/mesh/remesh/simplify.h"
+#include "core/mesh/remesh/remeshed.h"
 #include "core/world/world.h"
 #include "core/world/world_delta.h"
 
@@ -70,7 +68,7 @@ struct Recut {
 };
 void describe(Fields& f, Recut& c);
 
-// Advances time by a number of ticks (see core/base/tick.h), in which all changes of the world happen that
+// Advances time by a number of ticks (see core/base/ids.h), in which all changes of the world happen that
 // no other command makes. Does not end a running stroke; takes effect when the moves before it have been
 // executed.
 struct AdvanceTime {

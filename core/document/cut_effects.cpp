@@ -1,10 +1,9 @@
 #include "core/document/cut_effects.h"
 
-#include <map>
 #include <unordered_map>
 
 #include "core/base/deterministic_math.h"
-#include "core/document/edit_piece.h"
+#include "core/document/extract.h"
 
 namespace kerf {
 
@@ -50,6 +49,13 @@ const MeshPart* outermost_part(const Body& loaded, FaceId face) {
   return best;
 }
 
+// Maps the id of a piece after a step to its id at the position of the history.
+PieceId at_position(const UndoStack& history, size_t step, PieceId piece) {
+  for (size_t i = step + 1; i < history.position(); ++i)
+    piece = id_after(history.step(i).body_changes(), piece);
+  return piece;
+}
+
 }  // namespace
 
 void count_cut_names(const World& world, const BodyDelta& delta, std::map<std::string, size_t>& names) {
@@ -73,17 +79,6 @@ void count_cut_names(const World& world, const BodyDelta& delta, std::map<std::s
   }
   for (const auto& [label, count] : of_pieces) names[body.name_of(label)] += count;
 }
-
-namespace {
-
-// Maps the id of a piece after a step to its id at the position of the history.
-PieceId at_position(const UndoStack& history, size_t step, PieceId piece) {
-  for (size_t i = step + 1; i < history.position(); ++i)
-    piece = id_after(history.step(i).body_changes(), piece);
-  return piece;
-}
-
-}  // namespace
 
 std::vector<PieceNode> piece_origins(const Document& document) {
   const UndoStack& history = document.history();

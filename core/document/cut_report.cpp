@@ -6,11 +6,10 @@
 #include "core/base/deterministic_math.h"
 #include "core/base/parallel.h"
 #include "core/cut/thermal_step.h"
+#include "core/document/text/fields.h"
 #include "core/document/text/hash.h"
 #include "core/document/text/json.h"
-#include "core/document/text/world_fields.h"
 #include "core/mesh/face_batches.h"
-#include "core/world/world.h"
 
 namespace kerf {
 
@@ -90,6 +89,38 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
   return piece;
 }
 
+nlohmann::ordered_json energy_json(const World& world) {
+  const EnergyLedger& ledger = world.energy();
+  double stored = 0, ejected = 0;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    stored += body.heat.stored(body.mesh);
+    ejected += body.ejected;
+  }
+  nlohmann::ordered_json json = {{"emitted", ledger.emitted}, {"absorbed", ledger.absorbed},
+                                 {"ejected", ejected},        {"stored", stored},
+                                 {"lost", ledger.lost},       {"escaped", ledger.escaped}};
+  if (ledger.burnt > 0) json["burnt"] = ledger.burnt;
+  return json;
+}
+
+nlohmann::ordered_json removed_json(const CutJob& job, bool any_solid) {
+  nlohmann::ordered_json json = {{"faces", job.removed_faces}, {"area", job.removed_area}};
+  if (any_solid && !job.left_open) json["volume"] = job.solid.removed_volume;
+  return json;
+}
+
+void add_solid(nlohmann::ordered_json& report, const CutJob& job, bool any_solid) {
+  if (any_solid) report["walls"] = {{"faces", job.solid.wall_faces}, {"area", job.solid.wall_area}};
+  report["notes"] = job.notes;
+}
+
+void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {
+  if (!job.thermal) return;
+  report["energy_j"] = energy_json(world);
+  report["depth_fraction"] = job.depth_fraction();
+}
+
 }  // namespace
 
 void CutJob::record_loaded(const MeshReport& mesh) {
@@ -152,42 +183,6 @@ nlohmann::ordered_json settings_json(const CutSettings& s, const std::string& fo
   json["split-all"] = split_all;
   return json;
 }
-
-namespace {
-
-nlohmann::ordered_json energy_json(const World& world) {
-  const EnergyLedger& ledger = world.energy();
-  double stored = 0, ejected = 0;
-  for (const BodyId id : world.ids()) {
-    const Body& body = world.body(id);
-    stored += body.heat.stored(body.mesh);
-    ejected += body.ejected;
-  }
-  nlohmann::ordered_json json = {{"emitted", ledger.emitted}, {"absorbed", ledger.absorbed},
-                                 {"ejected", ejected},        {"stored", stored},
-                                 {"lost", ledger.lost},       {"escaped", ledger.escaped}};
-  if (ledger.burnt > 0) json["burnt"] = ledger.burnt;
-  return json;
-}
-
-nlohmann::ordered_json removed_json(const CutJob& job, bool any_solid) {
-  nlohmann::ordered_json json = {{"faces", job.removed_faces}, {"area", job.removed_area}};
-  if (any_solid && !job.left_open) json["volume"] = job.solid.removed_volume;
-  return json;
-}
-
-void add_solid(nlohmann::ordered_json& report, const CutJob& job, bool any_solid) {
-  if (any_solid) report["walls"] = {{"faces", job.solid.wall_faces}, {"area", job.solid.wall_area}};
-  report["notes"] = job.notes;
-}
-
-void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {
-  if (!job.thermal) return;
-  report["energy_j"] = energy_json(world);
-  report["depth_fraction"] = job.depth_fraction();
-}
-
-}  // namespace
 
 bool any_is_solid(const World& world) {
   return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).solid; });

@@ -6,7 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands.h"
-#include "core/document/edit_piece.h"
+#include "core/document/extract.h"
 
 namespace kerf {
 

@@ -2,14 +2,55 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "core/world/mass_properties.h"
+#include "core/base/parallel.h"
+#include "core/base/result.h"
+#include "core/mesh/remesh/remeshed.h"
+#include "core/world/rigid_body.h"
 #include "core/world/world.h"
+#include "core/world/world_delta.h"
 
 namespace kerf {
+
+// The name of a piece in messages: "piece 2 of body 1".
+std::string piece_words(const PieceId& piece);
+
+// Returns true if the world has the piece, with at least one face.
+bool has_faces(const World& world, const PieceId& piece);
+Error no_such_piece(const PieceId& piece);
+
+// Detaches the piece as a body of this generation if necessary (see detach), applies `edit` to it, and adds
+// it to `list` of the delta. Returns an empty delta if `differs` returns false for the body of the piece. Bad
+// input if there is no such piece; the world is unchanged then.
+Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
+                         std::vector<BodyId> Delta::*list, const std::function<bool(const Body&)>& differs,
+                         const std::function<void(Body&)>& edit);
+
+// Faces with constraints on remeshing, each list ascending.
+struct TrackedFaces {
+  std::vector<FaceId> kept;                     // must not change
+  std::vector<FaceId> warm;                     // store heat, or did before
+  std::function<bool(FaceId, FaceId)> is_seam;  // see RemeshLimits
+};
+
+using Remake =
+    std::function<Result<Remeshed>(const Mesh& mesh, const TrackedFaces& tracked, const Progress* progress)>;
+
+// Replaces a piece by a new body of this generation with the mesh that `remake` returns. The body keeps the
+// label, the name, the placement and all other properties of the piece; its faces count as loaded, with the
+// materials, the energy and the part names of the faces they stem from. Faces that carry joints stay, and
+// so do the joints. Returns an empty delta if the mesh is unchanged.
+//
+// Bad input if there is no such piece, or if joints hold it to a separately moving piece: the joint could
+// not name both. Fails like `remake`, if no face would be left, and with cancelled() when stopped;
+// `progress` may be null. On failure the world is unchanged. O(n log n) plus the cost of `remake`.
+Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
+                           const Progress* progress);
 
 // A copy of some faces of a body as plain arrays in world coordinates, exact to the bit if the body was not
 // moved. Coincident vertices are merged; vertices and faces keep the order of their slots.

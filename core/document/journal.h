@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/document/commands.h"
 #include "core/document/scene.h"
+#include "core/document/text/json.h"
 #include "core/world/rigid_body.h"
 
 namespace kerf {
@@ -31,7 +33,7 @@ inline constexpr uint64_t kJournalFormat = 1;
 // The content of a journal file (.kerf), one JSON object per line: first the scene, with "kerf": "journal",
 // its format (see Fields::format) and the hashes of its meshes; then the commands (see command_text), and
 // between them marks, {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" if bodies
-// have moved (see journal_text.h).
+// have moved.
 struct Journal {
   SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
   std::filesystem::path
@@ -81,5 +83,26 @@ Result<OpenedFile> open_journal(const std::filesystem::path& file, const Progres
 
 // Returns true if the extension of a file is that of a journal (.kerf) or of its previous version (.kerf~).
 bool is_journal(const std::filesystem::path& file);
+
+// Returns a command as one line of a journal, without the line break: {"do": "move-beam", "origin": [..],
+// "direction": [..]}. Numbers are exact. `folder` is the folder of the journal; mesh files are named as in
+// path_text. Bad input if a name or a path is not UTF-8.
+Result<std::string> command_text(const Command& command, const std::filesystem::path& folder);
+
+// Parses such a line; numbers are restored to the bit. `beam` is the beam of the last stroke, if any: a
+// move must not reverse its direction. Numbers out of range, missing keys and unknown keys are bad input
+// with a JSON pointer.
+Result<Command> parse_command(const JsonValue& value, const std::filesystem::path& folder,
+                              const std::optional<BeamAt>& beam);
+
+class Fields;
+
+// A mark of a journal. If bodies have moved it has "machine", "clock" and
+//   "bodies": [{"body": [slot, generation], "position", "orientation", "velocity", "spin", "quiet",
+//              "asleep"}],
+//   "pairs": [[slot, generation, slot, generation, touching, crossed]], without the second body for the
+//            ground: 1 if the two touch, and for how many ticks they have intersected. Read sorted.
+// Numbers are restored to the bit.
+void describe(Fields& f, StateMark& mark);
 
 }  // namespace kerf

@@ -1,10 +1,8 @@
 #include "core/document/replay.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/base/assert.h"
-#include "core/document/document.h"
 #include "core/physics/physics.h"
 #include "core/world/world.h"
 

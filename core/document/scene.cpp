@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
-#include "core/document/scene_text.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/hash.h"
 #include "core/mesh/measures.h"
@@ -84,6 +85,130 @@ class CarrierSearch {
   const Body& body_;
 };
 
+constexpr double kHashing = 0.02;  // fraction of the load time of a body with a known hash
+
+Status check_hash(const SceneBody& body, const Progress& progress) {
+  const auto hash = file_hash(body.mesh, &progress);
+  if (!hash) return hash.error();
+  if (*hash == *body.hash) return Done{};
+  return bad_input(
+      body.mesh.string() +
+      ": the mesh differs from the one that the journal was recorded with: restore the original file");
+}
+
+bool is_solid(Solidity solid, const Body& loaded) {
+  if (solid != Solidity::kAuto) return solid == Solidity::kSolid;
+  const EnclosedVolume enclosed = enclosed_volume(loaded.mesh, loaded.middle());
+  return enclosed.closed && enclosed.volume > 0;
+}
+
+// The linear value of one of the 256 levels of sRGB (IEC 61966-2-1). Colours enter no hash, so pow(), whose
+// results differ between machines, is acceptable.
+double linear_of(int step) {
+  KERF_ASSERT(step >= 0 && step <= 255);
+  const double s = step / 255.0;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+int nearest_step(double linear) {
+  int step = 0;
+  while (step < 255 && linear > 0.5 * (linear_of(step) + linear_of(step + 1))) ++step;
+  return step;
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+constexpr std::array kKinds{"weld", "hinge", "hub"};  // in the order of Joint::Kind
+
+template <typename T>
+Status read_two(const JsonValue& value, const char* of_what, std::array<T, 2>& two,
+                Result<T> (JsonValue::*read)() const) {
+  if (!value.json().is_array() || value.json().size() != 2)
+    return value.wrong(std::string("must be two ") + of_what);
+  for (size_t i = 0; i < 2; ++i) {
+    if (const Status element = assign((value[i].*read)(), two[i]); !element) return element;
+  }
+  return Done{};
+}
+
+Status read_limits(const JsonValue& value, Interval& limits) {
+  if (const Status two = assign(value.pair(), limits); !two) return two;
+  if (-180 <= limits.low && limits.low <= 0 && 0 <= limits.high && limits.high <= 180) return Done{};
+  return value.wrong("must be an angle from -180 to 0 and one from 0 to 180 degrees");
+}
+
+void limits_field(Fields& f, SceneJoint& joint) {
+  if (!f.present("limits", joint.limits.has_value())) return;
+  f.check(joint.kind == Joint::Kind::kHinge, "limits", "only a hinge has limits");
+  f.value(
+      "limits", [&](const JsonValue& value) { return read_limits(value, joint.limits.emplace()); },
+      [&] {
+        return nlohmann::ordered_json{joint.limits->low, joint.limits->high};
+      });
+}
+
+void near_field(Fields& f, SceneJoint& joint) {
+  if (!f.present("near", joint.near.has_value())) return;
+  f.value(
+      "near",
+      [&](const JsonValue& value) {
+        return read_two(value, "points, one for each part", joint.near.emplace(), &JsonValue::vector);
+      },
+      [&] {
+        return nlohmann::ordered_json{vector_json((*joint.near)[0]), vector_json((*joint.near)[1])};
+      });
+}
+
+constexpr const char* kColour = "must be a colour like \"#3a6f8f\"";
+
+// The names are joined by commas in memory.
+Status read_names(const JsonValue& value, std::string& names) {
+  if (const Status list = value.array("names"); !list) return list;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto name = value[i].text();
+    if (!name) return name.error();
+    names += (i > 0 ? "," : "") + *name;
+  }
+  return Done{};
+}
+
+nlohmann::ordered_json names_json(const std::string& joined) {
+  auto names = nlohmann::ordered_json::array();
+  for (size_t at = 0; at < joined.size();) {
+    const size_t comma = std::min(joined.find(',', at), joined.size());
+    names.push_back(joined.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return names;
+}
+
+Status read_solidity(const JsonValue& value, Solidity& solid) {
+  const nlohmann::json& json = value.json();
+  if (json.is_boolean()) {
+    solid = json.get<bool>() ? Solidity::kSolid : Solidity::kSheet;
+  } else if (json == "auto") {
+    solid = Solidity::kAuto;
+  } else {
+    return value.wrong("must be true, false or \"auto\"");
+  }
+  return Done{};
+}
+
+void solid_field(Fields& f, Solidity& solid) {
+  if (!f.present("solid", solid != Solidity::kSheet)) return;
+  f.value(
+      "solid", [&](const JsonValue& value) { return read_solidity(value, solid); },
+      [&]() -> nlohmann::ordered_json {
+        if (solid == Solidity::kAuto) return "auto";
+        return solid == Solidity::kSolid;
+      });
+}
+
 }  // namespace
 
 Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
@@ -110,27 +235,6 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
     return search.wrong("a face carries both sides: move \"near\" apart or reduce \"radius\"");
   return made;
 }
-
-namespace {
-
-constexpr double kHashing = 0.02;  // fraction of the load time of a body with a known hash
-
-Status check_hash(const SceneBody& body, const Progress& progress) {
-  const auto hash = file_hash(body.mesh, &progress);
-  if (!hash) return hash.error();
-  if (*hash == *body.hash) return Done{};
-  return bad_input(
-      body.mesh.string() +
-      ": the mesh differs from the one that the journal was recorded with: restore the original file");
-}
-
-bool is_solid(Solidity solid, const Body& loaded) {
-  if (solid != Solidity::kAuto) return solid == Solidity::kSolid;
-  const EnclosedVolume enclosed = enclosed_volume(loaded.mesh, loaded.middle());
-  return enclosed.closed && enclosed.volume > 0;
-}
-
-}  // namespace
 
 Result<SceneDescription> read_description(const std::filesystem::path& file) {
   if (file.extension() != ".json") {
@@ -198,6 +302,109 @@ Status record_hashes(SceneDescription& description, const Progress* progress) {
     body.hash = *hash;
   }
   return Done{};
+}
+
+std::optional<Vec3> parse_colour(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  Vec3 colour{0};
+  for (int channel = 0; channel < 3; ++channel) {
+    const int high = hex_digit(text[static_cast<size_t>(1 + 2 * channel)]);
+    const int low = hex_digit(text[static_cast<size_t>(2 + 2 * channel)]);
+    if (high < 0 || low < 0) return std::nullopt;
+    colour[channel] = linear_of(16 * high + low);
+  }
+  return colour;
+}
+
+std::string colour_text(const Vec3& linear) {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(nearest_step(linear.x)),
+                static_cast<unsigned>(nearest_step(linear.y)), static_cast<unsigned>(nearest_step(linear.z)));
+  return text.data();
+}
+
+void describe(Fields& f, SceneJoint& joint) {
+  f.choice("kind", joint.kind, kKinds);
+  f.value(
+      "parts",
+      [&](const JsonValue& value) {
+        return read_two(value, "names of parts of the mesh", joint.parts, &JsonValue::text);
+      },
+      [&] { return nlohmann::ordered_json(joint.parts); });
+  f.vector("anchor", joint.anchor);
+  if (joint.kind != Joint::Kind::kWeld) f.vector("axis", joint.axis, VectorRule::kNotZero);
+  if (joint.kind == Joint::Kind::kWeld) f.check(!f.present("axis", false), "axis", "a weld has no axis");
+  limits_field(f, joint);
+  near_field(f, joint);
+  f.number("radius", joint.radius, kPositive);
+}
+
+void describe(Fields& f, Paint& paint) {
+  f.coded("colour", paint.colour, parse_colour, colour_text, kColour, {Vec3(0.20, 0.27, 0.33), kOptional});
+  f.number("gloss", paint.gloss, kShare, {0.5, kOptional});
+}
+
+void describe(Fields& f, View& view) {
+  f.vector("eye", view.eye);
+  f.vector("target", view.target);
+  f.check(view.eye != view.target, nullptr, "eye and target must differ");
+}
+
+void describe(Fields& f, Light& light) {
+  const bool point = f.present("position", light.kind == Light::Kind::kPoint);
+  f.check(point != f.present("direction", !point), nullptr,
+          "needs \"direction\" or \"position\", and not both");
+  light.kind = point ? Light::Kind::kPoint : Light::Kind::kDirectional;
+  f.vector(point ? "position" : "direction", light.at, point ? VectorRule::kAny : VectorRule::kNotZero);
+  f.coded("colour", light.colour, parse_colour, colour_text, kColour, {Vec3(1.0, 0.938, 0.848), kOptional});
+  f.number("intensity", light.intensity, kPositive, {2.1, kOptional});
+}
+
+void lights_field(Fields& f, const char* key, std::vector<Light>& lights) {
+  f.list(key, "lights", lights, kOptional);
+  f.check(lights.size() <= kMaxLights, key,
+          "must hold no more than " + std::to_string(kMaxLights) + " lights");
+}
+
+void describe(Fields& f, SceneBody& body) {
+  f.path("mesh", body.mesh);
+  if (f.reading()) body.name = body.mesh.stem().string();
+  f.text("name", body.name, kOptional);
+  f.vector("position", body.placement.position, VectorRule::kAny, Vec3(0));
+  f.orientation("orientation", body.placement.orientation, glm::dquat(1, 0, 0, 0));
+  f.coded("hash", body.hash, parse_hash, hash_text, kHashRule);
+  scene_sheet_fields(f, body.sheet);
+  solid_field(f, body.solid);
+  if (f.present("cut_material", body.cut_material != SceneBody().cut_material))
+    f.filled_text("cut_material", body.cut_material);
+  f.list("joints", "joints", body.joints, kOptional);
+}
+
+void describe(Fields& f, SceneDescription& scene) {
+  uint64_t version = kSceneVersion;
+  f.version("version", version, kSceneVersion, kOptional);
+  f.list("bodies", "bodies", scene.bodies);
+  f.check(!scene.bodies.empty(), "bodies", "must hold one body or more");
+  f.by_name("paints", scene.paints);
+  f.object("view", scene.view);
+  lights_field(f, "lights", scene.lights);
+  if (f.present("show", !scene.show.empty()))
+    f.value(
+        "show", [&](const JsonValue& value) { return read_names(value, scene.show); },
+        [&] { return names_json(scene.show); });
+  f.list("strokes", "strokes", scene.strokes, kOptional);
+  f.kept(kEditorKeys, scene.others);
+}
+
+Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder) {
+  SceneDescription scene;
+  const Status read = read_fields(root, folder, scene);
+  if (!read) return read.error();
+  return scene;
+}
+
+nlohmann::ordered_json scene_json(const SceneDescription& scene, const std::filesystem::path& folder) {
+  return fields_json(scene, folder);
 }
 
 }  // namespace kerf

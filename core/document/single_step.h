@@ -2,11 +2,9 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/document/document.h"
-#include "core/mesh/files/mesh_format.h"
 #include "core/tree/swept_cylinder.h"
 
 namespace kerf {

@@ -5,8 +5,9 @@
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
+#include "core/base/ids.h"
 #include "core/base/json.h"
-#include "core/base/tick.h"
+#include "core/base/number_format.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json.h"
 
@@ -78,29 +79,6 @@ void key_fields(Fields& f, StrokePath& stroke, size_t k) {
           "is opposite to the previous one: insert a key between them");
 }
 
-}  // namespace
-
-void describe(Fields& f, StrokePath& stroke) {
-  f.member("laser", kOptional, [&](Fields& laser) { laser_fields(laser, stroke); });
-  f.elements("keys", "keys", kNeeded, stroke.keys,
-             [&](size_t k, Fields& key) { key_fields(key, stroke, k); });
-  f.check(!stroke.keys.empty(), "keys", "must hold one key or more");
-}
-
-std::string path_file_text(std::span<const StrokePath> strokes) {
-  std::string text = "{\"strokes\": [";
-  for (size_t i = 0; i < strokes.size(); ++i) {
-    const nlohmann::ordered_json stroke = fields_json(strokes[i], {});
-    text += (i > 0 ? ",\n  " : "\n  ") + ("{\"laser\": " + stroke["laser"].dump()) + ", \"keys\": [";
-    for (size_t k = 0; k < strokes[i].keys.size(); ++k)
-      text += (k > 0 ? ",\n    " : "\n    ") + stroke["keys"][k].dump();
-    text += "]}";
-  }
-  return text + "]}\n";
-}
-
-namespace {
-
 constexpr double kMaxMove = 1e6;  // s, far below the limit of doubles
 
 double seconds_between(const Pose& a, const Pose& b, double speed) {
@@ -127,6 +105,25 @@ bool ascends(const std::vector<double>& times) {
 }
 
 }  // namespace
+
+void describe(Fields& f, StrokePath& stroke) {
+  f.member("laser", kOptional, [&](Fields& laser) { laser_fields(laser, stroke); });
+  f.elements("keys", "keys", kNeeded, stroke.keys,
+             [&](size_t k, Fields& key) { key_fields(key, stroke, k); });
+  f.check(!stroke.keys.empty(), "keys", "must hold one key or more");
+}
+
+std::string path_file_text(std::span<const StrokePath> strokes) {
+  std::string text = "{\"strokes\": [";
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const nlohmann::ordered_json stroke = fields_json(strokes[i], {});
+    text += (i > 0 ? ",\n  " : "\n  ") + ("{\"laser\": " + stroke["laser"].dump()) + ", \"keys\": [";
+    for (size_t k = 0; k < strokes[i].keys.size(); ++k)
+      text += (k > 0 ? ",\n    " : "\n    ") + stroke["keys"][k].dump();
+    text += "]}";
+  }
+  return text + "]}\n";
+}
 
 double way_of(const StrokePath& stroke) {
   double way = 0;
@@ -171,6 +168,56 @@ std::optional<std::string> rejection_reason(std::span<const StrokePath> strokes)
     }
   }
   return std::nullopt;
+}
+
+double positive(double length) { return std::clamp(length, kPositive.least, kPositive.most); }
+
+CutSettings default_settings(const StrokePath& stroke, double diagonal) {
+  CutSettings settings;
+  settings.laser.radius = stroke.radius.value_or(positive(diagonal / 400));
+  settings.laser.range = stroke.range.value_or(Interval{0, positive(10 * diagonal)});
+  settings.laser.power = stroke.power.value_or(settings.laser.power);
+  settings.laser.wavelength = stroke.wavelength.value_or(0);
+  settings.laser.focus = stroke.focus;
+  settings.laser.pulse_rate = stroke.pulse_rate.value_or(0);
+  settings.laser.duty = stroke.duty.value_or(1);
+  settings.resolution.target_edge = positive(settings.laser.radius / 4);
+  settings.resolution.tolerance = positive(settings.laser.radius / 8);
+  return settings;
+}
+
+double default_heat_width(double radius) {
+  constexpr double kGlowsForSeconds = 0.006;  // m, of steel
+  return std::min(8 * radius, 2 * std::sqrt(kGlowsForSeconds * radius));
+}
+
+std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings) {
+  KERF_ASSERT(!stroke.keys.empty() && stroke.keys.size() == stroke.times.size());
+  std::vector<Command> commands{BeginStroke{settings, stroke.keys.front()}};
+  for (size_t k = 1; k < stroke.keys.size(); ++k)
+    commands.emplace_back(MoveBeam{stroke.keys[k], stroke.times[k] - stroke.times.front()});
+  commands.emplace_back(EndStroke{});
+  return commands;
+}
+
+std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal,
+                                   const std::function<Resolution(double)>& resolution) {
+  std::vector<Command> all;
+  for (const StrokePath& stroke : strokes) {
+    CutSettings settings = default_settings(stroke, diagonal);
+    if (resolution) settings.resolution = resolution(settings.laser.radius);
+    const std::vector<Command> own = stroke_commands(stroke, settings);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+std::vector<Command> scene_stroke_commands(const StrokePath& stroke, double diagonal) {
+  if (stroke.keys.empty()) return {};
+  CutSettings settings = default_settings(stroke, diagonal);
+  settings.resolution.rim = Rim::kSmooth;
+  settings.heat_width = default_heat_width(settings.laser.radius);
+  return stroke_commands(stroke, settings);
 }
 
 }  // namespace kerf

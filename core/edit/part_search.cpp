@@ -1,9 +1,7 @@
 #include "core/edit/part_search.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
-#include <utility>
 
 #include "core/base/assert.h"
 
@@ -27,17 +25,6 @@ std::vector<FaceId> faces_of(std::span<const std::pair<FaceId, FaceId>> ties, Pa
   return faces;
 }
 
-}  // namespace
-
-TieClusters::TieClusters(std::span<const std::pair<FaceId, FaceId>> ties, PagedArray<uint32_t>& scratch)
-    : faces_(faces_of(ties, scratch)), clusters_(faces_.size()) {
-  for (const auto& [removed, beside] : ties)
-    clusters_.unite(scratch.get(removed.index) - 1, scratch.get(beside.index) - 1);
-  for (const FaceId f : faces_) scratch.at(f.index) = 0;
-}
-
-namespace {
-
 constexpr uint32_t kFrontierSamples = 64, kFaceSamples = 256;
 
 // Returns the mean of corners of the frontier's live faces.
@@ -55,7 +42,18 @@ Vec3 middle_of(const Mesh& mesh, const SearchFront& front) {
   return count > 0 ? sum / static_cast<double>(count) : sum;
 }
 
+constexpr size_t kMaxTurn = 128;  // maximum number of faces visited in one turn
+constexpr size_t kLarge = 4096;   // minimum number of visited faces of a large front
+constexpr size_t kHandicap = 4;   // factor of the visited faces of a likely larger front
+
 }  // namespace
+
+TieClusters::TieClusters(std::span<const std::pair<FaceId, FaceId>> ties, PagedArray<uint32_t>& scratch)
+    : faces_(faces_of(ties, scratch)), clusters_(faces_.size()) {
+  for (const auto& [removed, beside] : ties)
+    clusters_.unite(scratch.get(removed.index) - 1, scratch.get(beside.index) - 1);
+  for (const FaceId f : faces_) scratch.at(f.index) = 0;
+}
 
 uint32_t estimate_larger_front(const Body& body, uint32_t a, uint32_t b) {
   const OpenSearch& search = body.separation.search;
@@ -76,14 +74,6 @@ uint32_t estimate_larger_front(const Body& body, uint32_t a, uint32_t b) {
   }
   return nearer_a > 0 ? a : b;
 }
-
-namespace {
-
-constexpr size_t kMaxTurn = 128;  // maximum number of faces visited in one turn
-constexpr size_t kLarge = 4096;   // minimum number of visited faces of a large front
-constexpr size_t kHandicap = 4;   // factor of the visited faces of a likely larger front
-
-}  // namespace
 
 uint32_t PartSearch::root(std::vector<uint32_t>& parent, uint32_t x) {
   while (parent[x] != x) x = parent[x] = parent[parent[x]];

@@ -118,7 +118,7 @@ class PartSearch {
   void record_exhausted(uint32_t front);
   Found& found_of(uint32_t front);
 
-  // In label_parts.cpp.
+  // In separation.cpp.
   void assign_labels(SettleResult& result);
   void drop_largest(std::vector<uint32_t>& parts) const;
   void give_label(uint32_t part, SettleResult& result);

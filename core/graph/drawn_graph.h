@@ -7,7 +7,6 @@
 
 #include "core/base/geometry.h"
 #include "core/graph/component_graph.h"
-#include "core/graph/cut_graph.h"
 
 namespace kerf {
 

@@ -18,6 +18,21 @@ constexpr double kNearestByEdge = 1e-3;
 
 constexpr uint32_t kNone = 0xffffffffu;  // no node
 
+constexpr double kTolerance = 1e-7;
+constexpr int kIterations = 2000;
+
+// Maximum share of its heat that a face may lose in one step: for accurate losses, and for the midpoint rule
+// (from two on, that loss could exceed its heat).
+constexpr double kAccurateLoss = 0.1;
+constexpr double kGentleLoss = 1;
+
+// Temperature at which losses are capped (K), so that they stay finite.
+constexpr double kHottestLoss = 1e5;
+
+// Bounds of iterations, which end after a few passes in practice.
+constexpr int kPasses = 24;
+constexpr int kPhasePasses = 12;
+
 }  // namespace
 
 HeatRegion::HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
@@ -114,13 +129,6 @@ void HeatRegion::surround(uint32_t node) {
     add(neighbours_[i]);
 }
 
-namespace {
-
-constexpr double kTolerance = 1e-7;
-constexpr int kIterations = 2000;
-
-}  // namespace
-
 // A counting sort by rows. It is stable, so that the entries of a row have the order of the links.
 void HeatSolver::sort_by_rows(const std::vector<HeatRegion::Link>& links, double seconds, size_t rows) {
   row_end_.assign(rows + 1, 0);
@@ -196,22 +204,6 @@ void HeatSolver::solve(const std::vector<HeatRegion::Link>& links, const HeatEqu
     beta = norms_.dot / before.dot;
   }
 }
-
-namespace {
-
-// Maximum share of its heat that a face may lose in one step: for accurate losses, and for the midpoint rule
-// (from two on, that loss could exceed its heat).
-constexpr double kAccurateLoss = 0.1;
-constexpr double kGentleLoss = 1;
-
-// Temperature at which losses are capped (K), so that they stay finite.
-constexpr double kHottestLoss = 1e5;
-
-// Bounds of iterations, which end after a few passes in practice.
-constexpr int kPasses = 24;
-constexpr int kPhasePasses = 12;
-
-}  // namespace
 
 HeatStep::HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness,
                    Memory& memory)

@@ -7,7 +7,6 @@
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
-#include "core/heat/material.h"
 
 namespace kerf {
 
@@ -46,6 +45,35 @@ double power_per_thickness(const LumpedCut& cut, double speed) {
          s.conductivity * (s.transition - kAmbient) * conduction_loss(speed * peclet_per_speed(cut));
 }
 
+// Returns a speed (m/s) with sufficient power, or nullopt: with oxygen the highest of many samples up to the
+// burning front, because combustion may need a minimum speed; else the lowest speed.
+std::optional<double> possible_speed(const LumpedCut& cut, double available) {
+  const double least = cut.substance.conductivity == 0 ? 0 : kLosses.front().peclet / peclet_per_speed(cut);
+  constexpr int kTried = 400;
+  for (int i = cut.oxygen ? kTried : 0; i > 0; --i) {
+    const double speed = kBurningFront * i / kTried;
+    if (speed >= least && power_per_thickness(cut, speed) <= available) return speed;
+  }
+  return power_per_thickness(cut, least) <= available ? std::optional(least) : std::nullopt;
+}
+
+constexpr double kNarrowest = 0.02;  // of the kerf
+constexpr int kHalvings = 50;
+
+double widest_kerf(LumpedCut cut, double thickness, double speed) {
+  const auto cuts = [&](double kerf) {
+    cut.kerf = kerf;
+    return cut_thickness(cut, speed) >= thickness;
+  };
+  double high = cut.kerf, low = kNarrowest * high;
+  if (!cuts(low)) return 0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (cuts(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 }  // namespace
 
 double conduction_loss(double peclet) {
@@ -59,22 +87,6 @@ double conduction_loss(double peclet) {
   const double share = det::log(peclet / low.peclet) / det::log(high.peclet / low.peclet);
   return low.loss * det::exp(share * det::log(high.loss / low.loss));
 }
-
-namespace {
-
-// Returns a speed (m/s) with sufficient power, or nullopt: with oxygen the highest of many samples up to the
-// burning front, because combustion may need a minimum speed; else the lowest speed.
-std::optional<double> possible_speed(const LumpedCut& cut, double available) {
-  const double least = cut.substance.conductivity == 0 ? 0 : kLosses.front().peclet / peclet_per_speed(cut);
-  constexpr int kTried = 400;
-  for (int i = cut.oxygen ? kTried : 0; i > 0; --i) {
-    const double speed = kBurningFront * i / kTried;
-    if (speed >= least && power_per_thickness(cut, speed) <= available) return speed;
-  }
-  return power_per_thickness(cut, least) <= available ? std::optional(least) : std::nullopt;
-}
-
-}  // namespace
 
 double cutting_speed(const LumpedCut& cut, double thickness) {
   KERF_ASSERT(thickness > 0 && cut.kerf > 0);
@@ -99,27 +111,6 @@ double cut_thickness(const LumpedCut& cut, double speed) {
   const double power = power_per_thickness(cut, speed);
   return power > 0 ? absorbed(cut) / power : std::numeric_limits<double>::infinity();
 }
-
-namespace {
-
-constexpr double kNarrowest = 0.02;  // of the kerf
-constexpr int kHalvings = 50;
-
-double widest_kerf(LumpedCut cut, double thickness, double speed) {
-  const auto cuts = [&](double kerf) {
-    cut.kerf = kerf;
-    return cut_thickness(cut, speed) >= thickness;
-  };
-  double high = cut.kerf, low = kNarrowest * high;
-  if (!cuts(low)) return 0;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (cuts(middle) ? low : high) = middle;
-  }
-  return low;
-}
-
-}  // namespace
 
 CutRemedies remedies(const LumpedCut& cut, double thickness, double speed) {
   KERF_ASSERT(thickness > 0 && speed > 0 && cut.kerf > 0 && cut.power > 0);

@@ -31,6 +31,50 @@ double seconds_on(const Laser& laser, double t) {
   return laser.duty * period * whole + std::min(t - whole * period, laser.duty * period);
 }
 
+constexpr double kFibreWavelength = 1.07e-6;  // m
+
+// exp(-2 kBundleSpacing^2). The squared distance of a point from the axis is an integer multiple of the
+// squared spacing plus a third of it, so its profile is a power of this, but for a common factor.
+constexpr double kOneSpacing = 0.83527021141127200;
+static_assert(kBundleSpacing == 0.3);
+constexpr double kSpacingsAFace = 0.6;  // the spacing is at most this share of a face
+
+int halvings_for(double face) {
+  int halvings = 0;
+  for (double s = kBundleSpacing; s > kSpacingsAFace * face && halvings < kMaxHalvings; s *= 0.5) ++halvings;
+  return halvings;
+}
+
+double to_the_power(double x, int n) {
+  double product = 1;
+  for (; n > 0; --n) product *= x;
+  return product;
+}
+
+std::vector<BundleRay> gaussian_bundle(int halvings) {
+  constexpr double kHalfRoot3 = 0.86602540378443865;
+  double spacing = kBundleSpacing, profile = kOneSpacing;
+  for (int i = 0; i < halvings; ++i) {
+    spacing *= 0.5;
+    profile = std::sqrt(std::sqrt(profile));
+  }
+  const auto steps = static_cast<int>(kBundleReach / spacing / kHalfRoot3) + 2;
+  const auto farthest = static_cast<int>(kBundleReach * kBundleReach / (spacing * spacing));
+  std::vector<BundleRay> rays;
+  double sum = 0;
+  for (int i = -steps; i <= steps; ++i) {
+    for (int j = -steps; j <= steps; ++j) {
+      const int square = i * i + i * j + j * j + i + j;  // squared distance in spacings, minus a third
+      if (square > farthest) continue;
+      const Vec2 at(i + 0.5 * j + 0.5, kHalfRoot3 * (j + 1.0 / 3));
+      rays.push_back({spacing * at, to_the_power(profile, square)});
+      sum += rays.back().share;
+    }
+  }
+  for (BundleRay& ray : rays) ray.share /= sum;
+  return rays;
+}
+
 }  // namespace
 
 double emitted_energy(const Laser& laser, double from, double to) {
@@ -84,54 +128,6 @@ std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reac
   bisect(move, moves, out);
   return out;
 }
-
-namespace {
-
-constexpr double kFibreWavelength = 1.07e-6;  // m
-
-// exp(-2 kBundleSpacing^2). The squared distance of a point from the axis is an integer multiple of the
-// squared spacing plus a third of it, so its profile is a power of this, but for a common factor.
-constexpr double kOneSpacing = 0.83527021141127200;
-static_assert(kBundleSpacing == 0.3);
-constexpr double kSpacingsAFace = 0.6;  // the spacing is at most this share of a face
-
-int halvings_for(double face) {
-  int halvings = 0;
-  for (double s = kBundleSpacing; s > kSpacingsAFace * face && halvings < kMaxHalvings; s *= 0.5) ++halvings;
-  return halvings;
-}
-
-double to_the_power(double x, int n) {
-  double product = 1;
-  for (; n > 0; --n) product *= x;
-  return product;
-}
-
-std::vector<BundleRay> gaussian_bundle(int halvings) {
-  constexpr double kHalfRoot3 = 0.86602540378443865;
-  double spacing = kBundleSpacing, profile = kOneSpacing;
-  for (int i = 0; i < halvings; ++i) {
-    spacing *= 0.5;
-    profile = std::sqrt(std::sqrt(profile));
-  }
-  const auto steps = static_cast<int>(kBundleReach / spacing / kHalfRoot3) + 2;
-  const auto farthest = static_cast<int>(kBundleReach * kBundleReach / (spacing * spacing));
-  std::vector<BundleRay> rays;
-  double sum = 0;
-  for (int i = -steps; i <= steps; ++i) {
-    for (int j = -steps; j <= steps; ++j) {
-      const int square = i * i + i * j + j * j + i + j;  // squared distance in spacings, minus a third
-      if (square > farthest) continue;
-      const Vec2 at(i + 0.5 * j + 0.5, kHalfRoot3 * (j + 1.0 / 3));
-      rays.push_back({spacing * at, to_the_power(profile, square)});
-      sum += rays.back().share;
-    }
-  }
-  for (BundleRay& ray : rays) ray.share /= sum;
-  return rays;
-}
-
-}  // namespace
 
 double bundle_spacing(double face) {
   double spacing = kBundleSpacing;

@@ -2,7 +2,6 @@
 
 #include <cassert>
 
-#include "core/base/assert.h"
 #include "core/mesh/half_edges_internal.h"
 
 namespace kerf {

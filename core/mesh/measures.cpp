@@ -1,15 +1,12 @@
 #include "core/mesh/measures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "core/base/assert.h"
-#include "core/base/parallel.h"
 #include "core/mesh/face_batches.h"
 #include "core/mesh/half_edges_internal.h"
 #include "core/mesh/weld.h"
@@ -39,50 +36,6 @@ double distance2_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 apart = p - nearest_on_segment(p, a, b);
   return glm::dot(apart, apart);
 }
-
-}  // namespace
-
-Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length2 = glm::dot(along, along);
-  const double t = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  return a + t * along;
-}
-
-double squared_distance(const Vec3& p, const Triangle& t) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) nearest = std::min(nearest, distance2_to_segment(p, t[i], t[(i + 1) % 3]));
-  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-  const double length2 = glm::dot(normal, normal);
-  if (!(length2 > 0)) return nearest;
-  for (int i = 0; i < 3; ++i) {
-    if (glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return nearest;
-  }
-  const double height = glm::dot(p - t[0], normal);
-  return std::min(nearest, height * height / length2);
-}
-
-Vec3 nearest_point(const Vec3& p, const Triangle& t) {
-  Vec3 nearest = t[0];
-  double least = std::numeric_limits<double>::infinity();
-  const auto try_point = [&](const Vec3& q) {
-    const double distance2 = glm::dot(p - q, p - q);
-    if (distance2 >= least) return;
-    least = distance2;
-    nearest = q;
-  };
-  for (int i = 0; i < 3; ++i) try_point(nearest_on_segment(p, t[i], t[(i + 1) % 3]));
-  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-  const double length2 = glm::dot(normal, normal);
-  if (!(length2 > 0)) return nearest;
-  for (int i = 0; i < 3; ++i) {
-    if (glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return nearest;
-  }
-  try_point(p - (glm::dot(p - t[0], normal) / length2) * normal);
-  return nearest;
-}
-
-namespace {
 
 constexpr uint32_t kMaxInLeaf = 4;  // triangles
 
@@ -186,23 +139,6 @@ bool raise(std::span<const Triangle> from, TriangleBoxes& to, const Progress& pr
   return true;
 }
 
-}  // namespace
-
-Result<double> surface_distance(std::span<const Triangle> one, std::span<const Triangle> other,
-                                const Progress* progress) {
-  KERF_ASSERT(!one.empty() && !other.empty());
-  ProgressShares shares(progress);
-  double most = 0;
-  for (const bool back : {false, true}) {
-    const Progress half = shares.next(0.5);
-    TriangleBoxes boxes(back ? one : other);
-    if (!raise(back ? other : one, boxes, half, most)) return cancelled();
-  }
-  return std::sqrt(most);
-}
-
-namespace {
-
 using Corners = std::array<uint32_t, 3>;
 
 // Faces with distinct positions numbered. Omits faces with two corners at one position: their other two sides
@@ -291,6 +227,59 @@ void record_open(std::vector<LabelledSide>& sides, std::vector<bool>& closed) {
 }
 
 }  // namespace
+
+Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double length2 = glm::dot(along, along);
+  const double t = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
+  return a + t * along;
+}
+
+double squared_distance(const Vec3& p, const Triangle& t) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) nearest = std::min(nearest, distance2_to_segment(p, t[i], t[(i + 1) % 3]));
+  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length2 = glm::dot(normal, normal);
+  if (!(length2 > 0)) return nearest;
+  for (int i = 0; i < 3; ++i) {
+    if (glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return nearest;
+  }
+  const double height = glm::dot(p - t[0], normal);
+  return std::min(nearest, height * height / length2);
+}
+
+Vec3 nearest_point(const Vec3& p, const Triangle& t) {
+  Vec3 nearest = t[0];
+  double least = std::numeric_limits<double>::infinity();
+  const auto try_point = [&](const Vec3& q) {
+    const double distance2 = glm::dot(p - q, p - q);
+    if (distance2 >= least) return;
+    least = distance2;
+    nearest = q;
+  };
+  for (int i = 0; i < 3; ++i) try_point(nearest_on_segment(p, t[i], t[(i + 1) % 3]));
+  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length2 = glm::dot(normal, normal);
+  if (!(length2 > 0)) return nearest;
+  for (int i = 0; i < 3; ++i) {
+    if (glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return nearest;
+  }
+  try_point(p - (glm::dot(p - t[0], normal) / length2) * normal);
+  return nearest;
+}
+
+Result<double> surface_distance(std::span<const Triangle> one, std::span<const Triangle> other,
+                                const Progress* progress) {
+  KERF_ASSERT(!one.empty() && !other.empty());
+  ProgressShares shares(progress);
+  double most = 0;
+  for (const bool back : {false, true}) {
+    const Progress half = shares.next(0.5);
+    TriangleBoxes boxes(back ? one : other);
+    if (!raise(back ? other : one, boxes, half, most)) return cancelled();
+  }
+  return std::sqrt(most);
+}
 
 EnclosedVolume enclosed_volume(std::span<const Vec3> positions, std::span<const Corners> triangles,
                                const SoupEdges& edges, const Vec3& origin) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
 namespace kerf {
@@ -187,25 +186,6 @@ class EnclosureTest {
   int u_ = 0, v_ = 1, w_ = 2;        // axes; rays run along w
 };
 
-}  // namespace
-
-std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
-                                      const std::vector<std::array<uint32_t, 3>>& triangles,
-                                      const Patches& patches, std::span<const uint32_t> asked,
-                                      uint32_t rays) {
-  if (asked.empty()) return {};
-  return EnclosureTest(positions, triangles, patches, asked, rays).run();
-}
-
-std::vector<bool> find_enclosed(std::span<const Vec3> positions,
-                                const std::vector<std::array<uint32_t, 3>>& triangles, const Patches& patches,
-                                std::span<const uint32_t> asked) {
-  const std::vector<uint32_t> enclosing = count_enclosing(positions, triangles, patches, asked, 1);
-  return {enclosing.begin(), enclosing.end()};
-}
-
-namespace {
-
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 
 // Returns true if the two triangles on every edge of exactly two traverse it in opposite directions.
@@ -312,6 +292,21 @@ int sign_of_volume(std::span<const Vec3> positions, const Triangles& triangles,
 }
 
 }  // namespace
+
+std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
+                                      const std::vector<std::array<uint32_t, 3>>& triangles,
+                                      const Patches& patches, std::span<const uint32_t> asked,
+                                      uint32_t rays) {
+  if (asked.empty()) return {};
+  return EnclosureTest(positions, triangles, patches, asked, rays).run();
+}
+
+std::vector<bool> find_enclosed(std::span<const Vec3> positions,
+                                const std::vector<std::array<uint32_t, 3>>& triangles, const Patches& patches,
+                                std::span<const uint32_t> asked) {
+  const std::vector<uint32_t> enclosing = count_enclosing(positions, triangles, patches, asked, 1);
+  return {enclosing.begin(), enclosing.end()};
+}
 
 Result<std::vector<bool>> triangles_to_turn(const Triangles& triangles, const SoupEdges& edges,
                                             const Progress* progress) {

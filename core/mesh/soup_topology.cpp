@@ -4,7 +4,6 @@
 
 #include "core/base/assert.h"
 #include "core/base/containers.h"
-#include "core/base/parallel.h"
 
 namespace kerf {
 
@@ -119,27 +118,6 @@ class SideGrouping {
   SoupEdges edges_;
 };
 
-}  // namespace
-
-Result<SoupEdges> group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices,
-                              const Progress* progress) {
-  return SideGrouping(triangles, vertices).run(progress);
-}
-
-SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices) {
-  return std::move(*group_sides(triangles, vertices, nullptr));
-}
-
-std::vector<uint32_t> edges_of_sides(const SoupEdges& edges) {
-  std::vector<uint32_t> edge_of(edges.sides.size());
-  for (uint32_t e = 0; e < edges.count(); ++e) {
-    for (const uint32_t side : edges.sides_of(e)) edge_of[side] = e;
-  }
-  return edge_of;
-}
-
-namespace {
-
 class PatchFinder {
  public:
   PatchFinder(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
@@ -234,6 +212,23 @@ class PatchFinder {
 };
 
 }  // namespace
+
+Result<SoupEdges> group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices,
+                              const Progress* progress) {
+  return SideGrouping(triangles, vertices).run(progress);
+}
+
+SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices) {
+  return std::move(*group_sides(triangles, vertices, nullptr));
+}
+
+std::vector<uint32_t> edges_of_sides(const SoupEdges& edges) {
+  std::vector<uint32_t> edge_of(edges.sides.size());
+  for (uint32_t e = 0; e < edges.count(); ++e) {
+    for (const uint32_t side : edges.sides_of(e)) edge_of[side] = e;
+  }
+  return edge_of;
+}
 
 Result<Patches> find_patches(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
                              const Progress* progress) {

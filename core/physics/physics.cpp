@@ -5,18 +5,14 @@
 #include <sys/utsname.h>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/ids.h"
 #include "core/base/parallel.h"
-#include "core/base/tick.h"
-#include "core/physics/contact/contact.h"
-#include "core/physics/contact/narrow_phase.h"
-#include "core/physics/contact/rigid_body.h"
-#include "core/physics/contact_search.h"
+#include "core/edit/detach.h"
 #include "core/physics/motion_limits.h"
 #include "core/physics/sleep.h"
 #include "core/physics/solver.h"
@@ -28,18 +24,6 @@ namespace {
 
 // Revision of Kerf's own motion code. Increase it with every change that alters the bits of a motion.
 constexpr int kRevision = 3;
-
-}  // namespace
-
-std::string machine_kind() {
-  utsname machine{};
-  const std::string processor = uname(&machine) == 0 ? machine.machine : "unknown";
-  const int version = btGetVersion();
-  return processor + " glibc-" + gnu_get_libc_version() + " bullet-" + std::to_string(version / 100) + "." +
-         std::to_string(version % 100) + " motion-" + std::to_string(kRevision);
-}
-
-namespace {
 
 // Returns the inverse of the inertia in world axes.
 glm::dmat3 inverse_inertia(const RigidFrame& frame, const Placement& placement) {
@@ -76,20 +60,6 @@ void apply_spring(Body& body, const Spring& spring, double metre, double seconds
   body.motion.spin += spin;
   body.motion.velocity += impulse / frame.mass + glm::cross(spin, body.placement.position - centre);
 }
-
-}  // namespace
-
-void apply_spring(World& world, double seconds) {
-  KERF_ASSERT(seconds > 0);
-  const std::optional<Spring>& spring = world.spring();
-  if (!spring || !world.contains(spring->piece.body)) return;
-  Body& body = world.body(spring->piece.body);
-  if (body.pinned || body.hidden) return;
-  body.motion.wake();
-  apply_spring(body, *spring, world.environment().metre, seconds);
-}
-
-namespace {
 
 constexpr double kFullLengths = 0.4;   // diagonal from which on the lengths of contact are unscaled [m]
 constexpr double kRollingLoss = 0.35;  // relative to the square root of gravity over the size of a body
@@ -253,7 +223,55 @@ void do_all(std::span<const std::function<void()>> work) {
   });
 }
 
+// Returns the labels of a body that have faces, except the lowest of them.
+std::vector<uint32_t> pieces_off(const Body& body) {
+  std::vector<uint32_t> labels;
+  bool first = true;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) {
+    if (body.pieces[p].faces == 0) continue;
+    if (!first) labels.push_back(p);
+    first = false;
+  }
+  return labels;
+}
+
+// Changes the velocity of a body as an impulse at its centre of mass does.
+void push(Body& body, const Vec3& change) {
+  if (!body.pinned) body.motion.velocity += change;
+}
+
+void push_apart(Body& rest, Body& piece, double metre) {
+  const RigidFrame of_rest = rigid_frame(rest), of_piece = rigid_frame(piece);
+  KERF_ASSERT(metre > 0);
+  const double mass = of_rest.mass + of_piece.mass;
+  const Vec3 way = piece.placement.to_world(of_piece.centre) - rest.placement.to_world(of_rest.centre);
+  const double length = glm::length(way), size = glm::length(rest.loaded.max - rest.loaded.min);
+  // Pieces around the same centre have no direction of separation.
+  if (!(mass > 0) || !(length > 1e-3 * size)) return;
+  const Vec3 apart = kPushApart * std::min(metre, size) / length * way;
+  push(piece, of_rest.mass / mass * apart);
+  push(rest, -of_piece.mass / mass * apart);
+}
+
 }  // namespace
+
+std::string machine_kind() {
+  utsname machine{};
+  const std::string processor = uname(&machine) == 0 ? machine.machine : "unknown";
+  const int version = btGetVersion();
+  return processor + " glibc-" + gnu_get_libc_version() + " bullet-" + std::to_string(version / 100) + "." +
+         std::to_string(version % 100) + " motion-" + std::to_string(kRevision);
+}
+
+void apply_spring(World& world, double seconds) {
+  KERF_ASSERT(seconds > 0);
+  const std::optional<Spring>& spring = world.spring();
+  if (!spring || !world.contains(spring->piece.body)) return;
+  Body& body = world.body(spring->piece.body);
+  if (body.pinned || body.hidden) return;
+  body.motion.wake();
+  apply_spring(body, *spring, world.environment().metre, seconds);
+}
 
 Physics::Physics() : solver_(std::make_unique<SolverMemory>()) {}
 Physics::~Physics() = default;
@@ -398,6 +416,24 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const KinematicBody
     ++statistics_.awake;
   }
   return delta;
+}
+
+bool has_pieces_off(const Body& body) { return !body.hidden && !pieces_off(body).empty(); }
+
+void release_pieces(World& world, uint32_t generation, Delta& delta) {
+  for (const BodyId id : world.ids()) {
+    if (!has_pieces_off(world.body(id))) continue;
+    update_mass_properties(world.body(id));
+    for (const uint32_t label : pieces_off(world.body(id))) {
+      const BodyId own = detach(world, {id, label}, generation, delta);
+      Body &rest = world.body(id), &piece = world.body(own);
+      piece.pinned = false;
+      rest.motion.wake();
+      piece.motion.wake();
+      // A piece that turns on a joint was not cut off.
+      if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece, world.environment().metre);
+    }
+  }
 }
 
 }  // namespace kerf

@@ -5,7 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/containers.h"
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/world/rigid_body.h"
 
 namespace kerf {
@@ -35,12 +35,12 @@ bool touch(std::span<const MovingBody> bodies, const TouchingPair& pair, double 
   });
 }
 
-using Edges = std::vector<std::pair<uint32_t, uint32_t>>;
+using TouchingEdges = std::vector<std::pair<uint32_t, uint32_t>>;
 
 // Returns the pairs of bodies that can move and touch each other.
-Edges touching(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
-               const ContactMemory& memory, double seconds) {
-  Edges edges;
+TouchingEdges touching(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
+                       const ContactMemory& memory, double seconds) {
+  TouchingEdges edges;
   const auto add = [&](uint32_t a, uint32_t b) {
     if (!bodies[a].fixed && !bodies[b].fixed) edges.emplace_back(a, b);
   };
@@ -67,7 +67,7 @@ class AwakeGroups {
   void wake(uint32_t i) { awake_[groups_.find(i)] = true; }
   bool is_awake(uint32_t i) { return awake_[groups_.find(i)]; }
 
-  void wake_neighbours(const Edges& edges) {
+  void wake_neighbours(const TouchingEdges& edges) {
     std::vector<uint32_t> woken;
     for (const auto& [a, b] : edges) {
       if (is_awake(a) != is_awake(b)) woken.push_back(is_awake(a) ? b : a);
@@ -80,6 +80,24 @@ class AwakeGroups {
   std::vector<bool> awake_;  // by the representative of the group
 };
 
+// Returns the bodies whose contacts a change ends.
+std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
+  if (delta.replaced || delta.environment) return world.ids();
+  std::vector<BodyId> ids;
+  for (const BodyDelta& b : delta.bodies) {
+    if (!b.added.empty() || !b.dead.empty()) ids.push_back(b.body);
+  }
+  for (const auto* list : {&delta.created, &delta.destroyed, &delta.moved, &delta.mass_changed,
+                           &delta.visibility_changed, &delta.pinned})
+    ids.insert(ids.end(), list->begin(), list->end());
+  for (const Detached& d : delta.detached) ids.insert(ids.end(), {d.from, d.to});
+  return ids;
+}
+
+void wake(World& world, BodyId id) {
+  if (world.contains(id)) world.body(id).motion.wake();
+}
+
 }  // namespace
 
 bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
@@ -89,7 +107,7 @@ bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pa
   for (uint32_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].fixed && bodies[i].body->motion.quiet < kQuietTicks) groups.wake(i);
   }
-  const Edges edges = touching(bodies, pairs, memory, seconds);
+  const TouchingEdges edges = touching(bodies, pairs, memory, seconds);
   for (int step = 0; step < kWakeSteps; ++step) groups.wake_neighbours(edges);
   bool woke = false;
   for (uint32_t i = 0; i < bodies.size(); ++i) {
@@ -126,28 +144,6 @@ void count_quiet(std::span<MovingBody> bodies, std::span<const TouchingPair> pai
     motion.quiet = slow ? std::min(motion.quiet + 1, kQuietTicks) : 0;
   }
 }
-
-namespace {
-
-// Returns the bodies whose contacts a change ends.
-std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
-  if (delta.replaced || delta.environment) return world.ids();
-  std::vector<BodyId> ids;
-  for (const BodyDelta& b : delta.bodies) {
-    if (!b.added.empty() || !b.dead.empty()) ids.push_back(b.body);
-  }
-  for (const auto* list : {&delta.created, &delta.destroyed, &delta.moved, &delta.mass_changed,
-                           &delta.visibility_changed, &delta.pinned})
-    ids.insert(ids.end(), list->begin(), list->end());
-  for (const Detached& d : delta.detached) ids.insert(ids.end(), {d.from, d.to});
-  return ids;
-}
-
-void wake(World& world, BodyId id) {
-  if (world.contains(id)) world.body(id).motion.wake();
-}
-
-}  // namespace
 
 void forget_details(World& world) {
   const std::vector<NearPair> pairs = known_pairs(world);

@@ -44,6 +44,20 @@ bool is_separated(const Joint& joint, const MovingBody& a, const MovingBody& b) 
   return glm::length(apart) > kTornApart * std::min(a.scale, b.scale);
 }
 
+constexpr double kLinearDamping = 0.1, kAngularDamping = 0.5;  // 1/s
+
+btVector3 bullet(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+btTransform bullet(const Placement& p) {
+  const glm::dmat3 m = glm::mat3_cast(p.orientation);
+  const btMatrix3x3 turn(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
+  return btTransform(turn, bullet(p.position));
+}
+Placement from_bullet(const btTransform& t) {
+  const btQuaternion q = t.getRotation();
+  return {from_bullet(t.getOrigin()), glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()))};
+}
+
 }  // namespace
 
 std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
@@ -91,24 +105,6 @@ std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const Rig
   if (joint.limits) hinge->setLimit(joint.limits->low, joint.limits->high, kSoftness, kBias, kBounce);
   return hinge;
 }
-
-namespace {
-
-constexpr double kLinearDamping = 0.1, kAngularDamping = 0.5;  // 1/s
-
-btVector3 bullet(const Vec3& v) { return {v.x, v.y, v.z}; }
-Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-btTransform bullet(const Placement& p) {
-  const glm::dmat3 m = glm::mat3_cast(p.orientation);
-  const btMatrix3x3 turn(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
-  return btTransform(turn, bullet(p.position));
-}
-Placement from_bullet(const btTransform& t) {
-  const btQuaternion q = t.getRotation();
-  return {from_bullet(t.getOrigin()), glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()))};
-}
-
-}  // namespace
 
 struct SolverMemory::Storage {
   // Elements are aligned and never move. Manifolds beyond those of a tick are kept unused.

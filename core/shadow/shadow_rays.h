@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/float_frame.h"
-#include "core/shadow/light.h"
+#include "core/base/geometry.h"
+#include "core/shadow/shadow_volume.h"
 #include "core/world/world.h"
 
 namespace kerf {

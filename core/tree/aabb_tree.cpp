@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "core/base/assert.h"
 #include "core/base/random.h"
@@ -149,44 +148,6 @@ std::vector<bool> hit_nodes(const TreeStore& tree, const Mesh& mesh) {
   return hit;
 }
 
-}  // namespace
-
-size_t AabbTree::box_count() const {
-  return store_.node_count() + store_.block_count() + leaf_count_ - store_.single_count();
-}
-
-void AabbTree::for_each_box(const Mesh& mesh, const std::function<void(const Box&)>& visit) const {
-  if (store_.root == kNoIndex) return;
-  struct Visit {
-    Child child;
-    FloatBox box;
-    int depth;
-  };
-  const std::vector<bool> hit = hit_nodes(store_, mesh);
-  std::vector<Visit> stack{{Child::node(store_.root), store_.root_box(), 0}};
-  while (!stack.empty()) {
-    const Visit v = stack.back();
-    stack.pop_back();
-    if (v.child.is_block()) {
-      const FaceBlock& block = store_.blocks[v.child.index()];
-      const unsigned lanes = hit_lanes(mesh, block);
-      if (block.count > 1) visit(box_of(v.box, v.depth, false, lanes != 0));
-      for (uint32_t lane = 0; lane < block.count; ++lane)
-        visit(box_of(store_.face_box(block, lane), v.depth + (block.count > 1), true,
-                     (lanes >> lane & 1) != 0));
-      continue;
-    }
-    visit(box_of(v.box, v.depth, false, hit[v.child.index()]));
-    const WideNode& node = store_.nodes[v.child.index()];
-    for (uint32_t s = kNodeWidth; s-- > 0;) {
-      if (node.child[s].none()) continue;
-      stack.push_back({node.child[s], store_.slot_box(v.child.index(), s), v.depth + 1});
-    }
-  }
-}
-
-namespace {
-
 // A side of the bounds: the minimum (sides 0 to 2) or the maximum (3 to 5) coordinate along an axis.
 // Coordinates are negated for the minimum, so that every side seeks the largest value.
 struct ExtremeSide {
@@ -273,6 +234,40 @@ class ExtremeSearch {
 };
 
 }  // namespace
+
+size_t AabbTree::box_count() const {
+  return store_.node_count() + store_.block_count() + leaf_count_ - store_.single_count();
+}
+
+void AabbTree::for_each_box(const Mesh& mesh, const std::function<void(const Box&)>& visit) const {
+  if (store_.root == kNoIndex) return;
+  struct Visit {
+    Child child;
+    FloatBox box;
+    int depth;
+  };
+  const std::vector<bool> hit = hit_nodes(store_, mesh);
+  std::vector<Visit> stack{{Child::node(store_.root), store_.root_box(), 0}};
+  while (!stack.empty()) {
+    const Visit v = stack.back();
+    stack.pop_back();
+    if (v.child.is_block()) {
+      const FaceBlock& block = store_.blocks[v.child.index()];
+      const unsigned lanes = hit_lanes(mesh, block);
+      if (block.count > 1) visit(box_of(v.box, v.depth, false, lanes != 0));
+      for (uint32_t lane = 0; lane < block.count; ++lane)
+        visit(box_of(store_.face_box(block, lane), v.depth + (block.count > 1), true,
+                     (lanes >> lane & 1) != 0));
+      continue;
+    }
+    visit(box_of(v.box, v.depth, false, hit[v.child.index()]));
+    const WideNode& node = store_.nodes[v.child.index()];
+    for (uint32_t s = kNodeWidth; s-- > 0;) {
+      if (node.child[s].none()) continue;
+      stack.push_back({node.child[s], store_.slot_box(v.child.index(), s), v.depth + 1});
+    }
+  }
+}
 
 // A face reaches a side if its floats do: rounding may count too many, never too few.
 void AabbTree::loosen_bounds(FaceId f) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
 namespace kerf {
@@ -17,26 +16,6 @@ namespace {
 double need(size_t faces) {
   return faces < 2 ? 0 : static_cast<double>(faces) * std::log2(static_cast<double>(faces));
 }
-
-}  // namespace
-
-SortProgress::SortProgress(const Progress* progress, size_t faces)
-    : progress_(progress), owner_(std::this_thread::get_id()), all_(need(faces)) {}
-
-void SortProgress::record_split(size_t whole, size_t left, size_t right) {
-  note(need(whole) - need(left) - need(right));
-}
-void SortProgress::record_done(size_t faces) { note(need(faces)); }
-
-void SortProgress::note(double done) {
-  constexpr double kReports = 100;  // at most
-  const double sum = done_.fetch_add(done) + done;
-  if (!progress_ || stopped_ || std::this_thread::get_id() != owner_ || sum < next_) return;
-  if (!progress_->report(std::min(1.0, sum / all_))) stopped_ = true;
-  next_ = sum + all_ / kReports;
-}
-
-namespace {
 
 constexpr int kMaxBins = 16;
 
@@ -179,33 +158,6 @@ RangePair partition(const PrimitiveRange& range, IsLeft is_left) {
   parts.right.items = range.items.subspan(at);
   return parts;
 }
-
-}  // namespace
-
-RangePair split_in_half(const PrimitiveRange& range) {
-  KERF_ASSERT(range.items.size() >= 2);
-  const size_t middle = range.items.size() / 2;
-  RangePair parts;
-  parts.left.items = range.items.first(middle);
-  parts.right.items = range.items.subspan(middle);
-  for (const Primitive& p : parts.left.items) parts.left.add(p);
-  for (const Primitive& p : parts.right.items) parts.right.add(p);
-  return parts;
-}
-
-RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
-  KERF_ASSERT(range.items.size() >= 2 && block > 0);
-  const Binning binning(range);
-  const Plane plane = BinSweep(range, binning, block).best();
-  if (plane.axis < 0) return split_in_half(range);
-  const __m128i bin = _mm_set1_epi32(plane.bin);
-  return partition(range, [&](const Primitive& p) {
-    const __m128i below = _mm_cmplt_epi32(binning.bins_of(p), bin);
-    return (_mm_movemask_ps(_mm_castsi128_ps(below)) >> plane.axis & 1) != 0;
-  });
-}
-
-namespace {
 
 constexpr size_t kFacesABlock = 3;
 
@@ -482,6 +434,45 @@ class TreeBuilder {
 };
 
 }  // namespace
+
+SortProgress::SortProgress(const Progress* progress, size_t faces)
+    : progress_(progress), owner_(std::this_thread::get_id()), all_(need(faces)) {}
+
+void SortProgress::record_split(size_t whole, size_t left, size_t right) {
+  note(need(whole) - need(left) - need(right));
+}
+void SortProgress::record_done(size_t faces) { note(need(faces)); }
+
+void SortProgress::note(double done) {
+  constexpr double kReports = 100;  // at most
+  const double sum = done_.fetch_add(done) + done;
+  if (!progress_ || stopped_ || std::this_thread::get_id() != owner_ || sum < next_) return;
+  if (!progress_->report(std::min(1.0, sum / all_))) stopped_ = true;
+  next_ = sum + all_ / kReports;
+}
+
+RangePair split_in_half(const PrimitiveRange& range) {
+  KERF_ASSERT(range.items.size() >= 2);
+  const size_t middle = range.items.size() / 2;
+  RangePair parts;
+  parts.left.items = range.items.first(middle);
+  parts.right.items = range.items.subspan(middle);
+  for (const Primitive& p : parts.left.items) parts.left.add(p);
+  for (const Primitive& p : parts.right.items) parts.right.add(p);
+  return parts;
+}
+
+RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
+  KERF_ASSERT(range.items.size() >= 2 && block > 0);
+  const Binning binning(range);
+  const Plane plane = BinSweep(range, binning, block).best();
+  if (plane.axis < 0) return split_in_half(range);
+  const __m128i bin = _mm_set1_epi32(plane.bin);
+  return partition(range, [&](const Primitive& p) {
+    const __m128i below = _mm_cmplt_epi32(binning.bins_of(p), bin);
+    return (_mm_movemask_ps(_mm_castsi128_ps(below)) >> plane.axis & 1) != 0;
+  });
+}
 
 bool build_tree(TreeStore& store, const Mesh& mesh, const TreeFrame& frame, const Progress* progress,
                 TreeShape shape) {

@@ -247,6 +247,29 @@ void settle(TreeStore& tree, uint32_t n) {
   remove_root(tree);
 }
 
+float area_of(const FloatBox& box) { return 0.5f * area_of_both(box, box); }
+
+// Returns the block found from the root by following the slot whose box grows least with the added box.
+uint32_t block_that_grows_least(const TreeStore& tree, const FloatBox& added) {
+  for (uint32_t n = tree.root;;) {
+    const WideNode& node = tree.nodes[n];
+    Child best;
+    std::pair<float, float> least;  // how much the box grows, and how large it is then
+    for (uint32_t s = 0; s < kNodeWidth; ++s) {
+      if (node.child[s].none()) continue;
+      const FloatBox own = tree.slot_box(n, s);
+      const float grown = area_of(around(own, added));
+      const std::pair cost(grown - area_of(own), grown);
+      if (best.none() || cost < least) {
+        best = node.child[s];
+        least = cost;
+      }
+    }
+    if (best.is_block()) return best.index();
+    n = best.index();
+  }
+}
+
 }  // namespace
 
 // Prefetches the parent of `home` while the new faces are computed, and grows the box of `home` once.
@@ -305,33 +328,6 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacemen
     replace_faces(tree, mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
   }
 }
-
-namespace {
-
-float area_of(const FloatBox& box) { return 0.5f * area_of_both(box, box); }
-
-// Returns the block found from the root by following the slot whose box grows least with the added box.
-uint32_t block_that_grows_least(const TreeStore& tree, const FloatBox& added) {
-  for (uint32_t n = tree.root;;) {
-    const WideNode& node = tree.nodes[n];
-    Child best;
-    std::pair<float, float> least;  // how much the box grows, and how large it is then
-    for (uint32_t s = 0; s < kNodeWidth; ++s) {
-      if (node.child[s].none()) continue;
-      const FloatBox own = tree.slot_box(n, s);
-      const float grown = area_of(around(own, added));
-      const std::pair cost(grown - area_of(own), grown);
-      if (best.none() || cost < least) {
-        best = node.child[s];
-        least = cost;
-      }
-    }
-    if (best.is_block()) return best.index();
-    n = best.index();
-  }
-}
-
-}  // namespace
 
 void add_face(TreeStore& tree, const Mesh& mesh, FaceId f) {
   assert(tree.place(f) == kNoIndex && tree.root != kNoIndex);

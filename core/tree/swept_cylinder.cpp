@@ -1,11 +1,9 @@
 #include "core/tree/swept_cylinder.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "core/base/geometry.h"
 
 namespace kerf {
 

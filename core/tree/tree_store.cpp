@@ -19,20 +19,6 @@ double power_of_two_over(double x) {
   return std::ldexp(1.0, std::min(1 - exponent, 1000));
 }
 
-}  // namespace
-
-TreeFrame TreeFrame::around(const Bounds& bounds) {
-  TreeFrame frame;
-  if (bounds.is_none()) return frame;
-  frame.origin = bounds.centre();
-  const Vec3 half = bounds.max - frame.origin;
-  const double extent = std::max({half.x, half.y, half.z});
-  if (extent > 0) frame.scale = power_of_two_over(extent);
-  return frame;
-}
-
-namespace {
-
 // Takes a record from the free list, or a new one.
 template <typename T>
 uint32_t take(Records<T>& pool, uint32_t& free, uint32_t& free_count) {
@@ -47,6 +33,16 @@ uint32_t take(Records<T>& pool, uint32_t& free, uint32_t& free_count) {
 }
 
 }  // namespace
+
+TreeFrame TreeFrame::around(const Bounds& bounds) {
+  TreeFrame frame;
+  if (bounds.is_none()) return frame;
+  frame.origin = bounds.centre();
+  const Vec3 half = bounds.max - frame.origin;
+  const double extent = std::max({half.x, half.y, half.z});
+  if (extent > 0) frame.scale = power_of_two_over(extent);
+  return frame;
+}
 
 void make_empty(WideNode& node) {
   node.parent = kNoIndex;

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <optional>
 
 #include "core/base/assert.h"
 #include "core/base/containers.h"
 #include "core/base/tolerances.h"
 #include "core/walls/chart_region_internal.h"
-#include "core/walls/solid_rims_internal.h"
 #include "core/walls/wall_chart_internal.h"
 #include "core/walls/wall_mesh_internal.h"
 #include "core/walls/wall_side_internal.h"

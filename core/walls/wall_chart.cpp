@@ -1,15 +1,13 @@
-#include "core/walls/wall_chart_internal.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
 #include <map>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/base/tolerances.h"
+#include "core/walls/wall_chart_internal.h"
 
 namespace kerf {
 
@@ -41,6 +39,48 @@ Vec3 nearest_to_lines(std::span<const BeamMove> moves) {
     right += across * (pose.origin - near);
   });
   return near + glm::inverse(sum) * right;
+}
+
+// For beams through an apex: the number of depths, and the length below which curves are ignored, in radii,
+// since small gaps between strokes appear and disappear with the depth.
+constexpr size_t kSlices = 17;
+constexpr double kMinCurve = 1;
+
+// Returns the nearest point of a piece, as a share of its length.
+double nearest_share(const OutlinePiece& piece, Vec2 p) {
+  if (piece.radius > 0) {
+    const Vec2 from = p - piece.centre;
+    double turned = wrapped(det::atan2(from.y, from.x) - piece.angle);
+    if (turned < 0) turned += 2 * kPi;
+    if (turned <= piece.turn) return turned / piece.turn;
+    return turned - piece.turn < 2 * kPi - turned ? 1 : 0;
+  }
+  const Vec2 way = piece.to - piece.from;
+  const double length2 = glm::dot(way, way);
+  return length2 > 0 ? std::clamp(glm::dot(p - piece.from, way) / length2, 0.0, 1.0) : 0;
+}
+
+double modulo(double x, double period) {
+  const double rest = x - std::floor(x / period) * period;
+  return rest < period ? rest : 0;
+}
+
+std::optional<double> end_at(const BeamPencil& pencil, std::span<const BeamMove> moves, double along,
+                             double radius) {
+  const auto depth_of = [&](const Pose& p) { return pencil.see(p.origin).depth + along; };
+  const double depth = depth_of(moves.front().from);
+  for (const BeamMove& m : moves) {
+    for (const Pose* p : {&m.from, &m.to}) {
+      if (std::abs(depth_of(*p) - depth) > kRimOn * radius) return std::nullopt;
+    }
+  }
+  return depth;
+}
+
+double from_corner(const NearBoundary& n) { return std::max(n.from_side, n.from_end); }
+
+bool is_on_end_alone(const NearBoundary& n) {
+  return n.end != BoundaryPart::kSide && n.from_end < n.from_side;
 }
 
 }  // namespace
@@ -97,34 +137,6 @@ DiscMove BeamPencil::at_depth(const BeamMove& move, double depth) const {
   };
   return {centre(move.from), centre(move.to)};
 }
-
-namespace {
-
-// For beams through an apex: the number of depths, and the length below which curves are ignored, in radii,
-// since small gaps between strokes appear and disappear with the depth.
-constexpr size_t kSlices = 17;
-constexpr double kMinCurve = 1;
-
-// Returns the nearest point of a piece, as a share of its length.
-double nearest_share(const OutlinePiece& piece, Vec2 p) {
-  if (piece.radius > 0) {
-    const Vec2 from = p - piece.centre;
-    double turned = wrapped(det::atan2(from.y, from.x) - piece.angle);
-    if (turned < 0) turned += 2 * kPi;
-    if (turned <= piece.turn) return turned / piece.turn;
-    return turned - piece.turn < 2 * kPi - turned ? 1 : 0;
-  }
-  const Vec2 way = piece.to - piece.from;
-  const double length2 = glm::dot(way, way);
-  return length2 > 0 ? std::clamp(glm::dot(p - piece.from, way) / length2, 0.0, 1.0) : 0;
-}
-
-double modulo(double x, double period) {
-  const double rest = x - std::floor(x / period) * period;
-  return rest < period ? rest : 0;
-}
-
-}  // namespace
 
 void WallChart::Curve::set_outline(OutlineCurve curve) {
   outline = std::move(curve);
@@ -328,28 +340,6 @@ std::vector<double> WallChart::corners(uint32_t curve, double turn) const {
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
-
-namespace {
-
-std::optional<double> end_at(const BeamPencil& pencil, std::span<const BeamMove> moves, double along,
-                             double radius) {
-  const auto depth_of = [&](const Pose& p) { return pencil.see(p.origin).depth + along; };
-  const double depth = depth_of(moves.front().from);
-  for (const BeamMove& m : moves) {
-    for (const Pose* p : {&m.from, &m.to}) {
-      if (std::abs(depth_of(*p) - depth) > kRimOn * radius) return std::nullopt;
-    }
-  }
-  return depth;
-}
-
-double from_corner(const NearBoundary& n) { return std::max(n.from_side, n.from_end); }
-
-bool is_on_end_alone(const NearBoundary& n) {
-  return n.end != BoundaryPart::kSide && n.from_end < n.from_side;
-}
-
-}  // namespace
 
 RangeEnds range_ends(const BeamPencil& pencil, std::span<const BeamMove> moves, Interval range,
                      double radius) {

@@ -1,46 +1,239 @@
-#include "core/walls/wall_side_internal.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
+#include <sstream>
 
 #include "core/base/assert.h"
+#include "core/base/containers.h"
 #include "core/mesh/mesh.h"
+#include "core/walls/wall_side_internal.h"
 
 namespace kerf {
 
-SideChart::SideChart(const WallChart& chart, uint32_t curve, Interval depths)
-    : chart_(&chart), curve_(curve) {
-  KERF_ASSERT(curve < chart.curves() && depths.low <= depths.high);
-  const auto [low, high] = std::minmax({height(depths.low), height(depths.high)});
-  lowest_ = low;
-  if (high > low) scale_ = static_cast<double>(kSize - 2) / (high - low);
-}
-
-ChartVertex SideChart::place(double around, double depth) const {
-  const double share = around / chart_->period(curve_);
-  return {std::min(static_cast<int64_t>(share * static_cast<double>(kSize)), kSize - 1),
-          static_cast<int64_t>((height(depth) - lowest_) * scale_ + 0.5)};
-}
-
-Vec3 SideChart::point(const ChartVertex& v) const {
-  const double around = static_cast<double>(v.x) / static_cast<double>(kSize) * chart_->period(curve_);
-  return chart_->point_at({curve_, around, depth(lowest_ + static_cast<double>(v.y) / scale_)});
-}
-
-int64_t SideChart::x_between(const ChartVertex& from, const ChartVertex& to) {
-  const int64_t way = to.x - from.x;
-  if (way > kSize / 2) return way - kSize;
-  return way < -kSize / 2 ? way + kSize : way;
-}
-
-ChartVertex SideChart::middle(const ChartVertex& from, const ChartVertex& to) {
-  const int64_t x = (from.x + to.x) / 2;
-  return {(x % kSize + kSize) % kSize, (from.y + to.y) / 2};
-}
-
 namespace {
+
+// Max distance of a vertex of the rim from the outline, in radii: the permitted errors of the rim. For
+// beams through an apex this increases by the excess of an inclined beam's ellipse over a circle, and by
+// its growth up to the next depth with an outline; at least kMinOfFan in all.
+constexpr double kReach = 0.03, kReachOfFan = 0.1, kMinOfFan = 0.3;
+
+Interval depths_of(const BeamPencil& pencil, const Mesh& mesh, std::span<const VertexId> vertices) {
+  Interval depths{pencil.see(mesh.position(vertices[0])).depth, pencil.see(mesh.position(vertices[0])).depth};
+  for (const VertexId v : vertices.subspan(1)) {
+    const double depth = pencil.see(mesh.position(v)).depth;
+    depths = {std::min(depths.low, depth), std::max(depths.high, depth)};
+  }
+  return depths;
+}
+
+constexpr uint32_t kNowhere = 0xffffffffu;
+// Edges this near to each other in the chart coincide, except for its rounding.
+constexpr double kOneUnit = 1;
+
+// A side of a wall along the rim, in the chart of a curve of the outline or of an end (a further curve).
+struct ChartSide {
+  uint32_t from = 0, to = 0;  // vertices
+  uint32_t part = 0;
+  uint32_t curve = kNowhere;
+  double x = 0, y = 0;    // of `from`
+  double dx = 0, dy = 0;  // to `to`
+};
+
+class RimGrouping {
+ public:
+  RimGrouping(const Mesh& mesh, std::span<const RimSide> sides, std::span<const uint32_t> part_of_face,
+              const WallStroke& stroke, const SweptSides& swept)
+      : mesh_(mesh),
+        rim_(sides),
+        part_of_face_(part_of_face),
+        stroke_(stroke),
+        swept_(swept),
+        vertices_(vertices_of(sides)) {}
+
+  Task<Done> run() {
+    co_await place_sides();
+    uint32_t parts = 0;
+    for (const ChartSide& s : sides_) parts = std::max(parts, s.part + 1);
+    together_.emplace(parts);
+    co_await walk_loops();
+    co_await yield_after(rim_.size());
+    co_return Done{};
+  }
+
+  // Precondition: the grouping was run.
+  std::vector<std::vector<RimSide>> take_groups() {
+    std::vector<std::vector<RimSide>> groups;
+    std::map<uint32_t, size_t> number;
+    for (size_t i = 0; i < rim_.size(); ++i) {
+      const auto [at, is_new] = number.try_emplace(together_->find(sides_[i].part), groups.size());
+      if (is_new) groups.emplace_back();
+      groups[at->second].push_back(rim_[i]);
+    }
+    return groups;
+  }
+
+ private:
+  uint32_t low_end() const { return static_cast<uint32_t>(swept_.chart.curves()); }
+
+  Task<Done> place_sides() {
+    std::vector<NearBoundary> near;
+    for (const VertexId v : vertices_) {
+      const Vec3 p = mesh_.position(v);
+      near.push_back(near_boundary(swept_.chart, swept_.ends, p, swept_.pencil.see(p).depth, swept_.reach));
+      co_await yield_after(2);
+    }
+    const auto index = [&](VertexId v) {
+      return static_cast<uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), v) -
+                                   vertices_.begin());
+    };
+    for (const RimSide& s : rim_) {
+      ChartSide side;
+      side.from = index(s.to);
+      side.to = index(s.from);
+      side.part = part_of_face_[s.face.index];
+      KERF_ASSERT(side.part != kNoPart);
+      place(side, near[side.from], near[side.to]);
+      sides_.push_back(side);
+      co_await yield_after(1);
+    }
+    co_return Done{};
+  }
+
+  void place(ChartSide& side, const NearBoundary& from, const NearBoundary& to) const {
+    const auto part = part_along(from, to);
+    if (!part) return;
+    if (*part == BoundaryPart::kSide) {
+      if (!from.place || !to.place || from.place->curve != to.place->curve) return;
+      side.curve = from.place->curve;
+      const SideChart chart(swept_.chart, side.curve, swept_.depths);
+      const ChartVertex a = chart.place(from.place->around, from.place->depth),
+                        b = chart.place(to.place->around, to.place->depth);
+      side.x = static_cast<double>(a.x);
+      side.y = static_cast<double>(a.y);
+      side.dx = static_cast<double>(SideChart::x_between(a, b));
+      side.dy = static_cast<double>(b.y - a.y);
+      return;
+    }
+    const bool is_high = *part == BoundaryPart::kHighEnd;
+    side.curve = low_end() + is_high;
+    Vec2 a = swept_.pencil.see(mesh_.position(vertices_[side.from])).place,
+         b = swept_.pencil.see(mesh_.position(vertices_[side.to])).place;
+    if (is_high) {
+      a.y = -a.y;
+      b.y = -b.y;
+    }
+    side.x = a.x;
+    side.y = a.y;
+    side.dx = b.x - a.x;
+    side.dy = b.y - a.y;
+  }
+
+  Task<Done> walk_loops() {
+    std::vector<std::vector<uint32_t>> starting(vertices_.size());
+    for (uint32_t i = 0; i < sides_.size(); ++i) starting[sides_[i].from].push_back(i);
+    std::vector<bool> walked(sides_.size());
+    std::vector<uint32_t> loop;
+    for (uint32_t first = 0; first < sides_.size(); ++first) {
+      if (walked[first]) continue;
+      loop.clear();
+      for (uint32_t at = first;;) {
+        walked[at] = true;
+        loop.push_back(at);
+        const auto& next = starting[sides_[at].to];
+        const auto free = std::find_if(next.begin(), next.end(), [&](uint32_t s) { return !walked[s]; });
+        if (sides_[at].to == sides_[first].from || free == next.end()) break;
+        at = *free;
+      }
+      co_await yield_after(loop.size());
+      if (!is_clockwise(loop)) continue;
+      join_to_solid(loop);
+      co_await yield_after(sides_[first].curve < low_end() ? sides_.size() / 4 : 64);
+    }
+    co_return Done{};
+  }
+
+  // Returns true if a loop lies in one chart and bounds the region outside it.
+  bool is_clockwise(std::span<const uint32_t> loop) const {
+    const uint32_t curve = sides_[loop[0]].curve;
+    if (curve == kNowhere || sides_[loop.back()].to != sides_[loop[0]].from) return false;
+    double x = 0, y = 0, area = 0;
+    for (const uint32_t i : loop) {
+      const ChartSide& s = sides_[i];
+      if (s.curve != curve) return false;
+      area += x * s.dy - y * s.dx;
+      x += s.dx;
+      y += s.dy;
+    }
+    return area < 0 && std::abs(x) < static_cast<double>(SideChart::kSize) / 2;
+  }
+
+  void join_to_solid(std::span<const uint32_t> loop) {
+    const uint32_t own = sides_[loop[0]].part;
+    if (sides_[loop[0]].curve >= low_end()) return join_to_solid_around(loop[0]);
+    std::vector<uint32_t> sorted(loop.begin(), loop.end());
+    std::sort(sorted.begin(), sorted.end());
+    for (const double up : {-1.0, 1.0}) {
+      const auto nearest = nearest_side(sorted, up);
+      if (!nearest) continue;
+      together_->unite(own, sides_[*nearest].part);
+      return;
+    }
+  }
+
+  // Returns the nearest side of another loop below the lowest vertex of a loop (up = -1) or above the
+  // highest one, if its wall is on the side of the loop.
+  std::optional<uint32_t> nearest_side(std::span<const uint32_t> loop, double up) const {
+    const ChartSide& start = sides_[*std::max_element(loop.begin(), loop.end(), [&](uint32_t a, uint32_t b) {
+      return up * sides_[a].y < up * sides_[b].y;
+    })];
+    const double width = static_cast<double>(SideChart::kSize);
+    std::optional<uint32_t> nearest;
+    double least = 0;
+    for (uint32_t i = 0; i < sides_.size(); ++i) {
+      const ChartSide& s = sides_[i];
+      if (s.curve != start.curve || s.dx == 0 || std::binary_search(loop.begin(), loop.end(), i)) continue;
+      double along = (start.x - s.x) * (s.dx > 0 ? 1 : -1);
+      along -= width * std::floor(along / width);
+      if (along >= std::abs(s.dx)) continue;
+      const double away = up * (s.y + s.dy * along / std::abs(s.dx) - start.y);
+      if (away < -kOneUnit) continue;
+      const bool is_as_near = nearest && std::abs(away - least) <= kOneUnit;
+      const bool faces_loop = s.dx * up < 0;
+      if (nearest && !(is_as_near ? faces_loop : away < least)) continue;
+      nearest = i;
+      least = away;
+    }
+    if (nearest && sides_[*nearest].dx * up < 0) return nearest;
+    return std::nullopt;
+  }
+
+  // Joins a loop in the plane of an end to the parts that wind around its vertices, seen away from the beam.
+  void join_to_solid_around(uint32_t side) {
+    const ChartSide& s = sides_[side];
+    const double sign = s.curve > low_end() ? 1 : -1;
+    std::map<uint32_t, int> winding;
+    for (const auto& [face, sense] :
+         stroke_.crossings(mesh_.position(vertices_[s.from]), sign * swept_.pencil.axis())) {
+      if (face.index < part_of_face_.size()) winding[part_of_face_[face.index]] += sense;
+    }
+    for (const ChartSide& other : sides_) {
+      if (other.part == s.part) continue;
+      const auto at = winding.find(other.part);
+      if (at != winding.end() && at->second > 0) together_->unite(s.part, other.part);
+    }
+  }
+
+  const Mesh& mesh_;
+  std::span<const RimSide> rim_;
+  std::span<const uint32_t> part_of_face_;
+  const WallStroke& stroke_;
+  const SweptSides& swept_;
+  std::vector<VertexId> vertices_;
+  std::vector<ChartSide> sides_;  // in the order of rim_
+  std::optional<UnionFind> together_;
+};
 
 constexpr int kMaxCuts = 256;
 
@@ -83,7 +276,82 @@ void cut(std::vector<ChartEdge>& edges, const Passage& p) {
     edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(removed[i]));
 }
 
+// Angle of a chord between corners of a wall's end, from the arc's centre: it deviates by kRimChord.
+constexpr double kTurnOfEnd = 0.0979;
+
 }  // namespace
+
+Error left_open(const char* why, const Vec3& p) {
+  std::ostringstream text;
+  text.precision(3);
+  text << why << " near (" << p.x << ", " << p.y << ", " << p.z << ") m";
+  return failed(text.str());
+}
+
+std::vector<VertexId> vertices_of(std::span<const RimSide> sides) {
+  std::vector<VertexId> vertices;
+  for (const RimSide& s : sides) {
+    vertices.push_back(s.from);
+    vertices.push_back(s.to);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+Task<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId> vertices,
+                                     const WallStroke& stroke) {
+  KERF_ASSERT(!vertices.empty());
+  const Vec3 first = mesh.position(vertices[0]);
+  const auto pencil = BeamPencil::of(stroke.moves, stroke.radius);
+  if (!pencil) co_return left_open("the beam did not rotate about a single point, or too far", first);
+  const Interval depths = depths_of(*pencil, mesh, vertices);
+  auto chart = co_await WallChart::make(*pencil, stroke.moves, stroke.radius, depths);
+  if (!chart) co_return left_open("the sides of the beam at different depths do not correspond", first);
+  const double longer = pencil->longest_ellipse(stroke.moves) - 1;
+  const double reach =
+      stroke.radius * (pencil->parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kMinOfFan));
+  co_return SweptSides{*pencil, range_ends(*pencil, stroke.moves, stroke.range, stroke.radius), depths,
+                       std::move(*chart), reach};
+}
+
+Task<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<const RimSide> sides,
+                                                   std::span<const uint32_t> part_of_face,
+                                                   const WallStroke& stroke, const SweptSides& swept) {
+  RimGrouping grouping(mesh, sides, part_of_face, stroke, swept);
+  co_await grouping.run();
+  co_return grouping.take_groups();
+}
+
+SideChart::SideChart(const WallChart& chart, uint32_t curve, Interval depths)
+    : chart_(&chart), curve_(curve) {
+  KERF_ASSERT(curve < chart.curves() && depths.low <= depths.high);
+  const auto [low, high] = std::minmax({height(depths.low), height(depths.high)});
+  lowest_ = low;
+  if (high > low) scale_ = static_cast<double>(kSize - 2) / (high - low);
+}
+
+ChartVertex SideChart::place(double around, double depth) const {
+  const double share = around / chart_->period(curve_);
+  return {std::min(static_cast<int64_t>(share * static_cast<double>(kSize)), kSize - 1),
+          static_cast<int64_t>((height(depth) - lowest_) * scale_ + 0.5)};
+}
+
+Vec3 SideChart::point(const ChartVertex& v) const {
+  const double around = static_cast<double>(v.x) / static_cast<double>(kSize) * chart_->period(curve_);
+  return chart_->point_at({curve_, around, depth(lowest_ + static_cast<double>(v.y) / scale_)});
+}
+
+int64_t SideChart::x_between(const ChartVertex& from, const ChartVertex& to) {
+  const int64_t way = to.x - from.x;
+  if (way > kSize / 2) return way - kSize;
+  return way < -kSize / 2 ? way + kSize : way;
+}
+
+ChartVertex SideChart::middle(const ChartVertex& from, const ChartVertex& to) {
+  const int64_t x = (from.x + to.x) / 2;
+  return {(x % kSize + kSize) % kSize, (from.y + to.y) / 2};
+}
 
 Task<std::optional<ChartRegion::Winding>> untangle(RimInChart& rim, double highest,
                                                    const std::function<bool(uint32_t, uint32_t)>& are_joined,
@@ -113,13 +381,6 @@ Task<std::optional<ChartRegion::Winding>> untangle(RimInChart& rim, double highe
   }
   co_return std::nullopt;
 }
-
-namespace {
-
-// Angle of a chord between corners of a wall's end, from the arc's centre: it deviates by kRimChord.
-constexpr double kTurnOfEnd = 0.0979;
-
-}  // namespace
 
 uint32_t WallSide::add_vertex(const WallChart::Place& place) {
   KERF_ASSERT(place.curve == curve_);

@@ -121,26 +121,6 @@ bool are_same(const EnclosedPiece& a, const EnclosedPiece& b) {
          a.solid.centre == b.solid.centre && a.solid.inertia == b.solid.inertia;
 }
 
-}  // namespace
-
-void update_solid_mass(Body& body) {
-  const LabelledSums sums(body);
-  body.enclosed.grow_to(body.pieces.size());
-  for (uint32_t label = 0; label < body.pieces.size(); ++label) {
-    const EnclosedPiece piece = sums.piece(label, body.pieces[label]);
-    if (!are_same(piece, body.enclosed[label])) body.enclosed.edit(label) = piece;
-  }
-}
-
-const EnclosedPiece* enclosed_piece(const Body& body, uint32_t label) {
-  if (!body.solid || label >= body.enclosed.size()) return nullptr;
-  const EnclosedPiece& known = body.enclosed[label];
-  const Piece& piece = body.pieces[label];
-  return known.faces > 0 && known.faces == piece.faces && known.area == piece.area ? &known : nullptr;
-}
-
-namespace {
-
 // Lengths in units of 2^exponent m, in which a loaded body extends from -1 to 1 around its middle, so that
 // its areas and moments are in the range of FixedSum.
 struct Unit {
@@ -188,6 +168,22 @@ struct FixedSums {
 };
 
 }  // namespace
+
+void update_solid_mass(Body& body) {
+  const LabelledSums sums(body);
+  body.enclosed.grow_to(body.pieces.size());
+  for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+    const EnclosedPiece piece = sums.piece(label, body.pieces[label]);
+    if (!are_same(piece, body.enclosed[label])) body.enclosed.edit(label) = piece;
+  }
+}
+
+const EnclosedPiece* enclosed_piece(const Body& body, uint32_t label) {
+  if (!body.solid || label >= body.enclosed.size()) return nullptr;
+  const EnclosedPiece& known = body.enclosed[label];
+  const Piece& piece = body.pieces[label];
+  return known.faces > 0 && known.faces == piece.faces && known.area == piece.area ? &known : nullptr;
+}
 
 void update_mass_properties(Body& body) {
   const Unit unit(body);

@@ -1,9 +1,6 @@
 #include "core/world/connectivity.h"
 
-#include <algorithm>
-
 #include "core/base/assert.h"
-#include "core/base/containers.h"
 
 namespace kerf {
 

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <utility>
-#include <vector>
 
-#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/heat/conduction_solver.h"
@@ -28,6 +25,61 @@ AreaMoments moments_of(const Mesh& mesh, const Vec3& origin) {
   AreaMoments whole;
   for (const AreaMoments& sum : sums) whole += sum;
   return whole;
+}
+
+struct GrowingBounds {
+  World::Bounds all;
+  bool any = false;
+
+  void add(const Placement& placement, const Vec3& min, const Vec3& max) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = placement.to_world(
+          {corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z});
+      all.min = any ? glm::min(all.min, p) : p;
+      all.max = any ? glm::max(all.max, p) : p;
+      any = true;
+    }
+  }
+};
+
+constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u, kMotionSeed = 0x3c81'6f2e'b9d4'0a57u,
+                   kHeatSeed = 0x51f3'8ad9'2e67'c40bu, kSolidSeed = 0xb27d'40c9'581e'f36au;
+
+uint64_t hash_of(uint64_t seed, const Vec3& p) {
+  for (int k = 0; k < 3; ++k) seed = hash_combine(seed, number_bits(p[k]));
+  return seed;
+}
+
+uint64_t face_hash(const Body& body, uint64_t seed, FaceId f, const Triangle& t) {
+  int least = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (lexicographic_less(t[i], t[least])) least = i;
+  }
+  uint64_t h = hash_combine(seed, body.mesh.data(f).halvings);
+  for (int i = 0; i < 3; ++i) h = hash_of(h, t[(least + i) % 3]);
+  const double energy = body.heat.energy_of(body.mesh, f);
+  return energy == 0 ? h : hash_combine(hash_combine(h, kHeatSeed), number_bits(energy));
+}
+
+uint64_t sum_of_face_hashes(const Body& body, uint64_t seed) {
+  constexpr size_t kSlots = 1 << 14;  // a range
+  std::vector<uint64_t> sums(range_count(body.mesh.face_slots(), kSlots));
+  for_each_range(body.mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
+    uint64_t sum = 0;
+    for_each_triangle(body.mesh, first, end,
+                      [&](FaceId f, const Triangle& t) { sum += face_hash(body, seed, f, t); });
+    sums[first / kSlots] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), uint64_t{0});
+}
+
+uint64_t motion_hash(uint64_t seed, const Motion& motion) {
+  const uint64_t h = hash_of(hash_of(hash_combine(seed, kMotionSeed), motion.velocity), motion.spin);
+  return hash_combine(hash_combine(h, motion.quiet), motion.asleep ? 1 : 0);
+}
+
+void flow(World& world, double seconds) {
+  for (const BodyId id : world.ids()) step_heat(world, id, seconds);
 }
 
 }  // namespace
@@ -133,25 +185,6 @@ std::vector<BodyId> World::ids() const {
   }
   return ids;
 }
-
-namespace {
-
-struct GrowingBounds {
-  World::Bounds all;
-  bool any = false;
-
-  void add(const Placement& placement, const Vec3& min, const Vec3& max) {
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p = placement.to_world(
-          {corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z});
-      all.min = any ? glm::min(all.min, p) : p;
-      all.max = any ? glm::max(all.max, p) : p;
-      any = true;
-    }
-  }
-};
-
-}  // namespace
 
 World::Bounds World::bounds() const {
   GrowingBounds bounds;
@@ -327,46 +360,6 @@ void World::restore(const Change& change, size_t slots) {
   }
 }
 
-namespace {
-
-constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u, kMotionSeed = 0x3c81'6f2e'b9d4'0a57u,
-                   kHeatSeed = 0x51f3'8ad9'2e67'c40bu, kSolidSeed = 0xb27d'40c9'581e'f36au;
-
-uint64_t hash_of(uint64_t seed, const Vec3& p) {
-  for (int k = 0; k < 3; ++k) seed = hash_combine(seed, number_bits(p[k]));
-  return seed;
-}
-
-uint64_t face_hash(const Body& body, uint64_t seed, FaceId f, const Triangle& t) {
-  int least = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (lexicographic_less(t[i], t[least])) least = i;
-  }
-  uint64_t h = hash_combine(seed, body.mesh.data(f).halvings);
-  for (int i = 0; i < 3; ++i) h = hash_of(h, t[(least + i) % 3]);
-  const double energy = body.heat.energy_of(body.mesh, f);
-  return energy == 0 ? h : hash_combine(hash_combine(h, kHeatSeed), number_bits(energy));
-}
-
-uint64_t sum_of_face_hashes(const Body& body, uint64_t seed) {
-  constexpr size_t kSlots = 1 << 14;  // a range
-  std::vector<uint64_t> sums(range_count(body.mesh.face_slots(), kSlots));
-  for_each_range(body.mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
-    uint64_t sum = 0;
-    for_each_triangle(body.mesh, first, end,
-                      [&](FaceId f, const Triangle& t) { sum += face_hash(body, seed, f, t); });
-    sums[first / kSlots] = sum;
-  });
-  return std::accumulate(sums.begin(), sums.end(), uint64_t{0});
-}
-
-uint64_t motion_hash(uint64_t seed, const Motion& motion) {
-  const uint64_t h = hash_of(hash_of(hash_combine(seed, kMotionSeed), motion.velocity), motion.spin);
-  return hash_combine(hash_combine(h, motion.quiet), motion.asleep ? 1 : 0);
-}
-
-}  // namespace
-
 uint64_t state_hash(const World& world) {
   std::vector<BodyId> ids = world.ids();
   std::sort(ids.begin(), ids.end(),
@@ -385,6 +378,38 @@ uint64_t state_hash(const World& world) {
   }
   if (world.clock() != 0) sum += hash_combine(kClockSeed, world.clock());
   return sum;
+}
+
+void step_heat(World& world, BodyId id, double seconds) {
+  KERF_ASSERT(seconds >= 0);
+  Body& body = world.body(id);
+  if (seconds <= 0 || body.mesh.columns().blank()) return;
+  world.edit_energy().lost += conduct(body.mesh, body.heat, body.sheet.substance, body.sheet.thickness,
+                                      HeatLoss{}, seconds, world.heat_memory());
+}
+
+void step_heat(World& world, double seconds) {
+  flow(world, seconds);
+  if (is_hot(world)) world.edit_energy().ahead += seconds;
+}
+
+void cool(World& world, double seconds) {
+  const double done = std::min(seconds, world.energy().ahead);
+  if (done > 0) world.edit_energy().ahead -= done;
+  flow(world, seconds - done);
+}
+
+void cool_for_ticks(World& world, Ticks passed) {
+  KERF_ASSERT(passed <= world.clock());
+  const Ticks flows = world.clock() / kTicksOfFlow - (world.clock() - passed) / kTicksOfFlow;
+  for (Ticks i = 0; i < flows; ++i) cool(world, static_cast<double>(kTicksOfFlow) / kTicksPerSecond);
+}
+
+bool is_hot(const World& world) {
+  return std::ranges::any_of(world.ids(), [&](BodyId id) {
+    const Body& body = world.body(id);
+    return body.mesh.columns().any_set(body.heat.energy);
+  });
 }
 
 }  // namespace kerf

@@ -12,14 +12,12 @@
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
 #include "core/base/records.h"
-#include "core/base/tick.h"
 #include "core/heat/face_heat.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/refinement.h"
 #include "core/tree/aabb_tree.h"
 #include "core/world/connectivity.h"
-#include "core/world/mass_properties.h"
 #include "core/world/rigid_body.h"
 
 namespace kerf {
@@ -299,5 +297,23 @@ class World::Change {
 // the placements. It is independent of slots and the order of edits. It includes the clock once time has
 // passed, and the motion of a body once it has moved. O(faces).
 uint64_t state_hash(const World& world);
+
+// Conducts heat in all bodies, with losses to the environment, for a time (s, >= 0) of a stroke. The clock
+// advances later, and cool() skips that time.
+void step_heat(World& world, double seconds);
+
+// Conducts heat while the clock advances by a time (s, >= 0), minus the time simulated ahead by strokes.
+void cool(World& world, double seconds);
+
+// Cools bodies for ticks that the clock of the world has just advanced. Heat flows once every kTicksOfFlow
+// ticks, so that the result does not depend on how the ticks are divided.
+inline constexpr Ticks kTicksOfFlow = 4;
+void cool_for_ticks(World& world, Ticks passed);
+
+// Conducts heat in one body, with losses to the environment, for a time (s, >= 0).
+void step_heat(World& world, BodyId id, double seconds);
+
+// Returns true if any face is hotter than the environment. O(blocks of faces that were ever hot).
+bool is_hot(const World& world);
 
 }  // namespace kerf

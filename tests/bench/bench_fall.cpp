@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/physics/physics.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"

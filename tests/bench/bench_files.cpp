@@ -13,7 +13,7 @@
 #include "core/base/random.h"
 #include "core/document/extract.h"
 #include "core/mesh/mesh_file.h"
-#include "core/mesh/remesh/simplify.h"
+#include "core/mesh/remesh/remeshed.h"
 #include "core/world/world.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/match/match.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"

@@ -46,11 +46,9 @@ NAMES = {
 EXCEPTIONS = {
     ('app/inspect_command.cpp', 'born'): 'a key of the output of `kerf inspect`',
     ('app/inspect_command.cpp', 'gone'): 'a key of the output of `kerf inspect`',
-    ('app/inspect_command.h', 'born'): 'a key of the output of `kerf inspect`',
-    ('app/inspect_command.h', 'gone'): 'a key of the output of `kerf inspect`',
     ('ui/editor/shared/settings.cpp', 'chosen'): 'labels of settings files of before',
     ('ui/editor/shared/settings.cpp', 'gone'): 'labels of settings files of before',
-    ('ui/figures/split_diagram.cpp', 'What is'): 'drawn into a committed picture of the paper',
+    ('ui/figures/draw_figure.cpp', 'What is'): 'drawn into a committed picture of the paper',
 }
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 

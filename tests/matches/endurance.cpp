@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/match/match.h"
 #include "core/world/world.h"
 

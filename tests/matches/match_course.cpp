@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/match/match.h"
 
 namespace kerf {

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/match/recording.h"
 #include "tests/matches/endurance.h"
 #include "tests/matches/match_course.h"

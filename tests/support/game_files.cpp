@@ -6,7 +6,7 @@
 #include "core/cut/cut_step.h"
 #include "core/game/vehicle/vehicle.h"
 #include "core/game/vehicle/vehicle_model.h"
-#include "core/physics/release_pieces.h"
+#include "core/physics/physics.h"
 #include "tests/support/checkout.h"
 
 namespace kerf::test {

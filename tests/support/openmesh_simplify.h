@@ -3,7 +3,6 @@
 #include <span>
 
 #include "core/mesh/remesh/remeshed.h"
-#include "core/mesh/remesh/simplify.h"
 
 namespace kerf {
 

@@ -1,11 +1,11 @@
 #include "tests/support/piles.h"
 
+#include "core/base/ids.h"
 #include "core/base/random.h"
-#include "core/base/tick.h"
 #include "core/cut/cut_step.h"
 #include "core/edit/detach.h"
 #include "core/edit/separation.h"
-#include "core/physics/contact/bounding_volumes.h"
+#include "core/physics/contact/collider.h"
 #include "core/physics/physics.h"
 #include "core/world/body_creation.h"
 #include "tests/support/made_meshes.h"

@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/environment.h"
-#include "ui/editor/laser/laser_overlay.h"
-#include "ui/editor/path/path_work.h"
+#include "ui/editor/laser/laser_feature.h"
+#include "ui/editor/path/path_tool.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/editor/shared/laser_controls.h"
-#include "ui/editor/shared/laser_tool.h"
 #include "ui/editor/shared/statistics.h"
 #include "ui/render/view/camera.h"
 #include "ui/render/view/view_options.h"

@@ -10,7 +10,6 @@
 #include "ui/editor/path/emitter.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/editor/shell/editor_screen.h"
-#include "ui/game/game.h"
 #include "ui/game/game_settings.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/window.h"

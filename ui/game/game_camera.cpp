@@ -26,6 +26,25 @@ Vec3 level(const Vec3& v) {
   return length > 0 ? flat / length : Vec3(0, 0, 1);
 }
 
+constexpr double kNearest = 8, kFarthest = 13;  // m
+constexpr double kFarApart = 12;                // m, between vehicles that do not fit into one frame
+constexpr double kChassisMiddle = 0.8;          // m, above the ground
+constexpr double kTurnRate = 0.16;              // rad/s
+constexpr double kMiddleRate = 3;               // 1/s, smoothing rate of the middle
+constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
+constexpr int kAngles = 24;
+constexpr double kLarge = 1.6;         // m, minimum diagonal of an occluder
+constexpr double kEyeClearance = 0.4;  // m, between the eye and a body behind it
+constexpr double kMinDistance = 1.5;   // m, between the eye and its target
+
+Vec3 middle_of(const Match& match, size_t vehicle) {
+  return match.world().body(match.vehicles()[vehicle].chassis).placement.to_world({0, kChassisMiddle, 0});
+}
+
+constexpr double kAway = 6.6, kHeight = 1.5, kLooksAt = 0.8;   // m
+constexpr double kMiddle = 0.75, kSwing = 0.35, kRate = 0.12;  // rad from ahead, and rad/s
+constexpr double kAside = 0.16;                                // fraction of the distance
+
 }  // namespace
 
 Vec3 aim_of(const Controls& controls) {
@@ -72,25 +91,6 @@ CameraView GameCamera::view(double aspect, double field_of_view) const {
   view.tan_half_fov = std::tan(0.5 * field_of_view * kPi / 180);
   return view;
 }
-
-namespace {
-
-constexpr double kNearest = 8, kFarthest = 13;  // m
-constexpr double kFarApart = 12;                // m, between vehicles that do not fit into one frame
-constexpr double kChassisMiddle = 0.8;          // m, above the ground
-constexpr double kTurnRate = 0.16;              // rad/s
-constexpr double kMiddleRate = 3;               // 1/s, smoothing rate of the middle
-constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
-constexpr int kAngles = 24;
-constexpr double kLarge = 1.6;         // m, minimum diagonal of an occluder
-constexpr double kEyeClearance = 0.4;  // m, between the eye and a body behind it
-constexpr double kMinDistance = 1.5;   // m, between the eye and its target
-
-Vec3 middle_of(const Match& match, size_t vehicle) {
-  return match.world().body(match.vehicles()[vehicle].chassis).placement.to_world({0, kChassisMiddle, 0});
-}
-
-}  // namespace
 
 ReplayCamera::Aim ReplayCamera::aim(const Match& match) const {
   const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
@@ -192,14 +192,6 @@ CameraView ReplayCamera::view(double aspect, double field_of_view) const {
   view.tan_half_fov = std::tan(0.5 * field_of_view * kPi / 180);
   return view;
 }
-
-namespace {
-
-constexpr double kAway = 6.6, kHeight = 1.5, kLooksAt = 0.8;   // m
-constexpr double kMiddle = 0.75, kSwing = 0.35, kRate = 0.12;  // rad from ahead, and rad/s
-constexpr double kAside = 0.16;                                // fraction of the distance
-
-}  // namespace
 
 CameraView start_view(const Match& match, double seconds, double aspect, double field_of_view) {
   KERF_ASSERT(seconds >= 0 && aspect > 0 && field_of_view > 0 && field_of_view < 180);

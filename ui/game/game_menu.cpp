@@ -6,11 +6,10 @@
 #include "core/base/assert.h"
 #include "ui/game/hud.h"
 #include "ui/game/player_input.h"
-#include "ui/render/view/view_switches.h"
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 
@@ -19,46 +18,6 @@ namespace {
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar;
-
-}  // namespace
-
-void begin_menu(const char* name, float across, float min_width) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({across * size.x, 0.5f * size.y}, ImGuiCond_Always, {across, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({min_width * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
-  ImGui::Begin(name, nullptr, kFixed);
-}
-
-void menu_heading(const char* text, float scale) {
-  ImGui::SetWindowFontScale(scale);
-  ImGui::TextUnformatted(text);
-  ImGui::SetWindowFontScale(1);
-  ImGui::Spacing();
-}
-
-bool menu_button(const char* label, const char* landmark) {
-  const bool pressed = ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
-  mark_last_item(landmark);
-  return pressed;
-}
-
-void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights) {
-  if (scores.empty()) return;
-  ImGui::TextDisabled("%s", title.c_str());
-  for (size_t i = 0; i < scores.size(); ++i) {
-    const HighScore& s = scores[i];
-    const bool is_now = i + 1 == now;
-    ImGui::PushStyleColor(ImGuiCol_Text, is_now ? colours::accent() : colours::text());
-    const std::string outcome =
-        std::string(s.won ? "won   " : "lost  ") + std::to_string(s.enemies_destroyed) + " wrecks  ";
-    ImGui::Text("%2zu  %6.0f  %s%s%s", i + 1, s.score, fights ? outcome.c_str() : "",
-                clock_text(s.seconds).c_str(), is_now ? "  (this match)" : "");
-    ImGui::PopStyleColor();
-  }
-  ImGui::Spacing();
-}
-
-namespace {
 
 void dim_match() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -129,7 +88,71 @@ std::string words_on_course(const MatchResult& result) {
   return words + clock_text(result.score.seconds);
 }
 
+constexpr const char* kModeSummaries[] = {
+    "Survive five waves of enemy cars before time runs out. You have three cars.",
+    "Dismantle a van in two minutes. Intact parts score most.",
+    "No enemies. Press V to spawn a car to cut.",
+};
+
+// Draws a row of choices of equal width. Returns true if the selection changed.
+template <typename Enum, size_t n>
+bool draw_choice(const char* what, Enum& value, const std::array<const char*, n>& titles) {
+  ImGui::TextDisabled("%s", what);
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap * (n - 1)) / n;
+  bool other = false;
+  for (size_t i = 0; i < n; ++i) {
+    if (i > 0) ImGui::SameLine();
+    const bool selected = static_cast<size_t>(value) == i;
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetColorU32(selected ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+    if (ImGui::Button(titles[i], {width, 0}) && !selected) {
+      value = static_cast<Enum>(i);
+      other = true;
+    }
+    ImGui::PopStyleColor();
+  }
+  ImGui::Spacing();
+  return other;
+}
+
 }  // namespace
+
+void begin_menu(const char* name, float across, float min_width) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({across * size.x, 0.5f * size.y}, ImGuiCond_Always, {across, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({min_width * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
+  ImGui::Begin(name, nullptr, kFixed);
+}
+
+void menu_heading(const char* text, float scale) {
+  ImGui::SetWindowFontScale(scale);
+  ImGui::TextUnformatted(text);
+  ImGui::SetWindowFontScale(1);
+  ImGui::Spacing();
+}
+
+bool menu_button(const char* label, const char* landmark) {
+  const bool pressed = ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
+  mark_last_item(landmark);
+  return pressed;
+}
+
+void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights) {
+  if (scores.empty()) return;
+  ImGui::TextDisabled("%s", title.c_str());
+  for (size_t i = 0; i < scores.size(); ++i) {
+    const HighScore& s = scores[i];
+    const bool is_now = i + 1 == now;
+    ImGui::PushStyleColor(ImGuiCol_Text, is_now ? colours::accent() : colours::text());
+    const std::string outcome =
+        std::string(s.won ? "won   " : "lost  ") + std::to_string(s.enemies_destroyed) + " wrecks  ";
+    ImGui::Text("%2zu  %6.0f  %s%s%s", i + 1, s.score, fights ? outcome.c_str() : "",
+                clock_text(s.seconds).c_str(), is_now ? "  (this match)" : "");
+    ImGui::PopStyleColor();
+  }
+  ImGui::Spacing();
+}
 
 MenuChoice draw_pause_menu(const MenuView& view) {
   MenuChoice choice = MenuChoice::kNone;
@@ -173,38 +196,6 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   ImGui::End();
   return choice;
 }
-
-namespace {
-
-constexpr const char* kModeSummaries[] = {
-    "Survive five waves of enemy cars before time runs out. You have three cars.",
-    "Dismantle a van in two minutes. Intact parts score most.",
-    "No enemies. Press V to spawn a car to cut.",
-};
-
-// Draws a row of choices of equal width. Returns true if the selection changed.
-template <typename Enum, size_t n>
-bool draw_choice(const char* what, Enum& value, const std::array<const char*, n>& titles) {
-  ImGui::TextDisabled("%s", what);
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - gap * (n - 1)) / n;
-  bool other = false;
-  for (size_t i = 0; i < n; ++i) {
-    if (i > 0) ImGui::SameLine();
-    const bool selected = static_cast<size_t>(value) == i;
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          ImGui::GetColorU32(selected ? ImGuiCol_ButtonActive : ImGuiCol_Button));
-    if (ImGui::Button(titles[i], {width, 0}) && !selected) {
-      value = static_cast<Enum>(i);
-      other = true;
-    }
-    ImGui::PopStyleColor();
-  }
-  ImGui::Spacing();
-  return other;
-}
-
-}  // namespace
 
 MenuChoice draw_start_menu(const StartView& view) {
   GameSettings& s = view.settings;

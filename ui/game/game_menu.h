@@ -5,7 +5,7 @@
 
 #include "core/game/match/match.h"
 #include "ui/game/game_settings.h"
-#include "ui/game/match_replay.h"
+#include "ui/game/match_picture.h"
 #include "ui/render/view/view_options.h"
 #include "ui/window/gui_look.h"
 

@@ -7,13 +7,6 @@
 
 #include "core/base/assert.h"
 #include "core/game/match/recording.h"
-#include "ui/game/game.h"
-#include "ui/game/game_camera.h"
-#include "ui/game/game_menu.h"
-#include "ui/game/hud.h"
-#include "ui/game/hud_state.h"
-#include "ui/game/player_input.h"
-#include "ui/screen/frame_loop.h"
 #include "ui/window/gui.h"
 #include "ui/window/number_text.h"
 #include "ui/window/window.h"

@@ -10,12 +10,11 @@
 #include "ui/game/game_camera.h"
 #include "ui/game/game_menu.h"
 #include "ui/game/game_settings.h"
-#include "ui/game/hud_state.h"
+#include "ui/game/hud.h"
 #include "ui/game/match_picture.h"
-#include "ui/game/match_replay.h"
 #include "ui/game/player_input.h"
 #include "ui/game/sounds.h"
-#include "ui/screen/screen.h"
+#include "ui/screen/frame_loop.h"
 #include "ui/window/layout.h"
 
 namespace kerf {

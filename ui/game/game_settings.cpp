@@ -1,7 +1,6 @@
 #include "ui/game/game_settings.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/json.h"
 #include "core/base/platform.h"
@@ -18,6 +17,29 @@ Result<std::shared_ptr<const Rules>> load(const char* rules, OwnVehicle vehicle)
                     assets_folder() / "vehicles" / (name + ".json"));
 }
 
+namespace fs = std::filesystem;
+
+constexpr std::array kDifficulties{"easy", "normal", "hard"};
+constexpr std::array kPresets{"automatic", "low", "medium", "high"};
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+bool same_game(const HighScore& a, const HighScore& b) {
+  return a.rules == b.rules && a.difficulty == b.difficulty;
+}
+
+HighScore score_from(const nlohmann::json& json) {
+  HighScore s;
+  s.score = json.value("score", 0.0);
+  s.rules = json.value("rules", "");
+  s.difficulty = json.value("difficulty", "");
+  s.won = json.value("won", false);
+  s.enemies_destroyed = json.value("enemies_destroyed", size_t{0});
+  s.seconds = json.value("seconds", 0.0);
+  return s;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Rules>> load_mode(GameMode mode, OwnVehicle vehicle) {
@@ -26,15 +48,6 @@ Result<std::shared_ptr<const Rules>> load_mode(GameMode mode, OwnVehicle vehicle
 }
 
 Result<std::shared_ptr<const Rules>> load_lesson(OwnVehicle vehicle) { return load("lesson.json", vehicle); }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::array kDifficulties{"easy", "normal", "hard"};
-constexpr std::array kPresets{"automatic", "low", "medium", "high"};
-
-}  // namespace
 
 static void describe(KeptFields& f, GameSettings& s) {
   f.any("version", 1, [](const nlohmann::json&) {});
@@ -79,28 +92,6 @@ Status write_game_settings(const GameSettings& settings, const fs::path& file) {
   describe(fields, written);
   return write_kept(json, file);
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-bool same_game(const HighScore& a, const HighScore& b) {
-  return a.rules == b.rules && a.difficulty == b.difficulty;
-}
-
-HighScore score_from(const nlohmann::json& json) {
-  HighScore s;
-  s.score = json.value("score", 0.0);
-  s.rules = json.value("rules", "");
-  s.difficulty = json.value("difficulty", "");
-  s.won = json.value("won", false);
-  s.enemies_destroyed = json.value("enemies_destroyed", size_t{0});
-  s.seconds = json.value("seconds", 0.0);
-  return s;
-}
-
-}  // namespace
 
 fs::path high_scores_file() { return state_folder() / "scores.json"; }
 

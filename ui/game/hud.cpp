@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -11,68 +12,70 @@
 
 namespace kerf {
 
+const char* name_of_vital(const VehicleDescription& vehicle, size_t vital) {
+  return vehicle.vitals[vital].kind == VitalDescription::Kind::kEngine ? "engine" : "driver's seat";
+}
+
+std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
+  std::string name = vehicle.wheels[wheel].part;  // "wheel_front_left"
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name.starts_with("wheel ") ? name.substr(6) + " wheel" : name;
+}
+
+std::string end_reason(const Match& match, size_t killer) {
+  KERF_ASSERT(match.standing().over());
+  if (match.standing().phase == Standing::Phase::kWon) return "All enemies are wrecked";
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
+  if (own.alive) return match.seconds_left() > 0 ? "You gave up" : "Time is up";
+  const bool known = killer != Match::kPlayer && killer < match.vehicles().size();
+  const std::string by = known ? " by the " + match.vehicles()[killer].what().name : "";
+  for (size_t i = 0; i < own.vital_works.size(); ++i) {
+    if (!own.vital_works[i]) return "Your " + std::string(name_of_vital(own.what(), i)) + " was cut off" + by;
+  }
+  return "Your car was cut to pieces" + by;
+}
+
 namespace {
+
+constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;
+constexpr double kAgain = 1.5;  // s, within which a repeated event shares the line of the last one
+constexpr size_t kMaxNotices = 6;
+constexpr double kHurtFade = 1.6, kBiteFade = 6;  // 1/s
+
+using Kind = Event::Kind;
+
+void begin_with_capital(std::string& text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+}
+
+constexpr double kAhead = 14, kReached = 3;  // m, destination ahead, and radius in which it counts as reached
+constexpr size_t kEnough = 60;               // faces, of a drum that is not cut in two
+
+// The place of a body: the middle of its remaining part.
+Vec3 place_of(const Match& match, BodyId id) { return middle_of(match.world().body(id)); }
+
+// Returns the nearest body that can be cut and is no larger than a drum.
+BodyId nearest_drum(const Match& match, const Vec3& from) {
+  constexpr double kLargest = 1.5;  // m, of the diagonal
+  BodyId nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const BodyId id : match.world().ids()) {
+    const Body& body = match.world().body(id);
+    const bool serves = !match.is_wall(id) && match.vehicle_of(id) == Event::kNobody &&
+                        body.tree.leaf_count() > 0 &&
+                        glm::length(body.bounds().max - body.bounds().min) < kLargest;
+    const double distance = glm::distance(middle_of(body), from);
+    if (!serves || distance >= least) continue;
+    least = distance;
+    nearest = id;
+  }
+  return nearest;
+}
 
 // Minimum size of the window [em]; in a smaller one the text is scaled down.
 constexpr float kMinWide = 50, kMinHigh = 32;
 
 constexpr ImU32 kEdge = IM_COL32(8, 10, 13, 200);
-
-}  // namespace
-
-std::string clock_text(double seconds) {
-  const int whole = static_cast<int>(std::max(0.0, seconds));
-  return text_of("%d:%02d", whole / 60, whole % 60);
-}
-
-HudPaint::HudPaint() : list_(*ImGui::GetBackgroundDrawList()), size_(ImGui::GetIO().DisplaySize) {
-  em_ = std::min({ImGui::GetFontSize(), size_.x / kMinWide, size_.y / kMinHigh});
-}
-
-ImU32 HudPaint::faded(ImU32 colour, double opacity) {
-  const auto alpha =
-      static_cast<ImU32>(std::clamp(opacity, 0.0, 1.0) * ((colour >> IM_COL32_A_SHIFT) & 0xff));
-  return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
-}
-
-float HudPaint::width_of(const std::string& text, float scale) const {
-  return ImGui::GetFont()->CalcTextSizeA(em_ * scale, FLT_MAX, 0, text.c_str()).x;
-}
-
-void HudPaint::text(ImVec2 at, const std::string& text, ImU32 colour, float scale, Align align) const {
-  if (align != Align::kLeft) at.x -= width_of(text, scale) * (align == Align::kMiddle ? 0.5f : 1.0f);
-  const ImU32 edge = faded(kEdge, ((colour >> IM_COL32_A_SHIFT) & 0xff) / 255.0);
-  const float off = std::max(1.0f, em_ * scale / 16);
-  for (const ImVec2 by : {ImVec2(off, 0), ImVec2(-off, 0), ImVec2(0, off), ImVec2(0, -off)})
-    list_.AddText(ImGui::GetFont(), em_ * scale, {at.x + by.x, at.y + by.y}, edge, text.c_str());
-  list_.AddText(ImGui::GetFont(), em_ * scale, at, colour, text.c_str());
-}
-
-void HudPaint::bar(ImVec2 at, float width, const char* name, double share, ImU32 colour, bool striped) const {
-  const float height = 0.55f * em_;
-  text({at.x - 0.6f * em_, at.y - 0.3f * em_}, name, colours::kPictureText, 0.9f, Align::kRight);
-  list_.AddRectFilled({at.x - 2, at.y - 2}, {at.x + width + 2, at.y + height + 2}, kEdge, 3);
-  const float end = at.x + width * static_cast<float>(std::clamp(share, 0.0, 1.0));
-  list_.AddRectFilled(at, {end, at.y + height}, colour, 2);
-  for (float x = at.x; striped && x + height < end; x += 1.1f * height)
-    list_.AddLine({x, at.y + height}, {x + height, at.y}, kEdge, 2);
-}
-
-void HudPaint::line(ImVec2 from, ImVec2 to, ImU32 colour, float width) const {
-  list_.AddLine(from, to, kEdge, width + 2);
-  list_.AddLine(from, to, colour, width);
-}
-
-void HudPaint::circle(ImVec2 at, float radius, ImU32 colour, float width) const {
-  list_.AddCircle(at, radius, kEdge, 0, width + 2);
-  list_.AddCircle(at, radius, colour, 0, width);
-}
-
-void HudPaint::shade(ImVec2 from, ImVec2 to) const {
-  list_.AddRectFilled(from, to, colours::kPictureShade, 4);
-}
-
-namespace {
 
 using Align = HudPaint::Align;
 
@@ -384,6 +387,198 @@ void draw_guide(const HudPaint& paint, bool spawns) {
 }
 
 }  // namespace
+
+void HudState::clear() {
+  notices_.clear();
+  hurt_ = biting_ = 0;
+}
+
+void HudState::add_line(std::string text, double points, bool good, bool large) {
+  begin_with_capital(text);
+  if (!notices_.empty() && notices_.front().text == text && notices_.front().age < kAgain) {
+    Notice& same = notices_.front();
+    ++same.times;
+    same.points += points;
+    same.age = 0;
+    return;
+  }
+  notices_.push_front({std::move(text), points, 1, 0, good, large});
+  if (notices_.size() > kMaxNotices) notices_.pop_back();
+}
+
+void HudState::advance(double seconds) {
+  for (Notice& n : notices_) n.age += seconds;
+  std::erase_if(notices_, [](const Notice& n) { return n.age > (n.large ? kLargeSeconds : kNoticeSeconds); });
+  hurt_ = std::max(0.0, hurt_ - kHurtFade * seconds);
+  biting_ = std::max(0.0, biting_ - kBiteFade * seconds);
+}
+
+void HudState::on_tick(const Match& match) {
+  for (const Event& event : match.events()) on_event(match, event);
+}
+
+void HudState::on_event(const Match& match, const Event& event) {
+  // A wave that begins in the tick of the event replaces the vehicles.
+  const bool known = event.vehicle < match.vehicles().size();
+  const bool own = event.vehicle == Match::kPlayer;
+  const VehicleDescription* what = known ? &match.vehicles()[event.vehicle].what() : nullptr;
+  const std::string whose = own ? "your " : what ? "the " + what->name + "'s " : "";
+  switch (event.kind) {
+    case Kind::kCut:
+      if (own && event.by < match.vehicles().size()) {
+        hurt_ = 1;
+        hurt_from_ = match.world().body(match.vehicles()[event.by].chassis).placement.position;
+      } else if (event.by == Match::kPlayer && known) {
+        biting_ = 1;
+      }
+      return;
+    case Kind::kPieceOff:
+      if (event.points > 0) add_line("piece cut", event.points, true);
+      return;
+    case Kind::kWheelLost:
+      if (!what || event.part >= what->wheels.size()) return add_line("a wheel came off", event.points, !own);
+      return add_line(
+          own ? whose + name_of_wheel(*what, event.part) + " came off" : name_of_wheel(*what, event.part),
+          event.points, !own);
+    case Kind::kTurretLost:
+    case Kind::kBarrelLost:
+      return add_line(own || !what ? whose + "laser came off" : what->name + " disarmed", event.points, !own);
+    case Kind::kVitalLost:
+      if (!what || event.part >= what->vitals.size())
+        return add_line("a part was cut off", event.points, !own);
+      return add_line((own ? "you lost your " : "") + std::string(name_of_vital(*what, event.part)) +
+                          (own ? "" : " cut out"),
+                      event.points, !own);
+    case Kind::kInHalves:
+      return add_line(own ? "you were cut in half" : "cut in half!", event.points, !own, true);
+    case Kind::kKilled:
+      return add_line(own ? "you're wrecked" : (what ? what->name : "enemy") + " wrecked", event.points, !own,
+                      true);
+    case Kind::kOverheated:
+      if (own) add_line("laser overheated", 0, false);
+      return;
+    case Kind::kRighted:
+      if (own) add_line("back on your wheels", 0, true);
+      return;
+    case Kind::kCleanPart:
+      return add_line("clean cut", event.points, true);
+    case Kind::kCarLost:
+      return add_line(event.part == 0 ? "last car" : "next car", 0, false, true);
+    case Kind::kWaveBegins:
+      if (match.rules().description.targets) return;
+      return add_line("wave " + std::to_string(event.part + 1), 0, true, true);
+    case Kind::kWaveCleared:
+      return add_line("wave cleared", event.points, true, true);
+    case Kind::kWon:
+    case Kind::kLost:
+      return add_line(end_reason(match), 0, event.kind == Kind::kWon, true);
+    case Kind::kImpact:
+      return;
+  }
+}
+
+Lesson::Lesson(const Match& match) {
+  const Placement& own = match.world().body(match.vehicles()[Match::kPlayer].chassis).placement;
+  place_ = own.to_world({0, 0, kAhead});
+  drum_ = nearest_drum(match, place_);
+}
+
+std::optional<Lesson::Task> Lesson::task(const Match& match) const {
+  switch (step_) {
+    case Step::kDrive:
+      return Task{"Drive to the marker (WASD or arrow keys)", place_};
+    case Step::kDrum:
+      return Task{"Aim with the mouse and hold the left button to cut the drum in half",
+                  place_of(match, drum_)};
+    case Step::kWheel:
+      return Task{"Get within 18 m of this car and sweep the beam through a wheel hub",
+                  place_of(match, match.vehicles().back().chassis)};
+    case Step::kDone:
+      break;
+  }
+  return std::nullopt;
+}
+
+bool Lesson::is_done(const Match& match) {
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
+  switch (step_) {
+    case Step::kDrive:
+      return glm::distance(match.world().body(own.chassis).placement.position, place_) < kReached;
+    case Step::kDrum:
+      for (const Event& e : match.events()) {
+        if (e.kind == Event::Kind::kCut && e.body == drum_) drum_faces_ += static_cast<size_t>(e.size);
+      }
+      return !drum_.valid() || !match.world().contains(drum_) || drum_faces_ > kEnough ||
+             std::ranges::any_of(match.delta().detached, [&](const Detached& d) { return d.from == drum_; });
+    case Step::kWheel:
+      return std::ranges::any_of(match.events(), [](const Event& e) {
+        return e.vehicle != Match::kPlayer &&
+               (e.kind == Event::Kind::kWheelLost || e.kind == Event::Kind::kKilled);
+      });
+    case Step::kDone:
+      break;
+  }
+  return false;
+}
+
+bool Lesson::on_tick(const Match& match) {
+  if (!is_done(match)) return false;
+  step_ = static_cast<Step>(static_cast<int>(step_) + 1);
+  if (step_ == Step::kDrum && !drum_.valid()) step_ = Step::kWheel;
+  return true;
+}
+
+std::string clock_text(double seconds) {
+  const int whole = static_cast<int>(std::max(0.0, seconds));
+  return text_of("%d:%02d", whole / 60, whole % 60);
+}
+
+HudPaint::HudPaint() : list_(*ImGui::GetBackgroundDrawList()), size_(ImGui::GetIO().DisplaySize) {
+  em_ = std::min({ImGui::GetFontSize(), size_.x / kMinWide, size_.y / kMinHigh});
+}
+
+ImU32 HudPaint::faded(ImU32 colour, double opacity) {
+  const auto alpha =
+      static_cast<ImU32>(std::clamp(opacity, 0.0, 1.0) * ((colour >> IM_COL32_A_SHIFT) & 0xff));
+  return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
+}
+
+float HudPaint::width_of(const std::string& text, float scale) const {
+  return ImGui::GetFont()->CalcTextSizeA(em_ * scale, FLT_MAX, 0, text.c_str()).x;
+}
+
+void HudPaint::text(ImVec2 at, const std::string& text, ImU32 colour, float scale, Align align) const {
+  if (align != Align::kLeft) at.x -= width_of(text, scale) * (align == Align::kMiddle ? 0.5f : 1.0f);
+  const ImU32 edge = faded(kEdge, ((colour >> IM_COL32_A_SHIFT) & 0xff) / 255.0);
+  const float off = std::max(1.0f, em_ * scale / 16);
+  for (const ImVec2 by : {ImVec2(off, 0), ImVec2(-off, 0), ImVec2(0, off), ImVec2(0, -off)})
+    list_.AddText(ImGui::GetFont(), em_ * scale, {at.x + by.x, at.y + by.y}, edge, text.c_str());
+  list_.AddText(ImGui::GetFont(), em_ * scale, at, colour, text.c_str());
+}
+
+void HudPaint::bar(ImVec2 at, float width, const char* name, double share, ImU32 colour, bool striped) const {
+  const float height = 0.55f * em_;
+  text({at.x - 0.6f * em_, at.y - 0.3f * em_}, name, colours::kPictureText, 0.9f, Align::kRight);
+  list_.AddRectFilled({at.x - 2, at.y - 2}, {at.x + width + 2, at.y + height + 2}, kEdge, 3);
+  const float end = at.x + width * static_cast<float>(std::clamp(share, 0.0, 1.0));
+  list_.AddRectFilled(at, {end, at.y + height}, colour, 2);
+  for (float x = at.x; striped && x + height < end; x += 1.1f * height)
+    list_.AddLine({x, at.y + height}, {x + height, at.y}, kEdge, 2);
+}
+
+void HudPaint::line(ImVec2 from, ImVec2 to, ImU32 colour, float width) const {
+  list_.AddLine(from, to, kEdge, width + 2);
+  list_.AddLine(from, to, colour, width);
+}
+
+void HudPaint::circle(ImVec2 at, float radius, ImU32 colour, float width) const {
+  list_.AddCircle(at, radius, kEdge, 0, width + 2);
+  list_.AddCircle(at, radius, colour, 0, width);
+}
+
+void HudPaint::shade(ImVec2 from, ImVec2 to) const {
+  list_.AddRectFilled(from, to, colours::kPictureShade, 4);
+}
 
 void draw_hud(const HudView& view) {
   const HudPaint paint;

@@ -9,7 +9,7 @@
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/game/vehicle/vehicle.h"
-#include "ui/game/hud_state.h"
+#include "ui/game/hud.h"
 
 namespace kerf {
 
@@ -45,6 +45,26 @@ std::string name_of_part(const World& world, const Vehicle& vehicle, BodyId body
   return name_on_chassis(vehicle, world.body(body).placement.to_body(at));
 }
 
+constexpr double kRadiansPerPixel = 0.0022;
+constexpr double kWidthPerNotch = 0.1;
+constexpr double kDeadZone = 0.16;    // of a stick
+constexpr double kStickSpeed = 1.8;   // rad/s, of a fully deflected stick
+constexpr double kTriggerHeld = 0.3;  // of the travel of a trigger
+constexpr double kHelpReach = 0.06;   // rad, from the aim
+constexpr double kHelpPull = 2.2;     // 1/s
+constexpr double kHelpFar = 45;       // m
+
+double without_dead_zone(double x) {
+  const double over = std::abs(x) - kDeadZone;
+  return over > 0 ? std::copysign(over / (1 - kDeadZone), x) : 0;
+}
+
+// By digit, from 1.
+constexpr std::array kViews{SwitchId::kBoxes,         SwitchId::kSizes,        SwitchId::kWire,
+                            SwitchId::kPieces,        SwitchId::kGraph,        SwitchId::kContacts,
+                            SwitchId::kShadowVolumes, SwitchId::kShadowCounts, SwitchId::kSilhouette};
+static_assert(kViews.size() <= 9);
+
 }  // namespace
 
 std::optional<SightedPart> sighted_part(const Match& match, const Sight& sight, const Vec3& aim) {
@@ -78,24 +98,6 @@ bool sees_vehicle(const Match& match, const Sight& sight, const Vec3& from, size
                                  [&](BodyId id) { return match.is_wall(id); });
   return !hit || !hit->body.valid();
 }
-
-namespace {
-
-constexpr double kRadiansPerPixel = 0.0022;
-constexpr double kWidthPerNotch = 0.1;
-constexpr double kDeadZone = 0.16;    // of a stick
-constexpr double kStickSpeed = 1.8;   // rad/s, of a fully deflected stick
-constexpr double kTriggerHeld = 0.3;  // of the travel of a trigger
-constexpr double kHelpReach = 0.06;   // rad, from the aim
-constexpr double kHelpPull = 2.2;     // 1/s
-constexpr double kHelpFar = 45;       // m
-
-double without_dead_zone(double x) {
-  const double over = std::abs(x) - kDeadZone;
-  return over > 0 ? std::copysign(over / (1 - kDeadZone), x) : 0;
-}
-
-}  // namespace
 
 void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSettings& settings) {
   for (const InputEvent& event : events) {
@@ -208,16 +210,6 @@ Controls PlayerInput::controls(const Placement& chassis) {
   c.pitch = steps(pitch_);
   return c;
 }
-
-namespace {
-
-// By digit, from 1.
-constexpr std::array kViews{SwitchId::kBoxes,         SwitchId::kSizes,        SwitchId::kWire,
-                            SwitchId::kPieces,        SwitchId::kGraph,        SwitchId::kContacts,
-                            SwitchId::kShadowVolumes, SwitchId::kShadowCounts, SwitchId::kSilhouette};
-static_assert(kViews.size() <= 9);
-
-}  // namespace
 
 bool is_debug_view(const ViewSwitch& s) {
   switch (s.id) {

@@ -6,7 +6,7 @@
 
 #include "core/game/match/match.h"
 #include "ui/game/game_settings.h"
-#include "ui/render/view/view_switches.h"
+#include "ui/render/view/view_options.h"
 #include "ui/window/window.h"
 
 namespace kerf {

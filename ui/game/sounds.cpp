@@ -10,7 +10,6 @@
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
-#include "core/base/geometry.h"
 #include "core/base/random.h"
 
 namespace kerf {
@@ -79,6 +78,53 @@ Wave finished(Wave wave, double peak, bool loop) {
   }
   return wave;
 }
+
+constexpr size_t kLoops = static_cast<size_t>(Sounds::Loop::kCount);
+constexpr size_t kShots = static_cast<size_t>(Sounds::Shot::kCount);
+constexpr size_t kShotSources = 12;
+constexpr float kFullVolumeWithin = 5;  // m, radius of full volume
+
+void fill(ALuint buffer, const Wave& wave) {
+  const auto samples = to_16_bits(wave);
+  alBufferData(buffer, AL_FORMAT_MONO16, samples.data(),
+               static_cast<ALsizei>(samples.size() * sizeof(int16_t)), kSampleRate);
+}
+
+void place(ALuint source, const Vec3& at, double gain, double pitch) {
+  alSource3f(source, AL_POSITION, static_cast<float>(at.x), static_cast<float>(at.y),
+             static_cast<float>(at.z));
+  alSourcef(source, AL_GAIN, static_cast<float>(std::min(gain, 1.0)));
+  alSourcef(source, AL_PITCH, static_cast<float>(std::clamp(pitch, 0.1, 4.0)));
+}
+
+// Suppresses standard error while it exists: the drivers tried without a device print messages there.
+class QuietErrors {
+ public:
+  QuietErrors() : kept_(::dup(STDERR_FILENO)) {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (kept_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) ::close(nowhere);
+  }
+  ~QuietErrors() {
+    if (kept_ < 0) return;
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+  }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  int kept_;
+};
+
+constexpr double kSoftImpact = 1.2, kLoudImpact = 9;  // m/s
+constexpr double kLargeSheet = 1.5;                   // m^2
+constexpr double kCuttingFade = 0.8;                  // fraction of the gain kept after a frame
+constexpr double kFullSpeed = 24;                     // m/s
+
+using Kind = Event::Kind;
+using Shot = Sounds::Shot;
+using Loop = Sounds::Loop;
 
 }  // namespace
 
@@ -182,48 +228,6 @@ std::vector<int16_t> to_16_bits(std::span<const float> wave) {
   return samples;
 }
 
-namespace {
-
-constexpr size_t kLoops = static_cast<size_t>(Sounds::Loop::kCount);
-constexpr size_t kShots = static_cast<size_t>(Sounds::Shot::kCount);
-constexpr size_t kShotSources = 12;
-constexpr float kFullVolumeWithin = 5;  // m, radius of full volume
-
-void fill(ALuint buffer, const Wave& wave) {
-  const auto samples = to_16_bits(wave);
-  alBufferData(buffer, AL_FORMAT_MONO16, samples.data(),
-               static_cast<ALsizei>(samples.size() * sizeof(int16_t)), kSampleRate);
-}
-
-void place(ALuint source, const Vec3& at, double gain, double pitch) {
-  alSource3f(source, AL_POSITION, static_cast<float>(at.x), static_cast<float>(at.y),
-             static_cast<float>(at.z));
-  alSourcef(source, AL_GAIN, static_cast<float>(std::min(gain, 1.0)));
-  alSourcef(source, AL_PITCH, static_cast<float>(std::clamp(pitch, 0.1, 4.0)));
-}
-
-// Suppresses standard error while it exists: the drivers tried without a device print messages there.
-class QuietErrors {
- public:
-  QuietErrors() : kept_(::dup(STDERR_FILENO)) {
-    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (kept_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
-    if (nowhere >= 0) ::close(nowhere);
-  }
-  ~QuietErrors() {
-    if (kept_ < 0) return;
-    ::dup2(kept_, STDERR_FILENO);
-    ::close(kept_);
-  }
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
-
- private:
-  int kept_;
-};
-
-}  // namespace
-
 struct Sounds::Device {
   ALCdevice* device = nullptr;
   ALCcontext* context = nullptr;
@@ -314,19 +318,6 @@ void Sounds::hush() {
   if (!on()) return;
   alSourcePausev(static_cast<ALsizei>(device_->loops.size()), device_->loops.data());
 }
-
-namespace {
-
-constexpr double kSoftImpact = 1.2, kLoudImpact = 9;  // m/s
-constexpr double kLargeSheet = 1.5;                   // m^2
-constexpr double kCuttingFade = 0.8;                  // fraction of the gain kept after a frame
-constexpr double kFullSpeed = 24;                     // m/s
-
-using Kind = Event::Kind;
-using Shot = Sounds::Shot;
-using Loop = Sounds::Loop;
-
-}  // namespace
 
 void MatchSounds::on_tick(const Match& match) {
   for (const Event& e : match.events()) {

@@ -17,31 +17,6 @@ void fail(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* t
   std::abort();
 }
 
-}  // namespace
-
-void report_gl_errors() {
-  if (!asserts_are_fatal() || !epoxy_has_gl_extension("GL_KHR_debug")) return;
-  glEnable(GL_DEBUG_OUTPUT);
-  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-  glDebugMessageCallback(fail, nullptr);
-}
-
-struct OffscreenContext::Handles {
-  EGLDisplay display = EGL_NO_DISPLAY;
-  EGLConfig config = nullptr;
-  EGLContext context = EGL_NO_CONTEXT;
-  EGLSurface surface = EGL_NO_SURFACE;
-  ~Handles() {
-    if (display == EGL_NO_DISPLAY) return;
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (surface != EGL_NO_SURFACE) eglDestroySurface(display, surface);
-    if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    eglTerminate(display);
-  }
-};
-
-namespace {
-
 EGLDisplay surfaceless_display() {
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
   return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
@@ -82,6 +57,27 @@ const char* open_context(EGLDisplay display, bool with_surface, EGLConfig& confi
 }
 
 }  // namespace
+
+void report_gl_errors() {
+  if (!asserts_are_fatal() || !epoxy_has_gl_extension("GL_KHR_debug")) return;
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  glDebugMessageCallback(fail, nullptr);
+}
+
+struct OffscreenContext::Handles {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLConfig config = nullptr;
+  EGLContext context = EGL_NO_CONTEXT;
+  EGLSurface surface = EGL_NO_SURFACE;
+  ~Handles() {
+    if (display == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (surface != EGL_NO_SURFACE) eglDestroySurface(display, surface);
+    if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+    eglTerminate(display);
+  }
+};
 
 Result<std::unique_ptr<OffscreenContext::Handles>> OffscreenContext::open(bool with_surface) {
   std::string reasons;

@@ -3,7 +3,6 @@
 #include <array>
 #include <fstream>
 #include <glm/gtc/type_ptr.hpp>
-#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -12,6 +11,34 @@
 namespace kerf::gl {
 
 namespace {
+
+thread_local State in_force;  // of the innermost scope
+
+void enable(GLenum capability, bool on) {
+  if (on) glEnable(capability);
+  if (!on) glDisable(capability);
+}
+
+void apply(const State& state) {
+  in_force = state;
+  enable(GL_DEPTH_TEST, state.depth != GL_NONE);
+  if (state.depth != GL_NONE) glDepthFunc(state.depth);
+  glDepthMask(state.writes_depth);
+  enable(GL_DEPTH_CLAMP, state.clamps_depth);
+  enable(GL_CULL_FACE, state.culled != GL_NONE);
+  glCullFace(state.culled != GL_NONE ? state.culled : GL_BACK);
+  glColorMask(state.writes_colour, state.writes_colour, state.writes_colour, state.writes_alpha);
+  enable(GL_BLEND, state.blend.has_value());
+  if (const auto& b = state.blend) glBlendFuncSeparate(b->drawn, b->there, b->drawn_alpha, b->there_alpha);
+  enable(GL_POLYGON_OFFSET_FILL, state.offset.has_value());
+  if (state.offset) glPolygonOffset(state.offset->per_slope, state.offset->units);
+  enable(GL_STENCIL_TEST, state.stencil.has_value());
+  if (const auto& s = state.stencil) {
+    glStencilFunc(s->test, s->reference, 0xff);
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, s->front_behind, s->passed);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, s->back_behind, s->passed);
+  }
+}
 
 std::optional<std::string> read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -69,6 +96,25 @@ class Shader {
 };
 
 }  // namespace
+
+ScopedState::ScopedState(const State& state) : outer_(in_force) { apply(state); }
+
+ScopedState::~ScopedState() { apply(outer_); }
+
+void ScopedState::set(const State& state) { apply(state); }
+
+void reset_state() {
+  glDisable(GL_SCISSOR_TEST);
+  apply({});
+}
+
+void fill(int x, int y, int width, int height, const glm::vec4& colour) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(x, y, width, height);
+  glClearColor(colour.r, colour.g, colour.b, colour.a);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
 
 Program::~Program() {
   if (name_ == 0) return;

@@ -11,7 +11,9 @@
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/document/stroke_path.h"
-#include "ui/render/view/section_plane.h"
+#include "ui/gl/buffers.h"
+#include "ui/gl/context.h"
+#include "ui/render/renderer.h"
 #include "ui/render/view/view_options.h"
 
 namespace kerf {
@@ -53,5 +55,82 @@ Result<RenderedImage> draw_picture(OpenedFile work, const PictureOptions& option
 
 // Renders like draw_picture() and writes a PNG atomically. Also fails if the PNG cannot be written.
 Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png);
+
+// Renders a sequence of images of a changing world without a window. Its OpenGL context is current while it
+// exists.
+class OffscreenRenderer {
+ public:
+  // Precondition: the scene is uncut. Fails if OpenGL is not available or does not support the size.
+  static Result<OffscreenRenderer> open(const Scene& scene, const PictureOptions& options);
+
+  // Follows a change of the world; `step` is null if the changes are unknown.
+  void follow(const World& world, const StepResult* step);
+  // Explodes the pieces of the world from the next image on; see spread_pieces().
+  void spread(const World& world, double share) { spread_pieces(world, share, look_); }
+  // Draws the component graph around the last stroke of the document from the next image on, if the options
+  // request it. Linear in the faces of the cut bodies.
+  void show_graph(const Document& document);
+  // Draw the enabled contacts, colliders and centres of mass from the next image on: of the last tick of
+  // the document, or as the next tick of a world would find them.
+  void show_bodies(const Document& document);
+  void show_bodies_ahead(const World& world);
+  const CameraView& view() const { return view_; }
+  ViewOptions& look() { return look_; }
+  const gl::Framebuffer& framebuffer() const { return picture_; }
+  void draw(const World& world, const std::optional<BeamPicture>& beam);
+  // Writes the last image as a PNG atomically.
+  Status write(const std::filesystem::path& png) const;
+
+ private:
+  OffscreenRenderer(gl::OffscreenContext context, gl::Framebuffer picture, Renderer renderer);
+
+  gl::OffscreenContext context_;
+  gl::Framebuffer picture_;
+  Renderer renderer_;
+  CameraView view_;
+  ViewOptions look_;
+};
+
+struct FilmOptions {
+  PictureOptions picture;
+  double frames_per_second = 30;  // > 0
+  std::filesystem::path folder;   // existing; receives frame-00000.png and so on
+};
+
+// Films the replay of a document as numbered PNGs. Ticks take their own time. Strokes have a pace of the
+// film: the beam moves at a constant speed of one diagonal of the world in four seconds, measured at its
+// emitter or in the middle of the world, whichever is faster; a stroke during which more time passed by
+// ticks takes that time. The film pauses for half a second before the first stroke and after each stroke or
+// other command except Advance, unless bodies are in motion, and for a second at the end.
+class Film {
+ public:
+  // Writes the first frames, of an uncut scene. Fails like OffscreenRenderer::open, or if a frame cannot be
+  // written.
+  static Result<Film> begin(const Scene& scene, FilmOptions options);
+
+  // Must be called after each step of the document, which contains at most one move of the beam. `step`
+  // holds its changes, or is null if they are unknown. Fails if a frame cannot be written.
+  Status follow(const Document& document, const StepResult* step);
+  // Follows a step without filming it.
+  void skip(const Document& document, const StepResult* step);
+  Status end(const Document& document);
+
+ private:
+  Film(OffscreenRenderer renderer, FilmOptions options, const World::Bounds& bounds);
+  double seconds_of(const BeamMove& move) const;
+  Status pass_ticks(const Document& document);
+  std::optional<BeamPicture> beam_picture(const Document& document, const Pose& beam) const;
+  Status pass(double seconds, const World& world, const std::optional<BeamPicture>& beam);
+
+  OffscreenRenderer renderer_;
+  FilmOptions options_;
+  Vec3 middle_;
+  double speed_;      // m/s
+  double clock_ = 0;  // s of the film
+  Ticks ticks_ = 0;   // of the world's clock, filmed so far
+  double ahead_ = 0;  // s of ticks in a stroke not yet covered by its moves
+  Pose beam_;         // last pose
+  size_t frames_ = 0;
+};
 
 }  // namespace kerf

@@ -4,21 +4,19 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/assert.h"
 #include "core/base/geometry.h"
 #include "core/heat/black_body.h"
 #include "core/mesh/looks.h"
 #include "ui/gl/buffers.h"
-#include "ui/gl/draw_state.h"
+#include "ui/gl/program.h"
 #include "ui/render/passes/heat_colours.h"
-#include "ui/render/shadow_pass.h"
-#include "ui/render/view/frame_space.h"
 
 namespace kerf {
 
 namespace {
 
 constexpr int kSamples = 4;
+constexpr double kGlowWidth = 1.0 / 220;  // of the diagonal of the world as loaded
 
 // Shifts a projection by the shift of the target.
 glm::mat4 shifted(const glm::mat4& clip_from_frame, const Target& target) {
@@ -375,10 +373,6 @@ bool Renderer::draw_again(const Target& target) {
   if (!drawn || drawn->shape().width != target.width || drawn->shape().height != target.height) return false;
   hand_over(target);
   return true;
-}
-
-namespace {
-constexpr double kGlowWidth = 1.0 / 220;  // of the diagonal of the world as loaded
 }
 
 void Renderer::show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared) {

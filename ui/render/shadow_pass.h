@@ -3,20 +3,20 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/shadow/light.h"
 #include "core/shadow/shadow_volume.h"
 #include "core/world/rigid_body.h"
 #include "core/world/world_delta.h"
 #include "ui/gl/buffers.h"
 #include "ui/gl/program.h"
+#include "ui/render/bodies/base_faces.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/bodies/face_buffer.h"
-#include "ui/render/bodies/piece_looks.h"
-#include "ui/render/bodies/prepared_body.h"
-#include "ui/render/view/frame_space.h"
+#include "ui/render/passes/surface_overlays.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 
@@ -170,6 +170,31 @@ class ShadowPass {
   gl::Program cap_, side_;
   std::map<BodyId, BodyShadows> bodies_;
   ShadowWork work_;
+};
+
+// Draws the construction of shadow volumes over a frame: the silhouette in blue, thin and light for
+// multiplicity 1, stronger for 2 and violet above; the volumes as sheets and wire, blue from outside and
+// orange from inside; the stencil counts as a heat map; light-facing polygons in pale yellow and
+// back-facing ones in dark blue. A legend at the lower left explains the colours.
+class ShadowOverlay {
+ public:
+  explicit ShadowOverlay(Shaders& shaders);
+
+  // Draws for the light that the options inspect, over a frame whose depth is kept; overwrites its stencil.
+  void draw(const Subject& subject, ShadowPass& shadows, FaceNumbers& numbers,
+            const gl::Framebuffer& picture) const;
+
+ private:
+  struct Inspected;
+  void draw_facing(const Inspected& seen) const;
+  void draw_counts(const Inspected& seen, FaceNumbers& numbers) const;
+  void draw_volumes(const Inspected& seen) const;
+  void draw_silhouette(const Inspected& seen, FaceNumbers& numbers) const;
+  void draw_lines(const Inspected& seen, float half_width, float reach,
+                  std::span<const glm::vec4> colours) const;
+
+  gl::Program line_, sheet_, facing_, solid_;
+  gl::NoVertices no_vertices_;
 };
 
 }  // namespace kerf

@@ -2,19 +2,35 @@
 
 #include <utility>
 
-#include "core/base/assert.h"
-#include "ui/gl/draw_state.h"
+#include "ui/gl/program.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {
 
+namespace {
+constexpr size_t kPixelsOfFrame = 6000;
+
+constexpr double kSamplesCost = 4;    // maximum slowdown by several samples
+constexpr double kMaxGathered = 0.4;  // s; maximum duration of an accumulated frame
+
+Target target_of(const Area& area, const Window& window) {
+  const Area pixels = pixels_of(area, window);
+  return {0, static_cast<int>(pixels.at.x),
+          static_cast<int>(window.pixel_size().y - pixels.at.y - pixels.size.y),
+          static_cast<int>(pixels.size.x), static_cast<int>(pixels.size.y)};
+}
+
+// Fills a part of the window with the colour behind the panels' edges.
+void clear(const Target& target) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  gl::fill(target.x, target.y, target.width, target.height, {0.035f, 0.040f, 0.048f, 1});
+}
+
+}  // namespace
+
 std::string tracing_text(const ShadowStatistics& statistics) {
   KERF_ASSERT(statistics.traced >= 0 && statistics.traced <= 1);
   return text_of("tracing %.0f %%", 100 * statistics.traced);
-}
-
-namespace {
-constexpr size_t kPixelsOfFrame = 6000;
 }
 
 void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& renderer,
@@ -37,26 +53,6 @@ void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& 
   statistics.traced = traced_->share_done();
   if (traced_->done()) statistics.wrong = differing_pixels(drawn_, *traced_);
 }
-
-namespace {
-
-constexpr double kSamplesCost = 4;    // maximum slowdown by several samples
-constexpr double kMaxGathered = 0.4;  // s; maximum duration of an accumulated frame
-
-Target target_of(const Area& area, const Window& window) {
-  const Area pixels = pixels_of(area, window);
-  return {0, static_cast<int>(pixels.at.x),
-          static_cast<int>(window.pixel_size().y - pixels.at.y - pixels.size.y),
-          static_cast<int>(pixels.size.x), static_cast<int>(pixels.size.y)};
-}
-
-// Fills a part of the window with the colour behind the panels' edges.
-void clear(const Target& target) {
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-  gl::fill(target.x, target.y, target.width, target.height, {0.035f, 0.040f, 0.048f, 1});
-}
-
-}  // namespace
 
 Result<LivePicture::Drawn> LivePicture::make_drawn() {
   auto renderer = Renderer::create();

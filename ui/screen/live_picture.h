@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
 
 #include "ui/render/passes/post_processing.h"
 #include "ui/render/renderer.h"

@@ -11,7 +11,6 @@
 
 #include "core/base/assert.h"
 #include "ui/window/theme.h"
-#include "ui/window/window.h"
 
 namespace kerf {
 
@@ -109,6 +108,22 @@ class Frame {
   bool typed_last_ = false;  // the last event is a key whose character follows
   std::set<int> changed_, pressed_;
 };
+
+constexpr float kDoubleClickSeconds = 0.3f;
+
+// Returns true if the next frame gives the focus to a text field, by Tab or on request of the last frame. A
+// focused field may repeat this request in each frame.
+bool is_focus_about_to_move() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (!context.NavMoveSubmitted || (context.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) == 0) return false;
+  return (context.NavMoveFlags & ImGuiNavMoveFlags_FocusApi) == 0 || !is_text_field_active();
+}
+
+// Returns true if the last frame omitted the active item (see keep_active_item).
+bool is_active_item_hidden() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.ActiveId != 0 && context.ActiveIdWindow != nullptr && !context.ActiveIdWindow->Active;
+}
 
 }  // namespace
 
@@ -220,24 +235,6 @@ void begin_gui_frame_with_keys(std::span<const InputEvent> events) {
   io.KeyRepeatDelay = delay;
   for (float& duration : io.KeysDownDuration) duration = std::min(duration, 0.5f * delay);
 }
-
-namespace {
-constexpr float kDoubleClickSeconds = 0.3f;
-
-// Returns true if the next frame gives the focus to a text field, by Tab or on request of the last frame. A
-// focused field may repeat this request in each frame.
-bool is_focus_about_to_move() {
-  const ImGuiContext& context = *ImGui::GetCurrentContext();
-  if (!context.NavMoveSubmitted || (context.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) == 0) return false;
-  return (context.NavMoveFlags & ImGuiNavMoveFlags_FocusApi) == 0 || !is_text_field_active();
-}
-
-// Returns true if the last frame omitted the active item (see keep_active_item).
-bool is_active_item_hidden() {
-  const ImGuiContext& context = *ImGui::GetCurrentContext();
-  return context.ActiveId != 0 && context.ActiveIdWindow != nullptr && !context.ActiveIdWindow->Active;
-}
-}  // namespace
 
 void keep_active_item() {
   ImGuiContext& context = *ImGui::GetCurrentContext();

@@ -7,9 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "ui/gl/framebuffer.h"
+#include "ui/gl/buffers.h"
 #include "ui/window/gui_look.h"
-#include "ui/window/theme.h"
 #include "ui/window/window.h"
 
 struct ImGuiIO;

@@ -11,6 +11,7 @@
 namespace kerf {
 
 namespace {
+
 constexpr double kMinViewport = 320, kMinViewportHeight = 160;
 constexpr double kMinSideEms = 12, kMinStripEms = 6;
 constexpr double kMinHalf = 120;
@@ -20,6 +21,14 @@ double share(double wanted_ems, double min_ems, double em, double room) {
   const double size = std::min(std::round(wanted_ems * em), std::floor(room));
   return size < std::min(wanted_ems, min_ems) * em ? 0 : std::max(size, 0.0);
 }
+
+Landmarks* kept_landmarks() { return static_cast<Landmarks*>(ImGui::GetIO().UserData); }
+
+Area last_item() {
+  const ImVec2 at = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  return {{at.x, at.y}, {size.x, size.y}};
+}
+
 }  // namespace
 
 Layout lay_out(Vec2 window, double em, double menu, double status, const PanelSizes& panels) {
@@ -48,17 +57,6 @@ Layout split_in_two(Layout whole, double share) {
   whole.second = {{all.at.x + left, all.at.y}, {all.size.x - left, all.size.y}};
   return whole;
 }
-
-namespace {
-
-Landmarks* kept_landmarks() { return static_cast<Landmarks*>(ImGui::GetIO().UserData); }
-
-Area last_item() {
-  const ImVec2 at = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
-  return {{at.x, at.y}, {size.x, size.y}};
-}
-
-}  // namespace
 
 void Landmarks::mark(const Layout& layout) {
   mark("viewport", layout.viewport);

@@ -7,13 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
-#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
 #include "ui/gl/image.h"
-#include "ui/window/window.h"
 
 namespace kerf {
 
@@ -21,6 +20,66 @@ namespace {
 
 // Frames until the opening or closing of a widget is complete.
 constexpr int kFramesToSettle = 4;
+
+constexpr double kMaxWindow = 8192;  // pixels
+
+// A modifier: its name, its key and its flag in other events.
+struct Modifier {
+  const char* name;
+  int key, mod;
+};
+constexpr std::array kModifiers{Modifier{"Ctrl", GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL},
+                                Modifier{"Shift", GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT},
+                                Modifier{"Alt", GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT}};
+
+std::optional<int> key_named(const std::string& name) {
+  for (const Modifier& modifier : kModifiers) {
+    if (name == modifier.name) return modifier.key;
+  }
+  if (name == "Esc") return GLFW_KEY_ESCAPE;
+  if (name == "Num Enter") return GLFW_KEY_KP_ENTER;
+  if (name.size() == 5 && name.starts_with("Num ") && name[4] >= '0' && name[4] <= '9')
+    return GLFW_KEY_KP_0 + (name[4] - '0');
+  const auto chord = parse_chord(name);
+  if (!chord || chord->mods != 0) return std::nullopt;
+  return chord->key;
+}
+
+std::optional<int> button_named(const std::string& name) {
+  if (name == "left") return GLFW_MOUSE_BUTTON_LEFT;
+  if (name == "right") return GLFW_MOUSE_BUTTON_RIGHT;
+  if (name == "middle") return GLFW_MOUSE_BUTTON_MIDDLE;
+  return std::nullopt;
+}
+
+constexpr double kReading = 0.001;  // s, duration of a clock reading
+
+// Sets the indices of ImGui's keys that are not characters, and of its shortcuts in text fields.
+void name_keys(ImGuiIO& io) {
+  const std::pair<ImGuiKey, int> keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
+                                           {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+                                           {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+                                           {ImGuiKey_UpArrow, GLFW_KEY_UP},
+                                           {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+                                           {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
+                                           {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
+                                           {ImGuiKey_Home, GLFW_KEY_HOME},
+                                           {ImGuiKey_End, GLFW_KEY_END},
+                                           {ImGuiKey_Insert, GLFW_KEY_INSERT},
+                                           {ImGuiKey_Delete, GLFW_KEY_DELETE},
+                                           {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
+                                           {ImGuiKey_Space, GLFW_KEY_SPACE},
+                                           {ImGuiKey_Enter, GLFW_KEY_ENTER},
+                                           {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+                                           {ImGuiKey_KeyPadEnter, GLFW_KEY_KP_ENTER},
+                                           {ImGuiKey_A, GLFW_KEY_A},
+                                           {ImGuiKey_C, GLFW_KEY_C},
+                                           {ImGuiKey_V, GLFW_KEY_V},
+                                           {ImGuiKey_X, GLFW_KEY_X},
+                                           {ImGuiKey_Y, GLFW_KEY_Y},
+                                           {ImGuiKey_Z, GLFW_KEY_Z}};
+  for (const auto& [name, key] : keys) io.KeyMap[name] = key;
+}
 
 }  // namespace
 
@@ -126,41 +185,6 @@ Status EventScript::print_answer(const JsonValue& value, const Answer& answer) c
   std::fflush(stdout);
   return Done{};
 }
-
-namespace {
-
-constexpr double kMaxWindow = 8192;  // pixels
-
-// A modifier: its name, its key and its flag in other events.
-struct Modifier {
-  const char* name;
-  int key, mod;
-};
-constexpr std::array kModifiers{Modifier{"Ctrl", GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL},
-                                Modifier{"Shift", GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT},
-                                Modifier{"Alt", GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT}};
-
-std::optional<int> key_named(const std::string& name) {
-  for (const Modifier& modifier : kModifiers) {
-    if (name == modifier.name) return modifier.key;
-  }
-  if (name == "Esc") return GLFW_KEY_ESCAPE;
-  if (name == "Num Enter") return GLFW_KEY_KP_ENTER;
-  if (name.size() == 5 && name.starts_with("Num ") && name[4] >= '0' && name[4] <= '9')
-    return GLFW_KEY_KP_0 + (name[4] - '0');
-  const auto chord = parse_chord(name);
-  if (!chord || chord->mods != 0) return std::nullopt;
-  return chord->key;
-}
-
-std::optional<int> button_named(const std::string& name) {
-  if (name == "left") return GLFW_MOUSE_BUTTON_LEFT;
-  if (name == "right") return GLFW_MOUSE_BUTTON_RIGHT;
-  if (name == "middle") return GLFW_MOUSE_BUTTON_MIDDLE;
-  return std::nullopt;
-}
-
-}  // namespace
 
 Status VirtualInput::apply(const std::string& name, const JsonValue& value) {
   if (name == "move") return move(value);
@@ -271,39 +295,6 @@ Status VirtualInput::resize(const JsonValue& value) {
 Status VirtualInput::focus(const JsonValue& value) { return assign(value.flag(), focus_); }
 
 Status VirtualInput::close(const JsonValue& value) { return assign(value.flag(), input_state_.close); }
-
-namespace {
-
-constexpr double kReading = 0.001;  // s, duration of a clock reading
-
-// Sets the indices of ImGui's keys that are not characters, and of its shortcuts in text fields.
-void name_keys(ImGuiIO& io) {
-  const std::pair<ImGuiKey, int> keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
-                                           {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
-                                           {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
-                                           {ImGuiKey_UpArrow, GLFW_KEY_UP},
-                                           {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
-                                           {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
-                                           {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
-                                           {ImGuiKey_Home, GLFW_KEY_HOME},
-                                           {ImGuiKey_End, GLFW_KEY_END},
-                                           {ImGuiKey_Insert, GLFW_KEY_INSERT},
-                                           {ImGuiKey_Delete, GLFW_KEY_DELETE},
-                                           {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-                                           {ImGuiKey_Space, GLFW_KEY_SPACE},
-                                           {ImGuiKey_Enter, GLFW_KEY_ENTER},
-                                           {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
-                                           {ImGuiKey_KeyPadEnter, GLFW_KEY_KP_ENTER},
-                                           {ImGuiKey_A, GLFW_KEY_A},
-                                           {ImGuiKey_C, GLFW_KEY_C},
-                                           {ImGuiKey_V, GLFW_KEY_V},
-                                           {ImGuiKey_X, GLFW_KEY_X},
-                                           {ImGuiKey_Y, GLFW_KEY_Y},
-                                           {ImGuiKey_Z, GLFW_KEY_Z}};
-  for (const auto& [name, key] : keys) io.KeyMap[name] = key;
-}
-
-}  // namespace
 
 double ScriptedWindow::Clock::seconds() const {
   if (std::exchange(frame_, script_.seconds()) != script_.seconds()) readings_ = 0;

@@ -1,6 +1,5 @@
 #include "ui/window/theme.h"
 
-#include <array>
 #include <cmath>
 #include <filesystem>
 

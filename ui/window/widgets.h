@@ -2,15 +2,88 @@
 
 #include <imgui.h>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/geometry.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/window/layout.h"
+#include "ui/window/number_text.h"
 
 namespace kerf {
+
+// Texts for a limited width [pixels]. They are shortened at a character boundary rather than clipped by the
+// edge of their widget.
+
+// The width of a text; by default in the current font of ImGui.
+using TextWidth = std::function<float(std::string_view)>;
+float width_of_text(std::string_view text);
+
+// Returns the text, or its beginning and an ellipsis. Empty if not even the ellipsis fits. O(size of the
+// text).
+std::string fitted_text(std::string_view text, float width, const TextWidth& width_of = width_of_text);
+
+// Returns the number with its unit as number_text() formats it; if that is too wide, with fewer digits,
+// then without the unit; an ellipsis if no digit fits.
+std::string fitted_number(double value, const RealFormat& format, std::string_view unit, double scale,
+                          float width, const TextWidth& width_of = width_of_text);
+
+// Returns the label of an ImGui widget with its visible part fitted; its ID is unchanged.
+std::string fitted_label(const std::string& label, float width);
+std::string visible_part(const std::string& label);
+
+// ImGui::BeginCombo() with the selected value fitted into it.
+bool begin_fitted_combo(const char* id, const std::string& preview);
+
+// Draws an item with the text, fitted into `width`, or into the rest of the row if that is 0. A shortened
+// text begins the tooltip in full. `meaning` is the rest of the tooltip, and may be null.
+void draw_fitted_text(const std::string& text, const char* meaning = nullptr, float width = 0);
+
+// Rows of a panel with labels at the left and widgets in a column at the right. Between begin_properties(),
+// if it returns true, and end_properties(), each row calls property() and then draws its one widget,
+// optionally followed by tooltip().
+bool begin_properties(const char* id);
+void property(const char* label);
+void end_properties();
+
+// An image below the text of a tooltip: a texture of the current context, and its size (screen
+// coordinates).
+struct TipPicture {
+  unsigned texture = 0;
+  Vec2 size{0};
+};
+
+// Shows a tooltip if the pointer has rested on the last item, even a disabled one, for half a second with
+// no button held. Placed next to the item's window if there is space, so that it covers no other widget.
+void tooltip(const char* text, const std::optional<TipPicture>& picture = std::nullopt);
+
+void figure_row(const char* name, const std::string& value, const char* meaning);
+
+struct Slider {
+  const char* name;     // in messages
+  const char* id;       // of ImGui
+  const char* meaning;  // tooltip
+  bool logarithmic = false;
+  bool takes_text = true;  // Ctrl+click and Tab make it a number field (see NumberFields)
+};
+
+// Draws a slider as wide as the next item. The value is shown next to the grab, shortened to fit; the
+// tooltip then has it in full. Typed values are limited to the range, with a message. Returns true if the
+// value changed. A non-empty `text` replaces the shown number.
+bool real_slider(const Slider& slider, double& value, double low, double high, const RealFormat& format,
+                 const NumberUnit& unit = {}, const std::string& text = "");
+bool whole_slider(const Slider& slider, int& value, int low, int high, const std::string& text,
+                  const NumberUnit& unit = {});
+
+// Returns the place of a slider's text between `left` and `right`: the middle, or as near to it as the grab
+// in between permits.
+struct SliderRoom {
+  float at = 0, width = 0;
+};
+SliderRoom room_beside_grab(float left, float right, float grab_left, float grab_right, float text_width);
 
 inline ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 

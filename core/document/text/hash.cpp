@@ -24,6 +24,9 @@ uint64_t add_bytes(uint64_t hash, const char* bytes, size_t count) {
   return hash;
 }
 
+constexpr std::string_view kDigits = "0123456789abcdef";
+constexpr int kLength = 16;
+
 }  // namespace
 
 Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* progress) {
@@ -48,11 +51,6 @@ Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* pr
   if (stream.bad()) return failed(file.string() + ": reading failed before the end");
   return hash_combine(hash, size);
 }
-
-namespace {
-constexpr std::string_view kDigits = "0123456789abcdef";
-constexpr int kLength = 16;
-}  // namespace
 
 std::string hash_text(uint64_t hash) {
   std::string text(kLength, '0');

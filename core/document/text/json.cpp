@@ -8,13 +8,88 @@
 #include <sstream>
 #include <system_error>
 
-#include "core/base/assert.h"
-#include "core/base/geometry.h"
 #include "core/base/ids.h"
-#include "core/base/json.h"
 #include "core/mesh/files/mesh_format.h"
 
 namespace kerf {
+namespace fs = std::filesystem;
+
+namespace {
+
+// Maximum number of letters compared, so that the cost of a key of a megabyte is bounded.
+constexpr size_t kComparedLetters = 64;
+
+std::string folded(std::string_view name) {
+  std::string text(name.substr(0, kComparedLetters));
+  for (char& c : text) {
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+size_t distance(const std::string& a, const std::string& b) {
+  if (!a.empty() && !b.empty() && a != b && (a.starts_with(b) || b.starts_with(a))) return 1;
+  // Row i holds the distances of the first i letters of a; the two rows before it are kept.
+  std::vector<size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (size_t i = 1; i <= a.size(); ++i) {
+    before.swap(last);
+    last.swap(row);
+    row[0] = i;
+    for (size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+  }
+  return row[b.size()];
+}
+
+using Json = nlohmann::ordered_json;
+
+void append_exactly(std::string& text, const Json& json) {
+  if (json.is_number_float()) return append_number(text, json.get<double>());
+  if (!json.is_structured()) {
+    text += json.is_number_unsigned() ? std::to_string(json.get<uint64_t>()) : json.dump();
+    return;
+  }
+  text += json.is_object() ? '{' : '[';
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    if (item != json.begin()) text += ',';
+    if (json.is_object()) text += '"' + item.key() + "\":";
+    append_exactly(text, *item);
+  }
+  text += json.is_object() ? '}' : ']';
+}
+
+template <typename ToText>
+Result<std::string> utf8_text(ToText to_text) {
+  try {
+    return to_text();
+  } catch (const Json::exception&) {
+    return bad_input("a name in it is not UTF-8, which JSON cannot hold: rename that file or piece");
+  }
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view name, std::span<const std::string> names) {
+  const std::string wanted = folded(name);
+  const std::string* nearest = nullptr;
+  size_t least = 0;
+  for (const std::string& candidate : names) {
+    const size_t d = distance(wanted, folded(candidate));
+    if (nearest != nullptr && d >= least) continue;
+    nearest = &candidate;
+    least = d;
+  }
+  return nearest != nullptr ? *nearest : "";
+}
+
+std::string nearest_name_hint(std::string_view name, std::span<const std::string> names) {
+  if (names.empty()) return "";
+  return "; the nearest name is \"" + nearest_name(name, names) + "\"";
+}
 
 Result<double> JsonValue::number() const {
   if (!value_->is_number() || !std::isfinite(value_->get<double>())) return wrong("must be a finite number");
@@ -125,37 +200,6 @@ Result<std::string> read_text_file(const std::filesystem::path& file) {
   if (stream.bad()) return failed(file.string() + ": reading failed before the end");
   return std::move(text).str();
 }
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
-
-void append_exactly(std::string& text, const Json& json) {
-  if (json.is_number_float()) return append_number(text, json.get<double>());
-  if (!json.is_structured()) {
-    text += json.is_number_unsigned() ? std::to_string(json.get<uint64_t>()) : json.dump();
-    return;
-  }
-  text += json.is_object() ? '{' : '[';
-  for (auto item = json.begin(); item != json.end(); ++item) {
-    if (item != json.begin()) text += ',';
-    if (json.is_object()) text += '"' + item.key() + "\":";
-    append_exactly(text, *item);
-  }
-  text += json.is_object() ? '}' : ']';
-}
-
-template <typename ToText>
-Result<std::string> utf8_text(ToText to_text) {
-  try {
-    return to_text();
-  } catch (const Json::exception&) {
-    return bad_input("a name in it is not UTF-8, which JSON cannot hold: rename that file or piece");
-  }
-}
-
-}  // namespace
 
 void append_number(std::string& text, double x) {
   KERF_ASSERT(std::isfinite(x));

@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "core/base/deterministic_math.h"
-#include "core/base/random.h"
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/vehicle/vehicle.h"
 
 namespace kerf {

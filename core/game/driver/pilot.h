@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/game/driver/driver_view.h"
 #include "core/game/driver/steering.h"
 
 namespace kerf {

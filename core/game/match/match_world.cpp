@@ -5,10 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/cut/cut_step.h"
-#include "core/joints/joined_parts.h"
-#include "core/physics/release_pieces.h"
 #include "core/physics/sleep.h"
-#include "core/world/heat_flow.h"
 
 namespace kerf {
 
@@ -53,6 +50,11 @@ namespace {
 constexpr Ticks kAfterRemoval = 15, kAfterDetaching = 1;
 constexpr size_t kLarge = 2'000;  // faces
 
+constexpr Ticks kLookForJointsEvery = 10;  // if faces that carry joints were removed
+constexpr size_t kSearch = 20'000;         // faces visited per tick by the search for separated pieces
+constexpr size_t kMaxLoose = 200;          // bodies, including those of the arena
+constexpr Ticks kClearEvery = kTicksPerSecond / 10;
+
 }  // namespace
 
 void StaleColliders::note(const Delta& change, Ticks now) {
@@ -93,15 +95,6 @@ std::vector<BodyId> StaleColliders::take_due(const World& world, Ticks now) {
   std::sort(taken.begin(), taken.end());
   return taken;
 }
-
-namespace {
-
-constexpr Ticks kLookForJointsEvery = 10;  // if faces that carry joints were removed
-constexpr size_t kSearch = 20'000;         // faces visited per tick by the search for separated pieces
-constexpr size_t kMaxLoose = 200;          // bodies, including those of the arena
-constexpr Ticks kClearEvery = kTicksPerSecond / 10;
-
-}  // namespace
 
 MatchWorld::MatchWorld(const Arena& arena) {
   Environment around;

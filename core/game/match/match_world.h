@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/arena/arena.h"
 #include "core/joints/joined_parts.h"
 #include "core/physics/physics.h"

@@ -1,9 +1,12 @@
 #include "core/game/vehicle/vehicle.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
+#include "core/base/ids.h"
+#include "core/joints/joined_parts.h"
 
 namespace kerf {
 
@@ -78,6 +81,121 @@ void place(World& world, BodyId id, const Body& chassis, const Placement& local,
                          glm::cross(spin, body.placement.position - about);
 }
 
+constexpr double kYawSpeed = 4.5, kPitchSpeed = 3;  // rad/s
+constexpr double kMinEnergy = 0.05;                 // to switch the beam on
+
+// How far a removed face may extend beyond the beam: in radii, and at least in metres.
+constexpr double kTolerance = 1.2, kMinTolerance = 0.02;
+constexpr double kHeatWidth = 0.025;  // m, next to a cut; a few faces
+
+constexpr double kMaxBeamStep = 6;  // radii, maximum motion of a point of the beam in one move
+
+CutSettings cut_settings(double radius, double length) {
+  CutSettings settings;
+  settings.laser.radius = radius;
+  settings.laser.range = {0, length};
+  settings.resolution.scheme = Scheme::kLongestEdge;
+  settings.resolution.rule = Resolution::Rule::kTolerance;
+  settings.resolution.tolerance = std::max(kTolerance * radius, kMinTolerance);
+  settings.max_faces = kMaxFacesOfTarget;
+  settings.heat_width = kHeatWidth;
+  return settings;
+}
+
+// Returns a move along the same beams with the advanced origin slid back along its beam until it is level
+// with the other one. The ends of a beam that moves along itself and sideways at once are wider for
+// touching than for removing (see SweptCylinder): faces there would be split endlessly. So the beam ends
+// slightly before a wall.
+BeamMove without_advance(BeamMove move) {
+  const Vec3 axis = glm::normalize(move.from.direction + move.to.direction);
+  const double advance = glm::dot(move.to.origin - move.from.origin, axis);
+  Pose& front = advance > 0 ? move.to : move.from;
+  front.origin -= std::abs(advance) / glm::dot(front.direction, axis) * front.direction;
+  return move;
+}
+
+// The moves of the beam through a body, in its frame, without those that miss it.
+std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, const Placement& then,
+                                    const Pose& to, const CutSettings& settings) {
+  const Placement& now = near.body->placement;
+  const BeamMove whole{then.to_body(from), now.to_body(to), 0};
+  const Vec3 centre = now.to_body(near.centre);
+  const double radius = settings.laser.radius, range = settings.laser.range.high;
+  const double reach = std::min(range, glm::distance(whole.to.origin, centre) + near.radius);
+  const auto passes_by = [&](const BeamMove& m) {
+    const double drift =
+        glm::distance(m.from.origin, m.to.origin) + reach * glm::distance(m.from.direction, m.to.direction);
+    return !passes_near(m.from, range, centre, near.radius, drift + radius);
+  };
+  if (passes_by(whole)) return {};
+  std::vector<BeamMove> moves = subdivide(whole, kMaxBeamStep * radius, reach);
+  std::erase_if(moves, passes_by);
+  for (BeamMove& move : moves) move = without_advance(move);
+  return moves;
+}
+
+// The change of a body by a failed cut: its delta is lost, so that observers must reload the world.
+StepResult unknown_change(BodyId id) {
+  StepResult result;
+  result.delta.replaced = true;
+  result.delta.bodies.emplace_back().body = id;
+  return result;
+}
+
+// The remaining area of the groups of a watch in a body.
+class Rest {
+ public:
+  Rest(const World& world, BodyId id, const FaceWatch& watch)
+      : watch_(watch), left_(watch.areas_in(world.body(id))) {}
+  bool works(size_t group) const { return left_[group] >= kMinPart * watch_.area(group); }
+
+ private:
+  const FaceWatch& watch_;
+  std::vector<double> left_;
+};
+
+// Returns true if enough of a carried body and of its seat is left.
+bool holds(const World& world, BodyId id, const VehicleBody& model) {
+  const Rest rest(world, id, model.watch);
+  return rest.works(VehicleModel::kAll) && rest.works(VehicleModel::kSeat);
+}
+
+void assess_wheels(const World& world, Vehicle& vehicle, const Rest& chassis, Damage& damage) {
+  const VehicleModel& model = *vehicle.model;
+  for (size_t i = 0; i < vehicle.wheels.size(); ++i) {
+    Wheel& wheel = vehicle.wheels[i];
+    if (!wheel.attached) continue;
+    if (chassis.works(model.wheel_mount(i)) && holds(world, wheel.body, model.wheels[i])) continue;
+    wheel.attached = wheel.grounded = false;
+    damage.wheels.push_back(i);
+  }
+}
+
+void assess_gun(const World& world, Vehicle& vehicle, const Rest& chassis, Damage& damage) {
+  const VehicleModel& model = *vehicle.model;
+  Gun& gun = vehicle.gun;
+  if (!gun.turret_attached) return;
+  damage.turret = !chassis.works(model.turret_mount()) || !holds(world, gun.turret, model.turret);
+  if (gun.barrel_attached) {
+    const bool seat = Rest(world, gun.turret, model.turret.watch).works(VehicleModel::kBarrelSeat);
+    damage.barrel = damage.turret || !seat || !holds(world, gun.barrel, model.barrel);
+  }
+  gun.turret_attached = !damage.turret;
+  gun.barrel_attached = gun.barrel_attached && !damage.barrel;
+  if (!gun.works()) gun.firing = false;
+}
+
+void assess_vitals(Vehicle& vehicle, const Rest& chassis, Damage& damage) {
+  for (size_t i = 0; i < vehicle.vital_works.size(); ++i) {
+    if (!vehicle.vital_works[i] || chassis.works(vehicle.model->vital(i))) continue;
+    vehicle.vital_works[i] = false;
+    damage.vitals.push_back(i);
+  }
+}
+
+constexpr double kReach = 0.8, kMoreReach = 0.07;  // m at kCrash, and m per m/s above it
+constexpr double kMaxReach = 1.6;                  // m
+
 }  // namespace
 
 Vehicle add_vehicle(World& world, const std::shared_ptr<const VehicleModel>& model,
@@ -138,6 +256,142 @@ Pose muzzle_pose(const World& world, const Vehicle& vehicle) {
 
 Vec3 in_world(const World& world, const Vehicle& vehicle, const Vec3& point) {
   return world.body(vehicle.chassis).placement.to_world(point);
+}
+
+void aim(const World& world, Vehicle& vehicle) {
+  if (!vehicle.alive || !vehicle.gun.works()) return;
+  Gun& gun = vehicle.gun;
+  const TurretDescription& turret = vehicle.what().turret;
+  const Vec3 wanted = direction_of(vehicle.controls.heading * Controls::kAimStep,
+                                   vehicle.controls.pitch * Controls::kAimStep);
+  const Vec3 local = glm::conjugate(world.body(vehicle.chassis).placement.orientation) * wanted;
+  const double yaw = std::clamp(heading_of(local), turret.yaw.low, turret.yaw.high);
+  const bool all_around = turret.yaw.high - turret.yaw.low > 2 * kPi - 1e-3;
+  const double way = all_around ? wrapped(yaw - gun.yaw) : yaw - gun.yaw;
+  gun.yaw += std::clamp(way, -kYawSpeed * kTick, kYawSpeed * kTick);
+  if (all_around) gun.yaw = wrapped(gun.yaw);
+  const double pitch = std::clamp(pitch_of(local), turret.barrel.pitch.low, turret.barrel.pitch.high);
+  gun.pitch += std::clamp(pitch - gun.pitch, -kPitchSpeed * kTick, kPitchSpeed * kTick);
+}
+
+bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules) {
+  Gun& gun = vehicle.gun;
+  const double width = static_cast<double>(vehicle.controls.width) / Controls::kFull;
+  const double least = gun.firing ? 0 : kMinEnergy;
+  gun.firing = vehicle.alive && vehicle.controls.fire && gun.works() && !gun.overheated && gun.energy > least;
+  if (!gun.firing) gun.last.reset();
+  gun.radius = rules.radius.low + width * (rules.radius.high - rules.radius.low);
+  const double effort = gun.firing ? 0.6 + 0.8 * width : 0;
+  const double driving = std::min(speed / LaserRules::kDriving, 1.0);
+  const double charge = rules.charge + driving * (rules.charge_driving - rules.charge);
+  gun.energy += kTick * (gun.firing ? -rules.drain * effort : charge);
+  gun.heat += kTick * (gun.firing ? rules.heating * effort : -rules.cooling);
+  gun.energy = std::clamp(gun.energy, 0.0, 1.0);
+  gun.heat = std::clamp(gun.heat, 0.0, 1.0);
+  if (gun.overheated && gun.heat < rules.cooled) gun.overheated = false;
+  if (gun.heat < 1 || gun.overheated) return false;
+  gun.overheated = true;
+  return true;
+}
+
+std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& sight,
+                                  const std::function<bool(BodyId)>& cuttable, const LaserRules& rules,
+                                  const PlacementsBefore& before) {
+  Gun& gun = vehicle.gun;
+  KERF_ASSERT(gun.firing && gun.works());
+  const Pose now = muzzle_pose(world, vehicle), last = gun.last.value_or(now);
+  const auto wall = sight.nearest(now, rules.range, [&](BodyId id) { return !cuttable(id); });
+  gun.length = wall ? wall->length : rules.range;
+  const CutSettings settings = cut_settings(gun.radius, gun.length);
+  std::map<BodyId, StepResult> cut;
+  for (const Sight::Near& near : sight.bodies()) {
+    if (vehicle.has(near.id) || !cuttable(near.id) || near.body->mesh.live_faces() > kMaxFacesOfTarget)
+      continue;
+    const auto then = before.find(near.id);
+    const Placement& was = gun.last && then != before.end() ? then->second : near.body->placement;
+    const std::vector<BeamMove> moves = moves_through(near, last, was, now, settings);
+    if (moves.empty()) continue;
+    Result<StepResult> done = cut_apart(world, settings, near.id, moves);
+    if (!done) done = unknown_change(near.id);
+    if (!done->delta.empty()) cut.emplace(near.id, std::move(*done));
+  }
+  gun.last = now;
+  return cut;
+}
+
+double area_of(const Body& body) {
+  double area = 0;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) area += body.pieces[p].area;
+  return area;
+}
+
+Damage assess_damage(const World& world, Vehicle& vehicle) {
+  Damage damage;
+  const Rest chassis(world, vehicle.chassis, vehicle.model->chassis.watch);
+  assess_wheels(world, vehicle, chassis, damage);
+  assess_gun(world, vehicle, chassis, damage);
+  assess_vitals(vehicle, chassis, damage);
+  vehicle.whole = area_of(world.body(vehicle.chassis)) / vehicle.model->chassis_area;
+  const bool dead = !damage.vitals.empty() || vehicle.whole < kMinChassis;
+  damage.died = vehicle.alive && dead;
+  if (dead) vehicle.alive = vehicle.gun.firing = false;
+  return damage;
+}
+
+bool is_clean(const Body& piece, const Body& loaded) {
+  const LoadedComponents& components = loaded.components;
+  if (components.of_base.empty()) return false;
+  std::vector<double> areas(components.left.size(), 0);
+  double all = 0;
+  for (uint32_t slot = 0; slot < piece.mesh.face_slots(); ++slot) {
+    const FaceId f(slot);
+    if (!piece.mesh.is_live(f)) continue;
+    const double area = triangle_area(piece.mesh.triangle(f));
+    areas[components.of_base[piece.loaded_face(piece.loaded_base(f)).index]] += area;
+    all += area;
+  }
+  if (all < kMinCleanArea) return false;
+  for (uint32_t c = 0; c < areas.size(); ++c) {
+    if (areas[c] > 0 && areas[c] < kCleanShare * components.left[c].area) return false;
+  }
+  return true;
+}
+
+Vec3 pushed_at(const Body& chassis, const Vec3& change) {
+  const Bounds box = chassis.bounds();
+  const Vec3 middle = 0.5 * (box.min + box.max), half = 0.5 * (box.max - box.min);
+  const Vec3 way = glm::conjugate(chassis.placement.orientation) * -change;
+  double share = 1e300;  // of `way`, from the middle to the side
+  for (const int axis : {0, 2}) {
+    if (way[axis] != 0) share = std::min(share, half[axis] / std::abs(way[axis]));
+  }
+  if (share == 1e300) share = 0;
+  return chassis.placement.to_world(middle + share * Vec3(way.x, 0, way.z));
+}
+
+bool release_joints_near(World& world, const Vehicle& vehicle, const Vec3& at, double change) {
+  KERF_ASSERT(change >= kCrash);
+  KERF_ASSERT(vehicle.model);
+  Body& chassis = world.body(vehicle.chassis);
+  const Vec3 place = chassis.placement.to_body(at);
+  const double reach = std::min(kMaxReach, kReach + kMoreReach * (change - kCrash));
+  const std::vector<bool>& breaks = vehicle.model->breaks;
+  Joints joints = world.joints();
+  size_t own = 0;
+  bool any = false;
+  for (Joint& joint : joints.all) {
+    if (joint.body != chassis.loaded_as) continue;
+    KERF_ASSERT(own < breaks.size());
+    const bool near = glm::distance(joint.anchor, place) <= reach && !joint.sides[0].faces.empty();
+    if (!breaks[own++] || !near) continue;
+    joint.sides[0].faces.clear();
+    joint.sides[1].faces.clear();
+    any = true;
+  }
+  if (!any) return false;
+  world.set_joints(std::move(joints));
+  request_joints(world, chassis, {}, true);
+  return true;
 }
 
 }  // namespace kerf

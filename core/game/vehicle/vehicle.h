@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/cut/cut_step.h"
+#include "core/game/arena/arena.h"
 #include "core/game/vehicle/vehicle_model.h"
 #include "core/world/world.h"
 #include "core/world/world_delta.h"
@@ -111,5 +115,84 @@ Pose muzzle_pose(const World& world, const Vehicle& vehicle);
 
 // Maps a point of the mesh of a vehicle to the world, as if all parts were attached.
 Vec3 in_world(const World& world, const Vehicle& vehicle, const Vec3& point);
+
+// Parameters of the lasers of a match. Energy and heat are fractions of their maximum.
+struct LaserRules {
+  double range = 40;                   // m
+  Interval radius{0.012, 0.035};       // m, of the narrowest and the widest beam
+  double drain = 0.16, charge = 0.11;  // 1/s, of energy, while it fires at medium width and while it does not
+  double charge_driving = charge;      // 1/s, likewise while the vehicle drives at kDriving or more
+  double heating = 0.34, cooling = 0.3;  // 1/s, likewise
+  double cooled = 0.35;                  // heat below which an overheated laser fires again
+  static constexpr double kDriving = 8;  // m/s
+};
+
+// Turns the turret and the barrel of a vehicle for a tick towards the aim of its controls, within their
+// limits.
+void aim(const World& world, Vehicle& vehicle);
+
+// Switches the beam of a vehicle on or off for a tick according to its controls, energy and heat, and
+// updates energy and heat; `speed` of the vehicle [m/s]. Returns true if it overheated in this tick.
+bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules);
+
+inline constexpr size_t kMaxFacesOfTarget = 40'000;
+
+// Placements of bodies at the start of a tick.
+using PlacementsBefore = std::map<BodyId, Placement>;
+
+// Cuts with the beam of a vehicle for a tick: the volume swept from the pose at the end of the last tick to
+// the current one, in the frame of each body that it hits, which may have moved in the meantime. The beam
+// ends at the ground and at the first body that is not cuttable, passes through all others, and ignores the
+// bodies of its own vehicle. A cut that would give a body more than kMaxFacesOfTarget faces ends early,
+// with a delta that requires a complete reload. Sets Gun::length and Gun::last. `sight`: the world after
+// the bodies have moved; `cuttable`: returns true if the beam cuts a body. Returns the cuts by body.
+// Precondition: the beam is on.
+std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& sight,
+                                  const std::function<bool(BodyId)>& cuttable, const LaserRules& rules,
+                                  const PlacementsBefore& before);
+
+struct Damage {
+  std::vector<size_t> wheels, vitals;  // indices in the description
+  bool turret = false, barrel = false;
+  bool died = false;
+};
+
+// Reads from the meshes which parts of a vehicle still work, and updates the vehicle. A part works while at
+// least half of its loaded area is attached to its mount:
+//
+//   wheel, turret   half of the part is left in its body, half of that near its hub or pivot, and half of its
+//                   mount is left in the chassis near there; otherwise it comes off as a free body. The same
+//                   holds for the barrel on the turret.
+//   vital part      half of its area is left in the chassis; otherwise the vehicle is dead.
+//
+// A vehicle with less than kMinChassis of its chassis is dead, too. Precondition: pieces that were cut off
+// are bodies of their own (see release_pieces). O(faces of the vehicle).
+Damage assess_damage(const World& world, Vehicle& vehicle);
+
+// The area of the faces of a body [m^2].
+double area_of(const Body& body);
+
+inline constexpr double kMinPart = 0.5;      // of the area of a part
+inline constexpr double kMinChassis = 0.25;  // of the area of the chassis
+
+// Returns true if a body that was separated from `loaded` consists of whole parts: at least kCleanShare of
+// the area of every connected component of which it has faces, and at least kMinCleanArea in total. False if
+// `loaded` is a single component. O(faces).
+bool is_clean(const Body& piece, const Body& loaded);
+
+inline constexpr double kCleanShare = 0.97;    // of the area of a component
+inline constexpr double kMinCleanArea = 0.05;  // m^2
+
+// The change of velocity within a tick that damages a vehicle [m/s].
+inline constexpr double kCrash = 8;
+
+// The point of impact on a chassis whose velocity changed by `change` [m/s, in the world]: the middle of
+// the side of its box that faces the push, in the world [m].
+Vec3 pushed_at(const Body& chassis, const Vec3& change);
+
+// Releases the breakable joints (see VehicleModel::breaks) of a chassis near a place [m, in the world],
+// within a distance that grows with `change` [m/s], which is at least kCrash. Returns true if there were
+// any; parts that no joint holds must be separated then. O(joints).
+bool release_joints_near(World& world, const Vehicle& vehicle, const Vec3& at, double change);
 
 }  // namespace kerf

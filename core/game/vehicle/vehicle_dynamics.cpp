@@ -1,13 +1,12 @@
 #include "core/game/vehicle/vehicle_dynamics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/physics/contact/rigid_body.h"
 
 namespace kerf {
@@ -56,8 +55,6 @@ constexpr double kLeanLess = 0.75;                // of the height of the centre
 constexpr double kSteeringSpeed = 2.4;            // rad/s
 constexpr double kStandstill = 0.6;               // m/s, below which throttle backwards reverses
 constexpr int kSweeps = 3;
-
-double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
 // A grounded wheel with its axes in the world.
 struct Standing {
@@ -263,21 +260,6 @@ class Drive {
   std::vector<Standing> standing_;
 };
 
-}  // namespace
-
-double full_lock(double speed) { return 0.62 / (1 + speed * speed / 90); }
-
-void drive(World& world, Vehicle& vehicle, const Sight& sight) {
-  Body& chassis = world.body(vehicle.chassis);
-  if (vehicle.alive) {
-    chassis.motion.asleep = false;
-    chassis.motion.quiet = 0;
-  }
-  if (chassis.mesh.live_faces() > 0 && !chassis.motion.asleep) Drive(world, vehicle, sight).run();
-}
-
-namespace {
-
 constexpr double kUpright = 0.5;       // the cosine of the lean
 constexpr double kBall = 0.42;         // m, the radius of the balls
 constexpr double kAboveGround = 0.12;  // m, of the balls above the lowest point
@@ -332,7 +314,28 @@ void stop(RigidMotion& motion, const Vec3& at, const Vec3& normal) {
   motion.push(at, -std::min(kFriction * impulse, speed / motion.response(at, along)) * along);
 }
 
+constexpr double kPatience = 0.9;            // s
+constexpr double kFirst = 0.9, kMore = 0.3;  // s, of backing off, and increment per attempt
+constexpr double kHere = 1, kElsewhere = 6;  // m
+constexpr int kMaxTimes = 2;                 // near the same place
+constexpr int kWants = Controls::kFull / 5;  // of the throttle
+
+int direction_of(const Controls& controls) {
+  return controls.throttle > kWants ? 1 : controls.throttle < -kWants ? -1 : 0;
+}
+
 }  // namespace
+
+double full_lock(double speed) { return 0.62 / (1 + speed * speed / 90); }
+
+void drive(World& world, Vehicle& vehicle, const Sight& sight) {
+  Body& chassis = world.body(vehicle.chassis);
+  if (vehicle.alive) {
+    chassis.motion.asleep = false;
+    chassis.motion.quiet = 0;
+  }
+  if (chassis.mesh.live_faces() > 0 && !chassis.motion.asleep) Drive(world, vehicle, sight).run();
+}
 
 bool is_upright(const World& world, const Vehicle& vehicle) {
   return (world.body(vehicle.chassis).placement.orientation * Vec3(0, 1, 0)).y > kUpright;
@@ -358,20 +361,6 @@ void glide_along(World& world, const Vehicle& vehicle, const Obstacles& obstacle
     }
   }
 }
-
-namespace {
-
-constexpr double kPatience = 0.9;            // s
-constexpr double kFirst = 0.9, kMore = 0.3;  // s, of backing off, and increment per attempt
-constexpr double kHere = 1, kElsewhere = 6;  // m
-constexpr int kMaxTimes = 2;                 // near the same place
-constexpr int kWants = Controls::kFull / 5;  // of the throttle
-
-int direction_of(const Controls& controls) {
-  return controls.throttle > kWants ? 1 : controls.throttle < -kWants ? -1 : 0;
-}
-
-}  // namespace
 
 Controls backed_off(const World& world, Vehicle& vehicle, const Controls& wanted) {
   BackOff& b = vehicle.back_off;

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/mat3x3.hpp>
 
-#include "core/game/arena/free_space.h"
-#include "core/game/arena/sight.h"
+#include "core/game/arena/arena.h"
 #include "core/game/vehicle/vehicle.h"
 #include "core/world/world.h"
 
 namespace kerf {
+
+// Returns `from` moved towards `to` by at most `most`.
+inline double towards(double from, double to, double most) {
+  return from + std::clamp(to - from, -most, most);
+}
 
 // The motion of a body under forces between two ticks of physics.
 class RigidMotion {

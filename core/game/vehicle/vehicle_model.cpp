@@ -2,81 +2,43 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <utility>
 
-#include "core/document/scene_text.h"
+#include "core/base/assert.h"
 #include "core/document/text/fields.h"
-#include "core/game/vehicle/face_watch.h"
+#include "core/mesh/measures.h"
 #include "core/mesh/mesh_file.h"
 
 namespace kerf {
 
-static void describe(Fields& f, WheelDescription& wheel) {
-  f.filled_text("part", wheel.part);
-  f.filled_text("mount", wheel.mount);
-  f.vector("hub", wheel.hub, VectorRule::kNearby);
-  f.number("radius", wheel.radius, {0.01, 10, "m"});
-  f.flag("steers", wheel.steers, kOptional);
-  f.flag("driven", wheel.driven, kOptional);
-  f.member("suspension", kOptional, [&](Fields& of) {
-    of.number("travel", wheel.travel, {0.01, 2, "m"}, kOptional);
-  });
-}
-
-static void describe(Fields& f, BarrelDescription& barrel) {
-  f.filled_text("part", barrel.part);
-  f.vector("pivot", barrel.pivot, VectorRule::kNearby);
-  f.vector("muzzle", barrel.muzzle, VectorRule::kNearby);
-  f.check(barrel.pivot != barrel.muzzle, "muzzle", "must differ from \"pivot\"");
-  f.angles("pitch", barrel.pitch, {-89, 89}, kOptional);
-}
-
-static void describe(Fields& f, TurretDescription& turret) {
-  f.filled_text("part", turret.part);
-  f.filled_text("mount", turret.mount);
-  f.vector("pivot", turret.pivot, VectorRule::kNearby);
-  f.angles("yaw", turret.yaw, {-180, 180}, kOptional);
-  f.object("barrel", turret.barrel);
-}
-
-static void describe(Fields& f, VitalDescription& vital) {
-  constexpr std::array kKindsOfVitals{"engine", "driver"};
-  f.choice("kind", vital.kind, kKindsOfVitals);
-  f.filled_text("part", vital.part);
-  f.filled_text("mount", vital.mount, kOptional);
-}
-
-static void describe(Fields& f, EngineDescription& engine) {
-  f.number("force", engine.force, {1, 1e7, "N"}, kOptional);
-  f.number("power", engine.power, {1, 1e9, "W"}, kOptional);
-  f.number("top_speed", engine.top_speed, {0.1, 100, "m/s"}, kOptional);
-}
-
-static void describe(Fields& f, VehicleDescription& vehicle) {
-  describe(f, vehicle.body);
-  f.by_name("paints", vehicle.paints);
-  f.filled_text("name", vehicle.name, kOptional);
-  f.number("mass", vehicle.mass, {1, 1e6, "kg"}, kOptional);
-  f.list("wheels", "wheels", vehicle.wheels);
-  f.check(!vehicle.wheels.empty() && vehicle.wheels.size() <= 12, "wheels", "must hold 1 to 12 wheels");
-  f.object("turret", vehicle.turret);
-  f.list("vital", "parts", vehicle.vitals, kOptional);
-  const bool may_lack_vitals = !f.present("vital", false);
-  f.check(vehicle.vitals.size() <= 8, "vital", "must hold no more than 8 parts");
-  f.check(may_lack_vitals || !vehicle.vitals.empty(), "vital",
-          "must hold one part or more; without the key a vehicle is out when little of it is left");
-  f.vector("driver_eye", vehicle.driver_eye, VectorRule::kNearby, kOptional);
-  f.object("engine", vehicle.engine, kOptional);
-}
-
-Result<VehicleDescription> read_vehicle(const std::filesystem::path& file) {
-  VehicleDescription vehicle;
-  vehicle.name = file.stem().string();
-  return read_described(file, std::move(vehicle));
-}
-
 namespace {
+
+uint32_t part_of_group(const std::string& group, const std::vector<std::string>& parts) {
+  auto best = static_cast<uint32_t>(parts.size());
+  for (uint32_t p = 0; p < parts.size(); ++p) {
+    const bool longer = best == parts.size() || parts[p].size() > parts[best].size();
+    if (longer && is_of_part(group, parts[p])) best = p;
+  }
+  return best;
+}
+
+// Returns true if all corners of the triangle lie in the ball.
+bool is_inside(const Triangle& t, const Ball& ball) {
+  return std::all_of(t.begin(), t.end(),
+                     [&](const Vec3& p) { return glm::distance(p, ball.centre) <= ball.radius; });
+}
+
+std::vector<bool> faces_of_part(const Body& loaded, const std::string& part) {
+  std::vector<bool> of(loaded.mesh.face_slots(), false);
+  for (const MeshPart& group : loaded.named_parts) {
+    if (!is_of_part(group.name, part)) continue;
+    for (uint32_t f = group.first; f < group.last; ++f) of[f] = true;
+  }
+  return of;
+}
 
 // The centre of the bounds of a part. Precondition: it has faces.
 Vec3 centre_of(const Body& body, const std::string& part) {
@@ -218,6 +180,162 @@ class ModelLoader {
 };
 
 }  // namespace
+
+std::vector<uint32_t> part_of_triangles(const Soup& soup, const std::vector<std::string>& parts) {
+  std::vector<uint32_t> of(soup.triangles.size(), static_cast<uint32_t>(parts.size()));
+  for (const MeshPart& group : soup.parts) {
+    const uint32_t part = part_of_group(group.name, parts);
+    if (part == parts.size()) continue;
+    for (uint32_t t = group.first; t < group.last; ++t) of[t] = part;
+  }
+  return of;
+}
+
+Soup extract_part(const Soup& soup, const std::vector<uint32_t>& part, uint32_t wanted) {
+  KERF_ASSERT(part.size() == soup.triangles.size());
+  Soup own;
+  own.positions = soup.positions;
+  own.material_names = soup.material_names;
+  own.format = soup.format;
+  std::vector<uint32_t> before(part.size() + 1, 0);  // triangles of the part before each one
+  for (size_t t = 0; t < part.size(); ++t) {
+    before[t + 1] = before[t] + (part[t] == wanted ? 1 : 0);
+    if (part[t] != wanted) continue;
+    own.triangles.push_back(soup.triangles[t]);
+    if (!soup.materials.empty()) own.materials.push_back(soup.materials[t]);
+  }
+  for (const MeshPart& group : soup.parts) {
+    const uint32_t first = before[group.first], last = before[group.last];
+    if (first < last) own.parts.push_back({group.name, first, last});
+  }
+  own.faces_in_file = own.triangles_in_file = own.triangles.size();
+  return own;
+}
+
+double area_within(const Triangle& t, const Ball& ball) {
+  if (squared_distance(ball.centre, t) > ball.radius * ball.radius) return 0;
+  if (is_inside(t, ball)) return triangle_area(t);
+  size_t longest = 0;
+  for (size_t i = 1; i < 3; ++i) {
+    if (glm::distance(t[i], t[(i + 1) % 3]) > glm::distance(t[longest], t[(longest + 1) % 3])) longest = i;
+  }
+  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+  if (glm::distance(a, b) < 0.2 * ball.radius) return 0.5 * triangle_area(t);
+  const Vec3 middle = 0.5 * (a + b);
+  return area_within({a, middle, c}, ball) + area_within({middle, b, c}, ball);
+}
+
+double FaceWatch::area_in(size_t group, const Triangle& t) const {
+  return near_[group] ? area_within(t, *near_[group]) : triangle_area(t);
+}
+
+size_t FaceWatch::add(const Body& loaded, const std::vector<bool>& faces, const std::optional<Ball>& near) {
+  KERF_ASSERT(areas_.size() < kMaxGroups && groups_of_.size() == loaded.mesh.face_slots());
+  const size_t group = areas_.size();
+  near_.push_back(near);
+  double area = 0;
+  for (uint32_t f = 0; f < faces.size(); ++f) {
+    const double own = faces[f] ? area_in(group, loaded.mesh.triangle(FaceId(f))) : 0;
+    if (own > 0) groups_of_[f] |= uint32_t{1} << group;
+    area += own;
+  }
+  areas_.push_back(area);
+  return group;
+}
+
+size_t FaceWatch::add_part(const Body& loaded, const std::string& part) {
+  return add(loaded, faces_of_part(loaded, part), std::nullopt);
+}
+
+size_t FaceWatch::add_part_near(const Body& loaded, const std::string& part, const Vec3& point) {
+  const std::vector<bool> of = faces_of_part(loaded, part);
+  double nearest2 = std::numeric_limits<double>::infinity();
+  for (uint32_t f = 0; f < of.size(); ++f) {
+    if (of[f]) nearest2 = std::min(nearest2, squared_distance(point, loaded.mesh.triangle(FaceId(f))));
+  }
+  if (nearest2 == std::numeric_limits<double>::infinity()) return add(loaded, of, std::nullopt);
+  const double nearest = std::sqrt(nearest2);
+  return add(loaded, of, Ball{point, std::max(1.25 * nearest, nearest + 0.1)});
+}
+
+std::vector<double> FaceWatch::areas_in(const Body& body) const {
+  std::vector<double> areas(areas_.size(), 0);
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    uint32_t groups = groups_of_[body.loaded_face(body.loaded_base(FaceId(f))).index];
+    if (groups == 0) continue;
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    for (; groups != 0; groups &= groups - 1) {
+      const auto group = static_cast<size_t>(std::countr_zero(groups));
+      areas[group] += area_in(group, t);
+    }
+  }
+  return areas;
+}
+
+static void describe(Fields& f, WheelDescription& wheel) {
+  f.filled_text("part", wheel.part);
+  f.filled_text("mount", wheel.mount);
+  f.vector("hub", wheel.hub, VectorRule::kNearby);
+  f.number("radius", wheel.radius, {0.01, 10, "m"});
+  f.flag("steers", wheel.steers, kOptional);
+  f.flag("driven", wheel.driven, kOptional);
+  f.member("suspension", kOptional, [&](Fields& of) {
+    of.number("travel", wheel.travel, {0.01, 2, "m"}, kOptional);
+  });
+}
+
+static void describe(Fields& f, BarrelDescription& barrel) {
+  f.filled_text("part", barrel.part);
+  f.vector("pivot", barrel.pivot, VectorRule::kNearby);
+  f.vector("muzzle", barrel.muzzle, VectorRule::kNearby);
+  f.check(barrel.pivot != barrel.muzzle, "muzzle", "must differ from \"pivot\"");
+  f.angles("pitch", barrel.pitch, {-89, 89}, kOptional);
+}
+
+static void describe(Fields& f, TurretDescription& turret) {
+  f.filled_text("part", turret.part);
+  f.filled_text("mount", turret.mount);
+  f.vector("pivot", turret.pivot, VectorRule::kNearby);
+  f.angles("yaw", turret.yaw, {-180, 180}, kOptional);
+  f.object("barrel", turret.barrel);
+}
+
+static void describe(Fields& f, VitalDescription& vital) {
+  constexpr std::array kKindsOfVitals{"engine", "driver"};
+  f.choice("kind", vital.kind, kKindsOfVitals);
+  f.filled_text("part", vital.part);
+  f.filled_text("mount", vital.mount, kOptional);
+}
+
+static void describe(Fields& f, EngineDescription& engine) {
+  f.number("force", engine.force, {1, 1e7, "N"}, kOptional);
+  f.number("power", engine.power, {1, 1e9, "W"}, kOptional);
+  f.number("top_speed", engine.top_speed, {0.1, 100, "m/s"}, kOptional);
+}
+
+static void describe(Fields& f, VehicleDescription& vehicle) {
+  describe(f, vehicle.body);
+  f.by_name("paints", vehicle.paints);
+  f.filled_text("name", vehicle.name, kOptional);
+  f.number("mass", vehicle.mass, {1, 1e6, "kg"}, kOptional);
+  f.list("wheels", "wheels", vehicle.wheels);
+  f.check(!vehicle.wheels.empty() && vehicle.wheels.size() <= 12, "wheels", "must hold 1 to 12 wheels");
+  f.object("turret", vehicle.turret);
+  f.list("vital", "parts", vehicle.vitals, kOptional);
+  const bool may_lack_vitals = !f.present("vital", false);
+  f.check(vehicle.vitals.size() <= 8, "vital", "must hold no more than 8 parts");
+  f.check(may_lack_vitals || !vehicle.vitals.empty(), "vital",
+          "must hold one part or more; without the key a vehicle is out when little of it is left");
+  f.vector("driver_eye", vehicle.driver_eye, VectorRule::kNearby, kOptional);
+  f.object("engine", vehicle.engine, kOptional);
+}
+
+Result<VehicleDescription> read_vehicle(const std::filesystem::path& file) {
+  VehicleDescription vehicle;
+  vehicle.name = file.stem().string();
+  return read_described(file, std::move(vehicle));
+}
 
 Result<std::shared_ptr<const VehicleModel>> load_vehicle(VehicleDescription description,
                                                          const Progress* progress) {

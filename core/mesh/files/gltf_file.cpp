@@ -1,5 +1,3 @@
-#include "core/mesh/files/gltf_file_internal.h"
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -10,6 +8,7 @@
 #include <system_error>
 
 #include "core/mesh/files/bytes.h"
+#include "core/mesh/files/gltf_file_internal.h"
 #include "core/mesh/files/scanner.h"
 
 namespace kerf {
@@ -80,6 +79,12 @@ bool changes_looks_only(std::string_view extension) {
                      [&](std::string_view prefix) { return extension.starts_with(prefix); });
 }
 
+// Returns true if a path stays in the folder from which it starts.
+bool stays_inside(const fs::path& path) {
+  return !path.is_absolute() &&
+         std::none_of(path.begin(), path.end(), [](const fs::path& p) { return p == ".."; });
+}
+
 }  // namespace
 
 std::optional<std::string> decoded_path(std::string_view uri) {
@@ -101,16 +106,6 @@ std::optional<std::string> decoded_path(std::string_view uri) {
   }
   return path;
 }
-
-namespace {
-
-// Returns true if a path stays in the folder from which it starts.
-bool stays_inside(const fs::path& path) {
-  return !path.is_absolute() &&
-         std::none_of(path.begin(), path.end(), [](const fs::path& p) { return p == ".."; });
-}
-
-}  // namespace
 
 bool GltfFile::is_binary(std::string_view bytes) {
   return bytes.size() >= 4 && word_at(bytes, 0) == kGlbMagic;

@@ -1,8 +1,6 @@
 #include "core/mesh/files/mesh_format.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <span>
 #include <vector>
 
@@ -133,6 +131,31 @@ std::string listed(std::span<const std::string> names, std::string_view last) {
   return list;
 }
 
+// Lengths in the units of the file.
+constexpr double kLargestModelInMetres = 50;         // a lorry, a house, an airliner's fuselage
+constexpr double kLargestModelInCentimetres = 1000;  // a car is 450 long, and 4,500 in millimetres
+constexpr double kSmallestPart = 2.5;  // in millimetres; smaller STL files are models of about unit size
+
+// Maximum distance of a standing mesh from the ground plane, relative to its height.
+constexpr double kStandingSlack = 0.01;
+
+bool touches_zero(double low, double high) {
+  const double slack = kStandingSlack * (high - low);
+  return low < high && -slack <= low && low <= slack;
+}
+
+FileUnit guess_unit(MeshFormat format, double longest) {
+  if (format == MeshFormat::kStl) return longest < kSmallestPart ? FileUnit::kMetre : FileUnit::kMillimetre;
+  if (longest <= kLargestModelInMetres) return FileUnit::kMetre;
+  return longest <= kLargestModelInCentimetres ? FileUnit::kCentimetre : FileUnit::kMillimetre;
+}
+
+UpAxis guess_up(MeshFormat format, const Vec3& min, const Vec3& max) {
+  const bool on_y = touches_zero(min.y, max.y), on_z = touches_zero(min.z, max.z);
+  if (on_y != on_z) return on_y ? UpAxis::kY : UpAxis::kZ;
+  return format == MeshFormat::kStl ? UpAxis::kZ : UpAxis::kY;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(std::string_view name) {
@@ -173,35 +196,6 @@ std::string_view kind_of_file(std::string_view bytes) {
   const size_t first = start.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : kind_by(kTextSignatures, start.substr(first));
 }
-
-namespace {
-
-// Lengths in the units of the file.
-constexpr double kLargestModelInMetres = 50;         // a lorry, a house, an airliner's fuselage
-constexpr double kLargestModelInCentimetres = 1000;  // a car is 450 long, and 4,500 in millimetres
-constexpr double kSmallestPart = 2.5;  // in millimetres; smaller STL files are models of about unit size
-
-// Maximum distance of a standing mesh from the ground plane, relative to its height.
-constexpr double kStandingSlack = 0.01;
-
-bool touches_zero(double low, double high) {
-  const double slack = kStandingSlack * (high - low);
-  return low < high && -slack <= low && low <= slack;
-}
-
-FileUnit guess_unit(MeshFormat format, double longest) {
-  if (format == MeshFormat::kStl) return longest < kSmallestPart ? FileUnit::kMetre : FileUnit::kMillimetre;
-  if (longest <= kLargestModelInMetres) return FileUnit::kMetre;
-  return longest <= kLargestModelInCentimetres ? FileUnit::kCentimetre : FileUnit::kMillimetre;
-}
-
-UpAxis guess_up(MeshFormat format, const Vec3& min, const Vec3& max) {
-  const bool on_y = touches_zero(min.y, max.y), on_z = touches_zero(min.z, max.z);
-  if (on_y != on_z) return on_y ? UpAxis::kY : UpAxis::kZ;
-  return format == MeshFormat::kStl ? UpAxis::kZ : UpAxis::kY;
-}
-
-}  // namespace
 
 FileFrame guess_frame(MeshFormat format, const Vec3& min, const Vec3& max) {
   KERF_ASSERT(min.x <= max.x && min.y <= max.y && min.z <= max.z);

@@ -1,9 +1,7 @@
 #include "core/mesh/files/ply_file.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <string_view>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -207,19 +205,6 @@ class HeaderReader {
   std::optional<Error> stray_error_;  // about the first one, if no element follows
 };
 
-}  // namespace
-
-size_t byte_size(PlyType type) {
-  constexpr std::array<size_t, 10> kBytes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};  // in the order of PlyType
-  return kBytes.at(static_cast<size_t>(type));
-}
-
-bool is_integer(PlyType type) { return type != PlyType::kFloat32 && type != PlyType::kFloat64; }
-
-Result<PlyHeader> read_ply_header(Scanner& scanner) { return HeaderReader(scanner).read(); }
-
-namespace {
-
 constexpr size_t kRows = 1 << 14;  // per range
 constexpr auto kLittle = std::endian::little;
 
@@ -333,6 +318,15 @@ bool fits(const PlyElement& element, size_t row_bytes, std::string_view bytes) {
 }
 
 }  // namespace
+
+size_t byte_size(PlyType type) {
+  constexpr std::array<size_t, 10> kBytes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};  // in the order of PlyType
+  return kBytes.at(static_cast<size_t>(type));
+}
+
+bool is_integer(PlyType type) { return type != PlyType::kFloat32 && type != PlyType::kFloat64; }
+
+Result<PlyHeader> read_ply_header(Scanner& scanner) { return HeaderReader(scanner).read(); }
 
 std::optional<std::array<size_t, 4>> colour_properties_of(const PlyElement& element) {
   constexpr std::array<std::string_view, 4> kNames{"red", "green", "blue", "alpha"};

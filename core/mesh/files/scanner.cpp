@@ -43,6 +43,13 @@ bool is_garbled_number(std::string_view word) {
          std::any_of(word.begin(), word.end(), is_digit);
 }
 
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr size_t kMaxQuote = 40;
+constexpr size_t kReports = 200;  // calls of Progress::report for one file
+
+bool is_blank_or_break(char c) { return static_cast<unsigned char>(c) <= ' '; }
+bool is_break(char c) { return c == '\n' || c == '\r'; }
+
 }  // namespace
 
 bool continues_microsoft_nan(std::string_view text) {
@@ -70,17 +77,6 @@ std::optional<int64_t> parse_integer(std::string_view word) {
   if (code == std::errc()) return value;
   return digits.starts_with('-') ? std::numeric_limits<int64_t>::min() : std::numeric_limits<int64_t>::max();
 }
-
-namespace {
-
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-constexpr size_t kMaxQuote = 40;
-constexpr size_t kReports = 200;  // calls of Progress::report for one file
-
-bool is_blank_or_break(char c) { return static_cast<unsigned char>(c) <= ' '; }
-bool is_break(char c) { return c == '\n' || c == '\r'; }
-
-}  // namespace
 
 std::string one_line(std::string_view name) {
   std::string line(name);

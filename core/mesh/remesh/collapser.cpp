@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -28,6 +27,19 @@ uint32_t nearest_to(const Vec3& p, std::span<const FollowedFaces::Changed> chang
   }
   return nearest->face;
 }
+
+std::vector<Vec3> points_of(const Mesh& mesh, const FlatSheets& sheets) {
+  std::vector<Vec3> points(sheets.vertices.size());
+  for (uint32_t v = 0; v < points.size(); ++v) points[v] = sheets.point(mesh, v);
+  return points;
+}
+
+// If the mean square of the distance from the planes is this many times the bound, the samples are not
+// tested: few would be near, and testing takes half of the time.
+constexpr double kMaxOverBound2 = 4;
+
+// Progress reports of a whole simplification, in addition to one per round.
+constexpr size_t kReports = 64;
 
 }  // namespace
 
@@ -200,23 +212,6 @@ bool CollapseRules::turns_too_far(uint32_t v, uint32_t to, const Ring& ring) con
     return !(cosine > 0 && cosine * cosine >= min_cosine2_ * glm::dot(was, was) * glm::dot(is, is));
   });
 }
-
-namespace {
-
-std::vector<Vec3> points_of(const Mesh& mesh, const FlatSheets& sheets) {
-  std::vector<Vec3> points(sheets.vertices.size());
-  for (uint32_t v = 0; v < points.size(); ++v) points[v] = sheets.point(mesh, v);
-  return points;
-}
-
-// If the mean square of the distance from the planes is this many times the bound, the samples are not
-// tested: few would be near, and testing takes half of the time.
-constexpr double kMaxOverBound2 = 4;
-
-// Progress reports of a whole simplification, in addition to one per round.
-constexpr size_t kReports = 64;
-
-}  // namespace
 
 Collapser::Collapser(const Mesh& mesh, const FlatSheets& sheets, size_t faces,
                      std::span<const FaceId> followed, const Progress* progress)

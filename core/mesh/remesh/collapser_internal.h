@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "core/base/float_frame.h"
 #include "core/base/geometry.h"
 #include "core/base/parallel.h"
 #include "core/mesh/mesh.h"

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "core/base/float_frame.h"
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
 #include "core/base/parallel.h"

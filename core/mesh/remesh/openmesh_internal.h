@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/float_frame.h"
+#include "core/base/geometry.h"
 #include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"

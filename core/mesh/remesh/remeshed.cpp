@@ -1,10 +1,11 @@
 #include "core/mesh/remesh/remeshed.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "core/mesh/measures.h"
 #include "core/mesh/orientation.h"
+#include "core/mesh/remesh/collapser_internal.h"
 #include "core/mesh/weld.h"
 
 namespace kerf {
@@ -34,35 +35,6 @@ VertexColour colour_at(const Vec3& p, const Mesh& mesh, FaceId f) {
   return mix({of.get(v[0]), of.get(v[1]), of.get(v[2])}, corner_weights(nearest_point(p, t), t));
 }
 
-}  // namespace
-
-std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh) {
-  std::vector<VertexColour> colours;
-  if (mesh.colours().blank()) return colours;
-  colours.resize(remeshed.positions.size());
-  std::vector<bool> known(colours.size(), false);
-  for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
-    for (const uint32_t p : remeshed.triangles[t]) {
-      if (known[p]) continue;
-      known[p] = true;
-      colours[p] = colour_at(remeshed.positions[p], mesh, remeshed.origins[t]);
-    }
-  }
-  return colours;
-}
-
-Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, const Progress* progress) {
-  Soup soup;
-  soup.positions = remeshed.positions;
-  soup.colours = colours_of(remeshed, mesh);
-  soup.triangles = remeshed.triangles;
-  soup.materials = materials_of(remeshed, mesh);
-  soup.faces_in_file = soup.triangles_in_file = soup.triangles.size();
-  return build_mesh(soup, progress);
-}
-
-namespace {
-
 // Copies the faces over welded positions; drops degenerate ones, which a cut may leave.
 Remeshed copy_faces(const Mesh& mesh) {
   std::vector<Vec3> positions(mesh.vertex_slots(), Vec3(0));
@@ -91,7 +63,96 @@ Remeshed copy_faces(const Mesh& mesh) {
   return copy;
 }
 
+// The squared cosines of 15, 30, 60 and 90 degrees, by which one collapse may turn a face.
+constexpr std::array kMinCosine2 = {0.93301270189221932, 0.75, 0.25, 0.0};
+// Down to this multiple of the target number of faces only the quadrics are used.
+constexpr size_t kFacesForSamples = 5;
+// The first bound of the distance of samples, relative to the edge of an equilateral face of the target size;
+// later ones double.
+constexpr double kFirstBound = 1 / 2048.0;
+constexpr double kLastBound = 1;
+constexpr size_t kFirstTurns = 2;  // maximum turns of the first bounded rounds
+
+// Returns the edge of an equilateral triangle of this area.
+double edge_of(double area) { return std::sqrt(4 / std::sqrt(3.0) * area); }
+
+// Returns false if stopped.
+bool collapse_to_error(Collapser& collapser, double error) {
+  collapser.bound_distance(kShareForSamples * error);
+  return collapser.run_round({.faces = 0, .min_cosine2 = kMinCosine2.front()});
+}
+
+// Returns false if stopped.
+bool collapse_to_faces(Collapser& collapser, size_t faces) {
+  const auto round = [&](size_t until, double cosine2) {
+    return collapser.left() <= until || collapser.run_round({.faces = until, .min_cosine2 = cosine2});
+  };
+  if (!round(kFacesForSamples * faces, kMinCosine2.front())) return false;
+  const double edge = edge_of(collapser.area() / static_cast<double>(faces));
+  for (const auto turns :
+       {std::span(kMinCosine2).first(kFirstTurns), std::span(kMinCosine2).subspan(kFirstTurns)}) {
+    for (double bound = kFirstBound; bound <= kLastBound && collapser.left() > faces; bound *= 2) {
+      collapser.bound_distance(bound * edge);
+      for (const double cosine2 : turns) {
+        if (!round(faces, cosine2)) return false;
+      }
+    }
+  }
+  collapser.bound_distance(std::nullopt);
+  return std::all_of(kMinCosine2.begin(), kMinCosine2.end(),
+                     [&](double cosine2) { return round(faces, cosine2); });
+}
+
+// Returns the remaining faces, with welded positions in the order of their first use.
+Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurface& surface) {
+  std::vector<uint32_t> number(surface.vertices(), kNoIndex);
+  std::vector<Vec3> positions;
+  for (uint32_t f = 0; f < surface.faces(); ++f) {
+    if (!surface.has(f)) continue;
+    for (const uint32_t v : surface.corners(f)) {
+      if (number[v] != kNoIndex) continue;
+      number[v] = static_cast<uint32_t>(positions.size());
+      positions.push_back(mesh.position(sheets.vertices[v]));
+    }
+  }
+  WeldedTriangles welded(positions);
+  Remeshed out;
+  for (uint32_t f = 0; f < surface.faces(); ++f) {
+    if (!surface.has(f)) continue;
+    const auto& [a, b, c] = surface.corners(f);
+    if (welded.add({number[a], number[b], number[c]})) out.origins.push_back(sheets.faces[f]);
+  }
+  out.positions = std::move(welded.positions);
+  out.triangles = std::move(welded.triangles);
+  return out;
+}
+
 }  // namespace
+
+std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh) {
+  std::vector<VertexColour> colours;
+  if (mesh.colours().blank()) return colours;
+  colours.resize(remeshed.positions.size());
+  std::vector<bool> known(colours.size(), false);
+  for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
+    for (const uint32_t p : remeshed.triangles[t]) {
+      if (known[p]) continue;
+      known[p] = true;
+      colours[p] = colour_at(remeshed.positions[p], mesh, remeshed.origins[t]);
+    }
+  }
+  return colours;
+}
+
+Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, const Progress* progress) {
+  Soup soup;
+  soup.positions = remeshed.positions;
+  soup.colours = colours_of(remeshed, mesh);
+  soup.triangles = remeshed.triangles;
+  soup.materials = materials_of(remeshed, mesh);
+  soup.faces_in_file = soup.triangles_in_file = soup.triangles.size();
+  return build_mesh(soup, progress);
+}
 
 Result<Remeshed> turn_shells(const Mesh& mesh, const Progress* progress) {
   Remeshed turned = copy_faces(mesh);
@@ -103,6 +164,22 @@ Result<Remeshed> turn_shells(const Mesh& mesh, const Progress* progress) {
       std::swap(turned.triangles[t][0], turned.triangles[t][1]);
   }
   return turned;
+}
+
+Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, const RemeshLimits& limits,
+                          const Progress* progress, std::span<const FaceId> followed) {
+  ProgressShares shares(progress);
+  const Progress copying = shares.next(0.3), collapsing = shares.next(0.6), back = shares.next(0.1);
+  const auto sheets = to_flat_sheets(mesh, limits, &copying);
+  if (!sheets) return sheets.error();
+  Collapser collapser(mesh, *sheets, target.faces, followed, &collapsing);
+  const bool done = std::isfinite(target.error)
+                        ? collapse_to_error(collapser, target.error * sheets->frame.scale)
+                        : collapse_to_faces(collapser, target.faces);
+  if (!done || !back.report(0)) return cancelled();
+  Remeshed out = to_remeshed(mesh, *sheets, collapser.surface());
+  out.followed = collapser.followed();
+  return out;
 }
 
 }  // namespace kerf

@@ -1,13 +1,14 @@
 #include "core/physics/contact/collider.h"
 
-#include <algorithm>
-
-#include "core/base/assert.h"
-#include "core/physics/contact/collider_features.h"
+#include <numeric>
 
 namespace kerf {
 
 namespace {
+
+constexpr uint32_t kMaxInLeaf = 8;
+constexpr uint32_t kSmaller =
+    4;  // min ratio to the size of the enclosing cluster, unless the cluster holds items
 
 constexpr size_t kMaxCandidates = 1024;
 
@@ -234,7 +235,145 @@ Clusters sort_by_clusters(std::vector<Item>& items) {
   return std::move(clustering.clusters);
 }
 
+constexpr double kCreaseCosine = 0.766;  // cos(40 degrees)
+
+// Edges by the vertices at their ends.
+class Ends {
+ public:
+  explicit Ends(const std::vector<FeatureEdge>& edges) {
+    uint32_t vertices = 0;
+    for (const FeatureEdge& e : edges) vertices = std::max({vertices, e.from.index + 1, e.to.index + 1});
+    first_.resize(size_t{vertices} + 1, 0);
+    for (const FeatureEdge& e : edges) {
+      ++first_[e.from.index];
+      ++first_[e.to.index];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    edges_.resize(2 * edges.size());
+    for (auto e = static_cast<uint32_t>(edges.size()); e-- > 0;) {
+      edges_[--first_[edges[e].to.index]] = e;
+      edges_[--first_[edges[e].from.index]] = e;
+    }
+  }
+  // Returns indices of edges, ascending. Precondition: an edge ends there.
+  std::span<const uint32_t> at(VertexId v) const {
+    return std::span(edges_).subspan(first_[v.index], first_[v.index + 1] - first_[v.index]);
+  }
+
+ private:
+  std::vector<uint32_t> edges_;
+  std::vector<uint32_t> first_;  // by vertex: index in edges_
+};
+
+// Follows edges from one end until the line branches, ends or closes.
+FeatureLine follow(const std::vector<FeatureEdge>& edges, const Ends& ends, uint32_t edge, VertexId start,
+                   std::vector<bool>& used) {
+  KERF_ASSERT(!used[edge] && (edges[edge].from == start || edges[edge].to == start));
+  FeatureLine line{start};
+  while (true) {
+    used[edge] = true;
+    const VertexId next = edges[edge].from == line.back() ? edges[edge].to : edges[edge].from;
+    line.push_back(next);
+    const std::span<const uint32_t> there = ends.at(next);
+    if (there.size() != 2) return line;
+    edge = there[0] == edge ? there[1] : there[0];
+    if (used[edge]) return line;
+  }
+}
+
+double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a, to = p - a;
+  const double length2 = glm::dot(along, along);
+  const double t = length2 > 0 ? std::clamp(glm::dot(to, along) / length2, 0.0, 1.0) : 0;
+  const Vec3 off = to - t * along;
+  return glm::dot(off, off);
+}
+
 }  // namespace
+
+class ClusterDivision {
+ public:
+  ClusterDivision(std::span<const std::array<Vec3, 2>> segments, Clustering& out)
+      : segments_(segments), out_(out) {}
+
+  // `around`: the number of items of the enclosing cluster.
+  void divide(uint32_t begin, uint32_t end, uint32_t around) {
+    const bool holds_items = end - begin <= kMaxInLeaf;
+    const bool is_node = holds_items || kSmaller * (end - begin) <= around;
+    const size_t node = out_.clusters.nodes_.size();
+    if (is_node) out_.clusters.nodes_.push_back({ball_around(begin, end), 0});
+    if (!holds_items) halve(begin, end, is_node ? end - begin : around);
+    if (is_node) out_.clusters.nodes_[node].next = static_cast<uint32_t>(out_.clusters.nodes_.size());
+  }
+
+ private:
+  void halve(uint32_t begin, uint32_t end, uint32_t around) {
+    const int axis = widest_axis(begin, end);
+    const auto first = out_.order.begin();
+    std::stable_sort(first + begin, first + end,
+                     [&](uint32_t a, uint32_t b) { return middle(a)[axis] < middle(b)[axis]; });
+    const uint32_t half = begin + (end - begin) / 2;
+    divide(begin, half, around);
+    divide(half, end, around);
+  }
+
+  Vec3 middle(uint32_t i) const { return 0.5 * (segments_[i][0] + segments_[i][1]); }
+
+  int widest_axis(uint32_t begin, uint32_t end) const {
+    Box box;
+    for (uint32_t i = begin; i < end; ++i) box.add(middle(out_.order[i]));
+    return box.widest_axis();
+  }
+
+  Cluster ball_around(uint32_t begin, uint32_t end) const {
+    KERF_ASSERT(begin < end && end <= out_.order.size());
+    Box box;
+    for (uint32_t i = begin; i < end; ++i) {
+      for (const Vec3& p : segments_[out_.order[i]]) box.add(p);
+    }
+    Cluster cluster{begin, end, 0.5 * (box.min + box.max), 0};
+    for (uint32_t i = begin; i < end; ++i) {
+      for (const Vec3& p : segments_[out_.order[i]])
+        cluster.radius = std::max(cluster.radius, glm::length(p - cluster.centre));
+    }
+    return cluster;
+  }
+
+  std::span<const std::array<Vec3, 2>> segments_;
+  Clustering& out_;
+};
+
+Clustering make_clusters(std::span<const std::array<Vec3, 2>> segments) {
+  Clustering out;
+  if (segments.empty()) return out;
+  out.order.resize(segments.size());
+  std::iota(out.order.begin(), out.order.end(), 0u);
+  const auto count = static_cast<uint32_t>(segments.size());
+  ClusterDivision(segments, out).divide(0, count, kSmaller * count);
+  return out;
+}
+
+Occupancy::Occupancy(const Box& bounds) : bounds_(bounds) {
+  KERF_ASSERT(bounds.min.x <= bounds.max.x && bounds.min.y <= bounds.max.y && bounds.min.z <= bounds.max.z);
+  const Vec3 extent = bounds.max - bounds.min;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  per_metre_ = longest > 0 ? kMaxCells / longest : 0;
+  for (int k = 0; k < 3; ++k) {
+    count_[k] = std::min(static_cast<int>(extent[k] * per_metre_) + 1, kMaxCells);
+    last_[k] = count_[k] - 1;
+  }
+  rows_.resize(static_cast<size_t>(count_[1]) * static_cast<size_t>(count_[2]), 0);
+}
+
+void Occupancy::add(const Box& box) {
+  Range range;
+  if (!cells_of(box, range)) return;
+  const uint64_t bits = row_bits(range);
+  for (int z = range.first[2]; z <= range.last[2]; ++z) {
+    for (int y = range.first[1]; y <= range.last[1]; ++y)
+      rows_[static_cast<size_t>(y + z * count_[1])] |= bits;
+  }
+}
 
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
   KERF_ASSERT(settings.max_points > 0 && settings.chord_error > 0);
@@ -276,6 +415,128 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
     collider.fine_chord_clusters = collider.chord_clusters;
   }
   return collider;
+}
+
+FeatureEdges feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals) {
+  KERF_ASSERT(normals.size() == mesh.face_slots());
+  FeatureEdges edges;
+  std::vector<Mesh::Side> sides;
+  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
+    const FaceId f(slot);
+    if (!mesh.is_live(f)) continue;
+    const std::array<VertexId, 3> corners = mesh.corners(f);
+    for (size_t i = 0; i < 3; ++i) {
+      const VertexId from = corners[i], to = corners[(i + 1) % 3];
+      sides.clear();
+      mesh.append_edge_sides(f, from, to, sides);
+      if (sides.empty()) {
+        edges.lines.push_back({from, to, f, true});
+        continue;
+      }
+      const bool first =
+          std::all_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) { return f < s.face; });
+      if (!first) continue;
+      const bool bends = std::any_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) {
+        return glm::dot(normals[slot], normals[s.face.index]) < kCreaseCosine;
+      });
+      if (bends || sides.size() > 1) (bends ? edges.lines : edges.seams).push_back({from, to, f, false});
+    }
+  }
+  return edges;
+}
+
+std::vector<FeatureLine> joined(const std::vector<FeatureEdge>& edges) {
+  const Ends ends(edges);
+  std::vector<bool> used(edges.size(), false);
+  std::vector<FeatureLine> lines;
+  const auto begin_at = [&](uint32_t e, VertexId v) {
+    if (!used[e]) lines.push_back(follow(edges, ends, e, v, used));
+  };
+  for (uint32_t e = 0; e < edges.size(); ++e) {
+    if (ends.at(edges[e].from).size() != 2) begin_at(e, edges[e].from);
+    if (ends.at(edges[e].to).size() != 2) begin_at(e, edges[e].to);
+  }
+  for (uint32_t e = 0; e < edges.size(); ++e) begin_at(e, edges[e].from);
+  return lines;
+}
+
+std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_error) {
+  KERF_ASSERT(least_error >= 0);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (line.size() < 3) return std::vector<double>(line.size(), kInfinity);
+  std::vector<double> from(line.size(), 0);
+  from.front() = from.back() = kInfinity;
+  struct Part {
+    size_t first, last;
+    double most;  // the part is not divided for larger squared errors
+  };
+  std::vector<Part> parts{{0, line.size() - 1, kInfinity}};
+  bool must_divide = line.front() == line.back();
+  while (!parts.empty()) {
+    const Part part = parts.back();
+    parts.pop_back();
+    size_t farthest = part.first;
+    double most = must_divide ? 0 : least_error * least_error;
+    for (size_t i = part.first + 1; i < part.last; ++i) {
+      const double d = squared_distance_to_segment(line[i], line[part.first], line[part.last]);
+      if (d > most) {
+        most = d;
+        farthest = i;
+      }
+    }
+    if (farthest != part.first) {
+      from[farthest] = must_divide ? kInfinity : std::min(part.most, most);
+      parts.push_back({part.first, farthest, from[farthest]});
+      parts.push_back({farthest, part.last, from[farthest]});
+    }
+    must_divide = false;
+  }
+  return from;
+}
+
+std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error) {
+  const std::vector<double> from = left_out_from(line, error);
+  std::vector<Vec3> few;
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (from[i] > error * error) few.push_back(line[i]);
+  }
+  return few;
+}
+
+void select_spread_points(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& selected) {
+  if (points.empty()) return;
+  std::vector<double> apart(points.size(), std::numeric_limits<double>::infinity());
+  const auto measure_from = [&](uint32_t c) {
+    KERF_ASSERT(c < points.size());
+    for (size_t i = 0; i < points.size(); ++i) {
+      const Vec3 d = points[i] - points[c];
+      apart[i] = std::min(apart[i], glm::dot(d, d));
+    }
+  };
+  for (uint32_t c : selected) measure_from(c);
+  while (selected.size() < most) {
+    const auto farthest = std::max_element(apart.begin(), apart.end());
+    if (!(*farthest > 0)) return;
+    selected.push_back(static_cast<uint32_t>(farthest - apart.begin()));
+    measure_from(selected.back());
+  }
+}
+
+void select_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& selected) {
+  if (points.empty()) return;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (std::abs(x) + std::abs(y) + std::abs(z) == 2 || (x == 0 && y == 0 && z == 0)) continue;
+        const Vec3 way(x, y, z);
+        uint32_t best = 0;
+        for (uint32_t i = 1; i < points.size(); ++i) {
+          if (glm::dot(points[i], way) > glm::dot(points[best], way)) best = i;
+        }
+        if (std::find(selected.begin(), selected.end(), best) == selected.end()) selected.push_back(best);
+      }
+    }
+  }
 }
 
 }  // namespace kerf

@@ -4,8 +4,59 @@
 
 #include "core/physics/contact/contact.h"
 #include "core/physics/contact/rigid_body.h"
+#include "core/world/rigid_body.h"
 
 namespace kerf {
+
+// The plane of a face that a ray met.
+struct FacePlane {
+  Vec3 at{0};      // intersection point
+  Vec3 normal{0};  // unit, towards the origin of the ray
+  double distance_to(const Vec3& p) const { return glm::dot(p - at, normal); }
+};
+
+// Returns the plane of the first face along a ray of this length, in the frame of the body; nullopt on a
+// miss or if the face has no area. Precondition: the direction is a unit vector.
+std::optional<FacePlane> face_along(const MovingBody& faces, const Vec3& from, const Vec3& direction,
+                                    double length);
+// Returns the plane of the first face between two points; nullopt likewise, or if the points are equal.
+std::optional<FacePlane> face_between(const MovingBody& faces, const Vec3& from, const Vec3& to);
+
+// Points within fine chords that are tracked like those of the collider while they touch. They are added
+// where the middle of a chord met a face, e.g. if the edge of a plate lies on a pipe. PointMemory::point
+// encodes kOnChord, the chord and the position along it in one number.
+inline constexpr uint32_t kOnChord = 1u << 30;
+inline bool is_on_chord(uint32_t point) { return point >= kOnChord; }
+// Marks points where a chord met the rim of a sheet, e.g. if two sheets in one plane meet edge to edge.
+// Their remembered normal is opposite to the motion that made the sheets meet, in the plane of the other
+// sheet or across it.
+inline constexpr uint32_t kAtRim = 1u << 29;
+inline bool is_at_rim(uint32_t point) { return is_on_chord(point) && (point & kAtRim) != 0; }
+
+// Returns a point of the collider or within a chord of it; the latter has no directions.
+Collider::Point point_of(const Collider& collider, uint32_t point);
+
+// Returns the chord on which a point lies. Precondition: is_on_chord(point).
+const Collider::Chord& chord_of(const Collider& collider, uint32_t point);
+
+// Adds guards that meet faces of the other body on their way to `memory` (of `points` on `faces`).
+void remember_passing_guards(const MovingBody& points, const MovingBody& faces,
+                             std::vector<PointMemory>& memory);
+
+// Adds the points within chords of one body that pass through faces of the other on the way from `now` to
+// `next` to `memory`, that of the points of `chords` on `faces`. Returns true if any new point is at a rim.
+bool remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
+                              std::vector<PointMemory>& memory);
+
+// Finds the contacts of the points of one body with the faces of another, and updates `memory`, that of the
+// points of `points` on `faces`.
+//
+// In the frame of the faces, casts rays from each point along its way within the tick, against the normal
+// of its last contact, and along its own normal. Since no sheets intersect at the beginning of a tick (see
+// limit_penetration), a point is on its right side then. Appends to `out`, with normals towards `points` and
+// features below 2^32.
+void find_point_contacts(const MovingBody& points, const MovingBody& faces, const ContactLengths& lengths,
+                         std::vector<PointMemory>& memory, std::vector<Contact>& out);
 
 // Returns true if a chord of one of two bodies passes through a face of the other at the beginning of a
 // tick. This detects intersecting sheets in general: the line in which two surfaces meet ends at a rim of

@@ -2,9 +2,6 @@
 
 #include <LinearMath/btMatrix3x3.h>
 
-#include <algorithm>
-
-#include "core/base/assert.h"
 #include "core/world/body_mass.h"
 
 namespace kerf {

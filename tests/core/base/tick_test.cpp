@@ -1,4 +1,4 @@
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 
 #include <gtest/gtest.h>
 

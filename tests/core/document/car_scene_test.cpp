@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/document/document.h"
 #include "core/document/scene.h"
 #include "core/joints/joined_parts.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 
 namespace kerf::test {
 namespace {

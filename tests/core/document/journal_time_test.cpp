@@ -3,7 +3,6 @@
 #include "core/base/json.h"
 #include "core/document/document.h"
 #include "core/document/journal.h"
-#include "core/document/journal_text.h"
 #include "core/document/replay.h"
 #include "core/document/save.h"
 #include "tests/support/made_meshes.h"

@@ -7,7 +7,7 @@
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/document/replay.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 #include "core/world/world.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"

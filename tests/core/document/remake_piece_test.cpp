@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "core/document/document.h"
-#include "core/document/edit_piece.h"
+#include "core/document/extract.h"
 #include "core/document/journal.h"
 #include "core/document/replay.h"
 #include "core/document/save.h"
@@ -12,7 +12,7 @@
 #include "core/edit/separation.h"
 #include "core/joints/joined_parts.h"
 #include "core/mesh/measures.h"
-#include "core/mesh/remesh/simplify.h"
+#include "core/mesh/remesh/remeshed.h"
 #include "core/world/world.h"
 #include "tests/support/features.h"
 #include "tests/support/jointed.h"

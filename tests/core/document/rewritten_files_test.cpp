@@ -5,8 +5,7 @@
 
 #include "core/base/json.h"
 #include "core/document/journal.h"
-#include "core/document/journal_text.h"
-#include "core/document/scene_text.h"
+#include "core/document/scene.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json.h"

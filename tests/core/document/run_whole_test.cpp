@@ -2,8 +2,8 @@
 
 #include "core/document/commands.h"
 #include "core/document/document.h"
-#include "core/document/journal_text.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/journal.h"
+#include "core/document/stroke_path.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/document/scene.h"
-#include "core/document/scene_text.h"
 #include "core/edit/body_edit.h"
 #include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"

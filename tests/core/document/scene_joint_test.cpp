@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "core/document/scene.h"
-#include "core/document/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {

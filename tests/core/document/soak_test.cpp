@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/document/document.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 #include "core/edit/separation.h"
 #include "core/physics/contact/rigid_body.h"
 #include "core/world/body_creation.h"

@@ -1,4 +1,4 @@
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 
 #include <gtest/gtest.h>
 

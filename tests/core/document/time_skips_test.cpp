@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/document/document.h"
-#include "core/world/heat_flow.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"

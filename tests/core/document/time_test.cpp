@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/document.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"

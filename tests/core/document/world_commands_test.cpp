@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/document/journal_text.h"
+#include "core/document/journal.h"
 
 namespace kerf {
 namespace {

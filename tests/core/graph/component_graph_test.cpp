@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "core/edit/separation.h"
-#include "core/graph/graph_text.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/strokes.h"

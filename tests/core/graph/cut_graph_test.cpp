@@ -1,4 +1,4 @@
-#include "core/graph/cut_graph.h"
+#include "core/graph/component_graph.h"
 
 #include <gtest/gtest.h>
 

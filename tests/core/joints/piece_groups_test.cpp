@@ -1,4 +1,4 @@
-#include "core/joints/piece_groups.h"
+#include "core/joints/joined_parts.h"
 
 #include <gtest/gtest.h>
 

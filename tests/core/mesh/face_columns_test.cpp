@@ -1,4 +1,3 @@
-#include "core/mesh/mesh_attributes.h"
 
 #include <gtest/gtest.h>
 

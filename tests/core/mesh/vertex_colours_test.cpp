@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_attributes.h"
+#include "core/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "core/document/extract.h"
 #include "core/mesh/files/readers.h"
 #include "core/mesh/mesh_file.h"
-#include "core/mesh/remesh/simplify.h"
+#include "core/mesh/remesh/remeshed.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/ids.h"
 #include "core/base/parallel.h"
-#include "core/base/tick.h"
 #include "core/physics/physics.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"

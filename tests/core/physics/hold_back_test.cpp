@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/physics/contact/penetration.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/sheets.h"

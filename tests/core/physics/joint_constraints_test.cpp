@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/ids.h"
 #include "core/base/random.h"
-#include "core/base/tick.h"
 #include "core/document/document.h"
 #include "core/joints/joined_parts.h"
 #include "core/physics/physics.h"

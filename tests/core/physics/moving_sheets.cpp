@@ -1,6 +1,6 @@
 #include "tests/core/physics/moving_sheets.h"
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "tests/support/sheets.h"
 
 namespace kerf::test {

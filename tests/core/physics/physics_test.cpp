@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/ids.h"
 #include "core/base/random.h"
-#include "core/base/tick.h"
 #include "core/physics/physics.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/piles.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/physics/physics.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"

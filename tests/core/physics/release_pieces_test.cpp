@@ -1,4 +1,4 @@
-#include "core/physics/release_pieces.h"
+#include "core/physics/physics.h"
 
 #include <gtest/gtest.h>
 

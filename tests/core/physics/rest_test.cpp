@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/ids.h"
 #include "core/base/random.h"
-#include "core/base/tick.h"
 #include "core/physics/physics.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"

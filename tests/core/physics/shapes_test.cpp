@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/physics/physics.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"

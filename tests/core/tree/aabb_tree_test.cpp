@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/mesh/refinement.h"
-#include "core/tree/touched_walk.h"
+#include "core/tree/queries.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

@@ -1,4 +1,4 @@
-#include "core/world/heat_flow.h"
+#include "core/world/world.h"
 
 #include <gtest/gtest.h>
 

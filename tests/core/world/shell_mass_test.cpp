@@ -1,9 +1,9 @@
-#include "core/world/mass_properties.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/world/rigid_body.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 

@@ -1,10 +1,10 @@
-#include "core/world/mass_properties.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "core/world/rigid_body.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 #include "core/world/world.h"
 #include "tests/fuzz/strokes/world_check.h"
 #include "tests/support/made_meshes.h"

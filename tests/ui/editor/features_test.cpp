@@ -9,7 +9,7 @@
 
 #include "tests/support/checkout.h"
 #include "tests/support/editor_features.h"
-#include "ui/render/view/view_switches.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/figures/split_diagram.h"
+#include "ui/figures/draw_figure.h"
 
 #include <gtest/gtest.h>
 

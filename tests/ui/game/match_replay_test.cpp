@@ -1,4 +1,4 @@
-#include "ui/game/match_replay.h"
+#include "ui/game/match_picture.h"
 
 #include <gtest/gtest.h>
 

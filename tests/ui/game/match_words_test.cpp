@@ -1,4 +1,4 @@
-#include "ui/game/hud_state.h"
+#include "ui/game/hud.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/shadow/light.h"
+#include "core/shadow/shadow_volume.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
 #include "ui/render/view/camera.h"

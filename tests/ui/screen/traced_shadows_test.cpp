@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/render/stage.h"
-#include "ui/gl/framebuffer.h"
+#include "ui/gl/buffers.h"
 
 namespace kerf {
 namespace {

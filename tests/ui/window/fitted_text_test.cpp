@@ -1,4 +1,4 @@
-#include "ui/window/property_rows.h"
+#include "ui/window/widgets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/window/number_fields.h"
+#include "ui/window/number_text.h"
 
 #include <gtest/gtest.h>
 

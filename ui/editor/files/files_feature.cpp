@@ -1,5 +1,5 @@
 #include "core/base/json.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 
 #include <imgui.h>
 
@@ -8,17 +8,16 @@
 #include "core/document/autosave.h"
 #include "core/mesh/mesh_file.h"
 #include "ui/editor/files/file_opener.h"
-#include "ui/editor/files/unsaved_work.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/thumbnails.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
-#include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 #include "ui/window/window.h"
 
 namespace kerf {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -74,8 +73,6 @@ void draw_file_panel(const World& world, const SceneDescription& scene, ViewStat
     ImGui::PopID();
   }
 }
-
-namespace fs = std::filesystem;
 
 class FilesFeature : public Feature {
  public:

@@ -1,5 +1,5 @@
 #include "core/base/json.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 
 #include <imgui.h>
 
@@ -8,8 +8,8 @@
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/geometry.h"
 #include "core/mesh/files/mesh_format.h"
-#include "core/tree/touched_walk.h"
+#include "core/tree/queries.h"
 #include "core/world/world.h"
 #include "ui/editor/shared/viewport.h"
 
@@ -61,5 +63,45 @@ class HeatProbe {
 
 // Draws the curve in the lower right corner of the viewport, once it has two samples.
 void draw_heat_probe(const HeatProbe& probe, const Area& picture);
+
+// A kept measurement between two points of the world [m].
+struct RulerMark {
+  std::string name;
+  Vec3 from{0}, to{0};
+  double length() const { return glm::length(to - from); }
+  friend bool operator==(const RulerMark&, const RulerMark&) = default;
+};
+
+// The measurements of a document in order of creation, with an undo of their own.
+class RulerList {
+ public:
+  const std::vector<RulerMark>& marks() const { return marks_; }
+
+  // Begins a step of the undo, for the edits until the next call.
+  void begin_edit();
+  // Edits. Precondition of all: begin_edit() was called, and the list has the mark. add() gives the mark an
+  // unused name: "Distance 1".
+  void add(const Vec3& from, const Vec3& to);
+  void move(size_t mark, bool to_end, const Vec3& at);
+  void rename(size_t mark, std::string name);
+  void remove(size_t mark);
+
+  bool can_undo() const { return !undone_to_.empty(); }
+  bool can_redo() const { return !redone_to_.empty(); }
+  void undo();
+  void redo();
+
+  // Convert the marks to the entry in the head of a document, null without marks, and back: unreadable
+  // entries are left out, and nothing can be undone.
+  nlohmann::json to_json() const;
+  void read(const nlohmann::json& entry);
+
+  // Returns a header and a line per mark: name, X, Y and Z of both ends and the length, in file units.
+  std::string to_csv() const;
+
+ private:
+  std::vector<RulerMark> marks_;
+  std::vector<std::vector<RulerMark>> undone_to_, redone_to_;
+};
 
 }  // namespace kerf

@@ -1,26 +1,55 @@
-#include "ui/editor/inspect/graph_panel.h"
-
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/base/assert.h"
 #include "core/base/json.h"
-#include "ui/editor/inspect/graph_state.h"
-#include "ui/editor/shared/features.h"
+#include "core/document/cut_effects.h"
+#include "ui/editor/inspect/graph_views.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
-#include "ui/render/bodies/pick.h"
-#include "ui/render/view/view_switches.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/view/view_options.h"
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
+
+// The panel of the component graph of the last stroke: nodes and links in a plane, the traversal that
+// detects separation, and, as a second view, the tree of pieces.
+class GraphPanel {
+ public:
+  // `pointer` is the place of the pointer in the window if it is over the viewport of the open document. A
+  // wide panel has the graph next to its rows, a narrow one below them.
+  void draw(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
+  // Frames the whole graph. Returns false if the pointer is not over it.
+  bool fit_under_pointer();
+
+ private:
+  void draw_rows(GraphState& graph, const Document& document, ViewState& view);
+  void draw_rows_of_faces(GraphState& graph, const ViewState& view);
+  void draw_view_row(GraphState& graph, std::optional<PieceId> selected);
+  void show_nodes(GraphState& graph, int view, std::optional<PieceId> selected);
+  void draw_canvas(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer,
+                   float height);
+  void light(const GraphState& graph, const Document& document, ViewState& view,
+             const GraphCanvas::Pointer& on_canvas, std::optional<FaceOfBody> in_picture);
+  void draw_pieces(const Document& document, ViewState& view);
+
+  GraphCanvas canvas_;
+  size_t framed_ = 0;  // number() of the graph framed last
+  bool pieces_shown_ = false;
+  std::vector<PieceTreeRow> rows_;
+  size_t origins_of_ = static_cast<size_t>(-1);  // length of the journal for which the rows were computed
+};
 
 namespace {
 
@@ -152,6 +181,88 @@ std::optional<FaceOfBody> face_under(const Document& document, const ViewState& 
   return seen ? std::optional(FaceOfBody{seen->body, seen->face}) : std::nullopt;
 }
 
+// Reads the requested graph in the background and passes it to `graph`, which must outlive it; if stopped,
+// the graph stays left out. Does not change the document. Precondition: graph.is_asked_for().
+LongChange graph_reading(GraphState& graph) {
+  KERF_ASSERT(graph.is_asked_for());
+  graph.cancel_request();
+  struct Reading {
+    GraphState graph;
+    bool done = false;
+  };
+  const auto reading = std::make_shared<Reading>(Reading{graph});
+  return {"Reading the graph of " + grouped(graph.left_out()) + " faces",
+          [reading](Document& document, const Progress& progress) {
+            reading->done = reading->graph.read_left_out(document, progress);
+            return Outcome();
+          },
+          [reading, &graph](const Outcome&) {
+            if (reading->done) graph = std::move(reading->graph);
+          }};
+}
+
+constexpr const char* kGraphPanel = "graph";
+
+class GraphFeature : public Feature {
+ public:
+  explicit GraphFeature(Workspace& workspace) : workspace_(workspace) {}
+
+  std::vector<PanelPart> panel_parts() override {
+    return {{kGraphPanel, [this] {
+               const bool seen = workspace_.input.points() && !workspace_.view.in_second;
+               panel_.draw(graph_, workspace_.session.document, workspace_.view,
+                           seen ? std::optional(workspace_.input.pointer) : std::nullopt);
+             }}};
+  }
+  std::vector<Gesture> gestures() const override {
+    return {{"fit_graph", "F over the graph", "Show all of it, while the pointer is over it"}};
+  }
+  bool handle_event(const InputEvent& event, bool) override {
+    const bool fits = event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_F && event.mods == 0;
+    return fits && panel_.fit_under_pointer();
+  }
+
+  void after_queue(double seconds) override;
+  bool needs_redraw() const override { return graph_.playing(); }
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    report["graph"] = {{"nodes", graph_.drawn() ? graph_.drawn()->nodes.size() : 0},
+                       {"marked", graph_.marked()},
+                       {"reached", graph_.reached()},
+                       {"total", graph_.total()},
+                       {"removed", graph_.removed()},
+                       {"removals", graph_.removals()},
+                       {"closings", graph_.closings().size()},
+                       {"loops", graph_.drawn() ? graph_.drawn()->loops.size() : 0},
+                       {"of_piece", graph_.shows_piece()},
+                       {"any_open", graph_.any_open()},
+                       {"face_lit", workspace_.view.look.lit_face.has_value()}};
+  }
+
+ private:
+  Workspace& workspace_;
+  GraphState graph_;
+  GraphPanel panel_;
+};
+
+void GraphFeature::after_queue(double seconds) {
+  ViewState& view = workspace_.view;
+  const Document& document = workspace_.session.document;
+  const bool panel = workspace_.services.panels.shows(kGraphPanel);
+  if (!panel && view.look.lit_face) {
+    view.look.lit_face.reset();
+    view.picture_old = true;
+  }
+  if (!panel && !view.look.show.graph) return graph_.play(false);
+  graph_.follow(document, workspace_.links.holds_back());
+  graph_.advance(std::min(seconds, Workspace::kLongestStep));
+  if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.queue().in_stroke() &&
+      document.waiting() == 0)
+    workspace_.changes.begin(graph_reading(graph_));
+  if (view.look.graph == graph_.drawn()) return;
+  view.look.graph = graph_.drawn();
+  if (view.look.show.graph) view.picture_old = true;
+}
+
 }  // namespace
 
 void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> selected) {
@@ -280,92 +391,6 @@ void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& vi
   ImGui::SameLine();
   if (drawn) draw_canvas(graph, document, view, pointer, ImGui::GetContentRegionAvail().y);
 }
-
-namespace {
-
-// Reads the requested graph in the background and passes it to `graph`, which must outlive it; if stopped,
-// the graph stays left out. Does not change the document. Precondition: graph.is_asked_for().
-LongChange graph_reading(GraphState& graph) {
-  KERF_ASSERT(graph.is_asked_for());
-  graph.cancel_request();
-  struct Reading {
-    GraphState graph;
-    bool done = false;
-  };
-  const auto reading = std::make_shared<Reading>(Reading{graph});
-  return {"Reading the graph of " + grouped(graph.left_out()) + " faces",
-          [reading](Document& document, const Progress& progress) {
-            reading->done = reading->graph.read_left_out(document, progress);
-            return Outcome();
-          },
-          [reading, &graph](const Outcome&) {
-            if (reading->done) graph = std::move(reading->graph);
-          }};
-}
-
-constexpr const char* kGraphPanel = "graph";
-
-class GraphFeature : public Feature {
- public:
-  explicit GraphFeature(Workspace& workspace) : workspace_(workspace) {}
-
-  std::vector<PanelPart> panel_parts() override {
-    return {{kGraphPanel, [this] {
-               const bool seen = workspace_.input.points() && !workspace_.view.in_second;
-               panel_.draw(graph_, workspace_.session.document, workspace_.view,
-                           seen ? std::optional(workspace_.input.pointer) : std::nullopt);
-             }}};
-  }
-  std::vector<Gesture> gestures() const override {
-    return {{"fit_graph", "F over the graph", "Show all of it, while the pointer is over it"}};
-  }
-  bool handle_event(const InputEvent& event, bool) override {
-    const bool fits = event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_F && event.mods == 0;
-    return fits && panel_.fit_under_pointer();
-  }
-
-  void after_queue(double seconds) override;
-  bool needs_redraw() const override { return graph_.playing(); }
-  void write_session_log(nlohmann::ordered_json& report) const override {
-    report["graph"] = {{"nodes", graph_.drawn() ? graph_.drawn()->nodes.size() : 0},
-                       {"marked", graph_.marked()},
-                       {"reached", graph_.reached()},
-                       {"total", graph_.total()},
-                       {"removed", graph_.removed()},
-                       {"removals", graph_.removals()},
-                       {"closings", graph_.closings().size()},
-                       {"loops", graph_.drawn() ? graph_.drawn()->loops.size() : 0},
-                       {"of_piece", graph_.shows_piece()},
-                       {"any_open", graph_.any_open()},
-                       {"face_lit", workspace_.view.look.lit_face.has_value()}};
-  }
-
- private:
-  Workspace& workspace_;
-  GraphState graph_;
-  GraphPanel panel_;
-};
-
-void GraphFeature::after_queue(double seconds) {
-  ViewState& view = workspace_.view;
-  const Document& document = workspace_.session.document;
-  const bool panel = workspace_.services.panels.shows(kGraphPanel);
-  if (!panel && view.look.lit_face) {
-    view.look.lit_face.reset();
-    view.picture_old = true;
-  }
-  if (!panel && !view.look.show.graph) return graph_.play(false);
-  graph_.follow(document, workspace_.links.holds_back());
-  graph_.advance(std::min(seconds, Workspace::kLongestStep));
-  if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.queue().in_stroke() &&
-      document.waiting() == 0)
-    workspace_.changes.begin(graph_reading(graph_));
-  if (view.look.graph == graph_.drawn()) return;
-  view.look.graph = graph_.drawn();
-  if (view.look.show.graph) view.picture_old = true;
-}
-
-}  // namespace
 
 std::unique_ptr<Feature> graph_feature(Workspace& workspace) {
   return std::make_unique<GraphFeature>(workspace);

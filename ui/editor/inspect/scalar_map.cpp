@@ -1,5 +1,6 @@
 #include "ui/editor/inspect/scalar_map.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -9,12 +10,18 @@
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
+#include "core/base/json.h"
 #include "core/base/parallel.h"
 #include "core/mesh/face_batches.h"
 #include "ui/editor/shared/command_labels.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/render/bodies/rim_distance.h"
+#include "ui/window/layout.h"
 #include "ui/window/number_text.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 
@@ -72,6 +79,101 @@ void fill_rim_distances(FaceScalars& values, const Body& body, const LoadedShadi
   });
 }
 
+template <typename Visit>
+void for_each_value(ScalarLists lists, const Visit& visit) {
+  for (const auto& list : lists) {
+    for (const float value : *list) {
+      if (value != kNoScalar) visit(static_cast<double>(value));
+    }
+  }
+}
+
+void find_extent(ScalarLists lists, Histogram& h) {
+  h.least = std::numeric_limits<double>::infinity();
+  h.most = -h.least;
+  for_each_value(lists, [&](double value) {
+    h.least = std::min(h.least, value);
+    h.most = std::max(h.most, value);
+    ++h.faces;
+  });
+  if (h.faces == 0) h.least = h.most = 0;
+}
+constexpr size_t kBins = 64;
+constexpr double kSplitOftenest =
+    0.01;  // of the faces; a few at the rim are split many times more than all others
+
+constexpr float kPlotEms = 5, kStripEms = 0.45f, kGripEms = 0.38f;
+constexpr double kMinApart = 0.01;  // of the histogram, between the handles
+
+ImU32 colour_at(const ScalarRange& range, double value) {
+  const glm::vec3 c = scalar_colour((value - range.low) / (range.high - range.low));
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+}
+
+// The plot on the screen.
+struct Frame {
+  const Histogram& histogram;
+  ImVec2 at, size;
+
+  double share_of(double value) const {
+    return std::clamp((value - histogram.from) / (histogram.to - histogram.from), 0.0, 1.0);
+  }
+  float x_of(double value) const { return at.x + static_cast<float>(share_of(value)) * size.x; }
+  double value_at(float x) const {
+    const double share = std::clamp<double>((x - at.x) / size.x, 0, 1);
+    return histogram.from + share * (histogram.to - histogram.from);
+  }
+};
+
+void draw_columns(const Frame& frame, const ScalarRange& range, float height, ImDrawList& list) {
+  const Histogram& h = frame.histogram;
+  const auto most = static_cast<double>(*std::max_element(h.bins.begin(), h.bins.end()));
+  for (size_t i = 0; i < h.bins.size(); ++i) {
+    if (h.bins[i] == 0) continue;
+    const double begin = h.from + h.width() * static_cast<double>(i);
+    const auto tall = static_cast<float>(std::sqrt(static_cast<double>(h.bins[i]) / most)) * height;
+    const float left = frame.x_of(begin), right = std::max(left + 1, frame.x_of(begin + h.width()) - 1);
+    list.AddRectFilled({left, frame.at.y + height - std::max(1.0f, tall)}, {right, frame.at.y + height},
+                       colour_at(range, begin + 0.5 * h.width()));
+  }
+}
+
+void draw_strip(const Frame& frame, const ScalarRange& range, float top, ImDrawList& list) {
+  const float bottom = frame.at.y + frame.size.y;
+  for (float x = frame.at.x; x < frame.at.x + frame.size.x; x += 2) {
+    const float right = std::min(x + 2, frame.at.x + frame.size.x);
+    list.AddRectFilled({x, top}, {right, bottom}, colour_at(range, frame.value_at(0.5f * (x + right))));
+  }
+}
+
+void draw_handle(float x, const Frame& frame, bool held, ImDrawList& list) {
+  const float grip = kGripEms * ImGui::GetFontSize(), bottom = frame.at.y + frame.size.y;
+  const ImU32 colour = held ? colours::accent() : colours::text();
+  list.AddLine({x, frame.at.y}, {x, bottom}, IM_COL32(0, 0, 0, 120), 3);
+  list.AddLine({x, frame.at.y}, {x, bottom}, colour, 1);
+  list.AddTriangleFilled({x - grip, frame.at.y}, {x + grip, frame.at.y}, {x, frame.at.y + 1.3f * grip},
+                         colour);
+}
+
+// Drags the handle nearer to the press, as long as the button is held.
+bool drag(const Frame& frame, ScalarRange& range) {
+  if (!ImGui::IsItemActive()) return false;
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID held = ImGui::GetID("held handle");
+  const float x = ImGui::GetIO().MousePos.x;
+  if (ImGui::IsItemActivated())
+    storage.SetBool(held, std::abs(x - frame.x_of(range.high)) < std::abs(x - frame.x_of(range.low)));
+  const ScalarRange before = range;
+  const Histogram& h = frame.histogram;
+  const double apart = kMinApart * (h.to - h.from), value = frame.value_at(x);
+  if (storage.GetBool(held)) {
+    range.high = std::max(value, range.low + apart);
+  } else {
+    range.low = std::min(value, range.high - apart);
+  }
+  return !(range == before);
+}
+
 }  // namespace
 
 const char* name_of(FaceQuantity quantity) {
@@ -104,30 +206,6 @@ FaceScalars face_scalars(const Body& body, FaceQuantity quantity, const LoadedSh
   }
   return values;
 }
-
-namespace {
-
-template <typename Visit>
-void for_each_value(ScalarLists lists, const Visit& visit) {
-  for (const auto& list : lists) {
-    for (const float value : *list) {
-      if (value != kNoScalar) visit(static_cast<double>(value));
-    }
-  }
-}
-
-void find_extent(ScalarLists lists, Histogram& h) {
-  h.least = std::numeric_limits<double>::infinity();
-  h.most = -h.least;
-  for_each_value(lists, [&](double value) {
-    h.least = std::min(h.least, value);
-    h.most = std::max(h.most, value);
-    ++h.faces;
-  });
-  if (h.faces == 0) h.least = h.most = 0;
-}
-
-}  // namespace
 
 ScalarRange range_between(double low, double high) {
   constexpr double kMinShare = 1e-4;
@@ -169,12 +247,6 @@ Histogram histogram_of(ScalarLists lists, size_t bins, bool whole) {
   });
   return h;
 }
-
-namespace {
-constexpr size_t kBins = 64;
-constexpr double kSplitOftenest =
-    0.01;  // of the faces; a few at the rim are split many times more than all others
-}  // namespace
 
 void ScalarMap::show(std::optional<FaceQuantity> quantity) {
   if (shown_ == quantity) return;
@@ -275,6 +347,224 @@ std::shared_ptr<const ScalarField> ScalarMap::field(FileUnit unit) const {
     field.labels[i] = quantity_text(*shown_, glm::mix(range_.low, range_.high, t), unit);
   }
   return std::make_shared<const ScalarField>(std::move(field));
+}
+
+bool draw_histogram(const Histogram& histogram, ScalarRange& range) {
+  const float em = ImGui::GetFontSize(), grip = kGripEms * em;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 whole{std::max(4 * em, ImGui::GetContentRegionAvail().x), kPlotEms * em};
+  ImGui::InvisibleButton("histogram", whole);
+  const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  // The grips of handles at the ends stand out by half.
+  const Frame frame{histogram, {corner.x + grip, corner.y}, {whole.x - 2 * grip, whole.y}};
+  const bool changed = drag(frame, range);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float strip = kStripEms * em, height = whole.y - strip - 2;
+  list.AddRectFilled(corner, {corner.x + whole.x, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                     3);
+  draw_columns(frame, range, height, list);
+  draw_strip(frame, range, corner.y + height + 2, list);
+  for (const auto& [name, value] :
+       {std::pair("scalar low", range.low), std::pair("scalar high", range.high)}) {
+    const float x = frame.x_of(value);
+    draw_handle(x, frame, hovered, list);
+    mark_area(name, {{x - grip, corner.y}, {2 * grip, whole.y}});
+  }
+  tooltip(
+      "Number of faces by value (square-root columns). Drag a handle to set where the colours begin or end.");
+  return changed;
+}
+
+namespace {
+
+constexpr const char* kScalarPanel = "scalar_map";
+constexpr double kRestShare = 10;    // computing takes a tenth of the time at most
+constexpr double kOutermost = 0.01;  // of the faces at each end, which the narrower fit leaves out
+constexpr const char* kTip = "Colours every face by a quantity, with a legend in the viewport.";
+
+const char* action_id(std::optional<FaceQuantity> quantity) {
+  constexpr std::array<const char*, kFaceQuantities> kIds{"scalar_map.level", "scalar_map.longest_edge",
+                                                          "scalar_map.min_angle", "scalar_map.temperature",
+                                                          "scalar_map.rim_distance"};
+  return quantity ? kIds.at(static_cast<size_t>(*quantity)) : "scalar_map.paint";
+}
+
+const char* label_of(std::optional<FaceQuantity> quantity) {
+  constexpr std::array<const char*, kFaceQuantities> kLabels{"Level", "Longest Edge", "Min. Angle",
+                                                             "Temperature", "Distance to Rim"};
+  return quantity ? kLabels.at(static_cast<size_t>(*quantity)) : "Paint";
+}
+
+class ScalarMapFeature : public Feature {
+ public:
+  ScalarMapFeature(const DocumentSession& session, ViewState& view, Services& services,
+                   const ScreenContext& screen)
+      : session_(session), view_(view), services_(services), screen_(screen) {}
+
+  std::vector<PanelPart> panel_parts() override {
+    return {{kScalarPanel, [this] { draw(); }}};
+  }
+  std::vector<UserAction> actions() override;
+  void on_world_changed(const Delta& delta) override { map_.follow(session_.world(), delta); }
+  void on_document_opened() override {
+    map_.forget();
+    view_.look.scalar.reset();
+  }
+  void after_queue(double) override;
+  bool needs_redraw() const override { return map_.is_old(); }
+  void write_session_log(nlohmann::ordered_json& report) const override;
+
+ private:
+  void show(std::optional<FaceQuantity> quantity);
+  void update_map();
+  void hand_over();
+  void draw();
+  void draw_choice();
+  void draw_range();
+  bool draw_end(const char* name, double& end, const char* meaning);
+  UserAction action(std::optional<FaceQuantity> quantity);
+
+  const DocumentSession& session_;
+  ViewState& view_;
+  Services& services_;
+  const ScreenContext& screen_;
+  ScalarMap map_;
+  NumberFields fields_;
+  FileUnit unit_ = FileUnit::kMetre;  // of the labels in the viewport
+  double next_ = 0;                   // s of the clock, before which no values are computed
+};
+
+UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
+  const std::string name = std::string("Colour by: ") + label_of(quantity);
+  UserAction action = picture_action(view_, action_id(quantity), name.c_str(), kTip, [this, quantity] {
+    show(quantity);
+    if (quantity) services_.panels.show(kScalarPanel);
+  });
+  action.checked = [this, quantity] { return map_.shown() == quantity; };
+  return action;
+}
+
+std::vector<UserAction> ScalarMapFeature::actions() {
+  std::vector<UserAction> actions{action(std::nullopt)};
+  for (size_t i = 0; i < kFaceQuantities; ++i) actions.push_back(action(static_cast<FaceQuantity>(i)));
+  return actions;
+}
+
+// Switches off the other colourings of faces.
+void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
+  ShowOptions& others = view_.look.show;
+  if (quantity) others.pieces = others.sizes = others.heat = false;
+  map_.show(quantity);
+  next_ = 0;
+  if (!quantity) hand_over();
+}
+
+// Ends when another colouring of faces is switched on.
+void ScalarMapFeature::after_queue(double) {
+  if (!map_.shown()) return;
+  const ShowOptions& others = view_.look.show;
+  if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
+  map_.follow_steps(session_.world(), session_.document.waiting() > 0);
+  map_.follow_heat(session_.world());
+  if (map_.is_old()) update_map();
+  if (unit_ != view_.frame.unit) hand_over();
+}
+
+void ScalarMapFeature::update_map() {
+  const auto now = [this] { return screen_.clock != nullptr ? screen_.clock->seconds() : 0.0; };
+  const double began = now();
+  if (began < next_) return;
+  const bool shown_before = view_.look.scalar != nullptr, changed_before = view_.picture_old;
+  map_.update(session_.world(),
+              screen_.picture != nullptr ? screen_.picture->first().loaded_shadings() : LoadedShadings());
+  next_ = now() + kRestShare * (now() - began);
+  hand_over();
+  // Heat alone moves no shape.
+  if (shown_before && map_.shown() == FaceQuantity::kTemperature) {
+    view_.picture_old = changed_before;
+    view_.heat_old = true;
+  }
+}
+
+void ScalarMapFeature::hand_over() {
+  unit_ = view_.frame.unit;
+  view_.look.scalar = map_.field(unit_);
+  view_.picture_old = true;
+}
+
+void ScalarMapFeature::draw() {
+  draw_choice();
+  if (!map_.shown()) return;
+  if (map_.histogram().faces == 0 && map_.is_old()) return;
+  if (map_.histogram().faces == 0)
+    return secondary_text(*map_.shown() == FaceQuantity::kRimDistance ? "No cut has left a rim yet."
+                                                                      : "No face is shown.");
+  draw_range();
+}
+
+void ScalarMapFeature::draw_choice() {
+  if (!begin_properties("scalar map")) return;
+  std::string names{"Paint", 6};
+  for (size_t i = 0; i < kFaceQuantities; ++i) {
+    names += std::string(label_of(static_cast<FaceQuantity>(i))) + '\0';
+  }
+  int choice = map_.shown() ? 1 + static_cast<int>(*map_.shown()) : 0;
+  if (choice_row("Colour by", "##quantity", choice, names.c_str(), "Colour by", kTip))
+    show(choice > 0 ? std::optional(static_cast<FaceQuantity>(choice - 1)) : std::nullopt);
+  end_properties();
+}
+
+void ScalarMapFeature::draw_range() {
+  ScalarRange range = map_.range();
+  bool changed = draw_histogram(map_.histogram(), range);
+  if (begin_properties("range")) {
+    changed = draw_end("From", range.low, "Value of the first colour; lower values share it.") || changed;
+    changed = draw_end("To", range.high, "Value of the last colour; higher values share it.") || changed;
+    figure_row("Faces", grouped(map_.histogram().faces), "Faces with a value.");
+    end_properties();
+  }
+  if (changed && range.low < range.high) map_.set_range(range), hand_over();
+  for (const auto& [name, share, tip] :
+       {std::tuple("Fit", 0.0, "Fits the colours to the minimum and maximum, also after cuts."),
+        std::tuple("Fit 1-99 %", kOutermost, "The same without the hundredth of the faces at either end.")}) {
+    if (share > 0) ImGui::SameLine();
+    if (ImGui::Button(name)) map_.fit(share), hand_over();
+    mark_last_item((std::string("scalar ") + name).c_str());
+    tooltip(tip);
+  }
+}
+
+bool ScalarMapFeature::draw_end(const char* name, double& end, const char* meaning) {
+  switch (*map_.shown()) {
+    case FaceQuantity::kLongestEdge:
+    case FaceQuantity::kRimDistance:
+      return length_field(fields_, name, end, label_unit(map_.range().high, view_.frame.unit), meaning);
+    case FaceQuantity::kMinAngle:
+      return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
+    case FaceQuantity::kTemperature:
+      return fields_.number(name, end, "%.0f K", meaning);
+    case FaceQuantity::kLevel:
+      break;
+  }
+  return fields_.number(name, end, "%.3g", meaning);
+}
+
+void ScalarMapFeature::write_session_log(nlohmann::ordered_json& report) const {
+  nlohmann::ordered_json& all = report["scalar_map"];
+  all["quantity"] = nullptr;
+  if (!map_.shown()) return;
+  all["quantity"] = name_of(*map_.shown());
+  all["faces"] = map_.histogram().faces;
+  all["low"] = map_.range().low;
+  all["high"] = map_.range().high;
+  all["fits"] = map_.fits();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> scalar_map_feature(Workspace& workspace) {
+  return std::make_unique<ScalarMapFeature>(workspace.session, workspace.view, workspace.services,
+                                            workspace.screen);
 }
 
 }  // namespace kerf

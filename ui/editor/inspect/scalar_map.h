@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/world/world.h"
 #include "core/world/world_delta.h"
-#include "ui/render/bodies/prepared_body.h"
+#include "ui/render/bodies/base_faces.h"
 #include "ui/render/view/view_options.h"
 
 namespace kerf {

@@ -1,13 +1,12 @@
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 
 #include <imgui.h>
 
@@ -6,7 +6,7 @@
 
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

@@ -5,12 +5,10 @@
 #include "core/base/assert.h"
 #include "core/base/json.h"
 #include "ui/editor/shared/command_labels.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/laser_controls.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
@@ -25,49 +23,6 @@ std::optional<World> world_to_cut(Document& first) {
   if (first.world().live_faces() > Document::kMaxFacesToCopy) return std::nullopt;
   return first.world();
 }
-
-}  // namespace
-
-void TwinCut::begin(Document& first, const Resolution& resolution) {
-  std::optional<World> world = world_to_cut(first);
-  there_ = world.has_value();
-  document_ = there_ ? Document(std::move(*world)) : Document();
-  document_.set_window(0);
-  resolution_ = resolution;
-  revision_ = first.revision();
-  commands_ = 0;
-  begun_ = true;
-}
-
-bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
-  const UndoStack& history = first.history();
-  if (!history.last_cut()) {
-    const bool restarted = !begun_ || first.revision() != revision_;
-    if (restarted) begin(first, controls.of(1));
-    return restarted;
-  }
-  const Resolution resolution = controls.of(history.last_settings().laser.radius);
-  const bool restarted = !begun_ || first.revision() != revision_ || resolution != resolution_;
-  if (restarted) begin(first, resolution);
-  if (!there_) return restarted;
-  const std::vector<Command>& stroke = history.step(history.base_of(*history.last_cut())).commands();
-  for (; commands_ < stroke.size(); ++commands_) {
-    Command command = stroke[commands_];
-    if (auto* start = std::get_if<BeginStroke>(&command)) {
-      start->settings = history.last_settings();
-      start->settings.resolution = resolution_;
-    }
-    // The twin skips commands that let time pass.
-    const bool in_time = std::visit([]<typename C>(const C&) { return TimedCommand<C>; }, command);
-    if (in_time) continue;
-    const Outcome applied = document_.apply(command);
-    KERF_ASSERT(applied.ok());
-    (void)applied;
-  }
-  return restarted;
-}
-
-namespace {
 
 constexpr size_t kMovesOfTwin = 16;  // per step
 
@@ -214,6 +169,45 @@ void SplitFeature::draw_overlay(ImDrawList& list) {
 }
 
 }  // namespace
+
+void TwinCut::begin(Document& first, const Resolution& resolution) {
+  std::optional<World> world = world_to_cut(first);
+  there_ = world.has_value();
+  document_ = there_ ? Document(std::move(*world)) : Document();
+  document_.set_window(0);
+  resolution_ = resolution;
+  revision_ = first.revision();
+  commands_ = 0;
+  begun_ = true;
+}
+
+bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
+  const UndoStack& history = first.history();
+  if (!history.last_cut()) {
+    const bool restarted = !begun_ || first.revision() != revision_;
+    if (restarted) begin(first, controls.of(1));
+    return restarted;
+  }
+  const Resolution resolution = controls.of(history.last_settings().laser.radius);
+  const bool restarted = !begun_ || first.revision() != revision_ || resolution != resolution_;
+  if (restarted) begin(first, resolution);
+  if (!there_) return restarted;
+  const std::vector<Command>& stroke = history.step(history.base_of(*history.last_cut())).commands();
+  for (; commands_ < stroke.size(); ++commands_) {
+    Command command = stroke[commands_];
+    if (auto* start = std::get_if<BeginStroke>(&command)) {
+      start->settings = history.last_settings();
+      start->settings.resolution = resolution_;
+    }
+    // The twin skips commands that let time pass.
+    const bool in_time = std::visit([]<typename C>(const C&) { return TimedCommand<C>; }, command);
+    if (in_time) continue;
+    const Outcome applied = document_.apply(command);
+    KERF_ASSERT(applied.ok());
+    (void)applied;
+  }
+  return restarted;
+}
 
 std::unique_ptr<Feature> split_feature(Workspace& workspace) {
   return std::make_unique<SplitFeature>(workspace);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/document/document.h"
 #include "ui/editor/shared/laser_controls.h"
 

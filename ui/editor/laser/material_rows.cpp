@@ -3,31 +3,62 @@
 #include <imgui.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "core/base/platform.h"
 #include "core/document/material_table.h"
-#include "core/document/text/world_fields.h"
-#include "core/heat/lumped_cut.h"
+#include "core/document/text/fields.h"
 #include "core/mesh/measures.h"
-#include "ui/editor/laser/stroke_watch.h"
 #include "ui/editor/shared/command_labels.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/world_changes.h"
+#include "ui/render/bodies/body_picture.h"
 #include "ui/window/layout.h"
-#include "ui/window/number_fields.h"
-#include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
 namespace kerf {
 
 namespace {
+
+constexpr double kMinCosine = 0.2;
+}
+
+std::optional<SheetHit> sheet_hit(const World& world, const ViewOptions& options, const Pose& ray) {
+  const std::optional<Pick> met = pick(world, options, ray);
+  if (!met) return std::nullopt;
+  const Body& body = world.body(met->body);
+  const Triangle t = body.mesh.triangle(met->face);
+  const Vec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double along = std::abs(glm::dot(across, body.placement.to_body(ray).direction));
+  const double cosine = std::max(along / glm::length(across), kMinCosine);
+  return SheetHit{body.sheet, 1 / cosine, met->length};
+}
+
+namespace {
+
+constexpr double kEven = 0.2;   // s, time constant of the smoothing
+constexpr double kResting = 5;  // pixels/s, max. speed at rest
+
+constexpr double kPlaceSpacing = 0.5;  // beam radii, between places
+constexpr double kBehind = 2;          // beam radii, distance at which the beam has no more effect
+constexpr double kSteepest = 5;        // assumed slant if only the axis of the beam misses the sheet
+constexpr double kRests = 0.25;        // s in one place until a beam is judged there
+
+const HistoryStep& stroke_of(const Document& document) {
+  return document.history().step(*document.history().last_cut());
+}
+
+// Distance [m] perpendicular to the beam.
+double way_across(const Pose& axis, const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  return glm::length(way - glm::dot(way, axis.direction) * axis.direction);
+}
 
 constexpr double kMaxRadii = 100;  // width of the heat, in beam radii
 constexpr double kSlanted = 1.05;  // min. slant that is shown
@@ -56,171 +87,6 @@ void hold_row(bool& held) {
   mark_last_item("hold heat");
   tooltip("Freezes all temperatures; otherwise hot faces cool in real time.");
 }
-
-}  // namespace
-
-std::string depth_text(const StepStatistics& statistics) {
-  if (statistics.met_s <= 0) return "";
-  return text_of("Last cut reached %.0f %% depth", 100 * statistics.depth_s / statistics.met_s);
-}
-
-std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit) {
-  const std::string watts = text_of("%.4g W", laser.power);
-  std::string thickness = text_of("%.3g mm", 1000 * met.sheet.thickness);
-  if (met.slant > kSlanted)
-    thickness += text_of(" (%.3g mm along the beam)", 1000 * met.slant * met.sheet.thickness);
-  const LumpedCut cut = met.balance(laser.beam());
-  if (speed > 0)
-    return watts + " at " + length_label(speed, unit) + "/s cuts " +
-           text_of("%.2g mm", 1000 * cut_thickness(cut, speed)) + "; this sheet is " + thickness;
-  const double fastest = cutting_speed(cut, met.sheet.thickness);
-  if (fastest <= 0) return watts + " is too little to cut " + thickness + " with this beam width";
-  return watts + " cuts this sheet of " + thickness + " at up to " + length_label(fastest, unit) + "/s";
-}
-
-std::string pointer_text(const LaserControls& laser, const PointerAim& aim, FileUnit unit) {
-  if (aim.speed <= 0) return "";
-  const LumpedCut cut = aim.met.balance(laser.beam());
-  const bool through = cut_thickness(cut, aim.speed) >= aim.met.sheet.thickness;
-  return "The pointer moves at " + length_label(aim.speed, unit) + "/s, " +
-         (through ? "slow enough to cut through" : "too fast to cut through");
-}
-
-std::string beam_text(const StrokeWatch::Now& now, FileUnit unit) {
-  const std::string text = now.through ? "The beam cuts through" : "The beam does not cut through";
-  return now.speed > 0 ? text + ", at " + length_label(now.speed, unit) + "/s" : text;
-}
-
-std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit) {
-  if (crossing.share >= 1 || crossing.speed <= 0) return "";
-  const Laser& laser = crossing.settings.laser;
-  const LumpedCut cut = crossing.met.balance(laser);
-  const double thickness = crossing.met.sheet.thickness;
-  if (cut_thickness(cut, crossing.speed) >= thickness) return "";
-  const CutRemedies would = remedies(cut, thickness, crossing.speed);
-  std::string text = "It would have cut through ";
-  if (would.speed > 0)
-    text += "at " + length_label(would.speed, unit) + "/s instead of " + length_label(crossing.speed, unit) +
-            "/s, ";
-  text += "with " + power_label(would.power) + " instead of " + power_label(laser.power);
-  const double radius = 0.5 * would.kerf / crossing.met.slant;
-  if (radius <= 0) return text + "; a smaller radius alone is not enough";
-  return text + ", or with a radius of " + length_label(radius, unit) + " instead of " +
-         length_label(laser.radius, unit);
-}
-
-std::string energy_text(const World& world) {
-  const EnergyLedger& ledger = world.energy();
-  double ejected = 0;
-  for (const BodyId id : world.ids()) ejected += world.body(id).ejected;
-  return "Emitted " + energy_label(ledger.emitted) + ": " + energy_label(ledger.absorbed) + " absorbed, " +
-         energy_label(ejected) + " of it ejected";
-}
-
-void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
-  double width = laser.width_of_heat();
-  const LengthUnit in = label_unit(default_heat_width(laser.radius), unit);
-  if (length_field(fields_, "Heat-affected zone", width, in,
-                   "Width of the heated zone: from the melting point at the rim down to ambient. 0: none, "
-                   "-1: automatic.",
-                   "", {std::numeric_limits<double>::lowest(), kMaxRadii * laser.radius}))
-    laser.heat_width = width >= 0 ? std::optional(width) : std::nullopt;
-}
-
-void LaserHeatRows::draw_thermal(LaserControls& laser) {
-  property("Power");
-  real_slider({"Power", "##power", "Power of the beam. Ctrl+click to type a number.", true}, laser.power,
-              LaserControls::kMinPower, LaserControls::kMaxPower, "%.4g W", kWatts);
-  mark_last_item("laser power");
-  property("Oxygen");
-  ImGui::Checkbox("##oxygen", &laser.oxygen);
-  mark_last_item("oxygen");
-  tooltip("Oxygen assist: mild steel burns in part, and its heat helps to cut. Empirical.");
-}
-
-void LaserHeatRows::draw_forecast(const Workspace& workspace, const Sheet& sheet,
-                                  const std::optional<PointerAim>& aim) {
-  const FileUnit unit = workspace.view.frame.unit;
-  const std::string whose = aim ? "Under the pointer: " : "";
-  const SheetHit met = aim ? aim->met : SheetHit{sheet};
-  const std::string forecast = forecast_text(workspace.laser, met, workspace.laser.planned_speed, unit);
-  ImGui::TextWrapped("%s", (whose + forecast).c_str());
-  mark_last_item("laser forecast");
-  tooltip("Forecast from the heat balance of the cut, including conduction into the sheet.");
-  const std::string pointer = aim ? pointer_text(workspace.laser, *aim, unit) : "";
-  if (!pointer.empty()) ImGui::TextWrapped("%s", pointer.c_str());
-}
-
-void LaserHeatRows::draw_strokes(const Workspace& workspace, const StrokeWatch& watch) {
-  const FileUnit unit = workspace.view.frame.unit;
-  if (watch.now()) return ImGui::TextWrapped("%s", beam_text(*watch.now(), unit).c_str());
-  const auto& stroke = workspace.services.statistics.shown.stroke;
-  const std::string depth = stroke ? depth_text(stroke->statistics) : "";
-  if (depth.empty()) return;
-  const StrokeWatch::Crossing* crossing = watch.last(workspace.session.document);
-  const std::string remedy = crossing ? remedy_text(*crossing, unit) : "";
-  ImGui::TextWrapped("%s", (remedy.empty() ? depth : depth + ". " + remedy).c_str());
-}
-
-void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::optional<PointerAim>& aim,
-                         const StrokeWatch& watch) {
-  const bool thermal = workspace.laser.model == Model::kThermal;
-  if (begin_properties("laser heat")) {
-    model_row(workspace.laser);
-    if (thermal) draw_thermal(workspace.laser);
-    if (!thermal) draw_geometric(workspace.laser, workspace.view.frame.unit);
-    hold_row(workspace.settings.heat_held);
-    end_properties();
-  }
-  if (!thermal) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  draw_forecast(workspace, sheet, aim);
-  draw_strokes(workspace, watch);
-  if (workspace.world().energy().emitted > 0)
-    ImGui::TextWrapped("%s", energy_text(workspace.world()).c_str());
-  ImGui::PopStyleColor();
-}
-
-const char* solid_disabled_reason(bool closed, const LaserControls& laser) {
-  if (!closed) return "A solid must be closed, but this piece has open edges.";
-  if (laser.model == Model::kThermal)
-    return "The thermal model leaves no walls: select the model Geometric in the Laser panel.";
-  if (laser.pattern == Pattern::kRays4)
-    return "Four rays leave no walls: select the pattern Volume in the Laser panel.";
-  if (laser.resolution.rim != Rim::kSmooth) return "Walls need a smooth rim: select it in the Laser panel.";
-  return nullptr;
-}
-
-bool KnownClosed::of(const World& world, const PieceId& piece) {
-  const Body& body = world.body(piece.body);
-  const Piece& counted = body.pieces[piece.label];
-  const Asked now{piece, counted.faces, counted.area};
-  if (asked_ == now) return closed_;
-  asked_ = now;
-  closed_ = enclosed_volume(body.mesh, body.faces_of(piece.label), body.middle()).closed;
-  return closed_;
-}
-
-std::optional<bool> SolidRow::draw(const Workspace& workspace, const PieceId& piece) {
-  bool solid = workspace.world().body(piece.body).solid;
-  const char* disabled_reason = nullptr;
-  if (workspace.cutting()) {
-    disabled_reason = "Finish or cancel the current cut first.";
-  } else if (!solid) {
-    disabled_reason = solid_disabled_reason(closed_.of(workspace.world(), piece), workspace.laser);
-  }
-  property("Solid");
-  ImGui::BeginDisabled(disabled_reason != nullptr);
-  const bool changed = ImGui::Checkbox("##solid", &solid);
-  ImGui::EndDisabled();
-  mark_last_item("solid");
-  tooltip(disabled_reason != nullptr ? disabled_reason
-                                     : "The faces enclose a volume, and cuts leave walls that close the "
-                                       "pieces. Otherwise they are a sheet.");
-  return changed ? std::optional(solid) : std::nullopt;
-}
-
-namespace {
 
 // A row of the panel, in units of `scale`.
 struct NumberRow {
@@ -468,6 +334,270 @@ void MaterialFeature::change_all(const char* name, const CommandFor& command) {
 }
 
 }  // namespace
+
+void PointerSpeed::follow(const Vec2& pointer, double seconds) {
+  const std::optional<Vec2> before = std::exchange(last_, pointer);
+  if (!before || seconds <= 0) return;
+  const double now = glm::distance(*before, pointer) / seconds;
+  speed_ += (now - speed_) * std::min(1.0, seconds / kEven);
+}
+
+std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed& pointer) {
+  const CameraView view = workspace.view.seen();
+  const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
+  const std::optional<SheetHit> met = sheet_hit(workspace.world(), workspace.view.look, view.ray(p.x, p.y));
+  if (!met) return std::nullopt;
+  const double half_height = view.parallel ? view.half_height() : met->length * view.tan_half_fov;
+  const double pixel = 2 * half_height / workspace.view.pane().size.y;
+  const double speed = pointer.pixels_per_second();
+  return PointerAim{*met, speed > kResting ? speed * pixel : 0};
+}
+
+void StrokeWatch::follow(const Document& document, const std::optional<BeamPicture>& beam) {
+  const bool thermal =
+      document.history().last_cut() && document.history().last_settings().model == Model::kThermal;
+  if (!beam || !thermal) return end(document);
+  if (!runs_) begin(document);
+  pass(document, *beam);
+}
+
+void StrokeWatch::begin(const Document& document) {
+  runs_ = true;
+  way_.clear();
+  through_ = not_through_ = 0;
+  too_fast_ = 0;
+  crossing_ = {};
+  crossing_.settings = document.history().last_settings();
+  now_.reset();
+}
+
+// Returns the extent [m] along the beam of a sheet that the whole width of the beam hits.
+double StrokeWatch::record_sheet(const World& world, const Pose& axis) {
+  const double width = 2 * crossing_.settings.laser.radius;
+  const std::optional<SheetHit> met = sheet_hit(world, {}, axis);
+  if (!met) return width * kSteepest;
+  crossing_.met = *met;
+  return width * met->slant;
+}
+
+void StrokeWatch::pass(const Document& document, const BeamPicture& beam) {
+  if (!beam.strike) return now_.reset();
+  const World& world = document.world();
+  Place place{{beam.from, glm::normalize(beam.to - beam.from)}, *beam.strike, world.energy().beam_on};
+  const double radius = crossing_.settings.laser.radius;
+  if (!way_.empty()) {
+    const Place& before = way_.back();
+    const double way = way_across(place.axis, before.strike, place.strike), time = place.clock - before.clock;
+    if (way < kPlaceSpacing * radius) return rest(world, before);
+    if (time <= 0) return;
+    place.speed = way / time;
+  }
+  place.thickness = record_sheet(world, place.axis);
+  way_.push_back(place);
+  while (way_.size() > 1 && way_across(place.axis, way_[1].strike, place.strike) >= kBehind * radius) {
+    way_.pop_front();
+    judge(world, way_.front());
+  }
+}
+
+bool StrokeWatch::is_open(const World& world, const Place& place) {
+  const std::optional<double> left = first_hit(world, place.axis);
+  return !left || *left > glm::distance(place.axis.origin, place.strike) + place.thickness;
+}
+
+void StrokeWatch::judge(const World& world, const Place& place) {
+  const bool through = is_open(world, place);
+  (through ? through_ : not_through_) += 1;
+  if (!through) too_fast_ += place.speed;
+  now_ = Now{through, place.speed};
+}
+
+void StrokeWatch::rest(const World& world, const Place& place) {
+  if (world.energy().beam_on - place.clock >= kRests) now_ = Now{is_open(world, place), 0};
+}
+
+void StrokeWatch::end(const Document& document) {
+  if (!std::exchange(runs_, false)) return;
+  now_.reset();
+  if (!document.history().last_cut()) return;
+  for (size_t i = 1; i < way_.size(); ++i) judge(document.world(), way_[i]);
+  now_.reset();
+  way_.clear();
+  const size_t all = through_ + not_through_;
+  last_.reset();
+  if (all == 0) return;
+  crossing_.step = *document.history().last_cut();
+  crossing_.removed_faces = stroke_of(document).totals().removed_faces;
+  crossing_.share = static_cast<double>(through_) / static_cast<double>(all);
+  crossing_.speed = not_through_ > 0 ? too_fast_ / static_cast<double>(not_through_) : 0;
+  last_ = crossing_;
+}
+
+const StrokeWatch::Crossing* StrokeWatch::last(const Document& document) const {
+  if (!last_ || document.history().last_cut() != last_->step) return nullptr;
+  return stroke_of(document).totals().removed_faces == last_->removed_faces ? &*last_ : nullptr;
+}
+
+std::string depth_text(const StepStatistics& statistics) {
+  if (statistics.met_s <= 0) return "";
+  return text_of("Last cut reached %.0f %% depth", 100 * statistics.depth_s / statistics.met_s);
+}
+
+std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit) {
+  const std::string watts = text_of("%.4g W", laser.power);
+  std::string thickness = text_of("%.3g mm", 1000 * met.sheet.thickness);
+  if (met.slant > kSlanted)
+    thickness += text_of(" (%.3g mm along the beam)", 1000 * met.slant * met.sheet.thickness);
+  const LumpedCut cut = met.balance(laser.beam());
+  if (speed > 0)
+    return watts + " at " + length_label(speed, unit) + "/s cuts " +
+           text_of("%.2g mm", 1000 * cut_thickness(cut, speed)) + "; this sheet is " + thickness;
+  const double fastest = cutting_speed(cut, met.sheet.thickness);
+  if (fastest <= 0) return watts + " is too little to cut " + thickness + " with this beam width";
+  return watts + " cuts this sheet of " + thickness + " at up to " + length_label(fastest, unit) + "/s";
+}
+
+std::string pointer_text(const LaserControls& laser, const PointerAim& aim, FileUnit unit) {
+  if (aim.speed <= 0) return "";
+  const LumpedCut cut = aim.met.balance(laser.beam());
+  const bool through = cut_thickness(cut, aim.speed) >= aim.met.sheet.thickness;
+  return "The pointer moves at " + length_label(aim.speed, unit) + "/s, " +
+         (through ? "slow enough to cut through" : "too fast to cut through");
+}
+
+std::string beam_text(const StrokeWatch::Now& now, FileUnit unit) {
+  const std::string text = now.through ? "The beam cuts through" : "The beam does not cut through";
+  return now.speed > 0 ? text + ", at " + length_label(now.speed, unit) + "/s" : text;
+}
+
+std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit) {
+  if (crossing.share >= 1 || crossing.speed <= 0) return "";
+  const Laser& laser = crossing.settings.laser;
+  const LumpedCut cut = crossing.met.balance(laser);
+  const double thickness = crossing.met.sheet.thickness;
+  if (cut_thickness(cut, crossing.speed) >= thickness) return "";
+  const CutRemedies would = remedies(cut, thickness, crossing.speed);
+  std::string text = "It would have cut through ";
+  if (would.speed > 0)
+    text += "at " + length_label(would.speed, unit) + "/s instead of " + length_label(crossing.speed, unit) +
+            "/s, ";
+  text += "with " + power_label(would.power) + " instead of " + power_label(laser.power);
+  const double radius = 0.5 * would.kerf / crossing.met.slant;
+  if (radius <= 0) return text + "; a smaller radius alone is not enough";
+  return text + ", or with a radius of " + length_label(radius, unit) + " instead of " +
+         length_label(laser.radius, unit);
+}
+
+std::string energy_text(const World& world) {
+  const EnergyLedger& ledger = world.energy();
+  double ejected = 0;
+  for (const BodyId id : world.ids()) ejected += world.body(id).ejected;
+  return "Emitted " + energy_label(ledger.emitted) + ": " + energy_label(ledger.absorbed) + " absorbed, " +
+         energy_label(ejected) + " of it ejected";
+}
+
+void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
+  double width = laser.width_of_heat();
+  const LengthUnit in = label_unit(default_heat_width(laser.radius), unit);
+  if (length_field(fields_, "Heat-affected zone", width, in,
+                   "Width of the heated zone: from the melting point at the rim down to ambient. 0: none, "
+                   "-1: automatic.",
+                   "", {std::numeric_limits<double>::lowest(), kMaxRadii * laser.radius}))
+    laser.heat_width = width >= 0 ? std::optional(width) : std::nullopt;
+}
+
+void LaserHeatRows::draw_thermal(LaserControls& laser) {
+  property("Power");
+  real_slider({"Power", "##power", "Power of the beam. Ctrl+click to type a number.", true}, laser.power,
+              LaserControls::kMinPower, LaserControls::kMaxPower, "%.4g W", kWatts);
+  mark_last_item("laser power");
+  property("Oxygen");
+  ImGui::Checkbox("##oxygen", &laser.oxygen);
+  mark_last_item("oxygen");
+  tooltip("Oxygen assist: mild steel burns in part, and its heat helps to cut. Empirical.");
+}
+
+void LaserHeatRows::draw_forecast(const Workspace& workspace, const Sheet& sheet,
+                                  const std::optional<PointerAim>& aim) {
+  const FileUnit unit = workspace.view.frame.unit;
+  const std::string whose = aim ? "Under the pointer: " : "";
+  const SheetHit met = aim ? aim->met : SheetHit{sheet};
+  const std::string forecast = forecast_text(workspace.laser, met, workspace.laser.planned_speed, unit);
+  ImGui::TextWrapped("%s", (whose + forecast).c_str());
+  mark_last_item("laser forecast");
+  tooltip("Forecast from the heat balance of the cut, including conduction into the sheet.");
+  const std::string pointer = aim ? pointer_text(workspace.laser, *aim, unit) : "";
+  if (!pointer.empty()) ImGui::TextWrapped("%s", pointer.c_str());
+}
+
+void LaserHeatRows::draw_strokes(const Workspace& workspace, const StrokeWatch& watch) {
+  const FileUnit unit = workspace.view.frame.unit;
+  if (watch.now()) return ImGui::TextWrapped("%s", beam_text(*watch.now(), unit).c_str());
+  const auto& stroke = workspace.services.statistics.shown.stroke;
+  const std::string depth = stroke ? depth_text(stroke->statistics) : "";
+  if (depth.empty()) return;
+  const StrokeWatch::Crossing* crossing = watch.last(workspace.session.document);
+  const std::string remedy = crossing ? remedy_text(*crossing, unit) : "";
+  ImGui::TextWrapped("%s", (remedy.empty() ? depth : depth + ". " + remedy).c_str());
+}
+
+void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::optional<PointerAim>& aim,
+                         const StrokeWatch& watch) {
+  const bool thermal = workspace.laser.model == Model::kThermal;
+  if (begin_properties("laser heat")) {
+    model_row(workspace.laser);
+    if (thermal) draw_thermal(workspace.laser);
+    if (!thermal) draw_geometric(workspace.laser, workspace.view.frame.unit);
+    hold_row(workspace.settings.heat_held);
+    end_properties();
+  }
+  if (!thermal) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  draw_forecast(workspace, sheet, aim);
+  draw_strokes(workspace, watch);
+  if (workspace.world().energy().emitted > 0)
+    ImGui::TextWrapped("%s", energy_text(workspace.world()).c_str());
+  ImGui::PopStyleColor();
+}
+
+const char* solid_disabled_reason(bool closed, const LaserControls& laser) {
+  if (!closed) return "A solid must be closed, but this piece has open edges.";
+  if (laser.model == Model::kThermal)
+    return "The thermal model leaves no walls: select the model Geometric in the Laser panel.";
+  if (laser.pattern == Pattern::kRays4)
+    return "Four rays leave no walls: select the pattern Volume in the Laser panel.";
+  if (laser.resolution.rim != Rim::kSmooth) return "Walls need a smooth rim: select it in the Laser panel.";
+  return nullptr;
+}
+
+bool KnownClosed::of(const World& world, const PieceId& piece) {
+  const Body& body = world.body(piece.body);
+  const Piece& counted = body.pieces[piece.label];
+  const Asked now{piece, counted.faces, counted.area};
+  if (asked_ == now) return closed_;
+  asked_ = now;
+  closed_ = enclosed_volume(body.mesh, body.faces_of(piece.label), body.middle()).closed;
+  return closed_;
+}
+
+std::optional<bool> SolidRow::draw(const Workspace& workspace, const PieceId& piece) {
+  bool solid = workspace.world().body(piece.body).solid;
+  const char* disabled_reason = nullptr;
+  if (workspace.cutting()) {
+    disabled_reason = "Finish or cancel the current cut first.";
+  } else if (!solid) {
+    disabled_reason = solid_disabled_reason(closed_.of(workspace.world(), piece), workspace.laser);
+  }
+  property("Solid");
+  ImGui::BeginDisabled(disabled_reason != nullptr);
+  const bool changed = ImGui::Checkbox("##solid", &solid);
+  ImGui::EndDisabled();
+  mark_last_item("solid");
+  tooltip(disabled_reason != nullptr ? disabled_reason
+                                     : "The faces enclose a volume, and cuts leave walls that close the "
+                                       "pieces. Otherwise they are a sheet.");
+  return changed ? std::optional(solid) : std::nullopt;
+}
 
 std::unique_ptr<Feature> material_feature(Workspace& workspace) {
   return std::make_unique<MaterialFeature>(workspace);

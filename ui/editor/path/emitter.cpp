@@ -11,11 +11,10 @@
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"
 #include "ui/editor/shared/document_session.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/viewport_pointer.h"
-#include "ui/window/number_fields.h"
-#include "ui/window/property_rows.h"
+#include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
@@ -34,7 +33,7 @@ namespace {
 
 using Part = EmitterHandle::Part;
 
-constexpr double kArrowEms = 4;
+constexpr double kHandleEms = 4;
 constexpr double kFreeShare = 0.22;      // of an arrow: its start belongs to the body handle
 constexpr float kBody = 7, kTarget = 7;  // radii in screen coordinates
 constexpr ImU32 kShade = IM_COL32(10, 12, 16, 150);
@@ -60,120 +59,10 @@ void draw_target(Vec2 at, bool pointed_at, ImDrawList& list) {
   list.AddCircleFilled(to_im(at), 1.8f, colours::kPictureText);
 }
 
-}  // namespace
-
-void Emitter::place(const Vec3& at, const Vec3& target) {
-  KERF_ASSERT(at != target);
-  placed_ = true;
-  at_ = at;
-  target_ = target;
-}
-
-Pose Emitter::pose() const { return {at_, beam_direction(target_ - at_)}; }
-
-void Emitter::move_to(const Vec3& at) {
-  if (at != target_) at_ = at;
-}
-
-void Emitter::aim_at(const Vec3& target) {
-  if (target != at_) target_ = target;
-}
-
-void Emitter::take(Part part, Vec2 pointer) {
-  held_ = part;
-  pressed_at_ = pointer;
-  held_at_ = at_;
-}
-
-// Moving the emitter keeps its target.
-void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface) {
-  if (held_ == Part::kTarget) return aim_at(surface ? *surface : picture.at_depth_of(target_, pointer));
-  Vec3 to = held_at_;
-  if (held_ == Part::kBody) {
-    to += picture.at_depth_of(held_at_, pointer) - picture.at_depth_of(held_at_, pressed_at_);
-  } else {
-    const Vec3 axis = axis_of(held_);
-    to += axis * dragged_along(picture.ray(pressed_at_), picture.ray(pointer), held_at_, axis);
-  }
-  move_to(to);
-}
-
-void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance) {
-  KERF_ASSERT(distance > 0);
-  const Vec3 towards = glm::normalize(0.4 * view.right + 0.7 * view.up - 0.6 * view.forward);
-  emitter.place(target + towards * distance, target);
-}
-
-std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture) {
-  std::vector<EmitterHandle> handles;
-  if (!emitter.placed()) return handles;
-  handles.push_back({{picture, "emitter target", {emitter.target()}}, Part::kTarget});
-  if (!picture.place_of(emitter.at())) return handles;
-  constexpr std::array kArrows{"emitter X", "emitter Y", "emitter Z"};
-  for (const Part part : {Part::kX, Part::kY, Part::kZ}) {
-    handles.push_back({{picture, kArrows.at(static_cast<size_t>(part)),
-                        gizmo_arrow(picture, emitter.at(), axis_of(part), kArrowEms), 1},
-                       part});
-    handles.back().free_share = kFreeShare;
-  }
-  handles.push_back({{picture, "emitter body", {emitter.at()}}, Part::kBody});
-  return handles;
-}
-
-void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list) {
-  const std::vector<EmitterHandle> handles = emitter_handles(emitter, picture);
-  const auto under = handle_under(handles, pointer);
-  const auto at = picture.place_of(emitter.at()), target = picture.place_of(emitter.target());
-  if (emitter.placed() && at && target && !emitter.drawing) {
-    list.AddLine(to_im(*at), to_im(*target), kShade, 3.4f);
-    list.AddLine(to_im(*at), to_im(*target), colours::kPictureSecondary, 1.2f);
-  }
-  for (const EmitterHandle& handle : handles) {
-    const bool pointed_at = under && under->part == handle.part;
-    if (handle.part == Part::kTarget) {
-      if (target) draw_target(*target, pointed_at, list);
-    } else if (handle.part == Part::kBody) {
-      draw_body(*at, pointed_at, emitter.firing, list);
-    } else {
-      draw_handle(handle, picture.em(),
-                  pointed_at ? colours::kPictureText : colours::kAxes.at(static_cast<size_t>(handle.part)),
-                  list);
-    }
-  }
-}
-
-namespace {
-
 constexpr const char* kAtKey = "at";
 constexpr const char* kTargetKey = "target";
 constexpr const char* kInShotsKey = "in_shots";
 constexpr const char* kPaceKey = "pace";
-
-}  // namespace
-
-nlohmann::json emitter_entry(const Emitter& emitter) {
-  if (!emitter.placed()) return nullptr;
-  return {{kAtKey, vector_json(emitter.at())},
-          {kTargetKey, vector_json(emitter.target())},
-          {kInShotsKey, emitter.in_shots},
-          {kPaceKey, emitter.pace.per_second()}};
-}
-
-Emitter emitter_of_entry(const nlohmann::json& entry) {
-  Emitter emitter;
-  const JsonValue value(entry, "emitter");
-  if (!value.has(kAtKey) || !value.has(kTargetKey)) return emitter;
-  const Result<Vec3> at = value[kAtKey].vector(), target = value[kTargetKey].vector();
-  if (!at || !target || *at == *target) return emitter;
-  emitter.place(*at, *target);
-  if (value.has(kInShotsKey)) (void)assign(value[kInShotsKey].flag(), emitter.in_shots);
-  double pace = emitter.pace.per_second();
-  if (value.has(kPaceKey)) (void)assign(value[kPaceKey].number(), pace);
-  emitter.pace.set(pace);
-  return emitter;
-}
-
-namespace {
 
 constexpr double kEmitterAway = 0.35;  // diagonals of the world
 
@@ -382,6 +271,108 @@ void EmitterFeature::write_session_log(nlohmann::ordered_json& report) const {
 }
 
 }  // namespace
+
+void Emitter::place(const Vec3& at, const Vec3& target) {
+  KERF_ASSERT(at != target);
+  placed_ = true;
+  at_ = at;
+  target_ = target;
+}
+
+Pose Emitter::pose() const { return {at_, beam_direction(target_ - at_)}; }
+
+void Emitter::move_to(const Vec3& at) {
+  if (at != target_) at_ = at;
+}
+
+void Emitter::aim_at(const Vec3& target) {
+  if (target != at_) target_ = target;
+}
+
+void Emitter::take(Part part, Vec2 pointer) {
+  held_ = part;
+  pressed_at_ = pointer;
+  held_at_ = at_;
+}
+
+// Moving the emitter keeps its target.
+void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface) {
+  if (held_ == Part::kTarget) return aim_at(surface ? *surface : picture.at_depth_of(target_, pointer));
+  Vec3 to = held_at_;
+  if (held_ == Part::kBody) {
+    to += picture.at_depth_of(held_at_, pointer) - picture.at_depth_of(held_at_, pressed_at_);
+  } else {
+    const Vec3 axis = axis_of(held_);
+    to += axis * dragged_along(picture.ray(pressed_at_), picture.ray(pointer), held_at_, axis);
+  }
+  move_to(to);
+}
+
+void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance) {
+  KERF_ASSERT(distance > 0);
+  const Vec3 towards = glm::normalize(0.4 * view.right + 0.7 * view.up - 0.6 * view.forward);
+  emitter.place(target + towards * distance, target);
+}
+
+std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture) {
+  std::vector<EmitterHandle> handles;
+  if (!emitter.placed()) return handles;
+  handles.push_back({{picture, "emitter target", {emitter.target()}}, Part::kTarget});
+  if (!picture.place_of(emitter.at())) return handles;
+  constexpr std::array kArrows{"emitter X", "emitter Y", "emitter Z"};
+  for (const Part part : {Part::kX, Part::kY, Part::kZ}) {
+    handles.push_back({{picture, kArrows.at(static_cast<size_t>(part)),
+                        gizmo_arrow(picture, emitter.at(), axis_of(part), kHandleEms), 1},
+                       part});
+    handles.back().free_share = kFreeShare;
+  }
+  handles.push_back({{picture, "emitter body", {emitter.at()}}, Part::kBody});
+  return handles;
+}
+
+void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list) {
+  const std::vector<EmitterHandle> handles = emitter_handles(emitter, picture);
+  const auto under = handle_under(handles, pointer);
+  const auto at = picture.place_of(emitter.at()), target = picture.place_of(emitter.target());
+  if (emitter.placed() && at && target && !emitter.drawing) {
+    list.AddLine(to_im(*at), to_im(*target), kShade, 3.4f);
+    list.AddLine(to_im(*at), to_im(*target), colours::kPictureSecondary, 1.2f);
+  }
+  for (const EmitterHandle& handle : handles) {
+    const bool pointed_at = under && under->part == handle.part;
+    if (handle.part == Part::kTarget) {
+      if (target) draw_target(*target, pointed_at, list);
+    } else if (handle.part == Part::kBody) {
+      draw_body(*at, pointed_at, emitter.firing, list);
+    } else {
+      draw_handle(handle, picture.em(),
+                  pointed_at ? colours::kPictureText : colours::kAxes.at(static_cast<size_t>(handle.part)),
+                  list);
+    }
+  }
+}
+
+nlohmann::json emitter_entry(const Emitter& emitter) {
+  if (!emitter.placed()) return nullptr;
+  return {{kAtKey, vector_json(emitter.at())},
+          {kTargetKey, vector_json(emitter.target())},
+          {kInShotsKey, emitter.in_shots},
+          {kPaceKey, emitter.pace.per_second()}};
+}
+
+Emitter emitter_of_entry(const nlohmann::json& entry) {
+  Emitter emitter;
+  const JsonValue value(entry, "emitter");
+  if (!value.has(kAtKey) || !value.has(kTargetKey)) return emitter;
+  const Result<Vec3> at = value[kAtKey].vector(), target = value[kTargetKey].vector();
+  if (!at || !target || *at == *target) return emitter;
+  emitter.place(*at, *target);
+  if (value.has(kInShotsKey)) (void)assign(value[kInShotsKey].flag(), emitter.in_shots);
+  double pace = emitter.pace.per_second();
+  if (value.has(kPaceKey)) (void)assign(value[kPaceKey].number(), pace);
+  emitter.pace.set(pace);
+  return emitter;
+}
 
 std::unique_ptr<Feature> emitter_feature(Workspace& workspace) {
   return std::make_unique<EmitterFeature>(workspace);

@@ -1,24 +1,139 @@
-#include "core/base/json.h"
-#include "ui/editor/shared/features.h"
-
-#include <imgui.h>
+#include "ui/editor/path/path_feature.h"
 
 #include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <cmath>
+#include <string>
 
+#include "core/base/assert.h"
+#include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "core/document/save.h"
-#include "core/document/stroke_path.h"
-#include "core/document/stroke_settings.h"
 #include "core/document/text/json.h"
-#include "ui/editor/path/path_panel.h"
-#include "ui/editor/path/path_tool.h"
-#include "ui/editor/path/path_work.h"
+#include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/panel_rows.h"
+#include "ui/window/layout.h"
+#include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
 namespace kerf {
 
 namespace {
+
+constexpr double kWholeTurn = 6.283185307179586;
+
+constexpr int kMinKeys = 12, kMaxKeys = 360;  // of a hole
+constexpr double kSagitta = 1.0 / 16;         // max. distance of a chord from its circle, in beam radii
+
+// Directions of the rows and columns, perpendicular to the beam.
+struct Plane {
+  Vec3 along, across;
+  Vec3 at(double x, double y) const { return along * x + across * y; }
+};
+
+Plane plane_across(const Vec3& beam) {
+  int best = 0;
+  for (const int axis : {2, 1}) {
+    if (std::abs(beam[axis]) < std::abs(beam[best]) - 1e-6) best = axis;
+  }
+  Vec3 along(0);
+  along[best] = 1;
+  along = glm::normalize(along - beam * glm::dot(along, beam));
+  return {along, glm::cross(beam, along)};
+}
+
+int keys_of_circle(double circle, double radius) {
+  const double sagitta = std::min(kSagitta * radius / circle, 1.0);
+  const double keys = std::ceil(0.5 * kWholeTurn / std::acos(1 - sagitta));
+  return static_cast<int>(std::clamp<double>(keys, kMinKeys, kMaxKeys));
+}
+
+std::vector<Vec3> middles(const HolePattern& p, const Plane& plane) {
+  std::vector<Vec3> all;
+  if (p.kind == HolePattern::Kind::kCircle) {
+    for (int i = 0; i < p.count; ++i) {
+      const double angle = kWholeTurn * i / p.count;
+      all.push_back(plane.at(p.circle_radius * std::cos(angle), p.circle_radius * std::sin(angle)));
+    }
+    return all;
+  }
+  for (int row = 0; row < p.rows; ++row) {
+    for (int column = 0; column < p.columns; ++column) {
+      const double x = column - 0.5 * (p.columns - 1), y = row - 0.5 * (p.rows - 1);
+      all.push_back(plane.at(p.spacing * x, p.spacing * y));
+    }
+  }
+  return all;
+}
+
+StrokePath hole(const Pose& middle, const Plane& plane, double hole_radius, double radius) {
+  StrokePath stroke;
+  stroke.radius = std::min(radius, hole_radius);
+  const double circle = hole_radius - radius;
+  if (circle > 0) {
+    const int keys = keys_of_circle(circle, radius);
+    for (int i = 0; i <= keys; ++i) {
+      const double angle = kWholeTurn * (i % keys) / keys;
+      const Vec3 aside = plane.at(circle * std::cos(angle), circle * std::sin(angle));
+      stroke.keys.push_back({middle.origin + aside, middle.direction});
+    }
+  } else {
+    stroke.keys.push_back(middle);
+  }
+  retime(stroke, 1);
+  return stroke;
+}
+
+void number_row(NumberFields& fields, const char* name, int& number, const char* meaning) {
+  auto count = static_cast<size_t>(number);
+  if (fields.count(name, count, meaning, 1, HolePattern::kMaxInALine)) number = static_cast<int>(count);
+}
+
+void length_row(NumberFields& fields, const char* name, double& length, FileUnit unit, const char* meaning) {
+  length_field(fields, name, length, label_unit(length, unit), meaning, "", kPositive);
+}
+
+constexpr size_t kMaxPointRows = 7;
+
+constexpr const char* kEmpty = "The path has no points.";
+
+std::string summary(const PathWork& path, const ViewState& view) {
+  if (path.empty())
+    return with_shortcut(view, "Click points on a surface with the Path tool,", "tool.path") +
+           " or load a path file.";
+  double way = 0, seconds = 0;
+  for (const StrokePath& stroke : path.strokes()) {
+    way += way_of(stroke);
+    seconds += duration_of(stroke);
+  }
+  return count_text(path.strokes().size(), "stroke") + ", " + count_text(path.points(), "point") +
+         ", length " + length_label(way, view.frame.unit) + ", " + text_of("%.3g s", seconds);
+}
+
+// Returns the point with this number, counted over all strokes.
+PathPoint numbered(const PathWork& path, size_t number) {
+  KERF_ASSERT(number < path.points());
+  size_t stroke = 0;
+  for (; number >= path.strokes()[stroke].keys.size(); ++stroke) number -= path.strokes()[stroke].keys.size();
+  return {stroke, number};
+}
+
+size_t number_of(const PathWork& path, PathPoint point) {
+  size_t number = point.key;
+  for (size_t i = 0; i < point.stroke; ++i) number += path.strokes()[i].keys.size();
+  return number;
+}
+
+// Sets up the headings, which stay visible while the list scrolls. `unit`: of lengths.
+void set_up_columns(const std::string& unit) {
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Point");
+  for (const char* axis : {"X", "Y", "Z"}) ImGui::TableSetupColumn((axis + (" (" + unit + ")")).c_str());
+  ImGui::TableHeadersRow();
+}
 
 constexpr const char* kPathPanel = "path";
 constexpr const char* kPathKey = "path";  // in the head of a document
@@ -337,6 +452,193 @@ void PathFeature::write_session_log(nlohmann::ordered_json& report) const {
 }
 
 }  // namespace
+
+std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& beam, double radius) {
+  KERF_ASSERT(pattern.hole_radius > 0 && radius > 0);
+  KERF_ASSERT(is_unit(beam.direction));
+  const Plane plane = plane_across(beam.direction);
+  std::vector<StrokePath> strokes;
+  for (const Vec3& middle : middles(pattern, plane))
+    strokes.push_back(hole({beam.origin + middle, beam.direction}, plane, pattern.hole_radius, radius));
+  return strokes;
+}
+
+void HoleForm::draw_grid(FileUnit unit) {
+  number_row(fields_, "Rows", pattern_.rows, "Number of rows.");
+  number_row(fields_, "Columns", pattern_.columns, "Number of holes in each row.");
+  length_row(fields_, "Spacing", pattern_.spacing, unit,
+             "Distance between the centres of neighbouring holes.");
+}
+
+void HoleForm::draw_circle(FileUnit unit) {
+  number_row(fields_, "Holes", pattern_.count, "Number of holes on the circle.");
+  length_row(fields_, "Circle radius", pattern_.circle_radius, unit,
+             "Radius of the circle through the centres of the holes.");
+}
+
+void HoleForm::fit_to(double diagonal) {
+  const bool of_another_size = diagonal < 0.5 * fitted_to_ || diagonal > 2 * fitted_to_;
+  if (!of_another_size || !(diagonal > 0)) return;
+  fitted_to_ = diagonal;
+  pattern_.spacing = diagonal / 12;
+  pattern_.circle_radius = diagonal / 6;
+  pattern_.hole_radius = diagonal / 40;
+}
+
+void HoleForm::add_holes(PathWork& path, const World& world, double radius, double speed) const {
+  KERF_ASSERT(path.selected());
+  const PathPoint point = *path.selected();
+  const Pose beam = path.pose(point);
+  const double distance = path.distance(point);
+  path.begin_edit();
+  path.add_strokes(hole_strokes(pattern_, beam, radius), world, distance, speed);
+}
+
+void HoleForm::draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit) {
+  fit_to(world.bounds().diagonal());
+  if (!begin_properties("holes")) return;
+  choice_row("Pattern", "##kind", pattern_.kind, "Grid\0Circle\0", "hole pattern", nullptr);
+  const bool grid = pattern_.kind == HolePattern::Kind::kGrid;
+  if (grid) draw_grid(unit);
+  if (!grid) draw_circle(unit);
+  length_row(fields_, "Hole radius", pattern_.hole_radius, unit,
+             "Holes no wider than the beam are cut by a single burst.");
+  end_properties();
+  const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
+  const std::string label = "Add " + count_text(static_cast<size_t>(count), "hole");
+  if (row_button((label + "###add holes").c_str(), 1,
+                 path.selected() ? nullptr : "Select a point of the path first: the centre of the holes.",
+                 "Adds a stroke for each hole around the selected point, along its beam."))
+    add_holes(path, world, radius, speed);
+  mark_last_item("add holes");
+}
+
+void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* run_disabled_reason,
+                             const PathActions& requests) {
+  const std::string run = with_shortcut(view, "Cuts along the path, like kerf cut --path.", "path.run");
+  if (row_button("Run", 4, run_disabled_reason, run.c_str())) requests.run();
+  ImGui::SameLine();
+  if (row_button("Load", 4, nullptr, "Loads a path file (.json); you can also drop one on the window."))
+    requests.load();
+  ImGui::SameLine();
+  const char* empty_path_reason = path.empty() ? kEmpty : nullptr;
+  if (row_button("Save", 4, empty_path_reason, "Saves the path as a file (.json) for kerf cut --path."))
+    requests.save();
+  ImGui::SameLine();
+  if (!row_button("Clear", 4, empty_path_reason, "Removes all points; undo restores them.")) return;
+  path.begin_edit();
+  path.clear();
+}
+
+void PathPanel::draw_speed(PathWork& path, FileUnit unit) {
+  double speed = path.speed();
+  const char* meaning =
+      path.has_times_of_file()
+          ? "Mean speed of the beam origin by the times in the file. Typing a speed replaces these times."
+          : "Speed of the beam origin.";
+  if (!length_field(fields_, "Speed", speed, label_unit(speed, unit), meaning, "/s", kPositive)) return;
+  path.begin_edit();
+  path.set_speed(speed);
+}
+
+void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
+  const size_t stroke = path.selected()->stroke;
+  const StrokePath& drawn = path.strokes()[stroke];
+  double radius = default_settings(drawn, world.bounds().diagonal()).laser.radius;
+  if (!length_field(fields_, "Beam radius", radius, label_unit(radius, unit),
+                    drawn.radius ? "Beam radius of the stroke with the selected point."
+                                 : "Beam radius of the stroke with the selected point. By default 1/400 of "
+                                   "the diagonal of all meshes.",
+                    "", kPositive))
+    return;
+  path.begin_edit();
+  path.set_radius(stroke, radius);
+}
+
+void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit) {
+  if (path.empty() || !begin_properties("beam")) return;
+  draw_speed(path, unit);
+  choice_row("Cut", "##cut", at_panel_resolution, "As kerf cut does\0As in the Resolution panel\0",
+             "path resolution",
+             "Resolution and rim of the cut: those of kerf cut --path, or those of the Resolution panel.");
+  if (path.selected()) draw_radius(path, world, unit);
+  end_properties();
+}
+
+void PathPanel::draw_row(PathWork& path, PathPoint point, int number, double unit, double diagonal) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const bool selected = path.selected() == point;
+  ImGui::PushID(number);
+  if (selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
+  const std::string label = std::to_string(point.stroke + 1) + "." + std::to_string(point.key + 1);
+  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns))
+    shown_ = point, path.select(point);
+  mark_last_item("path row", number);
+  for (int i = 0; i < 3; ++i) {
+    ImGui::TableNextColumn();
+    draw_fitted_text(number_text(path.target(point)[i] / unit, "%.4g", diagonal / unit));
+  }
+  if (selected) ImGui::PopStyleColor();
+  ImGui::PopID();
+}
+
+void PathPanel::draw_list(PathWork& path, const World& world, FileUnit unit) {
+  constexpr ImGuiTableFlags kList =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  const size_t points = path.points();
+  if (points == 0) return;
+  const float height = height_of_rows(std::min(points, kMaxPointRows) + 1);
+  if (!ImGui::BeginTable("points", 4, kList, {0, height})) return;
+  const double diagonal = world.loaded_bounds().diagonal();
+  const LengthUnit shown = label_unit(diagonal, unit);
+  set_up_columns(shown.name);
+  draw_rows_in_sight(points, [&](size_t i) {
+    draw_row(path, numbered(path, i), static_cast<int>(i), shown.metres, diagonal);
+  });
+  if (path.selected() && path.selected() != shown_) {
+    shown_ = path.selected();
+    scroll_to_row(number_of(path, *shown_), height);
+  }
+  ImGui::EndTable();
+}
+
+void PathPanel::draw_selected(PathWork& path, const World& world, FileUnit unit) {
+  if (!path.selected() || !begin_properties("point")) return;
+  const PathPoint point = *path.selected();
+  Vec3 target = path.target(point), direction = path.pose(point).direction;
+  double distance = path.distance(point);
+  bool edited =
+      fields_.vector("Target", target, "%.5g",
+                     "Position of the selected point, in the unit of the file. Its beam moves along.",
+                     file_unit(unit), world.loaded_bounds().diagonal());
+  edited = fields_.vector("Direction", direction, "%.4g", "Direction of the beam, of any length.") || edited;
+  edited =
+      length_field(fields_, "Distance", distance, label_unit(distance, unit),
+                   "Distance of the beam origin from the target. The beam cuts everything within its range.",
+                   "", kPositive) ||
+      edited;
+  end_properties();
+  if (!edited || direction == Vec3(0)) return;
+  direction = beam_direction(direction);
+  path.begin_edit();
+  path.set(point, {target - direction * distance, direction}, distance);
+}
+
+void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
+                     const PathTool::Beam& beam, const char* run_disabled_reason,
+                     const PathActions& requests) {
+  const FileUnit unit = view.frame.unit;
+  draw_buttons(path, view, run_disabled_reason, requests);
+  secondary_text(summary(path, view));
+  draw_beam(path, at_panel_resolution, world, unit);
+  draw_list(path, world, unit);
+  draw_selected(path, world, unit);
+  const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  mark_last_item("Holes header");
+  tooltip("Adds a grid or circle of holes around the selected point.");
+  if (unfolded) holes_.draw(path, world, beam.radius, beam.speed, unit);
+}
 
 std::unique_ptr<Feature> path_feature(Workspace& workspace) {
   return std::make_unique<PathFeature>(workspace);

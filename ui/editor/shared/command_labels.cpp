@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "core/document/edit_piece.h"
+#include "core/document/extract.h"
 
 namespace kerf {
 

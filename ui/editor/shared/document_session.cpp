@@ -1,14 +1,11 @@
 #include "ui/editor/shared/document_session.h"
 
 #include <algorithm>
-#include <chrono>
 #include <string_view>
 
-#include "core/base/assert.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/command_queue.h"
-#include "core/document/document.h"
 #include "core/document/replay.h"
 #include "core/mesh/mesh_file.h"
 #include "ui/render/picture.h"
@@ -22,25 +19,6 @@ nlohmann::json head_of(const SceneDescription& scene) {
   return head.is_object() ? head : nlohmann::json::object();
 }
 
-}  // namespace
-
-nlohmann::json head_entry(const SceneDescription& scene, const char* key) {
-  return head_of(scene).value(key, nlohmann::json());
-}
-
-void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::json& entry) {
-  KERF_ASSERT(std::ranges::any_of(kEditorKeys, [&](std::string_view known) { return known == key; }));
-  nlohmann::json head = head_of(scene);
-  if (entry.is_null()) {
-    head.erase(key);
-  } else {
-    head[key] = entry;
-  }
-  scene.others = head.dump();
-}
-
-namespace {
-
 constexpr std::chrono::milliseconds kBetweenCopies(250);
 constexpr int kCopyShare = 8;  // inverse of the maximum share of time for copies
 
@@ -52,29 +30,6 @@ PartialReplay copy_of(const SceneDescription& scene, const World& world, const L
   KERF_ASSERT(cast.ok());
   return copy;
 }
-
-}  // namespace
-
-void LoadNews::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
-  const Clock::time_point began = Clock::now();
-  if (!watched_ || began < next_ || world.live_faces() > Document::kMaxFacesToCopy) return;
-  {
-    const std::lock_guard lock(mutex_);
-    if (partial_replay_) return;
-  }
-  PartialReplay copy = copy_of(scene, world, shadings);
-  const Clock::time_point ended = Clock::now();
-  next_ = ended + std::max<Clock::duration>(kBetweenCopies, kCopyShare * (ended - began));
-  const std::lock_guard lock(mutex_);
-  partial_replay_ = std::move(copy);
-}
-
-std::optional<PartialReplay> LoadNews::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(partial_replay_, std::nullopt);
-}
-
-namespace {
 
 constexpr size_t kShadowsLater = 200'000;  // faces; the first frame of a larger world has no shadows
 
@@ -221,6 +176,40 @@ Status hash_all(LoadedFiles& loaded, const Progress& progress) {
 }
 
 }  // namespace
+
+nlohmann::json head_entry(const SceneDescription& scene, const char* key) {
+  return head_of(scene).value(key, nlohmann::json());
+}
+
+void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::json& entry) {
+  KERF_ASSERT(std::ranges::any_of(kEditorKeys, [&](std::string_view known) { return known == key; }));
+  nlohmann::json head = head_of(scene);
+  if (entry.is_null()) {
+    head.erase(key);
+  } else {
+    head[key] = entry;
+  }
+  scene.others = head.dump();
+}
+
+void LoadNews::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
+  const Clock::time_point began = Clock::now();
+  if (!watched_ || began < next_ || world.live_faces() > Document::kMaxFacesToCopy) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (partial_replay_) return;
+  }
+  PartialReplay copy = copy_of(scene, world, shadings);
+  const Clock::time_point ended = Clock::now();
+  next_ = ended + std::max<Clock::duration>(kBetweenCopies, kCopyShare * (ended - began));
+  const std::lock_guard lock(mutex_);
+  partial_replay_ = std::move(copy);
+}
+
+std::optional<PartialReplay> LoadNews::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(partial_replay_, std::nullopt);
+}
 
 std::string LoadOrder::name() const {
   if (left) return "recovered work";

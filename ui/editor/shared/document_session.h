@@ -9,7 +9,6 @@
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,11 @@
 #include "core/base/result.h"
 #include "core/document/autosave.h"
 #include "core/document/document.h"
-#include "core/document/input_files.h"
 #include "core/document/journal.h"
+#include "core/document/save.h"
 #include "core/document/scene.h"
 #include "core/world/world.h"
-#include "ui/render/bodies/prepared_body.h"
+#include "ui/render/bodies/base_faces.h"
 #include "ui/window/status_message.h"
 
 namespace kerf {

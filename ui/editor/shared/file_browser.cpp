@@ -3,26 +3,23 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <string>
 #include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"
 #include "core/document/journal.h"
-#include "core/mesh/files/mesh_format.h"
 #include "ui/window/layout.h"
-#include "ui/window/property_rows.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 
-namespace {
-
 namespace fs = std::filesystem;
+
+namespace {
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -34,39 +31,6 @@ bool can_be_opened(const fs::path& file) {
   return ending == ".json" || is_journal(file) || mesh_format(ending).has_value();
 }
 
-}  // namespace
-
-std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault) {
-  fault.clear();
-  std::vector<FolderEntry> entries;
-  std::error_code error;
-  fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (name.starts_with('.')) continue;
-    std::error_code unknown;
-    if (at->is_directory(unknown)) {
-      entries.push_back({name, true, 0});
-    } else if (at->is_regular_file(unknown) && can_be_opened(at->path())) {
-      const uintmax_t bytes = at->file_size(unknown);
-      entries.push_back({name, false, unknown ? 0 : bytes});
-    }
-  }
-  if (error) fault = folder.string() + ": cannot read this folder";
-  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
-    if (a.folder != b.folder) return a.folder;
-    const std::string low_a = lower(a.name), low_b = lower(b.name);
-    return low_a != low_b ? low_a < low_b : a.name < b.name;
-  });
-  return entries;
-}
-
-bool passes_filter(const std::string& name, const std::string& filter) {
-  return lower(name).find(lower(filter)) != std::string::npos;
-}
-
-namespace {
-
 struct Choice {
   MeshFormat format;
   const char *name, *tip;
@@ -77,37 +41,6 @@ constexpr std::array kChoices{
     Choice{MeshFormat::kStl, "STL", "Binary in single precision, without materials; for printers."},
     Choice{MeshFormat::kOff, "OFF", "Text, exact to the bit, without materials."},
     Choice{MeshFormat::kGlb, "GLB", "Binary glTF 2.0 in single precision, with the names of materials."}};
-
-}  // namespace
-
-std::optional<MeshFormat> draw_mesh_formats(MeshFormat current) {
-  std::optional<MeshFormat> selected;
-  for (const Choice& choice : kChoices) {
-    if (&choice != kChoices.data()) ImGui::SameLine();
-    if (ImGui::RadioButton(choice.name, choice.format == current)) selected = choice.format;
-    mark_last_item((std::string("format ") + choice.name).c_str());
-    tooltip(choice.tip);
-  }
-  return selected;
-}
-
-void draw_file_names(std::span<const std::filesystem::path> files) {
-  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(" ...").x;
-  std::string text = "Writes";
-  for (const std::filesystem::path& file : files) {
-    const std::string more = (text == "Writes" ? " " : ", ") + file.filename().string();
-    if (ImGui::CalcTextSize((text + more).c_str()).x > room) {
-      text += " ...";
-      break;
-    }
-    text += more;
-  }
-  ImGui::TextDisabled("%s", text.c_str());
-}
-
-namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kPage = 10;
 
@@ -359,6 +292,60 @@ void draw_buttons(FileBrowser& b) {
 }
 
 }  // namespace
+
+std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault) {
+  fault.clear();
+  std::vector<FolderEntry> entries;
+  std::error_code error;
+  fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with('.')) continue;
+    std::error_code unknown;
+    if (at->is_directory(unknown)) {
+      entries.push_back({name, true, 0});
+    } else if (at->is_regular_file(unknown) && can_be_opened(at->path())) {
+      const uintmax_t bytes = at->file_size(unknown);
+      entries.push_back({name, false, unknown ? 0 : bytes});
+    }
+  }
+  if (error) fault = folder.string() + ": cannot read this folder";
+  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+    if (a.folder != b.folder) return a.folder;
+    const std::string low_a = lower(a.name), low_b = lower(b.name);
+    return low_a != low_b ? low_a < low_b : a.name < b.name;
+  });
+  return entries;
+}
+
+bool passes_filter(const std::string& name, const std::string& filter) {
+  return lower(name).find(lower(filter)) != std::string::npos;
+}
+
+std::optional<MeshFormat> draw_mesh_formats(MeshFormat current) {
+  std::optional<MeshFormat> selected;
+  for (const Choice& choice : kChoices) {
+    if (&choice != kChoices.data()) ImGui::SameLine();
+    if (ImGui::RadioButton(choice.name, choice.format == current)) selected = choice.format;
+    mark_last_item((std::string("format ") + choice.name).c_str());
+    tooltip(choice.tip);
+  }
+  return selected;
+}
+
+void draw_file_names(std::span<const std::filesystem::path> files) {
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(" ...").x;
+  std::string text = "Writes";
+  for (const std::filesystem::path& file : files) {
+    const std::string more = (text == "Writes" ? " " : ", ") + file.filename().string();
+    if (ImGui::CalcTextSize((text + more).c_str()).x > room) {
+      text += " ...";
+      break;
+    }
+    text += more;
+  }
+  ImGui::TextDisabled("%s", text.c_str());
+}
 
 void browse(FileBrowser& b, FileRequest wish, fs::path folder, const std::string& name) {
   const MeshFormat format = b.format;

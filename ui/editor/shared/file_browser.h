@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/input_files.h"
+#include "core/document/save.h"
 #include "core/mesh/files/mesh_format.h"
 
 namespace kerf {

@@ -9,7 +9,6 @@
 #include "core/base/assert.h"
 #include "core/base/json.h"
 #include "core/document/commands.h"
-#include "core/mesh/files/mesh_format.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/window/number_text.h"
@@ -21,6 +20,28 @@ namespace {
 constexpr const char* kKey = "shown";  // in a scene: {"unit": "mm", "up": "z"}
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+constexpr size_t kMaxNames = 2;
+
+// Returns the names of the cut bodies, by descending removal.
+std::string names_of(const HistoryStep& step) {
+  std::vector<std::pair<std::string, size_t>> names(step.totals().cut_names.begin(),
+                                                    step.totals().cut_names.end());
+  if (names.empty()) return step.done() ? "nothing, " : "";
+  std::stable_sort(names.begin(), names.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) text += names[i].first + ", ";
+  if (names.size() > kMaxNames) text += std::to_string(names.size() - kMaxNames) + " more, ";
+  return text;
+}
+
+// Returns the number of the stroke in the whole history, from 1.
+size_t number_of(const UndoStack& history, size_t stroke) {
+  size_t number = 0;
+  for (size_t i = 0; i <= stroke; ++i) number += history.step(i).kind() == HistoryStep::Kind::kStroke;
+  return number;
+}
 
 }  // namespace
 
@@ -76,32 +97,6 @@ std::string area_label(double area, FileUnit unit) {
   std::snprintf(text.data(), text.size(), "%.3g in\xc2\xb2", area);
   return text.data();
 }
-
-namespace {
-
-constexpr size_t kMaxNames = 2;
-
-// Returns the names of the cut bodies, by descending removal.
-std::string names_of(const HistoryStep& step) {
-  std::vector<std::pair<std::string, size_t>> names(step.totals().cut_names.begin(),
-                                                    step.totals().cut_names.end());
-  if (names.empty()) return step.done() ? "nothing, " : "";
-  std::stable_sort(names.begin(), names.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text;
-  for (size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) text += names[i].first + ", ";
-  if (names.size() > kMaxNames) text += std::to_string(names.size() - kMaxNames) + " more, ";
-  return text;
-}
-
-// Returns the number of the stroke in the whole history, from 1.
-size_t number_of(const UndoStack& history, size_t stroke) {
-  size_t number = 0;
-  for (size_t i = 0; i <= stroke; ++i) number += history.step(i).kind() == HistoryStep::Kind::kStroke;
-  return number;
-}
-
-}  // namespace
 
 std::string step_words(const UndoStack& history, size_t step, FileUnit unit) {
   KERF_ASSERT(step < history.size());

@@ -6,7 +6,6 @@
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/base/geometry.h"
-#include "ui/editor/shared/viewport.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
@@ -23,6 +22,66 @@ std::optional<double> along_axis(const Pose& ray, const Vec3& at, const Vec3& ax
   const Vec3 from = ray.origin - at;
   return (glm::dot(from, axis) - cosine * glm::dot(from, ray.direction)) / sine2;
 }
+
+// Sizes of the text.
+constexpr double kRadius = 2.6;  // from the middle to the end of an axis
+constexpr double kEnd = 0.62;    // of the disc at a positive end
+constexpr double kOppositeEnd = 0.45;
+constexpr double kMargin = 0.9;     // around the gizmo
+constexpr double kMinPicture = 14;  // minimum width and height of the viewport
+
+double whole_radius(const ViewState& view) { return (kRadius + kEnd + 0.25) * view.layout.em; }
+
+bool has_room(const ViewState& view) {
+  return std::min(view.layout.first.size.x, view.layout.first.size.y) >= kMinPicture * view.layout.em;
+}
+
+Vec2 middle_of(const ViewState& view) {
+  const Area& area = view.layout.first;
+  const double inset = whole_radius(view) + kMargin * view.layout.em;
+  return area.at + Vec2(area.size.x - inset, inset);
+}
+
+double reach_of(const AxisEnd& end, double em) { return (end.positive ? kEnd : kOppositeEnd) * em; }
+
+ImU32 faded(ImU32 colour, double opacity) {
+  ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
+  c.w *= static_cast<float>(opacity);
+  return ImGui::ColorConvertFloat4ToU32(c);
+}
+
+void draw_letter(const AxisEnd& end, ImU32 colour, ImDrawList& list) {
+  const std::string letter(1, static_cast<char>('X' + end.axis));
+  const ImVec2 size = ImGui::CalcTextSize(letter.c_str());
+  const ImVec2 at = to_im(end.at);
+  list.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, colour, letter.c_str());
+}
+
+void draw_end(const AxisEnd& end, Vec2 middle, double em, bool pointed_at, ImDrawList& list) {
+  const auto reach = static_cast<float>(reach_of(end, em));
+  const double opacity = pointed_at ? 1 : 0.72 - 0.22 * end.depth;
+  const ImU32 colour = faded(colours::kAxes.at(static_cast<size_t>(end.axis)), opacity);
+  if (end.positive) list.AddLine(to_im(middle), to_im(end.at), colour, 2);
+  if (end.positive) {
+    list.AddCircleFilled(to_im(end.at), reach, colour);
+  } else {
+    list.AddCircleFilled(to_im(end.at), reach, colours::kPictureShade);
+    list.AddCircle(to_im(end.at), reach, colour, 0, 1.5f);
+  }
+  if (pointed_at) list.AddCircle(to_im(end.at), reach + 1.5f, colours::kPictureText, 0, 1.5f);
+  if (end.positive || pointed_at)
+    draw_letter(end, end.positive ? IM_COL32(14, 17, 21, 255) : colours::kPictureText, list);
+}
+
+// "Top, orthographic"; empty in a perspective view along no axis.
+std::string kind_of_view(const ViewState& view) {
+  const auto standard = standard_view_of(view.camera);
+  std::string text = standard ? standard->name : "";
+  if (view.camera.parallel()) text += text.empty() ? "Orthographic" : ", orthographic";
+  return text;
+}
+
+constexpr ImU32 kMeasureShade = IM_COL32(10, 12, 16, 190);
 
 }  // namespace
 
@@ -108,68 +167,6 @@ void draw_handle(const GizmoHandle& handle, double em, uint32_t colour, ImDrawLi
   list.AddTriangleFilled(to_im(tip), to_im(tip - along + across), to_im(tip - along - across), colour);
 }
 
-namespace {
-
-// Sizes of the text.
-constexpr double kRadius = 2.6;  // from the middle to the end of an axis
-constexpr double kEnd = 0.62;    // of the disc at a positive end
-constexpr double kOppositeEnd = 0.45;
-constexpr double kMargin = 0.9;     // around the gizmo
-constexpr double kMinPicture = 14;  // minimum width and height of the viewport
-
-double whole_radius(const ViewState& view) { return (kRadius + kEnd + 0.25) * view.layout.em; }
-
-bool has_room(const ViewState& view) {
-  return std::min(view.layout.first.size.x, view.layout.first.size.y) >= kMinPicture * view.layout.em;
-}
-
-Vec2 middle_of(const ViewState& view) {
-  const Area& area = view.layout.first;
-  const double inset = whole_radius(view) + kMargin * view.layout.em;
-  return area.at + Vec2(area.size.x - inset, inset);
-}
-
-double reach_of(const AxisEnd& end, double em) { return (end.positive ? kEnd : kOppositeEnd) * em; }
-
-ImU32 faded(ImU32 colour, double opacity) {
-  ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
-  c.w *= static_cast<float>(opacity);
-  return ImGui::ColorConvertFloat4ToU32(c);
-}
-
-void draw_letter(const AxisEnd& end, ImU32 colour, ImDrawList& list) {
-  const std::string letter(1, static_cast<char>('X' + end.axis));
-  const ImVec2 size = ImGui::CalcTextSize(letter.c_str());
-  const ImVec2 at = to_im(end.at);
-  list.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, colour, letter.c_str());
-}
-
-void draw_end(const AxisEnd& end, Vec2 middle, double em, bool pointed_at, ImDrawList& list) {
-  const auto reach = static_cast<float>(reach_of(end, em));
-  const double opacity = pointed_at ? 1 : 0.72 - 0.22 * end.depth;
-  const ImU32 colour = faded(colours::kAxes.at(static_cast<size_t>(end.axis)), opacity);
-  if (end.positive) list.AddLine(to_im(middle), to_im(end.at), colour, 2);
-  if (end.positive) {
-    list.AddCircleFilled(to_im(end.at), reach, colour);
-  } else {
-    list.AddCircleFilled(to_im(end.at), reach, colours::kPictureShade);
-    list.AddCircle(to_im(end.at), reach, colour, 0, 1.5f);
-  }
-  if (pointed_at) list.AddCircle(to_im(end.at), reach + 1.5f, colours::kPictureText, 0, 1.5f);
-  if (end.positive || pointed_at)
-    draw_letter(end, end.positive ? IM_COL32(14, 17, 21, 255) : colours::kPictureText, list);
-}
-
-// "Top, orthographic"; empty in a perspective view along no axis.
-std::string kind_of_view(const ViewState& view) {
-  const auto standard = standard_view_of(view.camera);
-  std::string text = standard ? standard->name : "";
-  if (view.camera.parallel()) text += text.empty() ? "Orthographic" : ", orthographic";
-  return text;
-}
-
-}  // namespace
-
 std::vector<AxisEnd> axis_ends(const ViewState& view) {
   std::vector<AxisEnd> ends;
   if (!has_room(view)) return ends;
@@ -234,12 +231,6 @@ std::optional<StandardView> standard_view_of(const Camera& camera) {
                    [&](const StandardView& view) { return camera.is_turned_to(view.yaw, view.pitch); });
   return found == kStandardViews.end() ? std::nullopt : std::optional(*found);
 }
-
-namespace {
-
-constexpr ImU32 kMeasureShade = IM_COL32(10, 12, 16, 190);
-
-}  // namespace
 
 void draw_measured_point(const ViewState& view, const Vec3& point, ImDrawList& list) {
   const auto at = FirstPicture(view).place_of(point);

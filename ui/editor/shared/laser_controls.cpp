@@ -3,13 +3,16 @@
 #include <imgui.h>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/geometry.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/user_input.h"
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 
@@ -132,6 +135,22 @@ bool depth_row(ResolutionControls& to) {
   return to.depth != before;
 }
 
+// Offset of the emitter to the right of and above the eye, as a share of the focus: large enough to see the
+// beam from the side, small enough to cut under the pointer at all depths.
+constexpr double kEmitterAside = 0.004;
+constexpr double kMinMove = 0.5;  // pixels
+
+// Returns the depth of the nearest corner of the world's box, or of the camera's pivot if that is nearer.
+double min_depth(const World& world, const CameraView& view) {
+  const World::Bounds b = world.bounds();
+  double least = view.focus;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z);
+    least = std::min(least, glm::dot(corner - view.eye, view.forward));
+  }
+  return least;
+}
+
 }  // namespace
 
 bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
@@ -149,6 +168,143 @@ bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
   }
   changed = scheme_row(to) || changed;
   return rim_row(to) || changed;
+}
+
+// Returns the distance from the target back to the emitter: in an orthographic view from in front of the
+// whole world; from the eye otherwise, and in an empty world.
+double LaserTool::distance_of_emitter(const World& world, const CameraView& view) const {
+  const double diagonal = world.bounds().diagonal();
+  if (!view.parallel || !(diagonal > 0)) return focus_;
+  return focus_ - min_depth(world, view) + 0.1 * diagonal;
+}
+
+// In an orthographic view the emitter moves with the pointer, so that all poses are parallel.
+Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  const Vec3 target = ray.origin + ray.direction * focus_;
+  const Vec3 before = view.parallel ? target - view.forward * emitter_ : view.eye;
+  const Vec3 emitter = before + (view.right + view.up) * (kEmitterAside * emitter_);
+  return {emitter, glm::normalize(target - emitter)};
+}
+
+void LaserTool::set_up(const CutSettings& settings) {
+  radius_ = settings.laser.radius;
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
+  reach_ = settings.laser.range.high;
+}
+
+void LaserTool::take_over(const CutSettings& settings, double emitter) {
+  if (cutting_) return;
+  set_up(settings);
+  emitter_ = emitter;
+}
+
+void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
+                      double time) {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  const double diagonal = document.world().bounds().diagonal();
+  const std::optional<double> hit = first_hit(document.world(), ray);
+  focus_ = hit.value_or(view.focus);
+  emitter_ = distance_of_emitter(document.world(), view);
+  pointer_ = pointer;
+  pose_ = aim(view, pointer);
+  begin(document, controls.settings(diagonal), time);
+  held_ = {BeginStroke{settings_, pose_}};
+  if (hit) begin_held(document);
+}
+
+void LaserTool::begin(const Document& document, const CutSettings& settings, double time) {
+  settings_ = settings;
+  set_up(settings);
+  if (!document.queue().pending().holds_beam()) {
+    beam_ = pose_;
+    strike_.reset();
+  }
+  cutting_ = true;
+  began_ = time;
+  last_time_ = 0;
+}
+
+void LaserTool::fire(Document& document, const Pose& pose, double distance, const CutSettings& settings,
+                     double time) {
+  KERF_ASSERT(!cutting_ && distance > 0 && is_unit(pose.direction));
+  emitter_ = distance;
+  pose_ = pose;
+  begin(document, settings, time);
+  held_ = {BeginStroke{settings_, pose_}};
+  if (time_passes_ || hits_anything(document.world(), settings_.laser, pose_)) begin_held(document);
+}
+
+void LaserTool::carry_to(Document& document, const Pose& pose, double time) {
+  if (!cutting_ || (pose.origin == pose_.origin && pose.direction == pose_.direction)) return;
+  if (are_opposite(pose_.direction, pose.direction)) {
+    release(document);
+    return fire(document, pose, emitter_, settings_, time);
+  }
+  move_to(document, pose, time);
+}
+
+// A beam that meets nothing is drawn at once.
+void LaserTool::move_to(Document& document, const Pose& pose, double time) {
+  const Pose before = std::exchange(pose_, pose);
+  last_time_ = std::max(last_time_, time - began_);
+  const MoveBeam move{pose_, last_time_};
+  if (held_.empty()) {
+    document.apply(move);
+    return;
+  }
+  held_.emplace_back(move);
+  if (time_passes_ || hits_anything(document.world(), settings_.laser, BeamMove{before, pose_, 0}))
+    return begin_held(document);
+  if (!document.queue().pending().holds_beam()) beam_ = pose_;
+}
+
+void LaserTool::begin_held(Document& document) {
+  for (const Command& command : std::exchange(held_, {})) document.apply(command);
+}
+
+void LaserTool::follow_time(Document& document, bool passes) {
+  time_passes_ = passes;
+  if (passes && has_moved()) begin_held(document);
+}
+
+void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double time) {
+  if (!cutting_) return;
+  const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
+  const bool is_click = !held_.empty() && !has_moved();
+  if (glm::length(moved) < (is_click ? kClickReach : kMinMove)) return;
+  pointer_ = pointer;
+  KERF_ASSERT(time >= began_);
+  move_to(document, aim(view, pointer), time);
+}
+
+void LaserTool::hold_beam(Document& document, double time) {
+  if (!emits() || document.waiting() > 0 || time - began_ <= last_time_) return;
+  last_time_ = time - began_;
+  document.apply(MoveBeam{pose_, last_time_});
+}
+
+bool LaserTool::release(Document& document) {
+  if (!cutting_) return false;
+  cutting_ = false;
+  // The ray of the pointer met nothing, but the beam may touch a body with its edge.
+  if (!held_.empty() && hits_anything(document.world(), settings_.laser, pose_)) begin_held(document);
+  const bool missed = !std::exchange(held_, {}).empty();
+  if (!missed) document.apply(EndStroke{});
+  return missed;
+}
+
+void LaserTool::find_impact(const Document& document) {
+  strike_ = kerf::find_impact(document.world(), beam_, radius_, overshoot_, reach_);
+}
+
+std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
+  if (!cutting_ && !document.queue().pending().holds_moves()) return std::nullopt;
+  BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * emitter_),
+                   std::nullopt, radius_};
+  if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;
+  return beam;
 }
 
 }  // namespace kerf

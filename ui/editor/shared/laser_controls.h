@@ -3,8 +3,11 @@
 #include <optional>
 
 #include "core/cut/cut_step.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/document.h"
+#include "core/document/stroke_path.h"
 #include "core/mesh/files/mesh_format.h"
+#include "ui/render/passes/beam_effects.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 
@@ -70,5 +73,73 @@ struct ShownRadius {
 
 // Draws the rows of a resolution. Returns true if anything changed.
 bool resolution_rows(ResolutionControls& to, const ShownRadius& radius);
+
+// Converts pointer motion into strokes. The emitter lies a little above and to the right of the eye. The
+// beam aims at a point on the pointer's ray at a distance that is fixed when the stroke starts (that of the
+// surface under the pointer, or of the camera's pivot), so that poses depend on the pointer alone and not on
+// the progress of the cut. A surface at another distance is cut less than 0.4 degrees of the view's angle
+// off the pointer, because the emitter is near the eye.
+class LaserTool {
+ public:
+  // x and y of the pointer are as in CameraView::ray; `pixel` is the size of a pixel in y; `time` is the
+  // time of the event [s] on a monotonic clock, which the poses of the stroke store. The document receives a
+  // stroke when its beam meets a body, so that a miss leaves no history step and no command in the journal.
+  // While time passes, bodies may move into the beam: then a stroke begins when the pointer has moved
+  // further than a click allows.
+  void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
+             double time);
+  void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double time);
+  // Begin and continue a stroke with given poses instead of the pointer's; the emitter is `distance` [m]
+  // from its target. A turn to the opposite direction ends the stroke and begins another. Preconditions:
+  // fire() is called while no stroke is drawn, the distance is positive, and directions are unit vectors.
+  void fire(Document& document, const Pose& pose, double distance, const CutSettings& settings, double time);
+  void carry_to(Document& document, const Pose& pose, double time);
+  // Lets a still beam of the thermal model go on emitting; called once a frame with the present time. No-op
+  // while moves are queued; the next call makes up for the time.
+  void hold_beam(Document& document, double time);
+  // Returns true if a stroke ended that met nothing.
+  bool release(Document& document);
+  // Sets whether bodies move by themselves; called once a frame.
+  void follow_time(Document& document, bool passes);
+
+  bool cutting() const { return cutting_; }
+  // Returns true if the beam heats its target.
+  bool emits() const { return cutting_ && held_.empty() && settings_.model == Model::kThermal; }
+
+  // Shows the beam of a stroke that was drawn earlier, or elsewhere, and is cut again: as in its settings,
+  // from about `emitter` [m] away. No-op while a stroke is drawn.
+  void take_over(const CutSettings& settings, double emitter);
+  // Records the pose that the cut has reached, which may lag behind the pointer. The beam is drawn there.
+  void reach(const Pose& pose) { beam_ = pose; }
+  // Finds the point where the beam strikes at that pose: the rim of its cut, or a surface behind it.
+  void find_impact(const Document& document);
+  // Returns the beam to draw while it is on, until the stroke has ended and its last move is cut.
+  std::optional<BeamPicture> picture(const Document& document) const;
+
+ private:
+  void set_up(const CutSettings& settings);
+  double distance_of_emitter(const World& world, const CameraView& view) const;
+  Pose aim(const CameraView& view, Vec2 pointer) const;
+  void begin(const Document& document, const CutSettings& settings, double time);
+  void move_to(Document& document, const Pose& pose, double time);
+  bool has_moved() const { return held_.size() > 1; }
+  void begin_held(Document& document);
+
+  bool cutting_ = false;
+  std::vector<Command> held_;     // of the stroke, until it meets a body
+  bool time_passes_ = false;      // bodies move by themselves
+  double began_ = 0;              // s of the clock of `time`, start of the stroke
+  double last_time_ = 0;          // s since began_, last pose passed to the document
+  double focus_ = 1;              // m along the pointer's ray
+  double emitter_ = 1;            // m, from the target back to the emitter
+  double reach_ = 1;              // m along the beam
+  double radius_ = 0.01;          // m
+  double overshoot_ = 0.01;       // m, maximum distance from the beam to the rim that it burns
+  Vec2 pointer_{0};               // at the last pose
+  CutSettings settings_;          // of the stroke
+  Pose pose_;                     // requested by the pointer
+  Pose beam_;                     // reached by the cut
+  std::optional<double> strike_;  // m along the beam
+};
 
 }  // namespace kerf

@@ -7,8 +7,8 @@
 
 #include "core/base/assert.h"
 #include "ui/window/layout.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

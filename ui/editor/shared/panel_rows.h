@@ -4,10 +4,9 @@
 #include <span>
 #include <string>
 
-#include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/viewport.h"
-#include "ui/render/view/view_switches.h"
-#include "ui/window/number_fields.h"
+#include "ui/render/view/view_options.h"
+#include "ui/window/number_text.h"
 
 namespace kerf {
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 
-#include "core/document/edit_piece.h"
+#include "core/document/extract.h"
 #include "core/edit/separation.h"
 #include "core/joints/joined_parts.h"
 
@@ -34,6 +33,16 @@ double fraction(double x) { return x - std::floor(x); }
 Vec3 hue_colour(double hue, double saturation, double value) {
   const Vec3 turned = glm::abs(glm::fract(Vec3(hue, hue + 2.0 / 3, hue + 1.0 / 3)) * 6.0 - 3.0) - 1.0;
   return value * glm::mix(Vec3(1), glm::clamp(turned, 0.0, 1.0), saturation);
+}
+
+// The difference of two pieces that may be the same part cut differently: the squared distance of their
+// centres in terms of their area, plus the squared relative excess of area. From kOther on they are
+// different parts.
+constexpr double kOther = 0.25;
+
+bool all_settled(const World& world) {
+  const std::vector<BodyId> ids = world.ids();
+  return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return kerf::is_settled(world.body(id)); });
 }
 
 }  // namespace
@@ -150,20 +159,6 @@ void follow_world(const World& world, const Delta& delta, PieceMap& looks) {
   drop_plain(now);
   looks = std::move(now);
 }
-
-namespace {
-
-// The difference of two pieces that may be the same part cut differently: the squared distance of their
-// centres in terms of their area, plus the squared relative excess of area. From kOther on they are
-// different parts.
-constexpr double kOther = 0.25;
-
-bool all_settled(const World& world) {
-  const std::vector<BodyId> ids = world.ids();
-  return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return kerf::is_settled(world.body(id)); });
-}
-
-}  // namespace
 
 std::vector<PieceNumbers::Known> PieceNumbers::pieces_of(const World& world) {
   std::vector<Known> pieces;

@@ -84,87 +84,6 @@ Json frames_json(const Settings& s) {
   return all;
 }
 
-}  // namespace
-
-static void describe(KeptFields& f, Settings& s) {
-  f.any("version", kVersion, [](const Json&) {});
-  f.choice("theme", s.theme, kThemes);
-  f.choice("palette", s.palette, kPalettes);
-  f.number("ui_scale", s.ui_scale, Settings::kMinScale, Settings::kMaxScale);
-  f.number("side_width", s.side_ems, Settings::kMinSide, Settings::kMaxSide);
-  f.number("second_width", s.second_ems, Settings::kMinSide, Settings::kMaxSide);
-  f.number("strip_height", s.strip_ems, Settings::kMinStrip, Settings::kMaxStrip);
-  f.number("width", s.width, kMinWindow, kMaxWindow);
-  f.number("height", s.height, kMinWindow, kMaxWindow);
-  f.number("split_share", s.split_share, 0, 1);
-  f.flag("side_shown", s.side_shown);
-  f.flag("antialias", s.antialias);
-  f.flag("live_recut", s.live_recut);
-  f.flag("prepare_preview", s.prepare_preview);
-  f.flag("heat_held", s.heat_held);
-  f.flag("welcomed", s.welcomed);
-  f.number("history_mb", s.history_megabytes, Settings::kMinHistory, Settings::kMaxHistory);
-  f.number("threads", s.threads, 0, Settings::kMaxThreads);
-  f.number("drag_speed", s.drag_speed, Settings::kMinSpeed, Settings::kMaxSpeed);
-  f.number("wheel_speed", s.wheel_speed, Settings::kMinSpeed, Settings::kMaxSpeed);
-  entries(f, "bindings", s.bindings);
-  entries(f, "panels", s.panels);
-  f.any("tab", s.tab ? Json(kTabs.at(static_cast<size_t>(*s.tab))) : Json(),
-        [&](const Json& tab) { s.tab = named<Tab>(kTabs, tab); });
-  f.any("docks", docks_json(s), [&](const Json& docks) {
-    if (!docks.is_object()) return;
-    for (const auto& [id, place] : docks.items()) {
-      if (const auto dock = named<Dock>(kDocks, place)) s.docks[id] = *dock;
-    }
-  });
-  f.any("windows", windows_json(s), [&](const Json& windows) { read_windows(windows, s); });
-  f.any("recent", recent_json(s.recent), [&](const Json& list) {
-    if (!list.is_array()) return;
-    for (const Json& file : list) {
-      if (file.is_string() && s.recent.size() < Settings::kMaxRecent)
-        s.recent.emplace_back(file.get<std::string>());
-    }
-  });
-  f.any("frames", frames_json(s), [&](const Json& frames) {
-    if (!frames.is_object()) return;
-    for (const auto& [kind, frame] : frames.items()) s.frames[kind] = frame_from_json(frame);
-  });
-  f.any("folder", is_utf8(s.folder.string()) ? s.folder.string() : "", [&](const Json& folder) {
-    if (folder.is_string()) s.folder = folder.get<std::string>();
-  });
-}
-
-Json frame_to_json(const FileFrame& frame) {
-  return {{"unit", unit_symbol(frame.unit)}, {"up", frame.up == UpAxis::kZ ? "z" : "y"}};
-}
-
-std::optional<FileFrame> frame_from_json(const Json& json) {
-  if (!json.is_object()) return std::nullopt;
-  const Json unit = json.value("unit", Json()), up = json.value("up", Json());
-  for (const FileUnit u : {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
-    if (unit == Json(unit_symbol(u)) && (up == Json("y") || up == Json("z")))
-      return FileFrame{u, up == Json("z") ? UpAxis::kZ : UpAxis::kY};
-  }
-  return std::nullopt;
-}
-
-fs::path whole_path(const fs::path& file) {
-  std::error_code error;
-  fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
-  return error ? file : whole;
-}
-
-void remember_recent(Settings& settings, const fs::path& file) {
-  const fs::path whole = whole_path(file);
-  std::erase(settings.recent, whole);
-  settings.recent.insert(settings.recent.begin(), whole);
-  if (settings.recent.size() > Settings::kMaxRecent) settings.recent.resize(Settings::kMaxRecent);
-}
-
-fs::path settings_file() { return settings_folder() / "settings.json"; }
-
-namespace {
-
 struct OldLabel {
   const char *label, *id;
 };
@@ -377,6 +296,83 @@ void convert_labels(Json& settings) {
 }
 
 }  // namespace
+
+static void describe(KeptFields& f, Settings& s) {
+  f.any("version", kVersion, [](const Json&) {});
+  f.choice("theme", s.theme, kThemes);
+  f.choice("palette", s.palette, kPalettes);
+  f.number("ui_scale", s.ui_scale, Settings::kMinScale, Settings::kMaxScale);
+  f.number("side_width", s.side_ems, Settings::kMinSide, Settings::kMaxSide);
+  f.number("second_width", s.second_ems, Settings::kMinSide, Settings::kMaxSide);
+  f.number("strip_height", s.strip_ems, Settings::kMinStrip, Settings::kMaxStrip);
+  f.number("width", s.width, kMinWindow, kMaxWindow);
+  f.number("height", s.height, kMinWindow, kMaxWindow);
+  f.number("split_share", s.split_share, 0, 1);
+  f.flag("side_shown", s.side_shown);
+  f.flag("antialias", s.antialias);
+  f.flag("live_recut", s.live_recut);
+  f.flag("prepare_preview", s.prepare_preview);
+  f.flag("heat_held", s.heat_held);
+  f.flag("welcomed", s.welcomed);
+  f.number("history_mb", s.history_megabytes, Settings::kMinHistory, Settings::kMaxHistory);
+  f.number("threads", s.threads, 0, Settings::kMaxThreads);
+  f.number("drag_speed", s.drag_speed, Settings::kMinSpeed, Settings::kMaxSpeed);
+  f.number("wheel_speed", s.wheel_speed, Settings::kMinSpeed, Settings::kMaxSpeed);
+  entries(f, "bindings", s.bindings);
+  entries(f, "panels", s.panels);
+  f.any("tab", s.tab ? Json(kTabs.at(static_cast<size_t>(*s.tab))) : Json(),
+        [&](const Json& tab) { s.tab = named<Tab>(kTabs, tab); });
+  f.any("docks", docks_json(s), [&](const Json& docks) {
+    if (!docks.is_object()) return;
+    for (const auto& [id, place] : docks.items()) {
+      if (const auto dock = named<Dock>(kDocks, place)) s.docks[id] = *dock;
+    }
+  });
+  f.any("windows", windows_json(s), [&](const Json& windows) { read_windows(windows, s); });
+  f.any("recent", recent_json(s.recent), [&](const Json& list) {
+    if (!list.is_array()) return;
+    for (const Json& file : list) {
+      if (file.is_string() && s.recent.size() < Settings::kMaxRecent)
+        s.recent.emplace_back(file.get<std::string>());
+    }
+  });
+  f.any("frames", frames_json(s), [&](const Json& frames) {
+    if (!frames.is_object()) return;
+    for (const auto& [kind, frame] : frames.items()) s.frames[kind] = frame_from_json(frame);
+  });
+  f.any("folder", is_utf8(s.folder.string()) ? s.folder.string() : "", [&](const Json& folder) {
+    if (folder.is_string()) s.folder = folder.get<std::string>();
+  });
+}
+
+Json frame_to_json(const FileFrame& frame) {
+  return {{"unit", unit_symbol(frame.unit)}, {"up", frame.up == UpAxis::kZ ? "z" : "y"}};
+}
+
+std::optional<FileFrame> frame_from_json(const Json& json) {
+  if (!json.is_object()) return std::nullopt;
+  const Json unit = json.value("unit", Json()), up = json.value("up", Json());
+  for (const FileUnit u : {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
+    if (unit == Json(unit_symbol(u)) && (up == Json("y") || up == Json("z")))
+      return FileFrame{u, up == Json("z") ? UpAxis::kZ : UpAxis::kY};
+  }
+  return std::nullopt;
+}
+
+fs::path whole_path(const fs::path& file) {
+  std::error_code error;
+  fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  return error ? file : whole;
+}
+
+void remember_recent(Settings& settings, const fs::path& file) {
+  const fs::path whole = whole_path(file);
+  std::erase(settings.recent, whole);
+  settings.recent.insert(settings.recent.begin(), whole);
+  if (settings.recent.size() > Settings::kMaxRecent) settings.recent.resize(Settings::kMaxRecent);
+}
+
+fs::path settings_file() { return settings_folder() / "settings.json"; }
 
 LoadedSettings read_settings(const fs::path& file) {
   LoadedSettings loaded;

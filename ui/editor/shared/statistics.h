@@ -11,7 +11,7 @@
 #include "core/document/document.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/world/world.h"
-#include "ui/render/bodies/prepared_body.h"
+#include "ui/render/bodies/base_faces.h"
 #include "ui/screen/live_picture.h"
 
 namespace kerf {

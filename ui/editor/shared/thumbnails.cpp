@@ -68,8 +68,6 @@ std::optional<TipPicture> Thumbnails::find(const fs::path& file) {
   return TipPicture{at->second->texture.name(), {at->second->width, at->second->height}};
 }
 
-namespace fs = std::filesystem;
-
 std::vector<fs::path> example_scenes() {
   std::vector<fs::path> scenes;
   std::error_code error;

@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "ui/gl/buffers.h"
 #include "ui/gl/image.h"
-#include "ui/window/property_rows.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "core/base/assert.h"
-#include "ui/window/window.h"
 
 namespace kerf {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "ui/window/property_rows.h"
 #include "ui/window/status_message.h"
+#include "ui/window/widgets.h"
 #include "ui/window/window.h"
 
 struct ImDrawList;

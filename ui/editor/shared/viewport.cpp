@@ -4,9 +4,8 @@
 #include <algorithm>
 
 #include "core/document/text/json.h"
-#include "ui/window/layout.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 

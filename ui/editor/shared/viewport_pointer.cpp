@@ -6,7 +6,7 @@
 #include "core/base/geometry.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/viewport.h"
-#include "ui/render/bodies/pick.h"
+#include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
 

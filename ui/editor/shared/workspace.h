@@ -8,7 +8,6 @@
 #include "ui/editor/shared/document_session.h"
 #include "ui/editor/shared/file_browser.h"
 #include "ui/editor/shared/laser_controls.h"
-#include "ui/editor/shared/laser_tool.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/statistics.h"
 #include "ui/editor/shared/thumbnails.h"

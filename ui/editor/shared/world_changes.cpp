@@ -6,7 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands.h"
-#include "core/document/text/world_fields.h"
+#include "core/document/text/fields.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/piece_set.h"
@@ -19,6 +19,23 @@ namespace {
 
 constexpr size_t kManyFaces = 40'000;  // changes of bodies with more faces take longer than a part of a frame
 constexpr size_t kManyMoves = 20;      // of the queue, which take longer than a part of a frame
+
+constexpr size_t kMovesOfStep = 16;
+
+// Prepares render data of the new bodies or, if the world was replaced, of all bodies.
+PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
+  PreparedBodies prepared;
+  for (const BodyId id : delta.replaced ? world.ids() : delta.created)
+    prepared.emplace(id, prepare_shading(world.body(id), loaded));
+  (void)prepare_shadows(world, prepared, nullptr);  // is never stopped
+  return prepared;
+}
+
+// Returns true if redo, or a recut in progress, may bring back missing pieces.
+bool pieces_may_return(const UndoStack& history) {
+  if (history.size() > history.position()) return true;
+  return history.position() > 0 && history.last().kind() == HistoryStep::Kind::kRecut;
+}
 
 }  // namespace
 
@@ -115,27 +132,6 @@ const StepGroups::Group* StepGroups::at(const Document& document, bool back) con
                                   [&](const Group& g) { return position == (back ? g.to : g.from); });
   return group != groups_.end() ? &*group : nullptr;
 }
-
-namespace {
-
-constexpr size_t kMovesOfStep = 16;
-
-// Prepares render data of the new bodies or, if the world was replaced, of all bodies.
-PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
-  PreparedBodies prepared;
-  for (const BodyId id : delta.replaced ? world.ids() : delta.created)
-    prepared.emplace(id, prepare_shading(world.body(id), loaded));
-  (void)prepare_shadows(world, prepared, nullptr);  // is never stopped
-  return prepared;
-}
-
-// Returns true if redo, or a recut in progress, may bring back missing pieces.
-bool pieces_may_return(const UndoStack& history) {
-  if (history.size() > history.position()) return true;
-  return history.position() > 0 && history.last().kind() == HistoryStep::Kind::kRecut;
-}
-
-}  // namespace
 
 WorldChanges::Change apply_all(std::vector<Command> commands) {
   return [commands = std::move(commands)](Document& document, const Progress* progress) {

@@ -11,7 +11,7 @@
 
 #include "core/base/parallel.h"
 #include "core/document/document.h"
-#include "ui/render/bodies/prepared_body.h"
+#include "ui/render/bodies/base_faces.h"
 
 namespace kerf {
 

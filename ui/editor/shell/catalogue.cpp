@@ -1,13 +1,121 @@
 #include "ui/editor/shell/catalogue.h"
 
+#include <GLFW/glfw3.h>
+#include <imgui.h>
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <cstring>
+#include <limits>
 #include <utility>
+
+#include "core/base/assert.h"
+#include "ui/editor/shell/dialogs.h"
+#include "ui/window/layout.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 
 namespace {
+
+constexpr const char* kLine = MenuLayout::kLine;
+
+const std::vector<TabLayout> kTabLayout{
+    {Tab::kCut,
+     {{"laser", "Laser", true, {"laser.beam", "laser.heat", "laser.emitter"}},
+      {"resolution", "Resolution", true, {"resolution.cut", "resolution.compare"}},
+      {"path", "Path", false, {"path"}},
+      {"pieces", "Pieces", true, {"pieces.list", "pieces.placement", "pieces.explode"}},
+      {"history", "History", true, {"history"}}}},
+    {Tab::kView,
+     {{"view", "View", true, {"view.section", "view.switches"}},
+      {"tree", "Tree", false, {"tree.boxes", "tree.query"}},
+      {"scalar_map", "Scalar Map", false, {"scalar_map"}},
+      {"graph", "Graph", false, {"graph"}, Dock::kStrip},
+      {"single_step", "Step Mode", false, {"single_step"}},
+      {"light", "Light", false, {"light"}},
+      {"ruler", "Ruler", false, {"ruler"}},
+      {"statistics", "Statistics", false, {"statistics"}},
+      {"display", "Display", false, {"display"}}}},
+    {Tab::kPhysics, {{"bodies", "Bodies", true, {"bodies"}}}},
+    {Tab::kThermal, {{"material", "Material", true, {"material"}}}},
+    {Tab::kMesh, {{"prepare", "Prepare", true, {"prepare"}}, {"file", "File", true, {"file"}}}},
+};
+
+// clang-format off
+const std::vector<MenuLayout> kMenus{
+    {"File",
+     {"file.new", "file.open", "file.open_recent", "file.examples", kLine,
+      "file.save", "file.save_as", kLine,
+      "pieces.export", "file.save_viewport_image", "file.save_screenshot", kLine,
+      "file.play_game", kLine,
+      "file.quit"}},
+    {"Edit",
+     {"edit.undo", "edit.redo", kLine,
+      "view.copy_camera", "view.paste_camera", kLine,
+      "pieces.select_all", "pieces.hide", "pieces.show_all", "pieces.isolate", "pieces.rename",
+      "pieces.delete", kLine,
+      "pieces.move", "pieces.rotate", "pieces.duplicate"}},
+    {"Tool",
+     {"tool.laser", "tool.pick", "tool.inspect", "tool.ruler", "tool.path", kLine,
+      "laser.recut", kLine,
+      "stages.step_mode", "stages.step_last_cut", "stages.play", "stages.next", "stages.previous",
+      "stages.finish_segment", "stages.finish_stroke"}},
+    {"Path",
+     {"path.run", kLine,
+      "path.load", "path.save", "path.clear", "path.delete_point", kLine,
+      "path.undo", "path.redo", kLine,
+      "emitter.place", "emitter.fire", "emitter.remove"}},
+    {"Physics",
+     {"physics.play", "physics.step", "physics.slower", "physics.faster", kLine,
+      "physics.gravity", "pieces.pin"}},
+    {"Mesh",
+     {"prepare.simplify_to_faces", "prepare.simplify_to_error", "prepare.subdivide", "prepare.smooth",
+      "prepare.turn_shells", kLine,
+      "prepare.apply", "prepare.preview"}},
+    {"Camera",
+     {"view.frame_all", "view.reset", kLine,
+      "view.front", "view.back", "view.right", "view.left", "view.top", "view.bottom", kLine,
+      "view.orthographic"}},
+    {"View",
+     {"view.shadows", "view.silhouette", "view.shadow_volumes", "view.shadow_counts", "view.shadow_facing",
+      "view.shadow_compare", "view.shadow_rays", kLine,
+      "view.rim_glow", "view.shading", "view.textures", "view.wire", "view.section", "view.boxes", "view.pieces",
+      "view.sizes", "view.heat", "view.normals", "view.face_numbers", "view.graph", "view.contacts",
+      "view.colliders", "view.centres", "view.joints", kLine,
+      "view.ghost", "view.sparks", "view.antialias", kLine,
+      "view.split", "tab.cut", "tab.view", "tab.physics", "tab.thermal", "tab.mesh", "view.panels",
+      "view.sidebar", "view.light_theme", "view.scale_up", "view.scale_down"}},
+    {"Help",
+     {"help.palette", "help.settings", "help.shortcuts", "help.messages", "help.welcome", "help.tour"}},
+};
+// clang-format on
+
+const std::vector<MenuLayout> kPaletteOnly{
+    {"View", {"view.two_sided", "view.cull_backs"}},
+    {"Laser", {"laser.wider", "laser.narrower", "laser.pattern_volume", "laser.pattern_rays"}},
+    {"Resolution",
+     {"resolution.finer", "resolution.coarser", "resolution.by_edge_length", "resolution.by_tolerance",
+      "resolution.by_depth", "resolution.one_to_four", "resolution.longest_edge", "resolution.rim_faces",
+      "resolution.rim_smooth", "resolution.live"}},
+    {"Step Mode", {"stages.faster", "stages.slower"}},
+    {"Tree", {"tree.next_node", "tree.previous_node", "tree.show_query"}},
+    {"Light", {"light.preset", "light.add", "light.remove", "light.next", "light.paper_look"}},
+    {"Pieces", {"pieces.select_one", "pieces.explode_more", "pieces.explode_less"}},
+    {"File", {"file.frame"}},
+    {"Tree", {"tree.leaves_only", "tree.hit_only", "tree.level_more", "tree.level_less", "tree.colours"}},
+    {"View",
+     {"scalar_map.paint", "scalar_map.level", "scalar_map.longest_edge", "scalar_map.min_angle",
+      "scalar_map.temperature", "scalar_map.rim_distance"}},
+    {"Ruler", {"ruler.undo", "ruler.redo", "ruler.export"}},
+    {"View",
+     {"section.flip", "section.across_x", "section.across_y", "section.across_z", "section.face_view",
+      "section.copy", "section.paste"}},
+};
+
+constexpr const char* kGestures[] = {
+    "cut",        "select",       "select_box", "move_piece",      "pull_piece", "add_point",
+    "move_point", "move_emitter", "rename",     "orbit",           "pan",        "move_section",
+    "move_light", "zoom",         "fit_graph",  "look_along_axis", "escape"};
 
 const std::array<BindingPreset, 2> kPresets{{
     {"Kerf", "Default keys.", {}},
@@ -37,7 +145,289 @@ void set_binding(Bindings& bindings, std::span<const UserAction> usual, const st
   }
 }
 
+// The contributions of all features by their ids.
+template <typename T, typename Contribute>
+std::map<std::string, T> by_id(const Features& features, const Contribute& contribute) {
+  std::map<std::string, T> all;
+  for (const auto& feature : features) {
+    for (T& one : contribute(*feature)) {
+      std::string id = one.id;
+      all.emplace(std::move(id), std::move(one));
+    }
+  }
+  return all;
+}
+
+// Moves the actions of a menu to the end of the list, except for those that no feature has.
+void append_menu(const MenuLayout& menu, bool in_menu, std::map<std::string, UserAction>& actions,
+                 std::vector<UserAction>& list) {
+  for (size_t i = 0; i < menu.actions.size(); ++i) {
+    const auto found = actions.find(menu.actions[i]);
+    if (found == actions.end()) continue;
+    UserAction action = std::move(found->second);
+    action.menu = menu.title;
+    action.in_menu = in_menu;
+    action.ends_group =
+        i + 1 < menu.actions.size() && std::string_view(menu.actions[i + 1]) == MenuLayout::kLine;
+    action.set_shortcut(action.shortcut);
+    list.push_back(std::move(action));
+  }
+}
+
+void draw_actions(std::span<const UserAction> actions);
+
+void draw_action(const UserAction& action) {
+  if (action.items) {
+    if (!ImGui::BeginMenu(action.name.c_str())) return;
+    draw_actions(action.items());
+    ImGui::EndMenu();
+    return;
+  }
+  KERF_ASSERT(action.run);
+  const bool checked = action.checked && action.checked();
+  const char* disabled_reason = action.objection();
+  if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, disabled_reason == nullptr))
+    action.run();
+  if (disabled_reason != nullptr) return tooltip(disabled_reason);
+  if (action.tip.empty()) return;
+  const bool has_picture = action.tip_picture && ImGui::IsItemHovered();
+  tooltip(action.tip.c_str(), has_picture ? action.tip_picture() : std::nullopt);
+}
+
+void draw_actions(std::span<const UserAction> actions) {
+  for (size_t i = 0; i < actions.size(); ++i) {
+    if (!actions[i].in_menu) continue;
+    ImGui::PushID(static_cast<int>(i));
+    draw_action(actions[i]);
+    ImGui::PopID();
+    if (actions[i].ends_group) ImGui::Separator();
+  }
+}
+
+bool has_menu(std::span<const UserAction> actions) {
+  return std::any_of(actions.begin(), actions.end(), [](const UserAction& a) { return a.in_menu; });
+}
+
+constexpr int kNone = std::numeric_limits<int>::min() / 2;
+constexpr int kLetter = 1, kInARow = 7, kBeginsWord = 6, kBeginsText = 2;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool is_part_of_word(char c) {
+  return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') ||
+         static_cast<unsigned char>(c) > 127;
+}
+
+bool begins_word(std::string_view text, size_t at) {
+  return at == 0 || (is_part_of_word(text[at]) && !is_part_of_word(text[at - 1]));
+}
+
+int score_of_letter(std::string_view text, size_t at) {
+  return kLetter + (begins_word(text, at) ? kBeginsWord : 0) + (at == 0 ? kBeginsText : 0);
+}
+
+// Dynamic programming over the letters of the word: ends[i] is the best score of the letters so far whose
+// last one is matched by text[i].
+std::optional<int> score_of_word(std::string_view word, std::string_view text) {
+  std::vector<int> ends(text.size(), kNone);
+  for (size_t letter = 0; letter < word.size(); ++letter) {
+    std::vector<int> next(text.size(), kNone);
+    int best_before = letter == 0 ? 0 : kNone;  // best score of the previous letters, anywhere left of i
+    for (size_t i = 0; i < text.size(); ++i) {
+      if (lower(text[i]) == lower(word[letter])) {
+        const int row = letter > 0 && i > 0 ? ends[i - 1] + kInARow : kNone;
+        const int before = std::max(best_before, row);
+        if (before > kNone / 2) next[i] = before + score_of_letter(text, i);
+      }
+      if (letter > 0) best_before = std::max(best_before, ends[i]);
+    }
+    ends = std::move(next);
+  }
+  const auto best = std::max_element(ends.begin(), ends.end());
+  return best == ends.end() || *best <= kNone / 2 ? std::nullopt : std::optional(*best);
+}
+
+constexpr const char* kTitle = "##palette";
+constexpr float kWidthEms = 42, kMaxRowsShown = 12;
+constexpr int kPage = 10;
+constexpr int kOfName = 4;  // weight of the name relative to a match that needs the menu
+
+void draw_text_at(ImVec2 at, ImU32 colour, const std::string& text) {
+  ImGui::GetWindowDrawList()->AddText(at, colour, text.c_str());
+}
+
+// Returns the text, or as much of it as fits in a width.
+std::string fitting(std::string text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > width) {
+    do text.pop_back();
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80);
+  }
+  return text + "...";
+}
+
+// Draws the key at the right, and left of it the check mark of a switch. Returns the width that they take.
+float draw_key_and_state(const UserAction& action, ImVec2 right) {
+  const float em = ImGui::GetFontSize();
+  float width = 0;
+  const auto put = [&](const std::string& text, ImU32 colour) {
+    if (text.empty()) return;
+    width += ImGui::CalcTextSize(text.c_str()).x;
+    draw_text_at({right.x - width, right.y}, colour, text);
+    width += em;
+  };
+  put(action.shortcut, colours::secondary());
+  if (action.checked && action.checked()) put("on", colours::accent());
+  return width;
+}
+
+// Draws name, menu or disabled reason, state and key. Returns true if it was clicked.
+bool draw_row(const UserAction& action, size_t place, bool at_cursor) {
+  const char* disabled_reason = action.objection();
+  const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(static_cast<int>(place));
+  const bool clicked = ImGui::Selectable("##row", at_cursor, ImGuiSelectableFlags_DontClosePopups);
+  mark_last_item("palette row", static_cast<int>(place));
+  ImGui::PopID();
+  const float taken = draw_key_and_state(action, {at.x + room - 0.3f * em, at.y});
+  const float left = at.x + 0.3f * em, width = room - taken - 0.6f * em;
+  draw_text_at({left, at.y}, disabled_reason != nullptr ? colours::secondary() : colours::text(),
+               fitting(action.name, width));
+  const float name = ImGui::CalcTextSize(action.name.c_str()).x + em;
+  if (name + 3 * em < width)
+    draw_text_at({left + name, at.y}, colours::secondary(),
+                 fitting(disabled_reason != nullptr ? disabled_reason : action.menu, width - name));
+  return clicked;
+}
+
+// Deselects the text, which a field selects when it gets the focus: the next letter would replace it.
+int select_nothing(ImGuiInputTextCallbackData* data) {
+  if (static_cast<const CommandPalette*>(data->UserData)->begins)
+    data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+  return 0;
+}
+
+void draw_field(CommandPalette& palette) {
+  if (palette.begins || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##typed", "Search actions by parts of their names", palette.typed.data(),
+                               palette.typed.size(), ImGuiInputTextFlags_CallbackAlways, select_nothing,
+                               &palette)) {
+    palette.cursor = 0;
+    palette.is_selected = palette.typed.front() != '\0';
+    palette.show_cursor = true;
+  }
+  if (ImGui::IsItemActive()) palette.begins = false;
+}
+
+void move_cursor(CommandPalette& palette, int steps, size_t count) {
+  const auto last = static_cast<std::ptrdiff_t>(count) - 1;
+  const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(palette.cursor) + steps;
+  palette.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(to, 0, std::max<std::ptrdiff_t>(last, 0)));
+  if (steps != 0) palette.show_cursor = palette.is_selected = true;
+}
+
+// Draws the list of matches. Returns the place of the row that was clicked.
+std::optional<size_t> draw_matches(CommandPalette& palette, std::span<const UserAction> actions,
+                                   const std::vector<size_t>& found) {
+  std::optional<size_t> clicked;
+  const float row = ImGui::GetTextLineHeightWithSpacing();
+  const float rows = std::clamp(static_cast<float>(found.size()), 1.0f, kMaxRowsShown);
+  if (ImGui::BeginChild("matches", {0, rows * row})) {
+    if (found.empty()) ImGui::TextDisabled("No matching actions");
+    for (size_t place = 0; place < found.size(); ++place) {
+      const bool at_cursor = palette.is_selected && place == palette.cursor;
+      if (draw_row(actions[found[place]], place, at_cursor)) clicked = place;
+      if (at_cursor && std::exchange(palette.show_cursor, false)) ImGui::SetScrollHereY();
+      if (at_cursor) palette.show_cursor = false;
+    }
+  }
+  ImGui::EndChild();
+  return clicked;
+}
+
+void draw_explanation(std::span<const UserAction> actions, const std::vector<size_t>& found,
+                      const CommandPalette& palette) {
+  ImGui::Separator();
+  const ImVec2 at = ImGui::GetCursorPos();
+  ImGui::PushTextWrapPos(0);
+  if (palette.is_selected && palette.cursor < found.size()) {
+    const UserAction& action = actions[found[palette.cursor]];
+    const char* disabled_reason = action.objection();
+    ImGui::TextDisabled("%s", disabled_reason != nullptr ? disabled_reason : action.tip.c_str());
+  }
+  ImGui::PopTextWrapPos();
+  // Keeps the height of the window independent of the explanation.
+  ImGui::SetCursorPos({at.x, at.y + 2 * ImGui::GetTextLineHeightWithSpacing()});
+}
+
+void close(CommandPalette& palette) {
+  palette.open = false;
+  ImGui::CloseCurrentPopup();
+}
+
+// Returns the action to run after the palette is closed, because it may open another window.
+const UserAction* draw_window(CommandPalette& palette, std::span<const UserAction> actions) {
+  draw_field(palette);
+  const std::vector<size_t> found = find_actions(actions, palette.typed.data());
+  const CommandPalette::Keys keys = std::exchange(palette.keys, {});
+  move_cursor(palette, keys.steps, found.size());
+  std::optional<size_t> selected = draw_matches(palette, actions, found);
+  draw_explanation(actions, found, palette);
+  if (keys.escape) {
+    close(palette);
+    return nullptr;
+  }
+  if (keys.enter && palette.is_selected) selected = palette.cursor;
+  if (keys.enter && !palette.is_selected) palette.begins = true;  // the field lost the focus
+  if (!selected || *selected >= found.size()) return nullptr;
+  palette.cursor = *selected;
+  palette.is_selected = true;
+  const UserAction& action = actions[found[*selected]];
+  if (action.objection() != nullptr) {
+    palette.begins = true;  // Enter ended the typing
+    return nullptr;
+  }
+  close(palette);
+  return &action;
+}
+
 }  // namespace
+
+std::span<const TabLayout> tab_layout() { return kTabLayout; }
+std::span<const MenuLayout> menu_layout() { return kMenus; }
+std::span<const MenuLayout> palette_layout() { return kPaletteOnly; }
+std::span<const char* const> gesture_layout() { return kGestures; }
+
+Features make_features(Workspace& workspace, const Catalogue& catalogue) {
+  Features features;
+  features.push_back(files_feature(workspace));
+  features.push_back(recent_feature(workspace));
+  features.push_back(dialogs(workspace, catalogue));
+  features.push_back(welcome_feature(workspace));
+  features.push_back(view_feature(workspace));
+  features.push_back(light_feature(workspace));
+  features.push_back(section_feature(workspace));
+  features.push_back(emitter_feature(workspace));
+  features.push_back(path_feature(workspace));
+  features.push_back(transform_feature(workspace));
+  features.push_back(time_feature(workspace));
+  features.push_back(inspect_feature(workspace));
+  features.push_back(ruler_feature(workspace));
+  features.push_back(pieces_feature(workspace));
+  features.push_back(history_feature(workspace));
+  features.push_back(material_feature(workspace));
+  features.push_back(prepare_feature(workspace));
+  features.push_back(tree_feature(workspace));
+  features.push_back(scalar_map_feature(workspace));
+  features.push_back(graph_feature(workspace));
+  features.push_back(single_step_feature(workspace));
+  features.push_back(statistics_feature(workspace));
+  features.push_back(split_feature(workspace));
+  features.push_back(laser_feature(workspace));
+  return features;
+}
 
 const UserAction* find_action(std::span<const UserAction> actions, const std::string& id) {
   for (const UserAction& action : actions) {
@@ -77,39 +467,6 @@ void rebind(Bindings& bindings, std::span<const UserAction> usual, const std::st
 }
 
 std::span<const BindingPreset> binding_presets() { return kPresets; }
-
-namespace {
-
-// The contributions of all features by their ids.
-template <typename T, typename Contribute>
-std::map<std::string, T> by_id(const Features& features, const Contribute& contribute) {
-  std::map<std::string, T> all;
-  for (const auto& feature : features) {
-    for (T& one : contribute(*feature)) {
-      std::string id = one.id;
-      all.emplace(std::move(id), std::move(one));
-    }
-  }
-  return all;
-}
-
-// Moves the actions of a menu to the end of the list, except for those that no feature has.
-void append_menu(const MenuLayout& menu, bool in_menu, std::map<std::string, UserAction>& actions,
-                 std::vector<UserAction>& list) {
-  for (size_t i = 0; i < menu.actions.size(); ++i) {
-    const auto found = actions.find(menu.actions[i]);
-    if (found == actions.end()) continue;
-    UserAction action = std::move(found->second);
-    action.menu = menu.title;
-    action.in_menu = in_menu;
-    action.ends_group =
-        i + 1 < menu.actions.size() && std::string_view(menu.actions[i + 1]) == MenuLayout::kLine;
-    action.set_shortcut(action.shortcut);
-    list.push_back(std::move(action));
-  }
-}
-
-}  // namespace
 
 void Catalogue::gather(const Features& features, PanelPlaces& places) {
   add_panels(features, places);
@@ -154,6 +511,116 @@ void Catalogue::bind(const Settings& settings, std::map<std::string, std::string
   actions = bind_keys(usual, bound_);
   shortcuts.clear();
   for (const UserAction& action : actions) shortcuts.emplace(action.id, action.shortcut);
+}
+
+void draw_menu_bar(std::span<const UserAction> actions) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  for (size_t first = 0; first < actions.size();) {
+    size_t end = first;
+    while (end < actions.size() && std::string_view(actions[end].menu) == actions[first].menu) ++end;
+    const std::span<const UserAction> menu = actions.subspan(first, end - first);
+    if (has_menu(menu) && ImGui::BeginMenu(menu.front().menu)) {
+      draw_actions(menu);
+      ImGui::EndMenu();
+    }
+    first = end;
+  }
+  ImGui::EndMainMenuBar();
+}
+
+std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
+  int score = 0;
+  while (true) {
+    const size_t from = query.find_first_not_of(' ');
+    if (from == std::string_view::npos) return score;
+    const size_t to = std::min(query.find(' ', from), query.size());
+    const auto word = score_of_word(query.substr(from, to - from), text);
+    if (!word) return std::nullopt;
+    score += *word;
+    query.remove_prefix(to);
+  }
+}
+
+void open_palette(CommandPalette& palette) {
+  palette = {};
+  palette.open = palette.begins = palette.show_cursor = true;
+}
+
+void palette_key(CommandPalette& palette, int key) {
+  switch (key) {
+    case GLFW_KEY_UP:
+      --palette.keys.steps;
+      break;
+    case GLFW_KEY_DOWN:
+      ++palette.keys.steps;
+      break;
+    case GLFW_KEY_PAGE_UP:
+      palette.keys.steps -= kPage;
+      break;
+    case GLFW_KEY_PAGE_DOWN:
+      palette.keys.steps += kPage;
+      break;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      palette.keys.enter = true;
+      break;
+    case GLFW_KEY_ESCAPE:
+      palette.keys.escape = true;
+      break;
+    default:
+      break;
+  }
+}
+
+std::vector<UserAction> nameable_actions(std::span<const UserAction> actions) {
+  std::vector<UserAction> all;
+  for (const UserAction& action : actions) {
+    if (!action.items) {
+      all.push_back(action);
+      continue;
+    }
+    for (UserAction& item : action.items()) {
+      item.name = action.name + ": " + item.name;
+      item.menu = action.menu;
+      all.push_back(std::move(item));
+    }
+  }
+  return all;
+}
+
+std::vector<size_t> find_actions(std::span<const UserAction> actions, const char* typed) {
+  std::vector<std::pair<int, size_t>> found;
+  for (size_t i = 0; i < actions.size(); ++i) {
+    const UserAction& action = actions[i];
+    const auto in_name = fuzzy_score(typed, action.name);
+    const auto in_menu = fuzzy_score(typed, std::string(action.menu) + " " + action.name);
+    if (in_name || in_menu)
+      found.emplace_back(std::max(kOfName * in_name.value_or(0), in_menu.value_or(0)), i);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<size_t> order;
+  for (const auto& [score, index] : found) order.push_back(index);
+  return order;
+}
+
+void draw_palette(CommandPalette& palette, std::span<const UserAction> actions, float x, float y) {
+  if (!palette.open) return;
+  if (palette.begins && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(kWidthEms * em, ImGui::GetIO().DisplaySize.x - 2 * em);
+  ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6f * em, 0.6f * em});
+  const bool drawn = ImGui::BeginPopup(kTitle, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  palette.open = drawn;  // a click outside closes it
+  if (!drawn) return;
+  mark_window("palette");
+  const std::vector<UserAction> nameable = nameable_actions(actions);
+  const UserAction* selected = draw_window(palette, nameable);
+  ImGui::EndPopup();
+  if (selected != nullptr) selected->run();
 }
 
 }  // namespace kerf

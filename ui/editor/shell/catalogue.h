@@ -1,17 +1,62 @@
 #pragma once
 
+#include <array>
 #include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/user_input.h"
-#include "ui/editor/shell/layout_table.h"
 #include "ui/window/window.h"
 
 namespace kerf {
+
+struct Catalogue;
+struct Workspace;
+
+using Features = std::vector<std::unique_ptr<Feature>>;
+
+// The order of everything that features provide. A feature states content only, by id; the tables name each
+// id exactly once.
+
+// A panel: its parts from top to bottom, and its initial state.
+struct PanelLayout {
+  const char* id;
+  const char* title;
+  bool unfolded;
+  std::vector<const char*> parts;
+  Dock dock = Dock::kColumn;
+};
+
+// The panels of a tab, from top to bottom.
+struct TabLayout {
+  Tab tab;
+  std::vector<PanelLayout> panels;
+};
+std::span<const TabLayout> tab_layout();
+
+// The actions of a menu, from top to bottom.
+struct MenuLayout {
+  static constexpr const char* kLine = "";  // a separator
+  const char* title;
+  std::vector<const char*> actions;
+};
+// The menus of the menu bar, from left to right.
+std::span<const MenuLayout> menu_layout();
+// Actions in no menu, under the titles that the command palette shows.
+std::span<const MenuLayout> palette_layout();
+
+// The gestures in the list of shortcuts.
+std::span<const char* const> gesture_layout();
+
+// Creates all features of the editor. The order defines which receives events and presses first, and whose
+// overlays lie below others. The workspace and the catalogue, which is filled later, must outlive them.
+Features make_features(Workspace& workspace, const Catalogue& catalogue);
 
 // Keys set by the user: chords by the ids of actions; an empty chord removes the default key.
 using Bindings = std::map<std::string, std::string>;
@@ -65,5 +110,45 @@ struct Catalogue {
 
   std::map<std::string, std::string> bound_;
 };
+
+// Draws the menus of a list of actions, in which those of one menu are contiguous.
+void draw_menu_bar(std::span<const UserAction> actions);
+
+// Returns how well a text matches a query, higher is better; nullopt if it does not match. Every word of the
+// query must occur in the text as a subsequence of letters, ignoring case; letters at the beginning of a
+// word and consecutive letters score more. An empty query matches every text with 0. O(query * text).
+std::optional<int> fuzzy_score(std::string_view query, std::string_view text);
+
+// The command palette: finds any action by parts of its name.
+struct CommandPalette {
+  bool open = false;
+  std::array<char, 96> typed{};
+  size_t cursor = 0;         // in the list of matches
+  bool is_selected = false;  // the cursor was set by the query or the arrows: Enter runs the action
+
+  // Keys received since the window was last drawn.
+  struct Keys {
+    int steps = 0;  // of the cursor
+    bool enter = false, escape = false;
+  } keys;
+  bool begins = false;       // opened since the window was last drawn
+  bool show_cursor = false;  // the list scrolls to the cursor
+};
+
+void open_palette(CommandPalette& palette);
+
+void palette_key(CommandPalette& palette, int key);
+
+// Returns all actions by name: those with submenus are replaced by their items, as "Examples: Car".
+std::vector<UserAction> nameable_actions(std::span<const UserAction> actions);
+
+// Returns the indices of the matching actions, best first; equal ones keep their order. The name of an
+// action counts more than its menu.
+std::vector<size_t> find_actions(std::span<const UserAction> actions, const char* typed);
+
+// Draws the palette if it is open, around (x, y), the middle of its upper edge in screen coordinates. A
+// click, or Enter on an entry at the cursor, runs an action and closes the palette; a disabled action shows
+// its reason in its row instead.
+void draw_palette(CommandPalette& palette, std::span<const UserAction> actions, float x, float y);
 
 }  // namespace kerf

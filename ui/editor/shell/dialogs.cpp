@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "ui/editor/shell/action_menus.h"
-#include "ui/editor/shell/catalogue.h"
 #include "ui/editor/shell/panel_column.h"
 #include "ui/window/gui.h"
 #include "ui/window/layout.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
-#include "ui/window/window.h"
 
 namespace kerf {
 
@@ -60,28 +56,17 @@ void draw_log(const std::deque<Message::Entry>& log) {
   ImGui::EndTable();
 }
 
-}  // namespace
-
-void draw_message_log(bool& shown, const Message& message) {
-  if (!shown) return;
-  if (begin_centred_window("Messages", "messages", shown, kLogEms, kLogHeightEms)) {
-    draw_log(message.log);
-  }
-  end_centred_window();
-}
-
-namespace {
-
 constexpr float kColumnEms = 30, kKeysEms = 14;
 constexpr ImGuiWindowFlags kSheet = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
 
-struct Row {
+struct ShortcutRow {
   const char *keys, *meaning;
 };
 
-std::vector<Row> rows_of_sheet(std::span<const UserAction> actions, std::span<const Gesture> gestures) {
-  std::vector<Row> rows;
+std::vector<ShortcutRow> rows_of_sheet(std::span<const UserAction> actions,
+                                       std::span<const Gesture> gestures) {
+  std::vector<ShortcutRow> rows;
   for (const Gesture& g : gestures) rows.push_back({g.gesture, g.meaning});
   for (const UserAction& a : actions) {
     if (!a.shortcut.empty()) rows.push_back({a.shortcut.c_str(), a.name.c_str()});
@@ -89,7 +74,7 @@ std::vector<Row> rows_of_sheet(std::span<const UserAction> actions, std::span<co
   return rows;
 }
 
-void put_row(const Row& row) {
+void put_row(const ShortcutRow& row) {
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   ImGui::TextWrapped("%s", row.keys);
@@ -98,7 +83,7 @@ void put_row(const Row& row) {
   ImGui::TextWrapped("%s", row.meaning);
 }
 
-void draw_rows(const std::vector<Row>& rows, size_t columns) {
+void draw_rows(const std::vector<ShortcutRow>& rows, size_t columns) {
   if (!ImGui::BeginTable("shortcuts", static_cast<int>(2 * columns))) return;
   for (size_t c = 0; c < columns; ++c) {
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, kKeysEms);
@@ -111,28 +96,6 @@ void draw_rows(const std::vector<Row>& rows, size_t columns) {
   }
   ImGui::EndTable();
 }
-
-}  // namespace
-
-void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions,
-                         std::span<const Gesture> gestures) {
-  if (!shown) return;
-  const float em = ImGui::GetFontSize();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const float room = window.x - 2 * em;
-  const size_t columns = room >= 2 * kColumnEms * em ? 2 : 1;
-  const float width = std::min(room, static_cast<float>(columns) * kColumnEms * em);
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - 2 * em});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("Shortcuts", &shown, kSheet)) draw_rows(rows_of_sheet(actions, gestures), columns);
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-}
-
-namespace {
 
 constexpr float kPageWidthEms = 40, kPageHeightEms = 36, kKeyEms = 9;
 
@@ -252,42 +215,6 @@ void draw_list(SettingsPage& page, std::span<const UserAction> actions) {
   ImGui::EndTable();
 }
 
-}  // namespace
-
-void settings_page_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
-                       int mods) {
-  const bool enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
-  const bool waits = !page.waits_for.empty();
-  if (key == GLFW_KEY_ESCAPE) {
-    page.shown = waits;
-    return stop_waiting(page);
-  }
-  if (page.clashes && enter) return take_clashing_key(page, settings, usual);
-  if (waits) return bind_pressed(page, settings, usual, key, mods);
-  const std::vector<UserAction> actions = bindable(usual, settings.bindings);
-  if (key == GLFW_KEY_UP && page.cursor > 0) --page.cursor;
-  if (key == GLFW_KEY_DOWN && page.cursor + 1 < actions.size()) ++page.cursor;
-  page.show_cursor = true;
-  KERF_ASSERT(page.cursor < actions.size());
-  if (enter) page.waits_for = actions[page.cursor].id;
-  if (key == GLFW_KEY_DELETE) rebind(settings.bindings, usual, actions[page.cursor].id, {});
-}
-
-void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
-  if (!page.shown) return;
-  if (begin_centred_window("Settings", "settings", page.shown, kPageWidthEms, kPageHeightEms)) {
-    const std::vector<UserAction> actions = bindable(usual, settings.bindings);
-    draw_mouse(settings);
-    draw_machine(settings);
-    draw_prompt(page, settings, usual, actions);
-    draw_list(page, actions);
-  }
-  end_centred_window();
-  if (!page.shown) stop_waiting(page);
-}
-
-namespace {
-
 class Dialogs : public Feature {
  public:
   Dialogs(Workspace& workspace, const Catalogue& catalogue) : workspace_(workspace), catalogue_(catalogue) {}
@@ -395,6 +322,64 @@ void Dialogs::draw_windows() {
 }
 
 }  // namespace
+
+void draw_message_log(bool& shown, const Message& message) {
+  if (!shown) return;
+  if (begin_centred_window("Messages", "messages", shown, kLogEms, kLogHeightEms)) {
+    draw_log(message.log);
+  }
+  end_centred_window();
+}
+
+void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions,
+                         std::span<const Gesture> gestures) {
+  if (!shown) return;
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float room = window.x - 2 * em;
+  const size_t columns = room >= 2 * kColumnEms * em ? 2 : 1;
+  const float width = std::min(room, static_cast<float>(columns) * kColumnEms * em);
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - 2 * em});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
+  if (ImGui::Begin("Shortcuts", &shown, kSheet)) draw_rows(rows_of_sheet(actions, gestures), columns);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+void settings_page_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
+                       int mods) {
+  const bool enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+  const bool waits = !page.waits_for.empty();
+  if (key == GLFW_KEY_ESCAPE) {
+    page.shown = waits;
+    return stop_waiting(page);
+  }
+  if (page.clashes && enter) return take_clashing_key(page, settings, usual);
+  if (waits) return bind_pressed(page, settings, usual, key, mods);
+  const std::vector<UserAction> actions = bindable(usual, settings.bindings);
+  if (key == GLFW_KEY_UP && page.cursor > 0) --page.cursor;
+  if (key == GLFW_KEY_DOWN && page.cursor + 1 < actions.size()) ++page.cursor;
+  page.show_cursor = true;
+  KERF_ASSERT(page.cursor < actions.size());
+  if (enter) page.waits_for = actions[page.cursor].id;
+  if (key == GLFW_KEY_DELETE) rebind(settings.bindings, usual, actions[page.cursor].id, {});
+}
+
+void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
+  if (!page.shown) return;
+  if (begin_centred_window("Settings", "settings", page.shown, kPageWidthEms, kPageHeightEms)) {
+    const std::vector<UserAction> actions = bindable(usual, settings.bindings);
+    draw_mouse(settings);
+    draw_machine(settings);
+    draw_prompt(page, settings, usual, actions);
+    draw_list(page, actions);
+  }
+  end_centred_window();
+  if (!page.shown) stop_waiting(page);
+}
 
 std::unique_ptr<Feature> dialogs(Workspace& workspace, const Catalogue& catalogue) {
   return std::make_unique<Dialogs>(workspace, catalogue);

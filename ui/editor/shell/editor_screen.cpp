@@ -2,25 +2,137 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
+#include <glm/geometric.hpp>
 #include <utility>
 
-#include "core/base/assert.h"
 #include "core/base/json.h"
-#include "ui/editor/shell/action_menus.h"
-#include "ui/editor/shell/mouse_input.h"
+#include "ui/editor/shared/user_input.h"
+#include "ui/editor/shared/viewport_pointer.h"
 #include "ui/editor/shell/panel_column.h"
 #include "ui/editor/shell/session_statistics.h"
 #include "ui/render/view/view_options.h"
 #include "ui/window/gui.h"
-#include "ui/window/number_fields.h"
+#include "ui/window/number_text.h"
 #include "ui/window/widgets.h"
 
 namespace kerf {
 
+bool is_popup_open() {
+  constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  return ImGui::IsPopupOpen(nullptr, kAny) && ImGui::GetTopMostPopupModal() == nullptr;
+}
+
+void close_popups() {
+  KERF_ASSERT(ImGui::GetCurrentContext()->WithinFrameScope);
+  ImGui::ClosePopupToLevel(0, true);
+}
+
+bool pointer_is_over_panel() {
+  KERF_ASSERT(ImGui::GetCurrentContext()->WithinFrameScope);
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByPopup |
+                                ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+}
+
+std::optional<InputEvent> DeferredPress::press_of(const InputEvent& event) {
+  if (!held_) return std::nullopt;
+  switch (event.kind) {
+    case InputEvent::Kind::kMove:
+      if (glm::length(event.at - held_->at) <= kClickReach) return std::nullopt;
+      return std::exchange(held_, std::nullopt);
+    case InputEvent::Kind::kPress:
+    case InputEvent::Kind::kRelease:
+      held_.reset();
+      break;
+    case InputEvent::Kind::kWheel:
+    case InputEvent::Kind::kKey:
+    case InputEvent::Kind::kKeyUp:
+    case InputEvent::Kind::kText:
+      break;
+  }
+  return std::nullopt;
+}
+
 namespace {
+
+std::unique_ptr<Interaction> begin(Workspace& workspace, const Features& features, const InputEvent& event) {
+  const bool alt = (event.mods & GLFW_MOD_ALT) != 0, left = event.button == GLFW_MOUSE_BUTTON_LEFT;
+  const Press press{event, (event.mods & GLFW_MOD_SHIFT) != 0, (event.mods & GLFW_MOD_CONTROL) != 0};
+  if (event.button == GLFW_MOUSE_BUTTON_RIGHT) return std::make_unique<Pan>(workspace);
+  if (event.button == GLFW_MOUSE_BUTTON_MIDDLE && press.shift) return std::make_unique<Pan>(workspace);
+  if (event.button == GLFW_MOUSE_BUTTON_MIDDLE || (left && alt)) return std::make_unique<Orbit>(workspace);
+  for (size_t i = 0; left && i < features.size(); ++i) {
+    if (auto claimed = features[i]->begin_interaction(press)) return claimed;
+  }
+  return nullptr;
+}
+
 constexpr std::chrono::seconds kSoon{1};
 constexpr std::chrono::milliseconds kUnseen{300};  // a bar that appears only briefly is a distraction
+
+constexpr uint32_t kFacesSent = 50'000;   // of a new scene, sent at a time
+constexpr double kSendingSeconds = 0.06;  // of a frame, for sending them
+constexpr double kMissable = 0.05;        // s; a missed frame this long is not noticed
+constexpr double kLongest = 1e6;          // s; a script waits for background work
+constexpr double kCutSeconds = 0.020;     // s of cutting per frame, or the time of drawing if that is more
+constexpr double kFigureSeconds = 0.25;
+
+// Returns the look of the right half, without the selected and hidden pieces of the open document.
+ViewOptions look_of_second(const ViewOptions& first, double spread, const World& second) {
+  ViewOptions look = first;
+  look.pieces.clear();
+  look.stage.reset();
+  look.wire.reset();
+  look.bodies.reset();
+  look.scalar.reset();
+  spread_pieces(second, spread, look);
+  return look;
+}
+
+// Uploads the changes, or as much of a new scene as there is time for. If a script leaves frames undrawn,
+// changes are sent with the next drawn one.
+void send(Workspace& workspace) {
+  if (!workspace.view.picture_old && !workspace.view.heat_old) return;
+  Renderer& renderer = workspace.screen.picture->first();
+  if (!workspace.screen.window->draws() && !renderer.is_sending() && !workspace.links.cools) return;
+  const size_t before = renderer.uploaded_bytes();
+  const double until = workspace.screen.clock->seconds() + kSendingSeconds;
+  while (renderer.is_sending() && workspace.screen.clock->seconds() < until)
+    renderer.send_faces(workspace.shown_world());
+  renderer.catch_up(workspace.shown_world());
+  if (renderer.uploaded_bytes() > before)
+    workspace.services.statistics.chart.record_sent(renderer.uploaded_bytes() - before);
+}
+
 }  // namespace
+
+void handle_mouse(Workspace& workspace, const Features& features, const InputEvent& event, bool free) {
+  PointerInput& input = workspace.input;
+  input.pointer = event.at;
+  input.viewport_hovered = free && workspace.view.layout.viewport.contains(event.at);
+  if (!input.held) workspace.view.in_second = workspace.view.layout.second.contains(event.at);
+  switch (event.kind) {
+    case InputEvent::Kind::kPress:
+      if (!input.held && input.viewport_hovered) input.held = begin(workspace, features, event);
+      break;
+    case InputEvent::Kind::kMove:
+      if (input.held) input.held->move(event);
+      break;
+    case InputEvent::Kind::kRelease:
+      if (!input.held) break;
+      input.held->release(event);
+      if (!input.held->cuts()) input.held.reset();
+      break;
+    case InputEvent::Kind::kWheel:
+      if (input.viewport_hovered && !(input.held && input.held->cuts())) zoom(workspace, event.wheel);
+      break;
+    case InputEvent::Kind::kKey:
+    case InputEvent::Kind::kKeyUp:
+    case InputEvent::Kind::kText:
+      break;
+  }
+  if (input.held && input.held->over()) input.held.reset();
+}
 
 void BusyWindow::keep(const Vec2& pixels) {
   began_ = Clock::now();
@@ -63,44 +175,6 @@ std::vector<InputEvent> BusyWindow::take_deferred_events() {
   });
   return events;
 }
-
-namespace {
-
-constexpr uint32_t kFacesSent = 50'000;   // of a new scene, sent at a time
-constexpr double kSendingSeconds = 0.06;  // of a frame, for sending them
-constexpr double kMissable = 0.05;        // s; a missed frame this long is not noticed
-constexpr double kLongest = 1e6;          // s; a script waits for background work
-constexpr double kCutSeconds = 0.020;     // s of cutting per frame, or the time of drawing if that is more
-constexpr double kFigureSeconds = 0.25;
-
-// Returns the look of the right half, without the selected and hidden pieces of the open document.
-ViewOptions look_of_second(const ViewOptions& first, double spread, const World& second) {
-  ViewOptions look = first;
-  look.pieces.clear();
-  look.stage.reset();
-  look.wire.reset();
-  look.bodies.reset();
-  look.scalar.reset();
-  spread_pieces(second, spread, look);
-  return look;
-}
-
-// Uploads the changes, or as much of a new scene as there is time for. If a script leaves frames undrawn,
-// changes are sent with the next drawn one.
-void send(Workspace& workspace) {
-  if (!workspace.view.picture_old && !workspace.view.heat_old) return;
-  Renderer& renderer = workspace.screen.picture->first();
-  if (!workspace.screen.window->draws() && !renderer.is_sending() && !workspace.links.cools) return;
-  const size_t before = renderer.uploaded_bytes();
-  const double until = workspace.screen.clock->seconds() + kSendingSeconds;
-  while (renderer.is_sending() && workspace.screen.clock->seconds() < until)
-    renderer.send_faces(workspace.shown_world());
-  renderer.catch_up(workspace.shown_world());
-  if (renderer.uploaded_bytes() > before)
-    workspace.services.statistics.chart.record_sent(renderer.uploaded_bytes() - before);
-}
-
-}  // namespace
 
 EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded,
                            const EditorOptions& options)

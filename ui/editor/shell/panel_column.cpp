@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "ui/window/layout.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
@@ -36,31 +34,6 @@ void draw_icon(ImVec2 at, float size, Dock dock, ImU32 colour) {
     list.AddRectFilled({at.x + 0.25f * size, at.y + 0.2f * size}, {to.x - 0.25f * size, to.y - 0.2f * size},
                        colour, 1);
 }
-
-}  // namespace
-
-void draw_dock_button(const char* panel, float right, PanelPlaces& places) {
-  const float em = ImGui::GetFontSize(), line = ImGui::GetFrameHeight();
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("dock");
-  ImGui::SameLine(right - line);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton("##dock", {line, line})) ImGui::OpenPopup("dock");
-  mark_last_item((std::string("dock ") + panel).c_str());
-  const bool over = ImGui::IsItemHovered();
-  tooltip("Place of this panel: its tab, a second column, below the viewport, or a window.");
-  const float size = 0.75f * em;
-  draw_icon({at.x + 0.5f * (line - size), at.y + 0.5f * (line - 0.8f * size)}, size, places.dock_of(panel),
-            over ? colours::text() : colours::secondary());
-  if (!ImGui::BeginPopup("dock")) return;
-  for (const Place& place : kPlaces) {
-    if (ImGui::MenuItem(place.name, nullptr, places.dock_of(panel) == place.dock))
-      places.dock(panel, place.dock);
-    mark_last_item(place.name);
-  }
-  ImGui::EndPopup();
-}
-
-namespace {
 
 using Draw = void (*)(ImDrawList& list, ImVec2 middle, float r, ImU32 colour);
 
@@ -144,36 +117,6 @@ void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {
   list.AddText({std::round(middle - 0.5f * text), at.y + 1.45f * em}, selected ? colours::text() : colour,
                look.name);
 }
-
-}  // namespace
-
-float tab_bar_height() { return std::round(2.75f * ImGui::GetFontSize()); }
-
-void draw_tab_bar(PanelPlaces& places) {
-  const ImVec2 all = ImGui::GetWindowSize(), at = ImGui::GetWindowPos();
-  for (size_t i = 0; i < kTabs.size(); ++i) {
-    const auto edge = [&](size_t k) {
-      return std::round(at.x + all.x * static_cast<float>(k) / static_cast<float>(kTabs.size()));
-    };
-    ImGui::SetCursorScreenPos({edge(i), at.y});
-    draw_tab(kTabs.at(i), {edge(i + 1) - edge(i), all.y}, places);
-  }
-}
-
-std::vector<UserAction> tab_actions(PanelPlaces& places) {
-  std::vector<UserAction> actions;
-  for (const TabLook& look : kTabs) {
-    actions.push_back({.id = std::string("tab.") + look.id,
-                       .name = std::string("Tab: ") + look.name,
-                       .shortcut = look.shortcut,
-                       .tip = look.tip});
-    actions.back().run = [&places, tab = look.tab] { places.show_tab(tab); };
-    actions.back().checked = [&places, tab = look.tab] { return places.tab() == tab; };
-  }
-  return actions;
-}
-
-namespace {
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -319,6 +262,53 @@ void drag_edge(const SplitterMove& move, double Settings::*size, double wanted, 
 }
 
 }  // namespace
+
+void draw_dock_button(const char* panel, float right, PanelPlaces& places) {
+  const float em = ImGui::GetFontSize(), line = ImGui::GetFrameHeight();
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("dock");
+  ImGui::SameLine(right - line);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("##dock", {line, line})) ImGui::OpenPopup("dock");
+  mark_last_item((std::string("dock ") + panel).c_str());
+  const bool over = ImGui::IsItemHovered();
+  tooltip("Place of this panel: its tab, a second column, below the viewport, or a window.");
+  const float size = 0.75f * em;
+  draw_icon({at.x + 0.5f * (line - size), at.y + 0.5f * (line - 0.8f * size)}, size, places.dock_of(panel),
+            over ? colours::text() : colours::secondary());
+  if (!ImGui::BeginPopup("dock")) return;
+  for (const Place& place : kPlaces) {
+    if (ImGui::MenuItem(place.name, nullptr, places.dock_of(panel) == place.dock))
+      places.dock(panel, place.dock);
+    mark_last_item(place.name);
+  }
+  ImGui::EndPopup();
+}
+
+float tab_bar_height() { return std::round(2.75f * ImGui::GetFontSize()); }
+
+void draw_tab_bar(PanelPlaces& places) {
+  const ImVec2 all = ImGui::GetWindowSize(), at = ImGui::GetWindowPos();
+  for (size_t i = 0; i < kTabs.size(); ++i) {
+    const auto edge = [&](size_t k) {
+      return std::round(at.x + all.x * static_cast<float>(k) / static_cast<float>(kTabs.size()));
+    };
+    ImGui::SetCursorScreenPos({edge(i), at.y});
+    draw_tab(kTabs.at(i), {edge(i + 1) - edge(i), all.y}, places);
+  }
+}
+
+std::vector<UserAction> tab_actions(PanelPlaces& places) {
+  std::vector<UserAction> actions;
+  for (const TabLook& look : kTabs) {
+    actions.push_back({.id = std::string("tab.") + look.id,
+                       .name = std::string("Tab: ") + look.name,
+                       .shortcut = look.shortcut,
+                       .tip = look.tip});
+    actions.back().run = [&places, tab = look.tab] { places.show_tab(tab); };
+    actions.back().checked = [&places, tab = look.tab] { return places.tab() == tab; };
+  }
+  return actions;
+}
 
 void draw_panel_areas(const Layout& layout, std::span<const Panel> panels, PanelPlaces& places,
                       Settings& settings) {

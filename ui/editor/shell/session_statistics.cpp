@@ -11,10 +11,9 @@
 #include "core/document/text/hash.h"
 #include "core/world/world.h"
 #include "ui/editor/shared/file_frames.h"
-#include "ui/window/layout.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 
@@ -89,53 +88,6 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
           {"faces_removed", step.totals().removed_faces},
           {"removed_area", step.totals().removed_area}};
 }
-
-}  // namespace
-
-nlohmann::ordered_json session_report(const Workspace& workspace) {
-  const Document& document = workspace.session.document;
-  const Statistics& statistics = workspace.services.statistics;
-  return {
-      {"frames", statistics.frames.frames()},
-      {"frame_ms", times_of(statistics.frames)},
-      {"between_pictures_ms", times_of(statistics.between_pictures)},
-      {"while_cutting", times_of_cutting(statistics)},
-      {"process_bytes", process_bytes()},
-      {"memory_bytes", memory_of(statistics.shown.memory)},
-      {"strokes", document.history().totals().strokes},
-      {"waiting", document.waiting()},
-      {"state_hash", hash_text(state_hash(document.world()))},
-      {"faces", document.world().live_faces()},
-      {"faces_removed", document.history().totals().removed_faces},
-      {"removed_area", document.history().totals().removed_area},
-      {"last_stroke", last_stroke_of(document)},
-      {"pieces", document.world().live_pieces()},
-      {"specks", specks(document).size()},
-      {"recuts", statistics.recuts},
-      {"bodies", bodies_with_faces(document.world()).size()},
-      {"placements", placements_of(document.world())},
-      {"message", workspace.message.text},
-      {"messages", texts_of(workspace.message.log)},
-      {"layout", layout_of(workspace.view.layout)},
-  };
-}
-
-void bring_up_to_date(Workspace& workspace) {
-  Statistics& statistics = workspace.services.statistics;
-  ShownStatistics& shown = statistics.shown;
-  shown.unit = workspace.view.frame.unit;
-  const World* as_loaded = workspace.session.as_loaded ? &*workspace.session.as_loaded : nullptr;
-  shown.frame_ms = 1000 * workspace.screen.picture->seconds();
-  shown.memory =
-      memory_statistics(std::array{&workspace.world(), workspace.view.second_world, as_loaded},
-                        workspace.session.document.history().bytes(), workspace.screen.picture->memory());
-  const bool depth_missing = statistics.depth_wanted && !shown.tree_depth;
-  if (!std::exchange(statistics.world_changed, false) && !depth_missing) return;
-  count_world(shown, workspace.session.document, statistics.depth_wanted);
-  record_stroke(shown, workspace.session.document);
-}
-
-namespace {
 
 struct Count {
   std::string text;
@@ -232,6 +184,49 @@ bool draw_contents(const char* button, const Message& message, const ShownStatis
 }
 
 }  // namespace
+
+nlohmann::ordered_json session_report(const Workspace& workspace) {
+  const Document& document = workspace.session.document;
+  const Statistics& statistics = workspace.services.statistics;
+  return {
+      {"frames", statistics.frames.frames()},
+      {"frame_ms", times_of(statistics.frames)},
+      {"between_pictures_ms", times_of(statistics.between_pictures)},
+      {"while_cutting", times_of_cutting(statistics)},
+      {"process_bytes", process_bytes()},
+      {"memory_bytes", memory_of(statistics.shown.memory)},
+      {"strokes", document.history().totals().strokes},
+      {"waiting", document.waiting()},
+      {"state_hash", hash_text(state_hash(document.world()))},
+      {"faces", document.world().live_faces()},
+      {"faces_removed", document.history().totals().removed_faces},
+      {"removed_area", document.history().totals().removed_area},
+      {"last_stroke", last_stroke_of(document)},
+      {"pieces", document.world().live_pieces()},
+      {"specks", specks(document).size()},
+      {"recuts", statistics.recuts},
+      {"bodies", bodies_with_faces(document.world()).size()},
+      {"placements", placements_of(document.world())},
+      {"message", workspace.message.text},
+      {"messages", texts_of(workspace.message.log)},
+      {"layout", layout_of(workspace.view.layout)},
+  };
+}
+
+void bring_up_to_date(Workspace& workspace) {
+  Statistics& statistics = workspace.services.statistics;
+  ShownStatistics& shown = statistics.shown;
+  shown.unit = workspace.view.frame.unit;
+  const World* as_loaded = workspace.session.as_loaded ? &*workspace.session.as_loaded : nullptr;
+  shown.frame_ms = 1000 * workspace.screen.picture->seconds();
+  shown.memory =
+      memory_statistics(std::array{&workspace.world(), workspace.view.second_world, as_loaded},
+                        workspace.session.document.history().bytes(), workspace.screen.picture->memory());
+  const bool depth_missing = statistics.depth_wanted && !shown.tree_depth;
+  if (!std::exchange(statistics.world_changed, false) && !depth_missing) return;
+  count_world(shown, workspace.session.document, statistics.depth_wanted);
+  record_stroke(shown, workspace.session.document);
+}
 
 bool draw_status_bar(const Area& area, const char* button, const Message& message,
                      const ShownStatistics& shown) {

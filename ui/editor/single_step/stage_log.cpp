@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
@@ -93,21 +92,6 @@ void mark_beam(const Body& body, const StageRecord& stage, OfBody& on) {
   for (const FaceId f : stage.hit) mark_face(body.mesh.triangle(f), body.label(f), Kind::kHit, on);
 }
 
-}  // namespace
-
-StageMarks mark_stage(const World& world, const StageRecord& stage) {
-  StageMarks marks;
-  if (world.contains(stage.body)) {
-    OfBody& on = marks.bodies.emplace_back();
-    on.body = stage.body;
-    mark_beam(world.body(stage.body), stage, on);
-  }
-  for (const BodyDelta& delta : stage.done.delta.bodies) mark_delta(world, delta, stage.kind, marks);
-  return marks;
-}
-
-namespace {
-
 using Found = TouchedWalk::Outcome;
 using Side = TouchedWalk::Side;
 using Kind = StageMarks::Kind;
@@ -153,6 +137,17 @@ void add_box(const AabbTree::Box& box, Kind kind, std::vector<StageMarks::Line>&
 }
 
 }  // namespace
+
+StageMarks mark_stage(const World& world, const StageRecord& stage) {
+  StageMarks marks;
+  if (world.contains(stage.body)) {
+    OfBody& on = marks.bodies.emplace_back();
+    on.body = stage.body;
+    mark_beam(world.body(stage.body), stage, on);
+  }
+  for (const BodyDelta& delta : stage.done.delta.bodies) mark_delta(world, delta, stage.kind, marks);
+  return marks;
+}
 
 void QueryWalk::trace(const World& world, const StageRecord& found) {
   visits_.clear();

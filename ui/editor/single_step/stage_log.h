@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/document/single_step.h"
-#include "core/tree/touched_walk.h"
+#include "core/tree/queries.h"
 #include "ui/render/bodies/overlay_marks.h"
 
 namespace kerf {

@@ -1,19 +1,18 @@
 #include "ui/editor/view/lights.h"
 
 #include <imgui.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
 #include "core/base/assert.h"
 #include "core/base/json.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/gizmo.h"
 #include "ui/editor/shared/panel_rows.h"
-#include "ui/editor/view/legends.h"
 #include "ui/screen/live_picture.h"
 #include "ui/window/number_text.h"
-#include "ui/window/property_rows.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
@@ -36,7 +35,7 @@ Light lamp(const World::Bounds& bounds, const Vec3& place, const Vec3& colour, d
   return {Light::Kind::kPoint, at, colour, intensity * share * share};
 }
 
-const std::array<LightPreset, 6> kPresets{{
+const std::array<LightPreset, 6> kLightPresets{{
     {"Workshop", "One key light from the upper left.",
      [](const World::Bounds&) { return std::vector{Light{}}; }},
     {"Noon", "The sun directly above.",
@@ -62,35 +61,6 @@ const std::array<LightPreset, 6> kPresets{{
      }},
 }};
 
-}  // namespace
-
-std::span<const LightPreset> light_presets() { return kPresets; }
-
-std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up) {
-  const Vec3 a = to_y_up(bounds.min, up), b = to_y_up(bounds.max, up);
-  std::vector<Light> lights = preset.lights({glm::min(a, b), glm::max(a, b)});
-  for (Light& light : lights) light.at = from_y_up(light.at, up);
-  return lights;
-}
-
-void add_light(ViewOptions& look, UpAxis up) {
-  KERF_ASSERT(look.lights.size() < kMaxLights);
-  Light another;
-  another.at = from_y_up({0.7, 0.8, -0.4}, up);
-  another.intensity = 1;
-  look.shadow.inspected = look.lights.size();
-  look.lights.push_back(another);
-}
-
-void remove_light(ViewOptions& look) {
-  KERF_ASSERT(!look.lights.empty());
-  const size_t selected = std::min(look.shadow.inspected, look.lights.size() - 1);
-  look.lights.erase(look.lights.begin() + static_cast<std::ptrdiff_t>(selected));
-  look.shadow.inspected = 0;
-}
-
-namespace {
-
 constexpr double kReach = 12;     // pick radius of a handle, screen coordinates
 constexpr double kSphere = 0.72;  // its radius, relative to half the height of the viewport
 
@@ -109,84 +79,46 @@ Vec3 place_of(const Light& light, const CameraView& view) {
   return sphere.middle + glm::normalize(light.at) * sphere.radius;
 }
 
-}  // namespace
-
-std::optional<Vec2> light_handle(const ViewState& view, size_t light) {
-  if (light >= view.look.lights.size()) return std::nullopt;
-  const FirstPicture picture(view);
-  const auto at = picture.place_of(place_of(view.look.lights[light], picture.camera()));
-  return at && view.layout.first.contains(*at) ? at : std::nullopt;
-}
-
-std::optional<size_t> light_under(const ViewState& view, Vec2 at) {
-  for (size_t i = 0; i < view.look.lights.size(); ++i) {
-    const std::optional<Vec2> handle = light_handle(view, i);
-    if (handle && glm::length(*handle - at) < kReach) return i;
-  }
-  return std::nullopt;
-}
-
-void drag_light(ViewState& view, size_t light, Vec2 to) {
-  if (light >= view.look.lights.size()) return;
-  Light& dragged = view.look.lights[light];
-  const FirstPicture picture(view);
-  if (dragged.kind == Light::Kind::kPoint) {
-    dragged.at = picture.at_depth_of(dragged.at, to);
-  } else {
-    const Sphere sphere = sphere_of(picture.camera());
-    const Vec3 now = place_of(dragged, picture.camera());
-    dragged.at =
-        glm::normalize(dragged_around(picture, sphere.middle, sphere.radius, now, to) - sphere.middle);
-  }
-  view.look.shadow.inspected = light;
-  view.picture_old = true;
-}
-
-void draw_light_handles(const ViewState& view, ImDrawList& list) {
-  for (size_t i = 0; i < view.look.lights.size(); ++i) {
-    const std::optional<Vec2> at = light_handle(view, i);
-    if (!at) continue;
-    const Light& light = view.look.lights[i];
-    const bool selected = view.look.shadow.inspected == i;
-    const ImVec4 colour(static_cast<float>(std::sqrt(std::min(light.colour.x, 1.0))),
-                        static_cast<float>(std::sqrt(std::min(light.colour.y, 1.0))),
-                        static_cast<float>(std::sqrt(std::min(light.colour.z, 1.0))), 1);
-    list.AddCircleFilled(to_im(*at), 7.5f, IM_COL32(10, 12, 16, 170));
-    list.AddCircleFilled(to_im(*at), 5, ImGui::ColorConvertFloat4ToU32(colour));
-    list.AddCircle(to_im(*at), 9, selected ? colours::accent() : colours::kPictureSecondary, 0, 1.5f);
-    // Rays distinguish the sun from a lamp.
-    for (int ray = 0; light.kind == Light::Kind::kDirectional && ray < 8; ++ray) {
-      const Vec2 out(std::cos(0.785398 * ray), std::sin(0.785398 * ray));
-      list.AddLine(to_im(*at + out * 11.0), to_im(*at + out * 15.0),
-                   selected ? colours::accent() : colours::kPictureSecondary, 1.5f);
-    }
-  }
-}
-
-namespace {
-
 constexpr double kMinIntensity = 0.02, kMaxIntensity = 50;
 constexpr double kMinReach = 0.25, kMaxReach = 50;  // diagonals
+
+struct ShadowMethodRow {
+  ShadowMethod method;
+  const char *name, *tip;
+};
+
+constexpr std::array kShadowMethods{
+    ShadowMethodRow{
+        ShadowMethod::kRobust, "Robust",
+        "Each polygon spans a closed infinite volume, counted from behind. Correct for any mesh and "
+        "any eye."},
+    ShadowMethodRow{
+        ShadowMethod::kPaperOneVolume, "Paper, one volume",
+        "Extrudes the silhouette of light-facing polygons, without caps. Correct for closed meshes "
+        "while the eye is lit."},
+    ShadowMethodRow{ShadowMethod::kPaperTwoVolumes, "Paper, two volumes",
+                    "Adds a volume for the back-facing polygons: the paper's solution for hollow meshes."},
+};
+
+const ShadowMethodRow& row_of(ShadowMethod method) {
+  return *std::ranges::find(kShadowMethods, method, &ShadowMethodRow::method);
+}
 
 bool method_row(const char* label, const char* id, ShadowMethod& method) {
   property(label);
   bool changed = false;
-  const auto is = [&](const MethodWords& m) { return m.method == method; };
-  const std::span<const MethodWords> all = shadow_methods();
-  const auto found = std::find_if(all.begin(), all.end(), is);
-  KERF_ASSERT(found != all.end());
-  const MethodWords& now = *found;
+  const ShadowMethodRow& now = row_of(method);
   if (begin_fitted_combo(id, now.name)) {
-    for (const MethodWords& m : all) {
+    for (const ShadowMethodRow& m : kShadowMethods) {
       if (ImGui::Selectable(m.name, m.method == method)) {
         changed = m.method != method;
         method = m.method;
       }
-      tooltip(m.meaning);
+      tooltip(m.tip);
     }
     ImGui::EndCombo();
   } else {
-    tooltip(now.meaning);
+    tooltip(now.tip);
   }
   return changed;
 }
@@ -437,6 +369,85 @@ std::vector<UserAction> LightFeature::light_actions() {
 }
 
 }  // namespace
+
+const char* method_name(ShadowMethod method) { return row_of(method).name; }
+
+std::span<const LightPreset> light_presets() { return kLightPresets; }
+
+std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up) {
+  const Vec3 a = to_y_up(bounds.min, up), b = to_y_up(bounds.max, up);
+  std::vector<Light> lights = preset.lights({glm::min(a, b), glm::max(a, b)});
+  for (Light& light : lights) light.at = from_y_up(light.at, up);
+  return lights;
+}
+
+void add_light(ViewOptions& look, UpAxis up) {
+  KERF_ASSERT(look.lights.size() < kMaxLights);
+  Light another;
+  another.at = from_y_up({0.7, 0.8, -0.4}, up);
+  another.intensity = 1;
+  look.shadow.inspected = look.lights.size();
+  look.lights.push_back(another);
+}
+
+void remove_light(ViewOptions& look) {
+  KERF_ASSERT(!look.lights.empty());
+  const size_t selected = std::min(look.shadow.inspected, look.lights.size() - 1);
+  look.lights.erase(look.lights.begin() + static_cast<std::ptrdiff_t>(selected));
+  look.shadow.inspected = 0;
+}
+
+std::optional<Vec2> light_handle(const ViewState& view, size_t light) {
+  if (light >= view.look.lights.size()) return std::nullopt;
+  const FirstPicture picture(view);
+  const auto at = picture.place_of(place_of(view.look.lights[light], picture.camera()));
+  return at && view.layout.first.contains(*at) ? at : std::nullopt;
+}
+
+std::optional<size_t> light_under(const ViewState& view, Vec2 at) {
+  for (size_t i = 0; i < view.look.lights.size(); ++i) {
+    const std::optional<Vec2> handle = light_handle(view, i);
+    if (handle && glm::length(*handle - at) < kReach) return i;
+  }
+  return std::nullopt;
+}
+
+void drag_light(ViewState& view, size_t light, Vec2 to) {
+  if (light >= view.look.lights.size()) return;
+  Light& dragged = view.look.lights[light];
+  const FirstPicture picture(view);
+  if (dragged.kind == Light::Kind::kPoint) {
+    dragged.at = picture.at_depth_of(dragged.at, to);
+  } else {
+    const Sphere sphere = sphere_of(picture.camera());
+    const Vec3 now = place_of(dragged, picture.camera());
+    dragged.at =
+        glm::normalize(dragged_around(picture, sphere.middle, sphere.radius, now, to) - sphere.middle);
+  }
+  view.look.shadow.inspected = light;
+  view.picture_old = true;
+}
+
+void draw_light_handles(const ViewState& view, ImDrawList& list) {
+  for (size_t i = 0; i < view.look.lights.size(); ++i) {
+    const std::optional<Vec2> at = light_handle(view, i);
+    if (!at) continue;
+    const Light& light = view.look.lights[i];
+    const bool selected = view.look.shadow.inspected == i;
+    const ImVec4 colour(static_cast<float>(std::sqrt(std::min(light.colour.x, 1.0))),
+                        static_cast<float>(std::sqrt(std::min(light.colour.y, 1.0))),
+                        static_cast<float>(std::sqrt(std::min(light.colour.z, 1.0))), 1);
+    list.AddCircleFilled(to_im(*at), 7.5f, IM_COL32(10, 12, 16, 170));
+    list.AddCircleFilled(to_im(*at), 5, ImGui::ColorConvertFloat4ToU32(colour));
+    list.AddCircle(to_im(*at), 9, selected ? colours::accent() : colours::kPictureSecondary, 0, 1.5f);
+    // Rays distinguish the sun from a lamp.
+    for (int ray = 0; light.kind == Light::Kind::kDirectional && ray < 8; ++ray) {
+      const Vec2 out(std::cos(0.785398 * ray), std::sin(0.785398 * ray));
+      list.AddLine(to_im(*at + out * 11.0), to_im(*at + out * 15.0),
+                   selected ? colours::accent() : colours::kPictureSecondary, 1.5f);
+    }
+  }
+}
 
 std::unique_ptr<Feature> light_feature(Workspace& workspace) {
   return std::make_unique<LightFeature>(workspace.session, workspace.view, workspace.input,

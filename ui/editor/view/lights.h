@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mesh/files/mesh_format.h"
-#include "core/shadow/light.h"
+#include "core/shadow/shadow_volume.h"
 #include "core/world/world.h"
 #include "ui/editor/shared/viewport.h"
 #include "ui/render/view/view_options.h"
@@ -20,6 +20,8 @@ struct LightPreset {
   std::vector<Light> (*lights)(const World::Bounds& bounds);
 };
 std::span<const LightPreset> light_presets();
+
+const char* method_name(ShadowMethod method);
 
 // Returns the lights of a preset for a world with this up axis.
 std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up);

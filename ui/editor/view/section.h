@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/editor/shared/gizmo.h"
-#include "ui/render/view/section_plane.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

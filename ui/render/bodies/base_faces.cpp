@@ -1,14 +1,11 @@
 #include "ui/render/bodies/base_faces.h"
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
+#include <mutex>
 #include <numeric>
-#include <span>
 #include <utility>
 
 #include "core/base/containers.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/mesh/face_batches.h"
 
@@ -49,6 +46,51 @@ glm::dvec3 barycentric(const std::array<glm::vec3, 3>& t, const glm::vec3& p) {
   const double second = glm::dot(glm::cross(d, w), n) / area2, third = glm::dot(glm::cross(u, d), n) / area2;
   return {1 - second - third, second, third};
 }
+
+std::array<float, 3> place(const glm::vec3& p) { return {p.x, p.y, p.z}; }
+
+double angle_at(const glm::dvec3& u, const glm::dvec3& w) {
+  const double lengths = glm::length(u) * glm::length(w);
+  return lengths > 0 ? std::acos(std::clamp(glm::dot(u, w) / lengths, -1.0, 1.0)) : 0;
+}
+
+FloatFrame picture_frame(const Body& body) {
+  return FloatFrame::around(body.bounds().min, body.bounds().max);
+}
+
+// Calls what(id, body, progress) for each body, with progress in proportion to their faces, until one
+// fails.
+template <typename What>
+Status for_each_body(const World& world, const Progress* progress, What what) {
+  ProgressShares shares(progress);
+  const auto all = static_cast<double>(world.live_faces());
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    const Progress own = shares.next(static_cast<double>(body.mesh.live_faces()) / all);
+    if (const Status done = what(id, body, &own); !done) return done;
+  }
+  return Done{};
+}
+
+// The progress of two concurrent computations, each of which is half of the work.
+class JointProgress {
+ public:
+  explicit JointProgress(const Progress* whole) : whole_(whole) {}
+  Progress of(size_t computation) {
+    return {[this, computation](double fraction) {
+      const std::lock_guard lock(mutex_);
+      done_[computation] = fraction;
+      stopped_ = stopped_ || (whole_ && !whole_->report(0.5 * (done_[0] + done_[1])));
+      return !stopped_;
+    }};
+  }
+
+ private:
+  const Progress* whole_;
+  std::mutex mutex_;
+  std::array<double, 2> done_{};
+  bool stopped_ = false;
+};
 
 }  // namespace
 
@@ -321,17 +363,6 @@ std::array<glm::vec3, 3> BaseFaces::normals_at(FaceId base, const std::array<glm
   return normals;
 }
 
-namespace {
-
-std::array<float, 3> place(const glm::vec3& p) { return {p.x, p.y, p.z}; }
-
-double angle_at(const glm::dvec3& u, const glm::dvec3& w) {
-  const double lengths = glm::length(u) * glm::length(w);
-  return lengths > 0 ? std::acos(std::clamp(glm::dot(u, w) / lengths, -1.0, 1.0)) : 0;
-}
-
-}  // namespace
-
 // Merges the corners of each position into one, and computes its normal.
 class BaseFaces::Smoother {
  public:
@@ -399,5 +430,59 @@ class BaseFaces::Smoother {
 };
 
 BaseFaces BaseFaces::smoothed() const { return Smoother(*this).run(); }
+
+PreparedBody prepare_shading(const Body& body, const LoadedShadings& loaded) {
+  const auto found = loaded.find(body.loaded_as);
+  if (found == loaded.end()) {
+    const FloatFrame frame = picture_frame(body);
+    return {frame, std::make_shared<const BaseFaces>(body.mesh, frame), nullptr};
+  }
+  const auto& [frame, bases] = found->second;
+  if (body.loaded_faces.empty()) return {frame, bases, nullptr};
+  return {frame, std::make_shared<const BaseFaces>(bases->pick(body.loaded_faces)), nullptr};
+}
+
+Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress) {
+  PreparedBodies prepared;
+  const Status done = for_each_body(world, progress, [&](BodyId id, const Body& body, const Progress* own) {
+    const FloatFrame frame = picture_frame(body);
+    Result<BaseFaces> bases = BaseFaces::build(body.mesh, frame, own);
+    if (!bases) return Status(bases.error());
+    prepared.emplace(id, PreparedBody{frame, std::make_shared<const BaseFaces>(std::move(*bases)), nullptr});
+    return Status(Done{});
+  });
+  if (!done) return done.error();
+  return prepared;
+}
+
+Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress) {
+  return for_each_body(world, progress, [&](BodyId id, const Body& body, const Progress* own) {
+    const auto found = prepared.find(id);
+    if (found == prepared.end()) return Status(Done{});
+    Result<ShadowCaster> caster = ShadowCaster::build(body.mesh, found->second.frame, own);
+    if (!caster) return Status(caster.error());
+    found->second.caster = std::make_unique<ShadowCaster>(std::move(*caster));
+    return Status(Done{});
+  });
+}
+
+Result<PreparedBodies> prepare_drawing(const World& world, const Progress* progress) {
+  PreparedBodies prepared;
+  const Status done = for_each_body(world, progress, [&](BodyId id, const Body& body, const Progress* own) {
+    const FloatFrame frame = picture_frame(body);
+    JointProgress joint(own);
+    const Progress shading = joint.of(0), casting = joint.of(1);
+    Result<BaseFaces> bases = cancelled();
+    Result<ShadowCaster> caster = cancelled();
+    do_both([&] { bases = BaseFaces::build(body.mesh, frame, &shading); },
+            [&] { caster = ShadowCaster::build(body.mesh, frame, &casting); });
+    if (!bases || !caster) return Status(cancelled());
+    prepared.emplace(id, PreparedBody{frame, std::make_shared<const BaseFaces>(std::move(*bases)),
+                                      std::make_unique<ShadowCaster>(std::move(*caster))});
+    return Status(Done{});
+  });
+  if (!done) return done.error();
+  return prepared;
+}
 
 }  // namespace kerf

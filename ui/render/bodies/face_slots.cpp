@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
-#include "ui/gl/buffers.h"
-
 namespace kerf {
 
 uint16_t packed_piece(uint32_t label) {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/base/float_frame.h"
+#include "core/base/geometry.h"
 #include "core/mesh/mesh.h"
 #include "ui/gl/buffers.h"
 #include "ui/render/bodies/base_faces.h"

@@ -5,9 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
-#include "core/cut/cut_step.h"
-#include "ui/gl/draw_state.h"
-#include "ui/render/view/camera.h"
+#include "ui/gl/program.h"
 
 namespace kerf {
 
@@ -28,6 +26,33 @@ constexpr double kMaxFade = 0.5;     // of the length of the beam
 // Returns the size [pixels] of a length across the view at a distance of one metre.
 double pixels_at_one_metre(const CameraView& view, double length, int height) {
   return length / view.tan_half_fov * 0.5 * height;
+}
+
+constexpr int kProbes = 8;  // rays on each circle around the beam that search for the edge of the burnt zone
+constexpr double kProbeRadius = 1.05;  // radii
+
+Vec3 any_perpendicular(const Vec3& d) {
+  const Vec3 other = std::abs(d.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+  return glm::normalize(glm::cross(d, other));
+}
+
+constexpr double kSparksPerKilogram = 500, kPuffsPerKilogram = 27;
+constexpr size_t kMaxSparks = 1200, kMaxPuffs = 160;
+constexpr double kGravity = 9.81;       // m/s^2
+constexpr double kStreak = 0.028;       // s, duration of flight shown by a streak
+constexpr double kSparkWidth = 0.0035;  // m, half the width
+constexpr double kBounce = 0.35;        // fraction of the speed kept in a bounce
+constexpr double kDrag = 1.1;           // of smoke, 1/s
+
+double mixed(double a, double b, double share) { return a + (b - a) * share; }
+
+void add_owed(double& owed, double more, size_t most) {
+  owed = std::min(owed + more, static_cast<double>(most));
+}
+
+template <typename Particle>
+void drop_old(std::vector<Particle>& particles) {
+  std::erase_if(particles, [](const Particle& p) { return p.age >= p.life; });
 }
 
 }  // namespace
@@ -102,18 +127,6 @@ void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, const 
   no_vertices_.draw(GL_TRIANGLE_STRIP, 4);
 }
 
-namespace {
-
-constexpr int kProbes = 8;  // rays on each circle around the beam that search for the edge of the burnt zone
-constexpr double kProbeRadius = 1.05;  // radii
-
-Vec3 any_perpendicular(const Vec3& d) {
-  const Vec3 other = std::abs(d.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
-  return glm::normalize(glm::cross(d, other));
-}
-
-}  // namespace
-
 std::optional<double> first_hit(const World& world, const Pose& ray) {
   std::optional<double> nearest;
   std::vector<RayHit> hits;
@@ -154,29 +167,6 @@ BeamPicture picture_of_beam(const World& world, const CutSettings& settings, con
     picture.strike = beam.origin + beam.direction * *strike;
   return picture;
 }
-
-namespace {
-
-constexpr double kSparksPerKilogram = 500, kPuffsPerKilogram = 27;
-constexpr size_t kMaxSparks = 1200, kMaxPuffs = 160;
-constexpr double kGravity = 9.81;       // m/s^2
-constexpr double kStreak = 0.028;       // s, duration of flight shown by a streak
-constexpr double kSparkWidth = 0.0035;  // m, half the width
-constexpr double kBounce = 0.35;        // fraction of the speed kept in a bounce
-constexpr double kDrag = 1.1;           // of smoke, 1/s
-
-double mixed(double a, double b, double share) { return a + (b - a) * share; }
-
-void add_owed(double& owed, double more, size_t most) {
-  owed = std::min(owed + more, static_cast<double>(most));
-}
-
-template <typename Particle>
-void drop_old(std::vector<Particle>& particles) {
-  std::erase_if(particles, [](const Particle& p) { return p.age >= p.life; });
-}
-
-}  // namespace
 
 void Particles::clear() {
   sparks_.clear();

@@ -8,7 +8,7 @@
 #include "core/world/world.h"
 #include "ui/gl/buffers.h"
 #include "ui/render/bodies/body_picture.h"
-#include "ui/render/view/frame_space.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 

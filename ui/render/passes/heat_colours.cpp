@@ -8,7 +8,6 @@
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/heat/black_body.h"
-#include "ui/gl/draw_state.h"
 #include "ui/render/view/colours.h"
 #include "ui/render/view/view_options.h"
 
@@ -60,6 +59,18 @@ float before_filmic(double y) {
   return static_cast<float>((-b + std::sqrt(b * b + 4 * 0.14 * y * a)) / (2 * a));
 }
 
+constexpr double kLabelEvery = 250;    // K
+constexpr double kLabelSpacing = 120;  // K, between a label and that of an end
+
+// Returns the labelled temperatures [K]: both ends of the scale, and round numbers between them.
+std::vector<double> labelled(double end) {
+  std::vector<double> at{kAmbient, end};
+  for (double t = kLabelEvery; t < end - kLabelSpacing; t += kLabelEvery) {
+    if (t > kAmbient + kLabelSpacing) at.push_back(t);
+  }
+  return at;
+}
+
 }  // namespace
 
 glm::vec3 shown_glow(double temperature) {
@@ -98,22 +109,6 @@ HeatRamps::HeatRamps() {
 void HeatRamps::bind(const gl::Program& program) const {
   program.set_texture("heat_ramps", kRampsUnit, table_.name());
 }
-
-namespace {
-
-constexpr double kLabelEvery = 250;    // K
-constexpr double kLabelSpacing = 120;  // K, between a label and that of an end
-
-// Returns the labelled temperatures [K]: both ends of the scale, and round numbers between them.
-std::vector<double> labelled(double end) {
-  std::vector<double> at{kAmbient, end};
-  for (double t = kLabelEvery; t < end - kLabelSpacing; t += kLabelEvery) {
-    if (t > kAmbient + kLabelSpacing) at.push_back(t);
-  }
-  return at;
-}
-
-}  // namespace
 
 double end_of_heat_scale(const World& world) {
   double end = 0;

@@ -4,7 +4,7 @@
 
 #include "ui/gl/buffers.h"
 #include "ui/gl/program.h"
-#include "ui/render/passes/face_numbers.h"
+#include "ui/render/passes/surface_overlays.h"
 
 namespace kerf {
 

@@ -7,38 +7,15 @@
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
-#include "ui/gl/draw_state.h"
-#include "ui/render/bodies/body_picture.h"
-#include "ui/render/bodies/piece_looks.h"
+#include "ui/gl/program.h"
+#include "ui/render/view/camera.h"
 #include "ui/render/view/colours.h"
-#include "ui/render/view/frame_space.h"
 
 namespace kerf {
 
 namespace {
 
 constexpr float kDarkAround = 0.8f;  // pixels
-
-}  // namespace
-
-ColouredLines::ColouredLines(Shaders& shaders)
-    : program_(shaders.load({{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}})) {}
-
-// First the dark outlines, slightly wider.
-void ColouredLines::draw(std::span<const Line> lines, float half_width, AtSection section) {
-  if (lines.empty()) return;
-  KERF_ASSERT(glIsEnabled(GL_BLEND));
-  lines_.send(lines);
-  program_.use();
-  program_.set("in_part", section == AtSection::kPart ? 1 : 0);
-  for (const bool dark : {true, false}) {
-    program_.set("half_width", half_width + (dark ? kDarkAround : 0));
-    program_.set("shade", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 1) : glm::vec4(0));
-    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfLine, lines_.count());
-  }
-}
-
-namespace {
 
 using Line = ColouredLines::Line;
 using State = BodyMarks::CentreMark::State;
@@ -119,34 +96,6 @@ void add_joint(const BodyMarks::JointMark& joint, double diagonal, Lines& lines)
   if (hub) add_circle(joint.anchor, joint.axis, kHubCircle * diagonal, colour, lines);
 }
 
-}  // namespace
-
-BodyPass::BodyPass(Shaders& shaders) : lines_(shaders) {}
-
-void BodyPass::draw(const Subject& subject, double diagonal) {
-  const BodyMarks* marks = subject.options.bodies.get();
-  if (marks == nullptr) return;
-  KERF_ASSERT(is_frame_bound());
-  std::vector<Line> gathered;
-  Lines lines(subject.space, gathered);
-  add_colliders(subject, *marks, diagonal, lines);
-  for (const BodyMarks::ContactMark& c : marks->contacts) {
-    const glm::vec4 colour = colour_of_impulse(c.share);
-    lines.add_cross(c.at, kContactArm * diagonal, colour);
-    lines.add(c.at, c.at + kNormal * diagonal * c.normal, colour);
-  }
-  for (const BodyMarks::CentreMark& c : marks->centres) {
-    const double arm = std::clamp(kCentreOfRadius * c.radius, kMinCentre * diagonal, kMaxCentre * diagonal);
-    lines.add_cross(c.centre, arm, srgb(colour_of(c.state), 1));
-  }
-  for (const BodyMarks::JointMark& joint : marks->joints) add_joint(joint, diagonal, lines);
-  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
-  const SectionClip clip(subject.options);
-  lines_.draw(gathered, kHalfWidth, ColouredLines::AtSection::kPart);
-}
-
-namespace {
-
 using Kind = StageMarks::Kind;
 
 constexpr float kEdgeHalfWidth = 0.7f, kLastHalfWidth = 1.6f;  // pixels
@@ -188,48 +137,6 @@ class DrawnAt {
   const Placement& placement_;
   BodyLooks looks_;
 };
-
-}  // namespace
-
-StagePass::StagePass(Shaders& shaders)
-    : fills_(shaders.load({{"frame.glsl", "line.glsl", "fill.vert"}, {"fill.frag"}})), lines_(shaders) {}
-
-uint32_t colour_of(StageMarks::Kind kind) { return stage_look(kind).colour; }
-
-void StagePass::draw(const Subject& subject) {
-  if (!subject.options.stage) return;
-  std::vector<Corner> corners;
-  std::vector<ColouredLines::Line> lines, last;
-  for (const StageMarks::OfBody& marks : subject.options.stage->bodies) {
-    if (!subject.world.contains(marks.body)) continue;
-    const DrawnAt at(subject, marks.body);
-    for (const StageMarks::Fill& f : marks.fills) {
-      if (at.hidden(f.piece)) continue;
-      const glm::vec4 colour = srgb(colour_of(f.kind), stage_look(f.kind).fill);
-      for (const Vec3& corner : f.corners) corners.push_back({at(corner, f.piece), colour});
-    }
-    for (const StageMarks::Line& l : marks.lines) {
-      if (at.hidden(l.piece)) continue;
-      (l.kind == Kind::kLast ? last : lines)
-          .push_back(
-              {at(l.from, l.piece), at(l.to, l.piece), srgb(colour_of(l.kind), stage_look(l.kind).line)});
-    }
-  }
-  gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
-  draw_fills(corners);
-  lines_.draw(lines, kEdgeHalfWidth);
-  state.set({.depth = GL_NONE, .blend = gl::kOver});
-  lines_.draw(last, kLastHalfWidth);
-}
-
-void StagePass::draw_fills(const std::vector<Corner>& corners) {
-  if (corners.empty()) return;
-  corners_.send(corners);
-  fills_.use();
-  glDrawArrays(GL_TRIANGLES, 0, corners_.count());
-}
-
-namespace {
 
 constexpr float kLinkHalfWidth = 0.7f;                        // pixels
 constexpr float kLoopHalfWidth = 1.1f, kEarlierLoop = 0.45f;  // pixels; opacity
@@ -279,6 +186,85 @@ float usual_length(const std::vector<std::pair<glm::vec3, glm::vec3>>& links, co
 }
 
 }  // namespace
+
+ColouredLines::ColouredLines(Shaders& shaders)
+    : program_(shaders.load({{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}})) {}
+
+// First the dark outlines, slightly wider.
+void ColouredLines::draw(std::span<const Line> lines, float half_width, AtSection section) {
+  if (lines.empty()) return;
+  KERF_ASSERT(glIsEnabled(GL_BLEND));
+  lines_.send(lines);
+  program_.use();
+  program_.set("in_part", section == AtSection::kPart ? 1 : 0);
+  for (const bool dark : {true, false}) {
+    program_.set("half_width", half_width + (dark ? kDarkAround : 0));
+    program_.set("shade", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 1) : glm::vec4(0));
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfLine, lines_.count());
+  }
+}
+
+BodyPass::BodyPass(Shaders& shaders) : lines_(shaders) {}
+
+void BodyPass::draw(const Subject& subject, double diagonal) {
+  const BodyMarks* marks = subject.options.bodies.get();
+  if (marks == nullptr) return;
+  KERF_ASSERT(is_frame_bound());
+  std::vector<Line> gathered;
+  Lines lines(subject.space, gathered);
+  add_colliders(subject, *marks, diagonal, lines);
+  for (const BodyMarks::ContactMark& c : marks->contacts) {
+    const glm::vec4 colour = colour_of_impulse(c.share);
+    lines.add_cross(c.at, kContactArm * diagonal, colour);
+    lines.add(c.at, c.at + kNormal * diagonal * c.normal, colour);
+  }
+  for (const BodyMarks::CentreMark& c : marks->centres) {
+    const double arm = std::clamp(kCentreOfRadius * c.radius, kMinCentre * diagonal, kMaxCentre * diagonal);
+    lines.add_cross(c.centre, arm, srgb(colour_of(c.state), 1));
+  }
+  for (const BodyMarks::JointMark& joint : marks->joints) add_joint(joint, diagonal, lines);
+  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
+  const SectionClip clip(subject.options);
+  lines_.draw(gathered, kHalfWidth, ColouredLines::AtSection::kPart);
+}
+
+StagePass::StagePass(Shaders& shaders)
+    : fills_(shaders.load({{"frame.glsl", "line.glsl", "fill.vert"}, {"fill.frag"}})), lines_(shaders) {}
+
+uint32_t colour_of(StageMarks::Kind kind) { return stage_look(kind).colour; }
+
+void StagePass::draw(const Subject& subject) {
+  if (!subject.options.stage) return;
+  std::vector<Corner> corners;
+  std::vector<ColouredLines::Line> lines, last;
+  for (const StageMarks::OfBody& marks : subject.options.stage->bodies) {
+    if (!subject.world.contains(marks.body)) continue;
+    const DrawnAt at(subject, marks.body);
+    for (const StageMarks::Fill& f : marks.fills) {
+      if (at.hidden(f.piece)) continue;
+      const glm::vec4 colour = srgb(colour_of(f.kind), stage_look(f.kind).fill);
+      for (const Vec3& corner : f.corners) corners.push_back({at(corner, f.piece), colour});
+    }
+    for (const StageMarks::Line& l : marks.lines) {
+      if (at.hidden(l.piece)) continue;
+      (l.kind == Kind::kLast ? last : lines)
+          .push_back(
+              {at(l.from, l.piece), at(l.to, l.piece), srgb(colour_of(l.kind), stage_look(l.kind).line)});
+    }
+  }
+  gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
+  draw_fills(corners);
+  lines_.draw(lines, kEdgeHalfWidth);
+  state.set({.depth = GL_NONE, .blend = gl::kOver});
+  lines_.draw(last, kLastHalfWidth);
+}
+
+void StagePass::draw_fills(const std::vector<Corner>& corners) {
+  if (corners.empty()) return;
+  corners_.send(corners);
+  fills_.use();
+  glDrawArrays(GL_TRIANGLES, 0, corners_.count());
+}
 
 uint32_t colour_of(DrawnGraph::State state) {
   // In the order of DrawnGraph::State.

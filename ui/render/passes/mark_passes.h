@@ -7,7 +7,6 @@
 #include "ui/gl/buffers.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/bodies/overlay_marks.h"
-#include "ui/render/view/colours.h"
 
 namespace kerf {
 

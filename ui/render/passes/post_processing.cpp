@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/base/assert.h"
-#include "ui/gl/draw_state.h"
+#include "ui/gl/program.h"
 
 namespace kerf {
 
@@ -40,6 +40,11 @@ glm::vec4 pixel_of(const gl::Framebuffer& picture) {
   return {1.0f / static_cast<float>(picture.shape().width), 1.0f / static_cast<float>(picture.shape().height),
           0, 0};
 }
+
+// A rotated grid: no two frames share a row or a column of their sub-pixels.
+constexpr std::array<glm::vec2, GatheredPicture::kPictures> kShifts{
+    glm::vec2(-0.125f, -0.375f), glm::vec2(0.375f, -0.125f), glm::vec2(0.125f, 0.375f),
+    glm::vec2(-0.375f, 0.125f)};
 
 }  // namespace
 
@@ -96,15 +101,6 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
   const gl::Framebuffer::Shape& tiles = far_->glow.shape();
   no_vertices_.draw(GL_TRIANGLES, 6 * tiles.width * tiles.height);
 }
-
-namespace {
-
-// A rotated grid: no two frames share a row or a column of their sub-pixels.
-constexpr std::array<glm::vec2, GatheredPicture::kPictures> kShifts{
-    glm::vec2(-0.125f, -0.375f), glm::vec2(0.375f, -0.125f), glm::vec2(0.125f, 0.375f),
-    glm::vec2(-0.375f, 0.125f)};
-
-}  // namespace
 
 GatheredPicture::GatheredPicture(Shaders& shaders) : copy_(shaders.load({{"screen.vert"}, {"share.frag"}})) {}
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "ui/gl/buffers.h"
-#include "ui/gl/framebuffer.h"
 #include "ui/render/bodies/body_picture.h"
 
 namespace kerf {

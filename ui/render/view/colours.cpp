@@ -1,7 +1,6 @@
 #include "ui/render/view/colours.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +22,28 @@ double even_place(const OklabPath& path, double t) {
   const auto above = std::max(std::lower_bound(length.begin(), length.end(), wanted), length.begin() + 1);
   const auto below = above - 1;
   return (static_cast<double>(below - length.begin()) + (wanted - *below) / (*above - *below)) / kParts;
+}
+
+constexpr double kFirstHue = 120, kLastHue = 350, kHueStep = 10;  // degrees: from green over blue to pink
+
+// A candidate colour, and its distance from the colours in use.
+struct Candidate {
+  glm::dvec3 lab;
+  double apart = std::numeric_limits<double>::infinity();
+};
+
+std::vector<Candidate> all_candidates() {
+  std::vector<Candidate> all;
+  for (double hue = kFirstHue; hue <= kLastHue; hue += kHueStep) {
+    for (const double lightness : {0.42, 0.52, 0.62}) {
+      for (const double chroma : {0.05, 0.10}) all.push_back({oklab_of(lightness, chroma, hue)});
+    }
+  }
+  return all;
+}
+
+void keep_away(std::vector<Candidate>& all, const glm::dvec3& lab) {
+  for (Candidate& c : all) c.apart = std::min(c.apart, glm::distance(c.lab, lab));
 }
 
 }  // namespace
@@ -62,32 +83,6 @@ glm::dvec3 screen_from_linear(const glm::dvec3& rgb) {
 glm::dvec3 linear_along(const OklabPath& path, double t) {
   return linear_from_oklab(path(even_place(path, t)));
 }
-
-namespace {
-
-constexpr double kFirstHue = 120, kLastHue = 350, kHueStep = 10;  // degrees: from green over blue to pink
-
-// A candidate colour, and its distance from the colours in use.
-struct Candidate {
-  glm::dvec3 lab;
-  double apart = std::numeric_limits<double>::infinity();
-};
-
-std::vector<Candidate> all_candidates() {
-  std::vector<Candidate> all;
-  for (double hue = kFirstHue; hue <= kLastHue; hue += kHueStep) {
-    for (const double lightness : {0.42, 0.52, 0.62}) {
-      for (const double chroma : {0.05, 0.10}) all.push_back({oklab_of(lightness, chroma, hue)});
-    }
-  }
-  return all;
-}
-
-void keep_away(std::vector<Candidate>& all, const glm::dvec3& lab) {
-  for (Candidate& c : all) c.apart = std::min(c.apart, glm::distance(c.lab, lab));
-}
-
-}  // namespace
 
 std::vector<glm::dvec3> piece_palette(std::span<const glm::dvec3> paints, size_t count) {
   std::vector<Candidate> all = all_candidates();

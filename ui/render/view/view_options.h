@@ -14,17 +14,47 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/float_frame.h"
+#include "core/base/assert.h"
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
 #include "core/base/result.h"
 #include "core/document/scene.h"
-#include "core/joints/piece_groups.h"
+#include "core/joints/joined_parts.h"
 #include "core/shadow/shadow_volume.h"
 #include "core/world/world.h"
-#include "ui/render/view/section_plane.h"
 
 namespace kerf {
+
+struct ViewOptions;
+
+// A plane through a point [m] of the world. The side to which the normal points is not drawn; the plane
+// affects neither cuts nor shadows.
+struct SectionPlane {
+  Vec3 point{0};
+  Vec3 normal{0, 0, 1};  // unit
+
+  // Returns the plane facing along a vector of any non-zero length.
+  static SectionPlane facing(const Vec3& point, const Vec3& way);
+
+  // The height of a point over the plane [m], positive on the side not drawn.
+  double height_of(const Vec3& p) const { return glm::dot(normal, p - point); }
+  // The lengths along a ray, from 0 on, at which it is on the drawn side.
+  Interval kept_along(const Pose& ray) const;
+  friend bool operator==(const SectionPlane&, const SectionPlane&) = default;
+};
+
+// Returns the plane through the middle of a box that removes the half towards the eye; its normal is the
+// axis of the world closest to the direction to the eye.
+SectionPlane section_through(const World::Bounds& bounds, const Vec3& to_eye);
+
+// The section plane that the options enable, or null.
+const SectionPlane* shown_section(const ViewOptions& options);
+
+// Formats a plane as "x,y,z x,y,z", the point and the normal. Reading the numbers gives the same doubles.
+std::string section_text(const SectionPlane& plane);
+// Reads such a text; the normal may have any non-zero length. The text may be quoted and preceded by
+// "--section", as on the command line. The error does not name the source of the text.
+Result<SectionPlane> parse_section(std::string_view text);
 
 // A preview of the edges that pieces may get, drawn over their current surface.
 struct DrawnWire {
@@ -231,5 +261,71 @@ void spread_pieces(const World& world, double spread, ViewOptions& look);
 
 // Like spread_pieces(), for a world that has not changed since the last call of either. O(pieces).
 void spread_further(const World& world, double spread, ViewOptions& look);
+
+// The switches of the view, in the order of panels.
+enum class SwitchId {
+  kShadows,
+  kSilhouette,
+  kShadowVolumes,
+  kShadowCounts,
+  kFacing,
+  kCompare,
+  kTrace,
+  kRimGlow,
+  kShading,
+  kTextures,
+  kWire,
+  kSection,
+  kBoxes,
+  kBoxesHit,
+  kPieces,
+  kSizes,
+  kHeat,
+  kNormals,
+  kFaceNumbers,
+  kGraph,
+  kContacts,
+  kColliders,
+  kCentres,
+  kJoints,
+  kGhost,
+  kTwoSided,
+  kCullBacks,
+  kSparks,
+  kAntialias
+};
+
+inline constexpr std::array kOffAndOn{"off", "on"};
+
+// A switch of the view, as used by menus, keys, panels, `--show` and the editor's report. Most have two
+// states, off and on; the key of others cycles through their states.
+struct ViewSwitch {
+  SwitchId id;
+  const char* show = "";      // name in `--show`; empty: none of its overlays
+  const char* report = "";    // key in the editor's report, and id of its action; empty: not in it
+  const char* label = "";     // in menus and panels; empty: in neither
+  char key = 0;               // capital letter of its key; 0: none
+  const char* tip = "";       // tooltip
+  bool in_view_panel = true;  // false: in another panel
+  std::span<const char* const> states = kOffAndOn;  // display names, off first; `--show` sets the last
+  size_t (*get)(const ViewOptions&) = nullptr;      // the state, an index of `states`
+  void (*set)(ViewOptions&, size_t) = nullptr;
+
+  bool is_two_state() const { return states.size() == 2; }
+  // Advances to the next state, cyclically.
+  void flip(ViewOptions& look) const {
+    KERF_ASSERT(get(look) < states.size());
+    set(look, (get(look) + 1) % states.size());
+  }
+};
+
+// The id of its action: "view.wire".
+std::string action_id(const ViewSwitch& s);
+// The name of its action: "Cycle Shadows", or its label for the states off and on.
+std::string action_name(const ViewSwitch& s);
+
+// All switches, indexed by their ids.
+std::span<const ViewSwitch> view_switches();
+const ViewSwitch& view_switch(SwitchId id);
 
 }  // namespace kerf

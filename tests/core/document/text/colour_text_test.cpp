@@ -1,4 +1,4 @@
-#include "core/document/scene_text.h"
+#include "core/document/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/document/text/nearest_name.h"
+#include "core/document/text/json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/game/arena/free_space.h"
+#include "core/game/arena/arena.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/game/arena/sight.h"
+#include "core/game/arena/arena.h"
 
 #include <gtest/gtest.h>
 

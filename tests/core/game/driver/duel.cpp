@@ -1,6 +1,5 @@
 #include "tests/core/game/driver/duel.h"
 
-#include "core/game/vehicle/laser_gun.h"
 #include "core/game/vehicle/vehicle.h"
 #include "tests/support/game_files.h"
 

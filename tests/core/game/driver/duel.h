@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/game/driver/driver_view.h"
+#include "core/game/driver/steering.h"
 
 namespace kerf::test {
 

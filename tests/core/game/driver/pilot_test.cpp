@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/deterministic_math.h"
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/vehicle/vehicle.h"
 #include "tests/core/game/driver/duel.h"
 

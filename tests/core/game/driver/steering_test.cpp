@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/base/deterministic_math.h"
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "tests/core/game/driver/duel.h"
 
 namespace kerf {

@@ -1,10 +1,10 @@
-#include "core/game/driver/driver_view.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/base/deterministic_math.h"
+#include "core/game/driver/steering.h"
 #include "tests/support/game_files.h"
 #include "tests/support/sheets.h"
 

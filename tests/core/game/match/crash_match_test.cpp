@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/game/match/match.h"
-#include "core/game/vehicle/damage.h"
+#include "core/game/vehicle/vehicle.h"
 #include "core/world/world.h"
 #include "tests/support/game_files.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/base/deterministic_math.h"
 #include "core/cut/cut_step.h"
-#include "core/game/arena/sight.h"
+#include "core/game/arena/arena.h"
 #include "core/game/match/match_world.h"
 #include "core/game/vehicle/vehicle.h"
 #include "core/game/vehicle/vehicle_dynamics.h"

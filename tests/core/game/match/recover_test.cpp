@@ -1,4 +1,3 @@
-#include "core/game/match/vehicle_placement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/game/match/tally.h"
+#include "core/game/match/rules.h"
 
 #include <gtest/gtest.h>
 

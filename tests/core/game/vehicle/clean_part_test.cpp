@@ -1,4 +1,4 @@
-#include "core/game/vehicle/damage.h"
+#include "core/game/vehicle/vehicle.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "core/base/deterministic_math.h"
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "core/game/match/match.h"
-#include "core/game/vehicle/damage.h"
 #include "core/game/vehicle/vehicle.h"
 #include "core/physics/physics.h"
 #include "tests/support/game_files.h"

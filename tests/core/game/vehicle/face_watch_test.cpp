@@ -1,4 +1,4 @@
-#include "core/game/vehicle/face_watch.h"
+#include "core/game/vehicle/vehicle_model.h"
 
 #include <gtest/gtest.h>
 

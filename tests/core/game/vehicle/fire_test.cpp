@@ -1,4 +1,3 @@
-#include "core/game/vehicle/laser_gun.h"
 
 #include <gtest/gtest.h>
 

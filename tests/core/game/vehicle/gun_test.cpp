@@ -1,11 +1,11 @@
-#include "core/game/vehicle/laser_gun.h"
+#include "core/game/vehicle/vehicle.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/base/deterministic_math.h"
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {

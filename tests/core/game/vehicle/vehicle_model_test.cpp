@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/game/vehicle/face_watch.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"

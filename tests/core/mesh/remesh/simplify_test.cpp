@@ -1,4 +1,4 @@
-#include "core/mesh/remesh/simplify.h"
+#include "core/mesh/remesh/remeshed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/physics/contact_search.h"
+#include "core/physics/motion_limits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/physics/contact/point_contacts.h"
+#include "core/physics/contact/penetration.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/sheets.h"
 

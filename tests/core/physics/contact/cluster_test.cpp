@@ -1,4 +1,4 @@
-#include "core/physics/contact/bounding_volumes.h"
+#include "core/physics/contact/collider.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "core/base/ids.h"
 #include "core/base/random.h"
-#include "core/base/tick.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"

@@ -1,4 +1,4 @@
-#include "core/physics/contact/narrow_phase.h"
+#include "core/physics/contact/contact.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/physics/contact/point_contacts.h"
+#include "core/physics/contact/penetration.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,3 @@
-#include "core/physics/contact/narrow_phase.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/physics/contact/point_contacts.h"
+#include "core/physics/contact/penetration.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/base/tick.h"
+#include "core/base/ids.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/sheets.h"
 

@@ -1,4 +1,4 @@
-#include "core/physics/contact/collider_features.h"
+#include "core/physics/contact/collider.h"
 
 #include <gtest/gtest.h>
 

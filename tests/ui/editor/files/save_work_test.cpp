@@ -1,4 +1,4 @@
-#include "ui/editor/files/unsaved_work.h"
+#include "ui/editor/files/file_opener.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "ui/editor/inspect/graph_state.h"
 
 #include <gtest/gtest.h>
 
+#include "core/document/cut_effects.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/inspect/graph_views.h"
 

@@ -1,5 +1,5 @@
 #include "core/base/json.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/shared/viewport.h"
-#include "ui/editor/shell/mouse_input.h"
+#include "ui/editor/shell/editor_screen.h"
 
 namespace kerf {
 namespace {

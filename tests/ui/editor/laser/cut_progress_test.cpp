@@ -1,4 +1,4 @@
-#include "ui/editor/laser/laser_overlay.h"
+#include "ui/editor/laser/laser_feature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/editor/laser/stroke_watch.h"
+#include "ui/editor/laser/material_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "ui/editor/path/path_panel.h"
+#include "ui/editor/path/path_feature.h"
 
 #include <gtest/gtest.h>
 
 #include "core/document/document.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/stroke_path.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -1,5 +1,5 @@
 #include "core/base/json.h"
-#include "ui/editor/path/path_work.h"
+#include "ui/editor/path/path_tool.h"
 
 #include <gtest/gtest.h>
 

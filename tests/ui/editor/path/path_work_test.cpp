@@ -1,4 +1,4 @@
-#include "ui/editor/path/path_work.h"
+#include "ui/editor/path/path_tool.h"
 
 #include <gtest/gtest.h>
 

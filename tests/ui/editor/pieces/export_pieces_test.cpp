@@ -1,4 +1,4 @@
-#include "ui/editor/pieces/piece_export.h"
+#include "ui/editor/pieces/pieces_feature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/editor/pieces/piece_move.h"
+#include "ui/editor/pieces/piece_placement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-#include "ui/editor/pieces/piece_move.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -8,7 +7,7 @@
 #include "core/base/random.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/pieces/piece_placement.h"
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/viewport_pointer.h"
 

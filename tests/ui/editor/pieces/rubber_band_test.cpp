@@ -1,4 +1,4 @@
-#include "ui/editor/pieces/piece_selection.h"
+#include "ui/editor/pieces/pieces_list.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/editor/prepare/preparation.h"
+#include "ui/editor/prepare/prepare_panel.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "core/document/document.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/shared/laser_tool.h"
+#include "ui/editor/shared/laser_controls.h"
 #include "ui/render/passes/beam_effects.h"
 
 namespace kerf {

@@ -1,11 +1,11 @@
-#include "ui/editor/shell/action_menus.h"
+#include "ui/editor/shell/catalogue.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "tests/support/editor_features.h"
-#include "ui/render/view/view_switches.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/editor/shell/action_menus.h"
+#include "ui/editor/shell/catalogue.h"
 
 #include <gtest/gtest.h>
 

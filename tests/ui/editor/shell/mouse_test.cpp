@@ -1,4 +1,4 @@
-#include "ui/editor/shell/mouse_input.h"
+#include "ui/editor/shell/editor_screen.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 #include "tests/support/made_meshes.h"
 #include "ui/editor/shared/command_labels.h"
-#include "ui/editor/single_step/stage_cut.h"
+#include "ui/editor/single_step/single_step_panel.h"
 
 namespace kerf {
 namespace {

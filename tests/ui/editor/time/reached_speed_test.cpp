@@ -1,4 +1,4 @@
-#include "ui/editor/time/time_flow.h"
+#include "ui/editor/time/play_controls.h"
 
 #include <gtest/gtest.h>
 

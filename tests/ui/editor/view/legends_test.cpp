@@ -1,9 +1,9 @@
-#include "ui/editor/view/legends.h"
+#include "ui/editor/view/view_feature.h"
 
 #include <gtest/gtest.h>
 
 #include "ui/render/bodies/overlay_marks.h"
-#include "ui/render/view/view_switches.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 namespace {

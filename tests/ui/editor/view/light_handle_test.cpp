@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/editor/shared/features.h"
+#include "ui/editor/shared/feature.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/render/bodies/corner_heat.h"
+#include "ui/render/bodies/face_buffer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/render/passes/face_numbers.h"
+#include "ui/render/passes/surface_overlays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/render/bodies/pick.h"
+#include "ui/render/bodies/body_picture.h"
 
 #include <gtest/gtest.h>
 

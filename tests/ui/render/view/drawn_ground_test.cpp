@@ -1,4 +1,4 @@
-#include "ui/render/view/frame_space.h"
+#include "ui/render/view/camera.h"
 
 #include <gtest/gtest.h>
 

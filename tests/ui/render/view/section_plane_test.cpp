@@ -1,4 +1,3 @@
-#include "ui/render/view/section_plane.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/render/view/view_switches.h"
+#include "ui/render/view/view_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/document/stroke_path.h"
+#include "core/mesh/files/mesh_format.h"
+#include "ui/editor/path/path_tool.h"
+#include "ui/window/number_text.h"
+
+namespace kerf {
+
+struct HolePattern {
+  enum class Kind { kGrid, kCircle };
+  Kind kind = Kind::kGrid;
+  int rows = 3, columns = 4;   // of a grid, 1 .. kMaxInALine
+  double spacing = 0.1;        // of neighbouring centres in a grid [m]
+  int count = 8;               // on a circle, 1 .. kMaxInALine
+  double circle_radius = 0.2;  // of the circle through the centres [m]
+  double hole_radius = 0.03;   // [m]
+
+  static constexpr int kMaxInALine = 100;
+};
+
+// Returns one stroke per hole. A beam of this radius [m] moves once along the inside of the hole and ends
+// where it began; a hole no wider than the beam is a single key of a beam as wide as the hole. `beam` passes
+// through the centre of the pattern. Rows are parallel to the world axis most nearly perpendicular to the
+// beam, X before Z before Y. Times are those of 1 m/s. Precondition: all numbers are positive, and the
+// direction is a result of beam_direction().
+std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& beam, double radius);
+
+// Rows of the Path panel that add a grid or circle of holes around the selected point.
+class HoleForm {
+ public:
+  // `radius` [m]: of the beam. `speed` [m/s]: of a path that begins with the holes. Lengths default to
+  // values from the size of the world until they are typed, and are reset in a world of a very different
+  // size.
+  void draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit);
+
+ private:
+  void draw_grid(FileUnit unit);
+  void draw_circle(FileUnit unit);
+  void fit_to(double diagonal);
+  void add_holes(PathWork& path, const World& world, double radius, double speed) const;
+
+  HolePattern pattern_;
+  NumberFields fields_;
+  double fitted_to_ = 0;  // diagonal [m] that the lengths were set from
+};
+
+// Actions of the panel that are not edits of the path.
+struct PathActions {
+  std::function<void()> run, load, save;
+};
+
+// Edits the path as numbers: speed and beam, points, the selected point, and patterns of holes.
+class PathPanel {
+ public:
+  // `at_panel_resolution`: the path is run at the resolution of the Resolution panel, else like kerf cut
+  // --path. `beam`: of new points. `run_disabled_reason`: the reason why the path cannot be run, or null.
+  void draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
+            const PathTool::Beam& beam, const char* run_disabled_reason, const PathActions& requests);
+
+ private:
+  void draw_buttons(PathWork& path, const ViewState& view, const char* run_disabled_reason,
+                    const PathActions& requests);
+  void draw_speed(PathWork& path, FileUnit unit);
+  void draw_radius(PathWork& path, const World& world, FileUnit unit);
+  void draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit);
+  void draw_list(PathWork& path, const World& world, FileUnit unit);
+  void draw_row(PathWork& path, PathPoint point, int number, double unit, double diagonal);
+  void draw_selected(PathWork& path, const World& world, FileUnit unit);
+
+  NumberFields fields_;
+  HoleForm holes_;
+  std::optional<PathPoint> shown_;  // point that the list was last scrolled to
+};
+
+}  // namespace kerf

@@ -1,13 +1,12 @@
-#include "core/base/json.h"
-#include "ui/editor/shared/feature.h"
-
 #include <imgui.h>
 
 #include "core/base/assert.h"
+#include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/autosave.h"
 #include "core/mesh/mesh_file.h"
 #include "ui/editor/files/file_opener.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/thumbnails.h"
@@ -166,17 +165,12 @@ class FilesFeature : public Feature {
 
 std::vector<UserAction> FilesFeature::open_actions() {
   return {
-      UserAction{.id = "file.new",
-                 .name = "New",
-                 .shortcut = "Ctrl+N",
-                 .tip = "The first scene again, uncut.",
-                 .run = [this] { leave_for([this] { opener_.open_fresh(); }); }},
-      UserAction{.id = "file.open",
-                 .name = "Open...",
-                 .shortcut = "Ctrl+O",
-                 .tip = "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
-                        "). Files can also be dropped on the window.",
-                 .run = [this] { select_file_to_open(); }},
+      make_action("file.new", "New", "Ctrl+N", "The first scene again, uncut.",
+                  [this] { leave_for([this] { opener_.open_fresh(); }); }),
+      make_action("file.open", "Open...", "Ctrl+O",
+                  "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
+                      "). Files can also be dropped on the window.",
+                  [this] { select_file_to_open(); }),
   };
 }
 
@@ -194,47 +188,33 @@ std::vector<UserAction> FilesFeature::example_actions() {
 
 std::vector<UserAction> FilesFeature::save_actions() {
   return {
-      UserAction{
-          .id = "file.save",
-          .name = "Save",
-          .shortcut = "Ctrl+S",
-          .tip = "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
-          .run = [this] { save(); }},
-      UserAction{.id = "file.save_as",
-                 .name = "Save As...",
-                 .shortcut = "Ctrl+Shift+S",
-                 .tip = "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
-                 .run = [this] { select_file_to_save(); }},
+      make_action(
+          "file.save", "Save", "Ctrl+S",
+          "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
+          [this] { save(); }),
+      make_action("file.save_as", "Save As...", "Ctrl+Shift+S",
+                  "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
+                  [this] { select_file_to_save(); }),
   };
 }
 
 std::vector<UserAction> FilesFeature::picture_actions() {
   return {
-      UserAction{.id = "file.save_viewport_image",
-                 .name = "Save Viewport Image",
-                 .shortcut = "F12",
-                 .tip = "A PNG of the viewport without panels, named by date, in the current folder.",
-                 .run = [this] { screenshot_ = Captured::kPicture; }},
-      UserAction{.id = "file.save_screenshot",
-                 .name = "Save Screenshot",
-                 .shortcut = "Shift+F12",
-                 .tip = "A PNG of the window with its panels.",
-                 .run = [this] { screenshot_ = Captured::kWindow; }},
+      make_action("file.save_viewport_image", "Save Viewport Image", "F12",
+                  "A PNG of the viewport without panels, named by date, in the current folder.",
+                  [this] { screenshot_ = Captured::kPicture; }),
+      make_action("file.save_screenshot", "Save Screenshot", "Shift+F12",
+                  "A PNG of the window with its panels.", [this] { screenshot_ = Captured::kWindow; }),
   };
 }
 
 std::vector<UserAction> FilesFeature::leave_actions() {
   return {
-      UserAction{.id = "file.play_game",
-                 .name = "Play Game",
-                 .shortcut = "F5",
-                 .tip = "Car combat with roof-mounted lasers. The open work stays unchanged.",
-                 .run = [this] { workspace_.links.leaves = Leaves::kForTheGame; }},
-      UserAction{.id = "file.quit",
-                 .name = "Quit",
-                 .shortcut = "Ctrl+Q",
-                 .tip = "Ends the editor. The settings are kept.",
-                 .run = [this] { quit(); }},
+      make_action("file.play_game", "Play Game", "F5",
+                  "Car combat with roof-mounted lasers. The open work stays unchanged.",
+                  [this] { workspace_.links.leaves = Leaves::kForTheGame; }),
+      make_action("file.quit", "Quit", "Ctrl+Q", "Ends the editor. The settings are kept.",
+                  [this] { quit(); }),
   };
 }
 

@@ -1,10 +1,8 @@
-#include "core/base/json.h"
-#include "ui/editor/shared/feature.h"
-
 #include <imgui.h>
-
 #include <algorithm>
 
+#include "core/base/json.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/number_text.h"
@@ -157,22 +155,14 @@ class HistoryFeature : public Feature {
     return {{"history", [this] { panel_.draw(workspace_); }}};
   }
   std::vector<UserAction> actions() override {
-    return {UserAction{
-                .id = "edit.undo",
-                .name = "Undo",
-                .shortcut = "Ctrl+Z",
-                .tip = "Reverts the last stroke or command.",
-                .run = [this] { request_step(true); },
-                .disabled_reason = [this] { return history().position() > 0 ? nullptr : "Nothing to undo"; }},
-            UserAction{.id = "edit.redo",
-                       .name = "Redo",
-                       .shortcut = "Ctrl+Shift+Z",
-                       .tip = "Repeats the last undone step.",
-                       .run = [this] { request_step(false); },
-                       .disabled_reason =
-                           [this] {
-                             return history().position() < history().size() ? nullptr : "Nothing to redo";
-                           }}};
+    return {make_action("edit.undo", "Undo", "Ctrl+Z", "Reverts the last stroke or command.",
+                        [this] { request_step(true); },
+                        {.disabled_reason =
+                             [this] { return history().position() > 0 ? nullptr : "Nothing to undo"; }}),
+            make_action("edit.redo", "Redo", "Ctrl+Shift+Z", "Repeats the last undone step.",
+                        [this] { request_step(false); }, {.disabled_reason = [this] {
+                          return history().position() < history().size() ? nullptr : "Nothing to redo";
+                        }})};
   }
 
   void write_session_log(nlohmann::ordered_json& report) const override {

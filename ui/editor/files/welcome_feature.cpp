@@ -296,15 +296,10 @@ class WelcomeFeature : public Feature {
   explicit WelcomeFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<UserAction> actions() override {
-    return {UserAction{.id = "help.welcome",
-                       .name = "Welcome",
-                       .tip = "Recent files, scenes, and the tour.",
-                       .run = [this] { shown_ = true; }},
-            UserAction{.id = "help.tour",
-                       .name = "Guided Tour",
-                       .tip = "A tour of the car that goes on when a step is done.",
-                       .run = [this] { begin_tour(); },
-                       .checked = [this] { return tour_.is_on(); }}};
+    return {make_action("help.welcome", "Welcome", "", "Recent files, scenes, and the tour.",
+                        [this] { shown_ = true; }),
+            make_action("help.tour", "Guided Tour", "", "A tour of the car that goes on when a step is done.",
+                        [this] { begin_tour(); }, {.checked = [this] { return tour_.is_on(); }})};
   }
 
   Status on_start(const EditorOptions& options) override {

@@ -328,11 +328,7 @@ std::vector<UserAction> RulerFeature::actions() {
                                       true);
   const auto action = [](const char* id, const char* name, const char* tip, std::function<void()> run,
                          std::function<const char*()> disabled_reason) {
-    return UserAction{.id = id,
-                      .name = name,
-                      .tip = tip,
-                      .run = std::move(run),
-                      .disabled_reason = std::move(disabled_reason)};
+    return make_action(id, name, "", tip, std::move(run), {.disabled_reason = std::move(disabled_reason)});
   };
   return {take,
           action(

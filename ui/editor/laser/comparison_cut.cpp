@@ -56,12 +56,9 @@ class SplitFeature : public Feature {
     return {{"resolution.compare", [this] { draw_rows(); }}};
   }
   std::vector<UserAction> actions() override {
-    return {UserAction{.id = "view.split",
-                       .name = "Split View",
-                       .shortcut = "S",
-                       .tip = "Shows the last cut at a second resolution in the right half.",
-                       .run = [this] { show(!shown_); },
-                       .checked = [this] { return shown_; }}};
+    return {make_action("view.split", "Split View", "S",
+                        "Shows the last cut at a second resolution in the right half.",
+                        [this] { show(!shown_); }, {.checked = [this] { return shown_; }})};
   }
 
   void after_queue(double) override;

@@ -339,35 +339,30 @@ bool LaserFeature::can_stop() const {
 }
 
 UserAction LaserFeature::recut_action() {
-  return {.id = "laser.recut",
-          .name = "Recompute Last Cut",
-          .shortcut = "R",
-          .tip = "Recuts the last stroke at the current resolution.",
-          .run = [this] { request_recut(false); },
-          .disabled_reason = [this] { return recut_disabled_reason(workspace_.session.document); }};
+  return make_action(
+      "laser.recut", "Recompute Last Cut", "R", "Recuts the last stroke at the current resolution.",
+      [this] { request_recut(false); },
+      {.disabled_reason = [this] { return recut_disabled_reason(workspace_.session.document); }});
 }
 
 UserAction LaserFeature::radius_action(const char* id, const char* name, double factor) {
-  return {.id = id,
-          .name = name,
-          .tip = "Changes the beam radius by a quarter; with live update, the last stroke is recut.",
-          .run = [this, factor] {
-            LaserControls& laser = workspace_.laser;
-            laser.radius =
-                std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
-                           laser.default_radius * LaserControls::kRadiusSpan);
-            cut_again_live(true);
-          }};
+  return make_action(
+      id, name, "", "Changes the beam radius by a quarter; with live update, the last stroke is recut.",
+      [this, factor] {
+        LaserControls& laser = workspace_.laser;
+        laser.radius = std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
+                                  laser.default_radius * LaserControls::kRadiusSpan);
+        cut_again_live(true);
+      });
 }
 
 UserAction LaserFeature::finer_action(const char* id, const char* name, int steps) {
-  return {.id = id,
-          .name = name,
-          .tip = "Halves or doubles the edge length along the cut, or changes the depth by one.",
-          .run = [this, steps] {
-            make_finer(workspace_.laser.resolution, steps);
-            cut_again_live(false);
-          }};
+  return make_action(id, name, "",
+                     "Halves or doubles the edge length along the cut, or changes the depth by one.",
+                     [this, steps] {
+                       make_finer(workspace_.laser.resolution, steps);
+                       cut_again_live(false);
+                     });
 }
 
 std::vector<UserAction> LaserFeature::laser_actions() {
@@ -402,11 +397,9 @@ std::vector<UserAction> LaserFeature::laser_actions() {
              "Removes every face the beam touches; the edge is jagged."),
       choice("resolution.rim_smooth", "Rim: Smooth", resolution.rim, Rim::kSmooth,
              "Cuts faces along the boundary of the beam when the stroke ends."),
-      UserAction{.id = "resolution.live",
-                 .name = "Live Update of Last Cut",
-                 .tip = "Recuts the last stroke when the resolution or the radius changes.",
-                 .run = [&live] { live = !live; },
-                 .checked = [&live] { return live; }},
+      make_action("resolution.live", "Live Update of Last Cut", "",
+                  "Recuts the last stroke when the resolution or the radius changes.",
+                  [&live] { live = !live; }, {.checked = [&live] { return live; }}),
   };
 }
 

@@ -138,24 +138,14 @@ void EmitterFeature::drag(double now) {
 std::vector<UserAction> EmitterFeature::emitter_actions() {
   const auto no_emitter_reason = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
   return {
-      UserAction{.id = "emitter.place",
-                 .name = "Place Emitter",
-                 .shortcut = "Shift+U",
-                 .tip = "Places a laser in the scene, aimed at the centre of the viewport.",
-                 .run = [this] { place(); }},
-      UserAction{
-          .id = "emitter.fire",
-          .name = "Fire Emitter",
-          .shortcut = "U",
-          .tip = "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
-          .run = [this] { emitter_.firing = !emitter_.firing; },
-          .checked = [this] { return emitter_.firing; },
-          .disabled_reason = no_emitter_reason},
-      UserAction{.id = "emitter.remove",
-                 .name = "Remove Emitter",
-                 .tip = "Removes the emitter from the scene.",
-                 .run = [this] { emitter_.remove(); },
-                 .disabled_reason = no_emitter_reason},
+      make_action("emitter.place", "Place Emitter", "Shift+U",
+                  "Places a laser in the scene, aimed at the centre of the viewport.", [this] { place(); }),
+      make_action("emitter.fire", "Fire Emitter", "U",
+                  "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
+                  [this] { emitter_.firing = !emitter_.firing; },
+                  {.disabled_reason = no_emitter_reason, .checked = [this] { return emitter_.firing; }}),
+      make_action("emitter.remove", "Remove Emitter", "", "Removes the emitter from the scene.",
+                  [this] { emitter_.remove(); }, {.disabled_reason = no_emitter_reason}),
   };
 }
 

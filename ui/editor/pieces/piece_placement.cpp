@@ -291,6 +291,7 @@ namespace {
 
 constexpr double kArrowEms = 5.5, kRingEms = 4.2;  // length and radius
 constexpr double kFreeFromEms = 1.2;  // radius around the pivot without handles: a click there selects
+
 constexpr std::array kAxes{PieceMove::Axis::kX, PieceMove::Axis::kY, PieceMove::Axis::kZ};
 
 char letter_of(PieceMove::Axis axis) { return static_cast<char>('X' + static_cast<int>(axis)); }
@@ -578,31 +579,26 @@ std::unique_ptr<Interaction> TransformFeature::begin_interaction(const Press& pr
 // The key moves the piece only if the Select tool is active and a piece is selected.
 UserAction TransformFeature::move_action(const char* id, const char* name, const char* key,
                                          PieceMove::Kind kind) {
-  return {
-      .id = id,
-      .name = name,
-      .shortcut = key,
-      .tip =
-          "The selected piece follows the pointer: X/Y/Z lock an axis, digits set the amount. The key needs "
-          "the Select tool.",
-      .run =
-          [this, kind] {
-            cancel_stroke(workspace_);
-            moving_.begin(workspace_.world(), kind, workspace_.input.pointer);
-            moves_copy_ = false;
-          },
-      .disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); },
-      .has_key_when =
-          [this] { return workspace_.input.picks() && selected_count(workspace_.view.look.pieces) > 0; }};
+  return make_action(
+      id, name, key,
+      "The selected piece follows the pointer: X/Y/Z lock an axis, digits set the amount. The key needs "
+      "the Select tool.",
+      [this, kind] {
+        cancel_stroke(workspace_);
+        moving_.begin(workspace_.world(), kind, workspace_.input.pointer);
+        moves_copy_ = false;
+      },
+      {.disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); },
+       .has_key_when =
+           [this] { return workspace_.input.picks() && selected_count(workspace_.view.look.pieces) > 0; }});
 }
 
 UserAction TransformFeature::duplicate_action() {
-  return {.id = "pieces.duplicate",
-          .name = "Duplicate",
-          .shortcut = "Shift+D",
-          .tip = "Adds a copy of the selected piece and moves it with the pointer.",
-          .run = [this] { workspace_.changes.enqueue("Duplicate", [this] { duplicate(); }); },
-          .disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); }};
+  return make_action(
+      "pieces.duplicate", "Duplicate", "Shift+D",
+      "Adds a copy of the selected piece and moves it with the pointer.",
+      [this] { workspace_.changes.enqueue("Duplicate", [this] { duplicate(); }); },
+      {.disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); }});
 }
 
 // The piece may have been hidden, and so deselected, since the request.

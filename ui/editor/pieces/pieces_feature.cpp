@@ -238,23 +238,13 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
     return selected_count(workspace_.view.look.pieces) > 1 ? "Select a single piece to rename it." : nullptr;
   };
   return {
-      UserAction{.id = "pieces.select_all",
-                 .name = "Select All",
-                 .shortcut = "Ctrl+A",
-                 .tip = "Selects all visible pieces.",
-                 .run = [this] { select_all(); }},
-      UserAction{.id = "pieces.hide",
-                 .name = "Hide Selected",
-                 .shortcut = "H",
-                 .tip = "Hides the selected pieces; the beam does not cut them.",
-                 .run = [this] { request_hide(); },
-                 .disabled_reason = no_emitter_reason},
-      UserAction{.id = "pieces.show_all",
-                 .name = "Show All",
-                 .shortcut = "Shift+H",
-                 .tip = "Shows the hidden pieces again.",
-                 .run = [this] { request_show(); },
-                 .disabled_reason = [this] { return none_hidden_reason(); }},
+      make_action("pieces.select_all", "Select All", "Ctrl+A", "Selects all visible pieces.",
+                  [this] { select_all(); }),
+      make_action("pieces.hide", "Hide Selected", "H",
+                  "Hides the selected pieces; the beam does not cut them.", [this] { request_hide(); },
+                  {.disabled_reason = no_emitter_reason}),
+      make_action("pieces.show_all", "Show All", "Shift+H", "Shows the hidden pieces again.",
+                  [this] { request_show(); }, {.disabled_reason = [this] { return none_hidden_reason(); }}),
       UserAction{.id = "pieces.isolate",
                  .name = "Isolate Selected",
                  .shortcut = "/",
@@ -267,36 +257,26 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                                                    .is_one = true});
                      },
                  .disabled_reason = [this] { return isolation_.disabled_reason(); }},
-      UserAction{.id = "pieces.rename",
-                 .name = "Rename...",
-                 .shortcut = "F2",
-                 .tip = "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
-                 .run = [this] { rename_selected(); },
-                 .disabled_reason = rename_disabled_reason},
-      UserAction{
-          .id = "pieces.delete",
-          .name = "Delete Selected",
-          .shortcut = "Del",
-          .tip = "Removes the selected pieces from the scene.",
-          .run =
-              [this] {
-                workspace_.changes.enqueue(
-                    {.name = "Delete pieces",
-                     .run =
-                         [this] { return change_selected([](const PieceId& p) { return DeletePiece{p}; }); },
-                     .is_one = true});
-              },
-          .disabled_reason = no_emitter_reason},
+      make_action("pieces.rename", "Rename...", "F2",
+                  "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
+                  [this] { rename_selected(); }, {.disabled_reason = rename_disabled_reason}),
+      make_action(
+          "pieces.delete", "Delete Selected", "Del", "Removes the selected pieces from the scene.",
+          [this] {
+            workspace_.changes.enqueue(
+                {.name = "Delete pieces",
+                 .run = [this] { return change_selected([](const PieceId& p) { return DeletePiece{p}; }); },
+                 .is_one = true});
+          },
+          {.disabled_reason = no_emitter_reason}),
   };
 }
 
 UserAction PiecesFeature::export_action() {
-  return {.id = "pieces.export",
-          .name = "Export Selected...",
-          .shortcut = "Ctrl+E",
-          .tip = "Writes the selected pieces to mesh files, in world space.",
-          .run = [this] { export_.select_file(); },
-          .disabled_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); }};
+  return make_action(
+      "pieces.export", "Export Selected...", "Ctrl+E",
+      "Writes the selected pieces to mesh files, in world space.", [this] { export_.select_file(); },
+      {.disabled_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); }});
 }
 
 std::vector<UserAction> PiecesFeature::pieces_to_select() {

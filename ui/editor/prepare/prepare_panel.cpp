@@ -169,6 +169,7 @@ constexpr double kUsualError = 0.001;            // of the world size
 // In the order of Preparation::Tool and Subdivision.
 constexpr std::array kTools{"Simplify to Face Count", "Simplify by Tolerance", "Subdivide", "Smooth",
                             "Turn Inner Shells"};
+
 constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
 
 const char* button_name(PrepareTool tool) {
@@ -488,17 +489,14 @@ class PrepareFeature : public Feature {
                     Kind::kSmooth),
         tool_action("prepare.turn_shells", "Turn Inner Shells",
                     "Closed parts inside others that face the same way become cavities.", Kind::kTurnShells),
-        UserAction{.id = "prepare.apply",
-                   .name = "Prepare Mesh",
-                   .tip = "Applies the Prepare panel to the selected pieces, or to all.",
-                   .run = [this] { request_preparation(); },
-                   .disabled_reason = [this] { return prepare_disabled_reason(pieces(), wanted()); }},
-        UserAction{
-            .id = "prepare.preview",
-            .name = "Preview Preparation",
-            .tip = "Draws the edges of the new mesh over the current surface.",
-            .run = [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
-            .checked = [this] { return workspace_.settings.prepare_preview; }}};
+        make_action("prepare.apply", "Prepare Mesh", "",
+                    "Applies the Prepare panel to the selected pieces, or to all.",
+                    [this] { request_preparation(); },
+                    {.disabled_reason = [this] { return prepare_disabled_reason(pieces(), wanted()); }}),
+        make_action("prepare.preview", "Preview Preparation", "",
+                    "Draws the edges of the new mesh over the current surface.",
+                    [this] { workspace_.settings.prepare_preview = !workspace_.settings.prepare_preview; },
+                    {.checked = [this] { return workspace_.settings.prepare_preview; }})};
   }
 
   void after_queue(double) override;
@@ -511,19 +509,15 @@ class PrepareFeature : public Feature {
 
  private:
   UserAction tool_action(const char* id, const char* name, const char* tip, Preparation::Tool tool) {
-    return {.id = id,
-            .name = name,
-            .tip = tip,
-            .run =
-                [this, tool] {
-                  workspace_.services.panels.show(kPreparePanel);
-                  preparation_.tool = tool;
-                  preparation_.times = 1;
-                },
-            .checked =
-                [this, tool] {
-                  return workspace_.services.panels.shows(kPreparePanel) && preparation_.tool == tool;
-                }};
+    return make_action(id, name, "", tip,
+                       [this, tool] {
+                         workspace_.services.panels.show(kPreparePanel);
+                         preparation_.tool = tool;
+                         preparation_.times = 1;
+                       },
+                       {.checked = [this, tool] {
+                         return workspace_.services.panels.shows(kPreparePanel) && preparation_.tool == tool;
+                       }});
   }
 
   std::vector<PieceRow> pieces() const {

@@ -44,17 +44,34 @@ struct UserAction {
   void set_shortcut(const std::string& text);
 };
 
+// Whether an action is possible, checked, and has its key at the moment; see UserAction.
+struct ActionState {
+  std::function<const char*()> disabled_reason = {};
+  std::function<bool()> checked = {};
+  std::function<bool()> has_key_when = {};
+};
+
+// Returns an action; an empty shortcut is none.
+inline UserAction make_action(std::string id, std::string name, std::string shortcut, std::string tip,
+                              std::function<void()> run, ActionState state = {}) {
+  return {.id = std::move(id),
+          .name = std::move(name),
+          .shortcut = std::move(shortcut),
+          .tip = std::move(tip),
+          .run = std::move(run),
+          .checked = std::move(state.checked),
+          .disabled_reason = std::move(state.disabled_reason),
+          .has_key_when = std::move(state.has_key_when)};
+}
+
 // Returns an action that sets a value, which must outlive it, and then calls `then`. It is checked while the
 // value is set.
 template <typename Value>
 UserAction setting_action(
     const char* id, const char* name, const char* tip, Value& value, Value set,
     std::function<void()> then = [] {}) {
-  return {.id = id,
-          .name = name,
-          .tip = tip,
-          .run = [&value, set, then = std::move(then)] { value = set, then(); },
-          .checked = [&value, set] { return value == set; }};
+  return make_action(id, name, "", tip, [&value, set, then = std::move(then)] { value = set, then(); },
+                     {.checked = [&value, set] { return value == set; }});
 }
 
 // Appends the lists to each other.

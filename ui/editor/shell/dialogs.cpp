@@ -258,39 +258,27 @@ std::vector<UserAction> Dialogs::column_actions() {
   actions.push_back({.id = "view.panels", .name = "Panels", .items = [this] {
                        return panel_actions(catalogue_.panels, workspace_.services.panels);
                      }});
-  actions.push_back({.id = "view.sidebar",
-                     .name = "Sidebar",
-                     .shortcut = "F4",
-                     .tip = "Hides the sidebar, so that the viewport fills the window.",
-                     .run = [&shown] { shown = !shown; },
-                     .checked = [&shown] { return shown; }});
+  actions.push_back(make_action("view.sidebar", "Sidebar", "F4",
+                                "Hides the sidebar, so that the viewport fills the window.",
+                                [&shown] { shown = !shown; }, {.checked = [&shown] { return shown; }}));
   return actions;
 }
 
 std::vector<UserAction> Dialogs::help_actions() {
   return {
-      UserAction{.id = "help.palette",
-                 .name = "Command Palette",
-                 .shortcut = "Ctrl+P",
-                 .tip = "Finds any action by parts of its name, and shows its key.",
-                 .run = [this] { open_palette(palette_); }},
-      UserAction{.id = "help.settings",
-                 .name = "Settings",
-                 .shortcut = "Ctrl+,",
-                 .tip = "The speed of the mouse, and the keys of all actions.",
-                 .run = [this] { page_.shown = !page_.shown; },
-                 .checked = [this] { return page_.shown; }},
-      UserAction{.id = "help.shortcuts",
-                 .name = "Shortcuts",
-                 .shortcut = "F1",
-                 .tip = "All keys, and what the mouse does.",
-                 .run = [this] { shortcuts_shown_ = !shortcuts_shown_; },
-                 .checked = [this] { return shortcuts_shown_; }},
-      UserAction{.id = "help.messages",
-                 .name = "Messages",
-                 .tip = "All messages of the status bar, in full. A click on its message shows them too.",
-                 .run = [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
-                 .checked = [this] { return workspace_.services.messages_shown; }},
+      make_action("help.palette", "Command Palette", "Ctrl+P",
+                  "Finds any action by parts of its name, and shows its key.",
+                  [this] { open_palette(palette_); }),
+      make_action("help.settings", "Settings", "Ctrl+,",
+                  "The speed of the mouse, and the keys of all actions.",
+                  [this] { page_.shown = !page_.shown; }, {.checked = [this] { return page_.shown; }}),
+      make_action("help.shortcuts", "Shortcuts", "F1", "All keys, and what the mouse does.",
+                  [this] { shortcuts_shown_ = !shortcuts_shown_; },
+                  {.checked = [this] { return shortcuts_shown_; }}),
+      make_action("help.messages", "Messages", "",
+                  "All messages of the status bar, in full. A click on its message shows them too.",
+                  [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
+                  {.checked = [this] { return workspace_.services.messages_shown; }}),
   };
 }
 

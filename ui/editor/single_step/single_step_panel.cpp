@@ -506,26 +506,19 @@ std::vector<UserAction> SingleStepFeature::beginnings() {
     return stages_.requests.playing || next_disabled_reason() == nullptr ? nullptr : start_disabled_reason();
   };
   return {
-      UserAction{.id = "stages.step_mode",
-                 .name = "Step Mode",
-                 .shortcut = "F8",
-                 .tip = "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
-                 .run = [&requests] { requests.stop(), requests.on = !requests.on; },
-                 .checked = [&requests] { return requests.on; }},
-      UserAction{.id = "stages.step_last_cut",
-                 .name = "Step Through Last Cut",
-                 .shortcut = "Shift+F8",
-                 .tip = "Undoes the last stroke and cuts it again, stage by stage.",
-                 .run = [&requests] { requests.start_over(); },
-                 .disabled_reason = start_disabled_reason},
-      UserAction{.id = "stages.play",
-                 .name = "Play Stages",
-                 .shortcut = "Space",
-                 .tip = "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
-                 .run = [this] { cut_.follow(), play_or_pause(stages_, workspace_.session.document); },
-                 .checked = [&requests] { return requests.playing; },
-                 .disabled_reason = play_disabled_reason,
-                 .has_key_when = [&requests] { return requests.on; }},
+      make_action("stages.step_mode", "Step Mode", "F8",
+                  "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
+                  [&requests] { requests.stop(), requests.on = !requests.on; },
+                  {.checked = [&requests] { return requests.on; }}),
+      make_action("stages.step_last_cut", "Step Through Last Cut", "Shift+F8",
+                  "Undoes the last stroke and cuts it again, stage by stage.",
+                  [&requests] { requests.start_over(); }, {.disabled_reason = start_disabled_reason}),
+      make_action("stages.play", "Play Stages", "Space",
+                  "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
+                  [this] { cut_.follow(), play_or_pause(stages_, workspace_.session.document); },
+                  {.disabled_reason = play_disabled_reason,
+                   .checked = [&requests] { return requests.playing; },
+                   .has_key_when = [&requests] { return requests.on; }}),
   };
 }
 
@@ -534,73 +527,56 @@ std::vector<UserAction> SingleStepFeature::steps() {
   const auto disabled_reason = [this] { return next_disabled_reason(); };
   const auto while_on = [&requests] { return requests.on; };  // otherwise the key advances a tick
   return {
-      UserAction{.id = "stages.next",
-                 .name = "Next Stage",
-                 .shortcut = ".",
-                 .tip = "Executes one stage of the stroke.",
-                 .run =
-                     [this] {
-                       cut_.follow();
-                       stages_.requests.go_to(stages_.log.done() + 1);
-                     },
-                 .disabled_reason = disabled_reason,
-                 .has_key_when = while_on},
-      UserAction{.id = "stages.previous",
-                 .name = "Previous Stage",
-                 .shortcut = ",",
-                 .tip = "Undoes the last stage, to the bit.",
-                 .run = [this] { stages_.requests.go_to(stages_.log.done() - 1); },
-                 .disabled_reason =
-                     [this] { return stage_back_disabled_reason(stages_, workspace_.session.document); }},
-      UserAction{.id = "stages.finish_segment",
-                 .name = "Finish Segment",
-                 .shortcut = "Shift+.",
-                 .tip = "Executes the remaining stages of this segment of the beam.",
-                 .run = [this] { cut_.follow(), stages_.requests.run_to_end_of_move(); },
-                 .disabled_reason = disabled_reason},
-      UserAction{.id = "stages.finish_stroke",
-                 .name = "Finish Stroke",
-                 .shortcut = "End",
-                 .tip = "Executes all remaining stages.",
-                 .run = [this] { cut_.follow(), stages_.requests.go_to(StageRequests::kAll); },
-                 .disabled_reason = disabled_reason},
+      make_action("stages.next", "Next Stage", ".", "Executes one stage of the stroke.",
+                  [this] {
+                    cut_.follow();
+                    stages_.requests.go_to(stages_.log.done() + 1);
+                  },
+                  {.disabled_reason = disabled_reason, .has_key_when = while_on}),
+      make_action("stages.previous", "Previous Stage", ",", "Undoes the last stage, to the bit.",
+                  [this] { stages_.requests.go_to(stages_.log.done() - 1); },
+                  {.disabled_reason =
+                       [this] { return stage_back_disabled_reason(stages_, workspace_.session.document); }}),
+      make_action("stages.finish_segment", "Finish Segment", "Shift+.",
+                  "Executes the remaining stages of this segment of the beam.",
+                  [this] { cut_.follow(), stages_.requests.run_to_end_of_move(); },
+                  {.disabled_reason = disabled_reason}),
+      make_action("stages.finish_stroke", "Finish Stroke", "End", "Executes all remaining stages.",
+                  [this] { cut_.follow(), stages_.requests.go_to(StageRequests::kAll); },
+                  {.disabled_reason = disabled_reason}),
   };
 }
 
 UserAction SingleStepFeature::speed_action(const char* id, const char* name, double factor) {
-  return {.id = id, .name = name, .tip = "Speed of playback in stages per second.", .run = [this, factor] {
-            double& speed = stages_.requests.per_second;
-            speed = std::clamp(speed * factor, StageRequests::kSlowest, StageRequests::kFastest);
-          }};
+  return make_action(id, name, "", "Speed of playback in stages per second.", [this, factor] {
+    double& speed = stages_.requests.per_second;
+    speed = std::clamp(speed * factor, StageRequests::kSlowest, StageRequests::kFastest);
+  });
 }
 
 // Visits one more or one less box of the last query.
 UserAction SingleStepFeature::visit_action(const char* id, const char* name, const char* shortcut, int by) {
-  return {
-      .id = id,
-      .name = name,
-      .shortcut = shortcut,
-      .tip = "Steps through the boxes of the last tree query in the order of their tests.",
-      .run =
-          [this, by] {
-            const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
-            stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
-          },
-      .disabled_reason =
-          [this] { return stages_.log.query().empty() ? "No stage has queried the tree yet." : nullptr; }};
+  return make_action(id, name, shortcut,
+                     "Steps through the boxes of the last tree query in the order of their tests.",
+                     [this, by] {
+                       const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
+                       stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
+                     },
+                     {.disabled_reason = [this] {
+                       return stages_.log.query().empty() ? "No stage has queried the tree yet." : nullptr;
+                     }});
 }
 
 std::vector<UserAction> SingleStepFeature::view_actions() {
-  return {
-      speed_action("stages.faster", "Faster Stages", kSpeedStep),
-      speed_action("stages.slower", "Slower Stages", 1 / kSpeedStep),
-      visit_action("tree.next_node", "Next Node", "]", 1),
-      visit_action("tree.previous_node", "Previous Node", "[", -1),
-      {.id = "tree.show_query",
-       .name = "Show Last Tree Query",
-       .tip = "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
-       .run = [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
-       .checked = [this] { return stages_.log.query().drawn; }}};
+  return {speed_action("stages.faster", "Faster Stages", kSpeedStep),
+          speed_action("stages.slower", "Slower Stages", 1 / kSpeedStep),
+          visit_action("tree.next_node", "Next Node", "]", 1),
+          visit_action("tree.previous_node", "Previous Node", "[", -1),
+          make_action(
+              "tree.show_query", "Show Last Tree Query", "",
+              "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
+              [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
+              {.checked = [this] { return stages_.log.query().drawn; }})};
 }
 
 }  // namespace

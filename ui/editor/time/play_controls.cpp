@@ -71,21 +71,15 @@ UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
 std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
   const auto play_disabled_reason = [&workspace] { return workspace.why_time_stands_still(); };
   return {
-      UserAction{
-          .id = "physics.play",
-          .name = "Play",
-          .shortcut = "Space",
-          .tip = "Plays or pauses the simulation, in which separated pieces fall. One undo covers all of it.",
-          .run = [&play] { play.play_or_pause(); },
-          .checked = [&play] { return play.playing; },
-          .disabled_reason =
-              [&play, play_disabled_reason] { return play.playing ? nullptr : play_disabled_reason(); }},
-      UserAction{.id = "physics.step",
-                 .name = "Step Physics",
-                 .shortcut = ".",
-                 .tip = "Advances the simulation by one tick (1/120 s).",
-                 .run = [&play] { play.request_tick(); },
-                 .disabled_reason = play_disabled_reason},
+      make_action(
+          "physics.play", "Play", "Space",
+          "Plays or pauses the simulation, in which separated pieces fall. One undo covers all of it.",
+          [&play] { play.play_or_pause(); },
+          {.disabled_reason =
+               [&play, play_disabled_reason] { return play.playing ? nullptr : play_disabled_reason(); },
+           .checked = [&play] { return play.playing; }}),
+      make_action("physics.step", "Step Physics", ".", "Advances the simulation by one tick (1/120 s).",
+                  [&play] { play.request_tick(); }, {.disabled_reason = play_disabled_reason}),
       speed_action(workspace, play, false),
       speed_action(workspace, play, true),
   };
@@ -274,22 +268,18 @@ std::vector<UserAction> body_actions(Workspace& workspace, PlayState& play) {
   std::vector<UserAction> actions = time_actions(workspace, play);
   const auto has_gravity = [&workspace] { return workspace.world().environment().gravity != Vec3(0); };
   const auto are_pinned = [&workspace] { return selected_are_pinned(workspace.world(), workspace.view); };
-  actions.push_back({.id = "physics.gravity",
-                     .name = "Gravity",
-                     .tip = "Switches gravity on or off; the Bodies panel sets its value.",
-                     .run =
-                         [&workspace, has_gravity] {
-                           workspace.changes.enqueue(
-                               with_gravity(workspace.world(), workspace.view.frame, !has_gravity()));
-                         },
-                     .checked = has_gravity});
-  actions.push_back({.id = "pieces.pin",
-                     .name = "Pin Selected",
-                     .shortcut = "Shift+P",
-                     .tip = "Fixes the selected pieces in place while others move; repeat to release them.",
-                     .run = [&workspace, are_pinned] { request_pin(workspace, !are_pinned()); },
-                     .checked = are_pinned,
-                     .disabled_reason = [&workspace] { return pin_disabled_reason(workspace.view); }});
+  actions.push_back(make_action(
+      "physics.gravity", "Gravity", "", "Switches gravity on or off; the Bodies panel sets its value.",
+      [&workspace, has_gravity] {
+        workspace.changes.enqueue(with_gravity(workspace.world(), workspace.view.frame, !has_gravity()));
+      },
+      {.checked = has_gravity}));
+  actions.push_back(
+      make_action("pieces.pin", "Pin Selected", "Shift+P",
+                  "Fixes the selected pieces in place while others move; repeat to release them.",
+                  [&workspace, are_pinned] { request_pin(workspace, !are_pinned()); },
+                  {.disabled_reason = [&workspace] { return pin_disabled_reason(workspace.view); },
+                   .checked = are_pinned}));
   return actions;
 }
 

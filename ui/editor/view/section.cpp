@@ -175,20 +175,19 @@ class SectionFeature : public Feature {
   }
 
   std::vector<UserAction> actions() override {
-    return {edit_action("section.flip", "Flip Section Plane", "Swaps the visible and the hidden side.",
-                        flip_section),
-            across("section.across_x", "Section Plane Across X", 0),
-            across("section.across_y", "Section Plane Across Y", 1),
-            across("section.across_z", "Section Plane Across Z", 2),
-            edit_action("section.face_view", "Align Section Plane to View",
-                        "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
-            edit_action("section.copy", "Copy Section Plane",
-                        "Copies the plane as text for kerf render --section.",
-                        [this](ViewState& view) { copy_section(view, message_); }),
-            UserAction{.id = "section.paste",
-                       .name = "Paste Section Plane",
-                       .tip = "Sets the plane from text in the clipboard.",
-                       .run = [this] { paste_section(view_, message_); }}};
+    return {
+        edit_action("section.flip", "Flip Section Plane", "Swaps the visible and the hidden side.",
+                    flip_section),
+        across("section.across_x", "Section Plane Across X", 0),
+        across("section.across_y", "Section Plane Across Y", 1),
+        across("section.across_z", "Section Plane Across Z", 2),
+        edit_action("section.face_view", "Align Section Plane to View",
+                    "Turns the plane about its point, parallel to the screen.", turn_section_to_view),
+        edit_action("section.copy", "Copy Section Plane",
+                    "Copies the plane as text for kerf render --section.",
+                    [this](ViewState& view) { copy_section(view, message_); }),
+        make_action("section.paste", "Paste Section Plane", "", "Sets the plane from text in the clipboard.",
+                    [this] { paste_section(view_, message_); })};
   }
 
   std::vector<Gesture> gestures() const override {

@@ -379,34 +379,22 @@ class ViewFeature : public Feature {
 
 std::vector<UserAction> ViewFeature::text_of_view_actions() {
   return {
-      UserAction{.id = "view.copy_camera",
-                 .name = "Copy Camera",
-                 .shortcut = "Ctrl+C",
-                 .tip = "Copies the position of the camera as text.",
-                 .run = [this] { copy_view(workspace_.view, workspace_.message); }},
-      UserAction{.id = "view.paste_camera",
-                 .name = "Paste Camera",
-                 .shortcut = "Ctrl+V",
-                 .tip = "Sets the camera from text in the clipboard.",
-                 .run = [this] { paste_view(workspace_.view, workspace_.message); }},
+      make_action("view.copy_camera", "Copy Camera", "Ctrl+C", "Copies the position of the camera as text.",
+                  [this] { copy_view(workspace_.view, workspace_.message); }),
+      make_action("view.paste_camera", "Paste Camera", "Ctrl+V",
+                  "Sets the camera from text in the clipboard.",
+                  [this] { paste_view(workspace_.view, workspace_.message); }),
   };
 }
 
 std::vector<UserAction> ViewFeature::camera_actions() {
   std::vector<UserAction> actions{
-      UserAction{.id = "view.frame_all",
-                 .name = "Frame All",
-                 .shortcut = "F",
-                 .tip = "Fits the scene in the viewport and keeps the direction of view.",
-                 .run =
-                     [this] {
-                       workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect());
-                     }},
-      UserAction{.id = "view.reset",
-                 .name = "Reset View",
-                 .shortcut = "Home",
-                 .tip = "Restores the view as it was when the file was opened.",
-                 .run = [this] { go_home(workspace_.view, workspace_.world().bounds()); }},
+      make_action(
+          "view.frame_all", "Frame All", "F",
+          "Fits the scene in the viewport and keeps the direction of view.",
+          [this] { workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect()); }),
+      make_action("view.reset", "Reset View", "Home", "Restores the view as it was when the file was opened.",
+                  [this] { go_home(workspace_.view, workspace_.world().bounds()); }),
   };
   for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(workspace_.view, i));
   actions.push_back(
@@ -430,37 +418,29 @@ std::vector<UserAction> ViewFeature::switch_actions() {
 
 UserAction ViewFeature::theme_action() {
   Theme& theme = workspace_.settings.theme;
-  return {.id = "view.light_theme",
-          .name = "Light Theme",
-          .shortcut = "F9",
-          .tip = "Light panels and menus; the viewport keeps its colours.",
-          .run = [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
-          .checked = [&theme] { return theme == Theme::kLight; }};
+  return make_action("view.light_theme", "Light Theme", "F9",
+                     "Light panels and menus; the viewport keeps its colours.",
+                     [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
+                     {.checked = [&theme] { return theme == Theme::kLight; }});
 }
 
 std::vector<UserAction> ViewFeature::scale_actions() {
   Settings& settings = workspace_.settings;
   return {
-      UserAction{.id = "view.scale_up",
-                 .name = "Increase UI Scale",
-                 .shortcut = "Ctrl+=",
-                 .tip = "Size of panels and menus.",
-                 .run = [&settings] { change_scale(settings, kScaleStep); },
-                 .disabled_reason =
-                     [&settings] {
-                       return settings.ui_scale >= Settings::kMaxScale ? "Already at the maximum size."
-                                                                       : nullptr;
-                     }},
-      UserAction{.id = "view.scale_down",
-                 .name = "Decrease UI Scale",
-                 .shortcut = "Ctrl+-",
-                 .tip = "Size of panels and menus.",
-                 .run = [&settings] { change_scale(settings, -kScaleStep); },
-                 .disabled_reason =
-                     [&settings] {
-                       return settings.ui_scale <= Settings::kMinScale ? "Already at the minimum size."
-                                                                       : nullptr;
-                     }},
+      make_action("view.scale_up", "Increase UI Scale", "Ctrl+=", "Size of panels and menus.",
+                  [&settings] { change_scale(settings, kScaleStep); },
+                  {.disabled_reason =
+                       [&settings] {
+                         return settings.ui_scale >= Settings::kMaxScale ? "Already at the maximum size."
+                                                                         : nullptr;
+                       }}),
+      make_action("view.scale_down", "Decrease UI Scale", "Ctrl+-", "Size of panels and menus.",
+                  [&settings] { change_scale(settings, -kScaleStep); },
+                  {.disabled_reason =
+                       [&settings] {
+                         return settings.ui_scale <= Settings::kMinScale ? "Already at the minimum size."
+                                                                         : nullptr;
+                       }}),
   };
 }
 

@@ -97,7 +97,16 @@ class FilesFeature : public Feature {
                                }}}});
   }
 
-  Status on_start(const EditorOptions& options) override;
+  Status on_start(const EditorOptions& options) override {
+    std::vector<std::string> faults;
+    workspace_.opening.recoverable = find_recoverable_documents(state_folder(), faults);
+    ask_about_recovery(decisions_, workspace_.opening.recoverable);
+    const Status opened =
+        opener_.open_first(options.default_scene, workspace_.links.not_taken(options.files));
+    if (opened && !faults.empty() && !workspace_.message.is_error)
+      workspace_.message.error("Recovery file is damaged: " + faults.front());
+    return opened;
+  }
   void on_idle() override { recovery_.flush(); }
   void on_exit(bool left_by_user) override {
     recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
@@ -116,10 +125,31 @@ class FilesFeature : public Feature {
     return opens;
   }
 
-  void update(double) override;
+  void update(double) override {
+    decide();
+    const bool asks =
+        decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
+    if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
+    opener_.take_loaded();
+    opener_.make_shadows();
+    recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
+                     workspace_.message);
+    workspace_.screen.title = window_title(workspace_.session, workspace_.view.look.lights);
+  }
   bool needs_redraw() const override { return workspace_.opening.loader.busy() || opener_.moving(); }
 
-  void draw_windows() override;
+  void draw_windows() override {
+    const World::Bounds bounds = workspace_.world().loaded_bounds();
+    draw_frame_question(bounds.max - bounds.min, workspace_.view, workspace_.settings,
+                        workspace_.links.cut_once);
+    const FileLoader& loader = workspace_.opening.loader;
+    Area picture = workspace_.view.layout.viewport;
+    if (workspace_.shown_world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
+    if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name() + ": " + loader.doing(),
+                                       loader.fraction(), true))
+      cancel_opening(workspace_.opening, workspace_.message);
+    draw_question(decisions_.question);
+  }
   void on_captured(Captured what) override {
     if (screenshot_ != what) return;
     screenshot_.reset();
@@ -134,24 +164,173 @@ class FilesFeature : public Feature {
   }
 
  private:
-  std::vector<UserAction> open_actions();
-  std::vector<UserAction> example_actions();
-  std::vector<UserAction> save_actions();
-  std::vector<UserAction> picture_actions();
-  std::vector<UserAction> leave_actions();
-  std::vector<UserAction> frame_actions();
-  UserAction frame_action(const std::string& name, const FileFrame& frame, const char* tip);
+  std::vector<UserAction> open_actions() {
+    return {
+        make_action("file.new", "New", "Ctrl+N", "The first scene again, uncut.",
+                    [this] { leave_for([this] { opener_.open_fresh(); }); }),
+        make_action("file.open", "Open...", "Ctrl+O",
+                    "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
+                        "). Files can also be dropped on the window.",
+                    [this] { select_file_to_open(); }),
+    };
+  }
+  std::vector<UserAction> example_actions() {
+    const auto examples = [this] {
+      std::vector<UserAction> actions;
+      for (const fs::path& scene : example_scenes()) {
+        actions.push_back({.name = title_of_scene(scene), .tip = scene.string()});
+        actions.back().run = [this, scene] { workspace_.links.open({scene}); };
+      }
+      return actions;
+    };
+    return {UserAction{.id = "file.examples", .name = "Examples", .items = examples}};
+  }
+  std::vector<UserAction> save_actions() {
+    return {
+        make_action(
+            "file.save", "Save", "Ctrl+S",
+            "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
+            [this] { save(); }),
+        make_action("file.save_as", "Save As...", "Ctrl+Shift+S",
+                    "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
+                    [this] { select_file_to_save(); }),
+    };
+  }
+  std::vector<UserAction> picture_actions() {
+    return {
+        make_action("file.save_viewport_image", "Save Viewport Image", "F12",
+                    "A PNG of the viewport without panels, named by date, in the current folder.",
+                    [this] { screenshot_ = Captured::kPicture; }),
+        make_action("file.save_screenshot", "Save Screenshot", "Shift+F12",
+                    "A PNG of the window with its panels.", [this] { screenshot_ = Captured::kWindow; }),
+    };
+  }
+  std::vector<UserAction> leave_actions() {
+    return {
+        make_action("file.play_game", "Play Game", "F5",
+                    "Car combat with roof-mounted lasers. The open work stays unchanged.",
+                    [this] { workspace_.links.leaves = Leaves::kForTheGame; }),
+        make_action("file.quit", "Quit", "Ctrl+Q", "Ends the editor. The settings are kept.",
+                    [this] { quit(); }),
+    };
+  }
+  // The actions use the frame at the time of listing.
+  std::vector<UserAction> frame_actions() {
+    std::vector<UserAction> actions;
+    const FileFrame& frame = workspace_.view.frame;
+    for (const FileUnit unit :
+         {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
+      actions.push_back(frame_action("Unit " + std::string(unit_symbol(unit)), {unit, frame.up},
+                                     "Length of one file unit."));
+    }
+    for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
+      actions.push_back(frame_action(up == UpAxis::kY ? "Y Up" : "Z Up", {frame.unit, up},
+                                     "Axis of the file that points up."));
+    }
+    return actions;
+  }
+  UserAction frame_action(const std::string& name, const FileFrame& frame, const char* tip) {
+    return {.name = name, .tip = tip, .run = [this, frame] {
+              set_frame(frame, workspace_.session.scene, workspace_.view, workspace_.settings);
+            }};
+  }
 
-  void open(std::vector<fs::path> files);
-  void quit();
-  void leave_for(std::function<void()> then);
-  void go(const std::function<void()>& then);
-  void decide();
-  void save();
-  void save_to(const fs::path& file);
-  void select_file_to_open();
-  void select_file_to_save();
-  void take_picture(Captured what);
+  void open(std::vector<fs::path> files) {
+    files = workspace_.links.not_taken(std::move(files));
+    if (!files.empty()) leave_for([this, files] { opener_.open(files); });
+  }
+  void quit() {
+    leave_for([this] {
+      workspace_.links.leaves = Leaves::kForGood;
+      workspace_.session.saved_commands = workspace_.session.document.journal().size();
+      workspace_.session.saved_lights = workspace_.view.look.lights;
+      workspace_.session.saved_head = workspace_.session.scene.others;
+    });
+  }
+  // Calls `then`, which closes the open work, once that is saved or may be discarded.
+  void leave_for(std::function<void()> then) {
+    workspace_.changes.enqueue(
+        {.name = "Leave",
+         .run =
+             [this, then = std::move(then)] {
+               if (decisions_.question.open()) return true;
+               cancel_stroke(workspace_);
+               if (may_leave(decisions_, workspace_.session, workspace_.view.look.lights, then)) go(then);
+               return true;
+             },
+         .always = true});
+  }
+  void go(const std::function<void()>& then) {
+    workspace_.opening.loader.cancel();
+    workspace_.changes.forget();
+    then();
+  }
+  void decide() {
+    switch (take_decision(decisions_, workspace_.opening.recoverable)) {
+      case Decision::kNone:
+        break;
+      case Decision::kLeave:
+        KERF_ASSERT(decisions_.leaving);
+        go(std::exchange(decisions_.leaving, nullptr));
+        break;
+      case Decision::kSaveFirst:
+        if (workspace_.session.file.empty()) {
+          select_file_to_save();
+        } else {
+          save_to(workspace_.session.file);
+        }
+        break;
+      case Decision::kGoOn:
+        opener_.open_recovered();
+        break;
+    }
+  }
+  void save() {
+    if (workspace_.session.file.empty()) return select_file_to_save();
+    workspace_.changes.enqueue(
+        {.name = "Save", .run = [this] { return save_to(workspace_.session.file), true; }, .always = true});
+  }
+  void save_to(const fs::path& file) {
+    cancel_stroke(workspace_);
+    const bool saved =
+        save_work(workspace_.session, workspace_.view, file, workspace_.settings, workspace_.message);
+    recovery_.begin(workspace_.session, workspace_.view);
+    if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
+  }
+  void select_file_to_open() {
+    browse(workspace_.services.browser,
+           {.title = "Open",
+            .verb = "Open",
+            .hint = "Filter, or paste a full path",
+            .take =
+                [this](const fs::path& file) {
+                  workspace_.links.open({file});
+                  return "";
+                }},
+           workspace_.settings.folder, "");
+  }
+  void select_file_to_save() {
+    browse(workspace_.services.browser,
+           {.title = "Save",
+            .verb = "Save",
+            .hint = "File name: .kerf keeps everything, .json the scene without the cuts",
+            .endings = {".kerf", ".json"},
+            .take =
+                [this](const fs::path& file) {
+                  workspace_.changes.enqueue(
+                      {.name = "Save", .run = [this, file] { return save_to(file), true; }, .always = true});
+                  return "";
+                }},
+           workspace_.settings.folder, suggested_name(workspace_.session));
+  }
+  void take_picture(Captured what) {
+    const Window& window = *workspace_.screen.window;
+    const Vec2 pixels = window.pixel_size();
+    const Area part = what == Captured::kWindow ? Area{Vec2(0), pixels}
+                                                : pixels_of(workspace_.view.layout.viewport, window);
+    const auto file = take_screenshot(pixels, part);
+    workspace_.message.show(file ? "Saved: " + file->string() : file.error().message, !file.ok());
+  }
 
   Workspace& workspace_;
   Decisions decisions_;
@@ -163,234 +342,17 @@ class FilesFeature : public Feature {
 // Actions
 // --------------------------------------------------------------------------------------------------------
 
-std::vector<UserAction> FilesFeature::open_actions() {
-  return {
-      make_action("file.new", "New", "Ctrl+N", "The first scene again, uncut.",
-                  [this] { leave_for([this] { opener_.open_fresh(); }); }),
-      make_action("file.open", "Open...", "Ctrl+O",
-                  "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
-                      "). Files can also be dropped on the window.",
-                  [this] { select_file_to_open(); }),
-  };
-}
-
-std::vector<UserAction> FilesFeature::example_actions() {
-  const auto examples = [this] {
-    std::vector<UserAction> actions;
-    for (const fs::path& scene : example_scenes()) {
-      actions.push_back({.name = title_of_scene(scene), .tip = scene.string()});
-      actions.back().run = [this, scene] { workspace_.links.open({scene}); };
-    }
-    return actions;
-  };
-  return {UserAction{.id = "file.examples", .name = "Examples", .items = examples}};
-}
-
-std::vector<UserAction> FilesFeature::save_actions() {
-  return {
-      make_action(
-          "file.save", "Save", "Ctrl+S",
-          "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
-          [this] { save(); }),
-      make_action("file.save_as", "Save As...", "Ctrl+Shift+S",
-                  "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
-                  [this] { select_file_to_save(); }),
-  };
-}
-
-std::vector<UserAction> FilesFeature::picture_actions() {
-  return {
-      make_action("file.save_viewport_image", "Save Viewport Image", "F12",
-                  "A PNG of the viewport without panels, named by date, in the current folder.",
-                  [this] { screenshot_ = Captured::kPicture; }),
-      make_action("file.save_screenshot", "Save Screenshot", "Shift+F12",
-                  "A PNG of the window with its panels.", [this] { screenshot_ = Captured::kWindow; }),
-  };
-}
-
-std::vector<UserAction> FilesFeature::leave_actions() {
-  return {
-      make_action("file.play_game", "Play Game", "F5",
-                  "Car combat with roof-mounted lasers. The open work stays unchanged.",
-                  [this] { workspace_.links.leaves = Leaves::kForTheGame; }),
-      make_action("file.quit", "Quit", "Ctrl+Q", "Ends the editor. The settings are kept.",
-                  [this] { quit(); }),
-  };
-}
-
-UserAction FilesFeature::frame_action(const std::string& name, const FileFrame& frame, const char* tip) {
-  return {.name = name, .tip = tip, .run = [this, frame] {
-            set_frame(frame, workspace_.session.scene, workspace_.view, workspace_.settings);
-          }};
-}
-
-// The actions use the frame at the time of listing.
-std::vector<UserAction> FilesFeature::frame_actions() {
-  std::vector<UserAction> actions;
-  const FileFrame& frame = workspace_.view.frame;
-  for (const FileUnit unit :
-       {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
-    actions.push_back(
-        frame_action("Unit " + std::string(unit_symbol(unit)), {unit, frame.up}, "Length of one file unit."));
-  }
-  for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
-    actions.push_back(frame_action(up == UpAxis::kY ? "Y Up" : "Z Up", {frame.unit, up},
-                                   "Axis of the file that points up."));
-  }
-  return actions;
-}
-
 // Opening
 // --------------------------------------------------------------------------------------------------------
-
-Status FilesFeature::on_start(const EditorOptions& options) {
-  std::vector<std::string> faults;
-  workspace_.opening.recoverable = find_recoverable_documents(state_folder(), faults);
-  ask_about_recovery(decisions_, workspace_.opening.recoverable);
-  const Status opened = opener_.open_first(options.default_scene, workspace_.links.not_taken(options.files));
-  if (opened && !faults.empty() && !workspace_.message.is_error)
-    workspace_.message.error("Recovery file is damaged: " + faults.front());
-  return opened;
-}
-
-void FilesFeature::open(std::vector<fs::path> files) {
-  files = workspace_.links.not_taken(std::move(files));
-  if (!files.empty()) leave_for([this, files] { opener_.open(files); });
-}
-
-void FilesFeature::select_file_to_open() {
-  browse(workspace_.services.browser,
-         {.title = "Open",
-          .verb = "Open",
-          .hint = "Filter, or paste a full path",
-          .take =
-              [this](const fs::path& file) {
-                workspace_.links.open({file});
-                return "";
-              }},
-         workspace_.settings.folder, "");
-}
 
 // Closing
 // --------------------------------------------------------------------------------------------------------
 
-void FilesFeature::quit() {
-  leave_for([this] {
-    workspace_.links.leaves = Leaves::kForGood;
-    workspace_.session.saved_commands = workspace_.session.document.journal().size();
-    workspace_.session.saved_lights = workspace_.view.look.lights;
-    workspace_.session.saved_head = workspace_.session.scene.others;
-  });
-}
-
-// Calls `then`, which closes the open work, once that is saved or may be discarded.
-void FilesFeature::leave_for(std::function<void()> then) {
-  workspace_.changes.enqueue(
-      {.name = "Leave",
-       .run =
-           [this, then = std::move(then)] {
-             if (decisions_.question.open()) return true;
-             cancel_stroke(workspace_);
-             if (may_leave(decisions_, workspace_.session, workspace_.view.look.lights, then)) go(then);
-             return true;
-           },
-       .always = true});
-}
-
-void FilesFeature::go(const std::function<void()>& then) {
-  workspace_.opening.loader.cancel();
-  workspace_.changes.forget();
-  then();
-}
-
-void FilesFeature::decide() {
-  switch (take_decision(decisions_, workspace_.opening.recoverable)) {
-    case Decision::kNone:
-      break;
-    case Decision::kLeave:
-      KERF_ASSERT(decisions_.leaving);
-      go(std::exchange(decisions_.leaving, nullptr));
-      break;
-    case Decision::kSaveFirst:
-      if (workspace_.session.file.empty()) {
-        select_file_to_save();
-      } else {
-        save_to(workspace_.session.file);
-      }
-      break;
-    case Decision::kGoOn:
-      opener_.open_recovered();
-      break;
-  }
-}
-
-void FilesFeature::update(double) {
-  decide();
-  const bool asks =
-      decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
-  if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
-  opener_.take_loaded();
-  opener_.make_shadows();
-  recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr, workspace_.message);
-  workspace_.screen.title = window_title(workspace_.session, workspace_.view.look.lights);
-}
-
 // Saving
 // --------------------------------------------------------------------------------------------------------
 
-void FilesFeature::save() {
-  if (workspace_.session.file.empty()) return select_file_to_save();
-  workspace_.changes.enqueue(
-      {.name = "Save", .run = [this] { return save_to(workspace_.session.file), true; }, .always = true});
-}
-
-void FilesFeature::select_file_to_save() {
-  browse(workspace_.services.browser,
-         {.title = "Save",
-          .verb = "Save",
-          .hint = "File name: .kerf keeps everything, .json the scene without the cuts",
-          .endings = {".kerf", ".json"},
-          .take =
-              [this](const fs::path& file) {
-                workspace_.changes.enqueue(
-                    {.name = "Save", .run = [this, file] { return save_to(file), true; }, .always = true});
-                return "";
-              }},
-         workspace_.settings.folder, suggested_name(workspace_.session));
-}
-
-void FilesFeature::save_to(const fs::path& file) {
-  cancel_stroke(workspace_);
-  const bool saved =
-      save_work(workspace_.session, workspace_.view, file, workspace_.settings, workspace_.message);
-  recovery_.begin(workspace_.session, workspace_.view);
-  if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
-}
-
 // Windows
 // --------------------------------------------------------------------------------------------------------
-
-void FilesFeature::draw_windows() {
-  const World::Bounds bounds = workspace_.world().loaded_bounds();
-  draw_frame_question(bounds.max - bounds.min, workspace_.view, workspace_.settings,
-                      workspace_.links.cut_once);
-  const FileLoader& loader = workspace_.opening.loader;
-  Area picture = workspace_.view.layout.viewport;
-  if (workspace_.shown_world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
-  if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name() + ": " + loader.doing(),
-                                     loader.fraction(), true))
-    cancel_opening(workspace_.opening, workspace_.message);
-  draw_question(decisions_.question);
-}
-
-void FilesFeature::take_picture(Captured what) {
-  const Window& window = *workspace_.screen.window;
-  const Vec2 pixels = window.pixel_size();
-  const Area part =
-      what == Captured::kWindow ? Area{Vec2(0), pixels} : pixels_of(workspace_.view.layout.viewport, window);
-  const auto file = take_screenshot(pixels, part);
-  workspace_.message.show(file ? "Saved: " + file->string() : file.error().message, !file.ok());
-}
 
 }  // namespace
 

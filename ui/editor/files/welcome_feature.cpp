@@ -322,7 +322,10 @@ class WelcomeFeature : public Feature {
 
   void update(double) override { tour_.follow(tour_moment(workspace_)); }
   void on_document_opened() override { shown_ = false; }
-  void draw_windows() override;
+  void draw_windows() override {
+    if (shown_) draw_welcome();
+    if (tour_.is_on()) draw_tour();
+  }
   void write_session_log(nlohmann::ordered_json& report) const override {
     report["welcome"] = shown_;
     report["tour"] = tour_.is_on() ? nlohmann::ordered_json(tour_.at()) : nlohmann::ordered_json(nullptr);
@@ -333,101 +336,87 @@ class WelcomeFeature : public Feature {
     shown_ = false;
     tour_.begin(first_five_minutes(workspace_.view), tour_moment(workspace_));
   }
-  void draw_welcome();
-  void draw_recent();
-  void draw_scenes();
-  void open_by(const std::filesystem::path& file, const char* label, ImVec2 size);
-  void draw_tour();
+  // At the left, where it hides least of the scene in the middle.
+  void draw_welcome() {
+    const float em = ImGui::GetFontSize();
+    const Area& picture = workspace_.view.layout.viewport;
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+    ImGui::SetNextWindowPos(to_im(picture.at + Vec2(1.2 * em)));
+    ImGui::SetNextWindowSize({15 * em, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
+    if (ImGui::Begin("##welcome", nullptr, kFlags)) {
+      mark_window("welcome");
+      ImGui::TextUnformatted("Kerf");
+      ImGui::TextDisabled("Laser-cut any triangle mesh");
+      ImGui::Spacing();
+      if (ImGui::Button("Guided Tour", {-1, 0})) begin_tour();
+      mark_last_item("welcome tour");
+      if (ImGui::Button("Cut the Car", {-1, 0})) shown_ = false;
+      mark_last_item("welcome car");
+      draw_recent();
+      draw_scenes();
+      ImGui::Spacing();
+      ImGui::TextDisabled("Press any key to close. Reopen from Help > Welcome.");
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+  }
+  void draw_recent() {
+    if (workspace_.settings.recent.empty()) return;
+    ImGui::Spacing();
+    ImGui::TextDisabled("Recent");
+    const float em = ImGui::GetFontSize();
+    const Vec2 picture(4.8 * em, 3 * em);
+    for (const std::filesystem::path& file :
+         std::span(workspace_.settings.recent)
+             .first(std::min(kMaxRecent, workspace_.settings.recent.size()))) {
+      ImGui::PushID(file.c_str());
+      open_by(file, "##recent", {0, 3.5f * em});
+      mark_last_item(("welcome " + file.filename().string()).c_str());
+      draw_file_row(file, workspace_.services.thumbnails.find(file), picture);
+      tooltip(file.c_str());
+      ImGui::PopID();
+    }
+  }
+  void draw_scenes() {
+    ImGui::Spacing();
+    ImGui::TextDisabled("Scenes");
+    for (const std::filesystem::path& scene : example_scenes()) {
+      const std::string title = title_of_scene(scene);
+      open_by(scene, title.c_str(), {0, 0});
+      mark_last_item(("welcome " + title).c_str());
+    }
+  }
+  void open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
+    if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
+      shown_ = false;
+      workspace_.links.open({file});
+    }
+  }
+  void draw_tour() {
+    const char* name = tour_.step().part;
+    std::optional<Area> part = *name != '\0' ? workspace_.screen.landmarks->find(name) : std::nullopt;
+    const Area& status = workspace_.view.layout.status;
+    if (part && part->at.y + part->size.y > status.at.y) part.reset();  // scrolled out of the column
+    const TourMoment now = tour_moment(workspace_);
+    switch (draw_tour_card(tour_, workspace_.view.layout.viewport, part)) {
+      case TourMove::kNone:
+        return;
+      case TourMove::kBack:
+        return tour_.go_back(now);
+      case TourMove::kOn:
+        return tour_.skip(now);
+      case TourMove::kEnd:
+        return tour_.end();
+    }
+  }
 
   Workspace& workspace_;
   bool shown_ = false;
   Tour tour_;
 };
-
-void WelcomeFeature::draw_windows() {
-  if (shown_) draw_welcome();
-  if (tour_.is_on()) draw_tour();
-}
-
-void WelcomeFeature::open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
-  if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
-    shown_ = false;
-    workspace_.links.open({file});
-  }
-}
-
-void WelcomeFeature::draw_recent() {
-  if (workspace_.settings.recent.empty()) return;
-  ImGui::Spacing();
-  ImGui::TextDisabled("Recent");
-  const float em = ImGui::GetFontSize();
-  const Vec2 picture(4.8 * em, 3 * em);
-  for (const std::filesystem::path& file :
-       std::span(workspace_.settings.recent).first(std::min(kMaxRecent, workspace_.settings.recent.size()))) {
-    ImGui::PushID(file.c_str());
-    open_by(file, "##recent", {0, 3.5f * em});
-    mark_last_item(("welcome " + file.filename().string()).c_str());
-    draw_file_row(file, workspace_.services.thumbnails.find(file), picture);
-    tooltip(file.c_str());
-    ImGui::PopID();
-  }
-}
-
-void WelcomeFeature::draw_scenes() {
-  ImGui::Spacing();
-  ImGui::TextDisabled("Scenes");
-  for (const std::filesystem::path& scene : example_scenes()) {
-    const std::string title = title_of_scene(scene);
-    open_by(scene, title.c_str(), {0, 0});
-    mark_last_item(("welcome " + title).c_str());
-  }
-}
-
-// At the left, where it hides least of the scene in the middle.
-void WelcomeFeature::draw_welcome() {
-  const float em = ImGui::GetFontSize();
-  const Area& picture = workspace_.view.layout.viewport;
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-  ImGui::SetNextWindowPos(to_im(picture.at + Vec2(1.2 * em)));
-  ImGui::SetNextWindowSize({15 * em, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("##welcome", nullptr, kFlags)) {
-    mark_window("welcome");
-    ImGui::TextUnformatted("Kerf");
-    ImGui::TextDisabled("Laser-cut any triangle mesh");
-    ImGui::Spacing();
-    if (ImGui::Button("Guided Tour", {-1, 0})) begin_tour();
-    mark_last_item("welcome tour");
-    if (ImGui::Button("Cut the Car", {-1, 0})) shown_ = false;
-    mark_last_item("welcome car");
-    draw_recent();
-    draw_scenes();
-    ImGui::Spacing();
-    ImGui::TextDisabled("Press any key to close. Reopen from Help > Welcome.");
-  }
-  ImGui::End();
-  ImGui::PopStyleVar();
-}
-
-void WelcomeFeature::draw_tour() {
-  const char* name = tour_.step().part;
-  std::optional<Area> part = *name != '\0' ? workspace_.screen.landmarks->find(name) : std::nullopt;
-  const Area& status = workspace_.view.layout.status;
-  if (part && part->at.y + part->size.y > status.at.y) part.reset();  // scrolled out of the column
-  const TourMoment now = tour_moment(workspace_);
-  switch (draw_tour_card(tour_, workspace_.view.layout.viewport, part)) {
-    case TourMove::kNone:
-      return;
-    case TourMove::kBack:
-      return tour_.go_back(now);
-    case TourMove::kOn:
-      return tour_.skip(now);
-    case TourMove::kEnd:
-      return tour_.end();
-  }
-}
 
 }  // namespace
 

@@ -178,26 +178,24 @@ class InspectFeature : public Feature {
 
  private:
   bool inspects() const { return workspace_.input.tool == kInspectTool; }
-  void measure();
+  // The third click begins another distance.
+  void measure() {
+    if (workspace_.view.in_second) return workspace_.message.error("Measure distances in the left half.");
+    const auto point = point_under_pointer(workspace_);
+    if (!point) return workspace_.message.error("No surface under the pointer.");
+    if (measured_.size() == 2) measured_.clear();
+    measured_.push_back(*point);
+    if (measured_.size() < 2) return workspace_.message.info("Click a second point to measure the distance.");
+    const Vec3 way = measured_[1] - measured_[0];
+    const auto text = [&](double length) { return length_label(length, workspace_.view.frame.unit); };
+    workspace_.message.info("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +
+                            ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
+  }
 
   Workspace& workspace_;
   std::vector<Vec3> measured_;  // m, the points that were clicked: at most two
   HeatProbe probe_;
 };
-
-// The third click begins another distance.
-void InspectFeature::measure() {
-  if (workspace_.view.in_second) return workspace_.message.error("Measure distances in the left half.");
-  const auto point = point_under_pointer(workspace_);
-  if (!point) return workspace_.message.error("No surface under the pointer.");
-  if (measured_.size() == 2) measured_.clear();
-  measured_.push_back(*point);
-  if (measured_.size() < 2) return workspace_.message.info("Click a second point to measure the distance.");
-  const Vec3 way = measured_[1] - measured_[0];
-  const auto text = [&](double length) { return length_label(length, workspace_.view.frame.unit); };
-  workspace_.message.info("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +
-                          ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
-}
 
 constexpr const char* kName = "name";
 constexpr const char* kFrom = "from";
@@ -252,9 +250,36 @@ class RulerFeature : public Feature {
   std::vector<PanelPart> panel_parts() override {
     return {{kRulerPanel, [this] { draw_panel(); }}};
   }
-  std::vector<UserAction> actions() override;
+  std::vector<UserAction> actions() override {
+    const UserAction take = tool_action(workspace_, kRulerTool, "Ruler", "",
+                                        "Click two points to add a measurement, which can be named, moved, "
+                                        "saved and exported.",
+                                        true);
+    const auto action = [](const char* id, const char* name, const char* tip, std::function<void()> run,
+                           std::function<const char*()> disabled_reason) {
+      return make_action(id, name, "", tip, std::move(run), {.disabled_reason = std::move(disabled_reason)});
+    };
+    return {
+        take,
+        action(
+            "ruler.undo", "Undo Measurement Edit", "Of the distances that the ruler keeps.",
+            [this] { step(true); },
+            [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
+        action(
+            "ruler.redo", "Redo Measurement Edit", "Edits them again as before the undo.",
+            [this] { step(false); },
+            [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
+        action(
+            "ruler.export", "Export Measurements...",
+            "As a table (.csv) with the ends and the length of each.", [this] { select_file_to_export(); },
+            [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })};
+  }
 
-  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
+    if (!is_active() || press.control || workspace_.view.in_second) return nullptr;
+    if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
+    return std::make_unique<ClickOnce>([this] { measure(); });
+  }
   bool clear_selection() override { return std::exchange(first_, std::nullopt).has_value(); }
   const char* status_hint() const override {
     return is_active() ? "Ruler: click two points to add a measurement; drag its ends" : nullptr;
@@ -267,11 +292,27 @@ class RulerFeature : public Feature {
   }
 
   bool awaits_focus() const override { return renamed_ && take_focus_; }
-  void draw_overlay(ImDrawList& list) override;
+  void draw_overlay(ImDrawList& list) override {
+    if (!shown()) return;
+    for (const RulerMark& m : list_.marks()) {
+      draw_distance(workspace_.view, m.from, m.to,
+                    m.name + ": " + length_label(m.length(), workspace_.view.frame.unit), list);
+    }
+    if (first_ && is_active()) draw_measured_point(workspace_.view, *first_, list);
+  }
   void draw_windows() override {
     if (!std::exchange(field_drawn_, false)) renamed_.reset();
   }
-  void add_landmarks(Landmarks& landmarks) const override;
+  void add_landmarks(Landmarks& landmarks) const override {
+    const FirstPicture picture(workspace_.view);
+    for (size_t i = 0; i < list_.marks().size() && shown(); ++i) {
+      const RulerMark& m = list_.marks()[i];
+      if (const auto at = picture.place_of(m.from))
+        landmarks.mark("ruler from " + std::to_string(i), {*at, Vec2(0)});
+      if (const auto at = picture.place_of(m.to))
+        landmarks.mark("ruler to " + std::to_string(i), {*at, Vec2(0)});
+    }
+  }
   void write_session_log(nlohmann::ordered_json& report) const override {
     report[kRulerKey] = list_.to_json();
   }
@@ -299,15 +340,123 @@ class RulerFeature : public Feature {
   bool is_active() const { return workspace_.input.tool == kRulerTool; }
   bool shown() const { return is_active() || workspace_.services.panels.shows(kRulerPanel); }
   void keep() { set_head_entry(workspace_.session.scene, kRulerKey, list_.to_json()); }
-  std::optional<EndOfMark> end_under_pointer() const;
-  void measure();
-  void step(bool back);
+  std::optional<EndOfMark> end_under_pointer() const {
+    const FirstPicture picture(workspace_.view);
+    for (size_t i = 0; i < list_.marks().size(); ++i) {
+      for (const bool to : {false, true}) {
+        const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);
+        if (place && glm::length(*place - workspace_.input.pointer) < kReachOfEnd) return EndOfMark{i, to};
+      }
+    }
+    return std::nullopt;
+  }
+  // Measures from the last click, or begins a distance.
+  void measure() {
+    const auto surface = point_under_pointer(workspace_);
+    if (!surface) return workspace_.message.error("No surface under the pointer.");
+    if (!first_) {
+      first_ = *surface;
+      return workspace_.message.info("Click a second point to add the measurement.");
+    }
+    list_.begin_edit();
+    list_.add(*std::exchange(first_, std::nullopt), *surface);
+    keep();
+    const RulerMark& mark = list_.marks().back();
+    workspace_.message.info(mark.name + ": " + length_label(mark.length(), workspace_.view.frame.unit));
+  }
+  void step(bool back) {
+    if (back) {
+      list_.undo();
+    } else {
+      list_.redo();
+    }
+    renamed_.reset();
+    keep();
+  }
 
-  void draw_panel();
-  void draw_row(size_t mark);
-  void edit_name(size_t mark);
-  void select_file_to_export();
-  std::string export_to(const std::filesystem::path& file);
+  void draw_panel() {
+    if (list_.marks().empty()) ImGui::TextWrapped("Select the tool Ruler and click two points on surfaces.");
+    if (!list_.marks().empty() && ImGui::BeginTable("distances", 3, ImGuiTableFlags_RowBg)) {
+      const float em = ImGui::GetFontSize();
+      ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+      ImGui::TableSetupColumn("Length", ImGuiTableColumnFlags_WidthFixed, 5 * em);
+      ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 4 * em);
+      for (size_t i = 0; i < list_.marks().size(); ++i) draw_row(i);
+      ImGui::EndTable();
+    }
+    if (row_button("Undo", 3, list_.can_undo() ? nullptr : "No distance was edited yet.",
+                   "Reverts the last edit of a distance."))
+      step(true);
+    ImGui::SameLine();
+    if (row_button("Redo", 3, list_.can_redo() ? nullptr : "No edit was undone.", "Repeats the undone edit."))
+      step(false);
+    ImGui::SameLine();
+    if (row_button("Export", 3, list_.marks().empty() ? "No distance is kept." : nullptr,
+                   "Writes the distances to a table (.csv)."))
+      select_file_to_export();
+  }
+  void draw_row(size_t mark) {
+    ImGui::PushID(static_cast<int>(mark));
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string name = list_.marks()[mark].name;
+    if (renamed_ == mark) {
+      edit_name(mark);
+    } else if (ImGui::Selectable(fitted_label(name + "###name", ImGui::GetContentRegionAvail().x).c_str())) {
+      renamed_ = mark;
+      take_focus_ = field_drawn_ = true;
+      new_name_.fill('\0');
+      std::memcpy(new_name_.data(), name.data(), std::min(name.size(), new_name_.size() - 1));
+    }
+    mark_last_item("ruler name", static_cast<int>(mark));
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), workspace_.view.frame.unit).c_str());
+    ImGui::TableNextColumn();
+    const bool removed = ImGui::SmallButton("Remove");
+    mark_last_item("ruler remove", static_cast<int>(mark));
+    ImGui::PopID();
+    if (!removed) return;
+    list_.begin_edit();
+    list_.remove(mark);
+    renamed_.reset();
+    keep();
+  }
+  // Enter applies the name; any other end of the edit discards it.
+  void edit_name(size_t mark) {
+    field_drawn_ = true;
+    if (take_focus_) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const bool entered =
+        ImGui::InputText("##name", new_name_.data(), new_name_.size(),
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (take_focus_) {
+      take_focus_ = !ImGui::IsItemActive();
+      return;
+    }
+    if (!entered && ImGui::IsItemActive()) return;
+    renamed_.reset();
+    const std::string name = new_name_.data();
+    if (!entered || name.empty() || name == list_.marks()[mark].name) return;
+    list_.begin_edit();
+    list_.rename(mark, name);
+    keep();
+  }
+  void select_file_to_export() {
+    browse(workspace_.services.browser,
+           {.title = "Export the distances",
+            .verb = "Export",
+            .hint = "File name (.csv)",
+            .endings = {".csv"},
+            .take = [this](const std::filesystem::path& file) { return export_to(file); },
+            .inputs = [this] { return inputs_of(workspace_.session); }},
+           workspace_.settings.folder, "distances.csv");
+  }
+  std::string export_to(const std::filesystem::path& file) {
+    const Status written = write_file_atomically(file, list_.to_csv());
+    if (!written) return written.error().message;
+    workspace_.message.info("Exported: " + file.string());
+    return "";
+  }
 
   Workspace& workspace_;
   RulerList list_;
@@ -321,185 +470,11 @@ class RulerFeature : public Feature {
 // Input
 // --------------------------------------------------------------------------------------------------------
 
-std::vector<UserAction> RulerFeature::actions() {
-  const UserAction take = tool_action(workspace_, kRulerTool, "Ruler", "",
-                                      "Click two points to add a measurement, which can be named, moved, "
-                                      "saved and exported.",
-                                      true);
-  const auto action = [](const char* id, const char* name, const char* tip, std::function<void()> run,
-                         std::function<const char*()> disabled_reason) {
-    return make_action(id, name, "", tip, std::move(run), {.disabled_reason = std::move(disabled_reason)});
-  };
-  return {take,
-          action(
-              "ruler.undo", "Undo Measurement Edit", "Of the distances that the ruler keeps.",
-              [this] { step(true); },
-              [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
-          action(
-              "ruler.redo", "Redo Measurement Edit", "Edits them again as before the undo.",
-              [this] { step(false); },
-              [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
-          action(
-              "ruler.export", "Export Measurements...",
-              "As a table (.csv) with the ends and the length of each.", [this] { select_file_to_export(); },
-              [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })};
-}
-
-std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
-  const FirstPicture picture(workspace_.view);
-  for (size_t i = 0; i < list_.marks().size(); ++i) {
-    for (const bool to : {false, true}) {
-      const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);
-      if (place && glm::length(*place - workspace_.input.pointer) < kReachOfEnd) return EndOfMark{i, to};
-    }
-  }
-  return std::nullopt;
-}
-
-std::unique_ptr<Interaction> RulerFeature::begin_interaction(const Press& press) {
-  if (!is_active() || press.control || workspace_.view.in_second) return nullptr;
-  if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
-  return std::make_unique<ClickOnce>([this] { measure(); });
-}
-
-// Measures from the last click, or begins a distance.
-void RulerFeature::measure() {
-  const auto surface = point_under_pointer(workspace_);
-  if (!surface) return workspace_.message.error("No surface under the pointer.");
-  if (!first_) {
-    first_ = *surface;
-    return workspace_.message.info("Click a second point to add the measurement.");
-  }
-  list_.begin_edit();
-  list_.add(*std::exchange(first_, std::nullopt), *surface);
-  keep();
-  const RulerMark& mark = list_.marks().back();
-  workspace_.message.info(mark.name + ": " + length_label(mark.length(), workspace_.view.frame.unit));
-}
-
-void RulerFeature::step(bool back) {
-  if (back) {
-    list_.undo();
-  } else {
-    list_.redo();
-  }
-  renamed_.reset();
-  keep();
-}
-
 // Panel
 // --------------------------------------------------------------------------------------------------------
 
-void RulerFeature::draw_panel() {
-  if (list_.marks().empty()) ImGui::TextWrapped("Select the tool Ruler and click two points on surfaces.");
-  if (!list_.marks().empty() && ImGui::BeginTable("distances", 3, ImGuiTableFlags_RowBg)) {
-    const float em = ImGui::GetFontSize();
-    ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("Length", ImGuiTableColumnFlags_WidthFixed, 5 * em);
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 4 * em);
-    for (size_t i = 0; i < list_.marks().size(); ++i) draw_row(i);
-    ImGui::EndTable();
-  }
-  if (row_button("Undo", 3, list_.can_undo() ? nullptr : "No distance was edited yet.",
-                 "Reverts the last edit of a distance."))
-    step(true);
-  ImGui::SameLine();
-  if (row_button("Redo", 3, list_.can_redo() ? nullptr : "No edit was undone.", "Repeats the undone edit."))
-    step(false);
-  ImGui::SameLine();
-  if (row_button("Export", 3, list_.marks().empty() ? "No distance is kept." : nullptr,
-                 "Writes the distances to a table (.csv)."))
-    select_file_to_export();
-}
-
-void RulerFeature::draw_row(size_t mark) {
-  ImGui::PushID(static_cast<int>(mark));
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  const std::string name = list_.marks()[mark].name;
-  if (renamed_ == mark) {
-    edit_name(mark);
-  } else if (ImGui::Selectable(fitted_label(name + "###name", ImGui::GetContentRegionAvail().x).c_str())) {
-    renamed_ = mark;
-    take_focus_ = field_drawn_ = true;
-    new_name_.fill('\0');
-    std::memcpy(new_name_.data(), name.data(), std::min(name.size(), new_name_.size() - 1));
-  }
-  mark_last_item("ruler name", static_cast<int>(mark));
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), workspace_.view.frame.unit).c_str());
-  ImGui::TableNextColumn();
-  const bool removed = ImGui::SmallButton("Remove");
-  mark_last_item("ruler remove", static_cast<int>(mark));
-  ImGui::PopID();
-  if (!removed) return;
-  list_.begin_edit();
-  list_.remove(mark);
-  renamed_.reset();
-  keep();
-}
-
-// Enter applies the name; any other end of the edit discards it.
-void RulerFeature::edit_name(size_t mark) {
-  field_drawn_ = true;
-  if (take_focus_) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
-  const bool entered =
-      ImGui::InputText("##name", new_name_.data(), new_name_.size(),
-                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  if (take_focus_) {
-    take_focus_ = !ImGui::IsItemActive();
-    return;
-  }
-  if (!entered && ImGui::IsItemActive()) return;
-  renamed_.reset();
-  const std::string name = new_name_.data();
-  if (!entered || name.empty() || name == list_.marks()[mark].name) return;
-  list_.begin_edit();
-  list_.rename(mark, name);
-  keep();
-}
-
-void RulerFeature::select_file_to_export() {
-  browse(workspace_.services.browser,
-         {.title = "Export the distances",
-          .verb = "Export",
-          .hint = "File name (.csv)",
-          .endings = {".csv"},
-          .take = [this](const std::filesystem::path& file) { return export_to(file); },
-          .inputs = [this] { return inputs_of(workspace_.session); }},
-         workspace_.settings.folder, "distances.csv");
-}
-
-std::string RulerFeature::export_to(const std::filesystem::path& file) {
-  const Status written = write_file_atomically(file, list_.to_csv());
-  if (!written) return written.error().message;
-  workspace_.message.info("Exported: " + file.string());
-  return "";
-}
-
 // Viewport
 // --------------------------------------------------------------------------------------------------------
-
-void RulerFeature::draw_overlay(ImDrawList& list) {
-  if (!shown()) return;
-  for (const RulerMark& m : list_.marks()) {
-    draw_distance(workspace_.view, m.from, m.to,
-                  m.name + ": " + length_label(m.length(), workspace_.view.frame.unit), list);
-  }
-  if (first_ && is_active()) draw_measured_point(workspace_.view, *first_, list);
-}
-
-void RulerFeature::add_landmarks(Landmarks& landmarks) const {
-  const FirstPicture picture(workspace_.view);
-  for (size_t i = 0; i < list_.marks().size() && shown(); ++i) {
-    const RulerMark& m = list_.marks()[i];
-    if (const auto at = picture.place_of(m.from))
-      landmarks.mark("ruler from " + std::to_string(i), {*at, Vec2(0)});
-    if (const auto at = picture.place_of(m.to))
-      landmarks.mark("ruler to " + std::to_string(i), {*at, Vec2(0)});
-  }
-}
 
 }  // namespace
 

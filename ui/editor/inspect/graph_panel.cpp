@@ -55,6 +55,7 @@ namespace {
 
 constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the selected piece",
                             "Pieces"};
+
 constexpr std::array kPlacings{"Unrolled along the cut", "By position", "By force"};
 constexpr float kMinGap = 3;            // pixels, between two marks of loops
 constexpr float kHeightOfWidth = 0.8f;  // of the canvas below the rows
@@ -222,7 +223,24 @@ class GraphFeature : public Feature {
     return fits && panel_.fit_under_pointer();
   }
 
-  void after_queue(double seconds) override;
+  void after_queue(double seconds) override {
+    ViewState& view = workspace_.view;
+    const Document& document = workspace_.session.document;
+    const bool panel = workspace_.services.panels.shows(kGraphPanel);
+    if (!panel && view.look.lit_face) {
+      view.look.lit_face.reset();
+      view.picture_old = true;
+    }
+    if (!panel && !view.look.show.graph) return graph_.play(false);
+    graph_.follow(document, workspace_.links.holds_back());
+    graph_.advance(std::min(seconds, Workspace::kLongestStep));
+    if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.queue().in_stroke() &&
+        document.waiting() == 0)
+      workspace_.changes.begin(graph_reading(graph_));
+    if (view.look.graph == graph_.drawn()) return;
+    view.look.graph = graph_.drawn();
+    if (view.look.show.graph) view.picture_old = true;
+  }
   bool needs_redraw() const override { return graph_.playing(); }
   void write_session_log(nlohmann::ordered_json& report) const override {
     report["graph"] = {{"nodes", graph_.drawn() ? graph_.drawn()->nodes.size() : 0},
@@ -243,25 +261,6 @@ class GraphFeature : public Feature {
   GraphState graph_;
   GraphPanel panel_;
 };
-
-void GraphFeature::after_queue(double seconds) {
-  ViewState& view = workspace_.view;
-  const Document& document = workspace_.session.document;
-  const bool panel = workspace_.services.panels.shows(kGraphPanel);
-  if (!panel && view.look.lit_face) {
-    view.look.lit_face.reset();
-    view.picture_old = true;
-  }
-  if (!panel && !view.look.show.graph) return graph_.play(false);
-  graph_.follow(document, workspace_.links.holds_back());
-  graph_.advance(std::min(seconds, Workspace::kLongestStep));
-  if (graph_.is_asked_for() && !workspace_.changes.is_pending() && !document.queue().in_stroke() &&
-      document.waiting() == 0)
-    workspace_.changes.begin(graph_reading(graph_));
-  if (view.look.graph == graph_.drawn()) return;
-  view.look.graph = graph_.drawn();
-  if (view.look.show.graph) view.picture_old = true;
-}
 
 }  // namespace
 

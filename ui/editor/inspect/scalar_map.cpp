@@ -404,25 +404,130 @@ class ScalarMapFeature : public Feature {
   std::vector<PanelPart> panel_parts() override {
     return {{kScalarPanel, [this] { draw(); }}};
   }
-  std::vector<UserAction> actions() override;
+  std::vector<UserAction> actions() override {
+    std::vector<UserAction> actions{action(std::nullopt)};
+    for (size_t i = 0; i < kFaceQuantities; ++i) actions.push_back(action(static_cast<FaceQuantity>(i)));
+    return actions;
+  }
   void on_world_changed(const Delta& delta) override { map_.follow(session_.world(), delta); }
   void on_document_opened() override {
     map_.forget();
     view_.look.scalar.reset();
   }
-  void after_queue(double) override;
+  // Ends when another colouring of faces is switched on.
+  void after_queue(double) override {
+    if (!map_.shown()) return;
+    const ShowOptions& others = view_.look.show;
+    if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
+    map_.follow_steps(session_.world(), session_.document.waiting() > 0);
+    map_.follow_heat(session_.world());
+    if (map_.is_old()) update_map();
+    if (unit_ != view_.frame.unit) hand_over();
+  }
   bool needs_redraw() const override { return map_.is_old(); }
-  void write_session_log(nlohmann::ordered_json& report) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    nlohmann::ordered_json& all = report["scalar_map"];
+    all["quantity"] = nullptr;
+    if (!map_.shown()) return;
+    all["quantity"] = name_of(*map_.shown());
+    all["faces"] = map_.histogram().faces;
+    all["low"] = map_.range().low;
+    all["high"] = map_.range().high;
+    all["fits"] = map_.fits();
+  }
 
  private:
-  void show(std::optional<FaceQuantity> quantity);
-  void update_map();
-  void hand_over();
-  void draw();
-  void draw_choice();
-  void draw_range();
-  bool draw_end(const char* name, double& end, const char* meaning);
-  UserAction action(std::optional<FaceQuantity> quantity);
+  // Switches off the other colourings of faces.
+  void show(std::optional<FaceQuantity> quantity) {
+    ShowOptions& others = view_.look.show;
+    if (quantity) others.pieces = others.sizes = others.heat = false;
+    map_.show(quantity);
+    next_ = 0;
+    if (!quantity) hand_over();
+  }
+  void update_map() {
+    const auto now = [this] { return screen_.clock != nullptr ? screen_.clock->seconds() : 0.0; };
+    const double began = now();
+    if (began < next_) return;
+    const bool shown_before = view_.look.scalar != nullptr, changed_before = view_.picture_old;
+    map_.update(session_.world(),
+                screen_.picture != nullptr ? screen_.picture->first().loaded_shadings() : LoadedShadings());
+    next_ = now() + kRestShare * (now() - began);
+    hand_over();
+    // Heat alone moves no shape.
+    if (shown_before && map_.shown() == FaceQuantity::kTemperature) {
+      view_.picture_old = changed_before;
+      view_.heat_old = true;
+    }
+  }
+  void hand_over() {
+    unit_ = view_.frame.unit;
+    view_.look.scalar = map_.field(unit_);
+    view_.picture_old = true;
+  }
+  void draw() {
+    draw_choice();
+    if (!map_.shown()) return;
+    if (map_.histogram().faces == 0 && map_.is_old()) return;
+    if (map_.histogram().faces == 0)
+      return secondary_text(*map_.shown() == FaceQuantity::kRimDistance ? "No cut has left a rim yet."
+                                                                        : "No face is shown.");
+    draw_range();
+  }
+  void draw_choice() {
+    if (!begin_properties("scalar map")) return;
+    std::string names{"Paint", 6};
+    for (size_t i = 0; i < kFaceQuantities; ++i) {
+      names += std::string(label_of(static_cast<FaceQuantity>(i))) + '\0';
+    }
+    int choice = map_.shown() ? 1 + static_cast<int>(*map_.shown()) : 0;
+    if (choice_row("Colour by", "##quantity", choice, names.c_str(), "Colour by", kTip))
+      show(choice > 0 ? std::optional(static_cast<FaceQuantity>(choice - 1)) : std::nullopt);
+    end_properties();
+  }
+  void draw_range() {
+    ScalarRange range = map_.range();
+    bool changed = draw_histogram(map_.histogram(), range);
+    if (begin_properties("range")) {
+      changed = draw_end("From", range.low, "Value of the first colour; lower values share it.") || changed;
+      changed = draw_end("To", range.high, "Value of the last colour; higher values share it.") || changed;
+      figure_row("Faces", grouped(map_.histogram().faces), "Faces with a value.");
+      end_properties();
+    }
+    if (changed && range.low < range.high) map_.set_range(range), hand_over();
+    for (const auto& [name, share, tip] :
+         {std::tuple("Fit", 0.0, "Fits the colours to the minimum and maximum, also after cuts."),
+          std::tuple("Fit 1-99 %", kOutermost,
+                     "The same without the hundredth of the faces at either end.")}) {
+      if (share > 0) ImGui::SameLine();
+      if (ImGui::Button(name)) map_.fit(share), hand_over();
+      mark_last_item((std::string("scalar ") + name).c_str());
+      tooltip(tip);
+    }
+  }
+  bool draw_end(const char* name, double& end, const char* meaning) {
+    switch (*map_.shown()) {
+      case FaceQuantity::kLongestEdge:
+      case FaceQuantity::kRimDistance:
+        return length_field(fields_, name, end, label_unit(map_.range().high, view_.frame.unit), meaning);
+      case FaceQuantity::kMinAngle:
+        return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
+      case FaceQuantity::kTemperature:
+        return fields_.number(name, end, "%.0f K", meaning);
+      case FaceQuantity::kLevel:
+        break;
+    }
+    return fields_.number(name, end, "%.3g", meaning);
+  }
+  UserAction action(std::optional<FaceQuantity> quantity) {
+    const std::string name = std::string("Colour by: ") + label_of(quantity);
+    UserAction action = picture_action(view_, action_id(quantity), name.c_str(), kTip, [this, quantity] {
+      show(quantity);
+      if (quantity) services_.panels.show(kScalarPanel);
+    });
+    action.checked = [this, quantity] { return map_.shown() == quantity; };
+    return action;
+  }
 
   const DocumentSession& session_;
   ViewState& view_;
@@ -433,132 +538,6 @@ class ScalarMapFeature : public Feature {
   FileUnit unit_ = FileUnit::kMetre;  // of the labels in the viewport
   double next_ = 0;                   // s of the clock, before which no values are computed
 };
-
-UserAction ScalarMapFeature::action(std::optional<FaceQuantity> quantity) {
-  const std::string name = std::string("Colour by: ") + label_of(quantity);
-  UserAction action = picture_action(view_, action_id(quantity), name.c_str(), kTip, [this, quantity] {
-    show(quantity);
-    if (quantity) services_.panels.show(kScalarPanel);
-  });
-  action.checked = [this, quantity] { return map_.shown() == quantity; };
-  return action;
-}
-
-std::vector<UserAction> ScalarMapFeature::actions() {
-  std::vector<UserAction> actions{action(std::nullopt)};
-  for (size_t i = 0; i < kFaceQuantities; ++i) actions.push_back(action(static_cast<FaceQuantity>(i)));
-  return actions;
-}
-
-// Switches off the other colourings of faces.
-void ScalarMapFeature::show(std::optional<FaceQuantity> quantity) {
-  ShowOptions& others = view_.look.show;
-  if (quantity) others.pieces = others.sizes = others.heat = false;
-  map_.show(quantity);
-  next_ = 0;
-  if (!quantity) hand_over();
-}
-
-// Ends when another colouring of faces is switched on.
-void ScalarMapFeature::after_queue(double) {
-  if (!map_.shown()) return;
-  const ShowOptions& others = view_.look.show;
-  if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
-  map_.follow_steps(session_.world(), session_.document.waiting() > 0);
-  map_.follow_heat(session_.world());
-  if (map_.is_old()) update_map();
-  if (unit_ != view_.frame.unit) hand_over();
-}
-
-void ScalarMapFeature::update_map() {
-  const auto now = [this] { return screen_.clock != nullptr ? screen_.clock->seconds() : 0.0; };
-  const double began = now();
-  if (began < next_) return;
-  const bool shown_before = view_.look.scalar != nullptr, changed_before = view_.picture_old;
-  map_.update(session_.world(),
-              screen_.picture != nullptr ? screen_.picture->first().loaded_shadings() : LoadedShadings());
-  next_ = now() + kRestShare * (now() - began);
-  hand_over();
-  // Heat alone moves no shape.
-  if (shown_before && map_.shown() == FaceQuantity::kTemperature) {
-    view_.picture_old = changed_before;
-    view_.heat_old = true;
-  }
-}
-
-void ScalarMapFeature::hand_over() {
-  unit_ = view_.frame.unit;
-  view_.look.scalar = map_.field(unit_);
-  view_.picture_old = true;
-}
-
-void ScalarMapFeature::draw() {
-  draw_choice();
-  if (!map_.shown()) return;
-  if (map_.histogram().faces == 0 && map_.is_old()) return;
-  if (map_.histogram().faces == 0)
-    return secondary_text(*map_.shown() == FaceQuantity::kRimDistance ? "No cut has left a rim yet."
-                                                                      : "No face is shown.");
-  draw_range();
-}
-
-void ScalarMapFeature::draw_choice() {
-  if (!begin_properties("scalar map")) return;
-  std::string names{"Paint", 6};
-  for (size_t i = 0; i < kFaceQuantities; ++i) {
-    names += std::string(label_of(static_cast<FaceQuantity>(i))) + '\0';
-  }
-  int choice = map_.shown() ? 1 + static_cast<int>(*map_.shown()) : 0;
-  if (choice_row("Colour by", "##quantity", choice, names.c_str(), "Colour by", kTip))
-    show(choice > 0 ? std::optional(static_cast<FaceQuantity>(choice - 1)) : std::nullopt);
-  end_properties();
-}
-
-void ScalarMapFeature::draw_range() {
-  ScalarRange range = map_.range();
-  bool changed = draw_histogram(map_.histogram(), range);
-  if (begin_properties("range")) {
-    changed = draw_end("From", range.low, "Value of the first colour; lower values share it.") || changed;
-    changed = draw_end("To", range.high, "Value of the last colour; higher values share it.") || changed;
-    figure_row("Faces", grouped(map_.histogram().faces), "Faces with a value.");
-    end_properties();
-  }
-  if (changed && range.low < range.high) map_.set_range(range), hand_over();
-  for (const auto& [name, share, tip] :
-       {std::tuple("Fit", 0.0, "Fits the colours to the minimum and maximum, also after cuts."),
-        std::tuple("Fit 1-99 %", kOutermost, "The same without the hundredth of the faces at either end.")}) {
-    if (share > 0) ImGui::SameLine();
-    if (ImGui::Button(name)) map_.fit(share), hand_over();
-    mark_last_item((std::string("scalar ") + name).c_str());
-    tooltip(tip);
-  }
-}
-
-bool ScalarMapFeature::draw_end(const char* name, double& end, const char* meaning) {
-  switch (*map_.shown()) {
-    case FaceQuantity::kLongestEdge:
-    case FaceQuantity::kRimDistance:
-      return length_field(fields_, name, end, label_unit(map_.range().high, view_.frame.unit), meaning);
-    case FaceQuantity::kMinAngle:
-      return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
-    case FaceQuantity::kTemperature:
-      return fields_.number(name, end, "%.0f K", meaning);
-    case FaceQuantity::kLevel:
-      break;
-  }
-  return fields_.number(name, end, "%.3g", meaning);
-}
-
-void ScalarMapFeature::write_session_log(nlohmann::ordered_json& report) const {
-  nlohmann::ordered_json& all = report["scalar_map"];
-  all["quantity"] = nullptr;
-  if (!map_.shown()) return;
-  all["quantity"] = name_of(*map_.shown());
-  all["faces"] = map_.histogram().faces;
-  all["low"] = map_.range().low;
-  all["high"] = map_.range().high;
-  all["fits"] = map_.fits();
-}
 
 }  // namespace
 

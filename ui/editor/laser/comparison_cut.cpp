@@ -61,10 +61,43 @@ class SplitFeature : public Feature {
                         [this] { show(!shown_); }, {.checked = [this] { return shown_; }})};
   }
 
-  void after_queue(double) override;
+  void after_queue(double) override {
+    workspace_.services.statistics.shown.twin_faces = twin_.world().live_faces();
+    if (!shown_) return;
+    const Result<Renderer*> half = workspace_.screen.picture->second();
+    if (!half) {
+      show(false);
+      return workspace_.message.error(half.error().message);
+    }
+    const double began = workspace_.screen.clock->seconds();
+    const bool anything = cut(**half);
+    workspace_.view.second_world = &twin_.world();
+    if (!anything) return;
+    workspace_.screen.cut_seconds += workspace_.screen.clock->seconds() - began;
+    workspace_.view.picture_old = workspace_.services.statistics.world_changed = true;
+  }
   bool needs_redraw() const override { return twin_.waiting() > 0; }
   void on_document_opened() override { restart(); }
-  void draw_overlay(ImDrawList& list) override;
+  void draw_overlay(ImDrawList& list) override {
+    const Layout& l = workspace_.view.layout;
+    if (!l.split()) return;
+    const Document& document = workspace_.session.document;
+    const bool cut = document.history().totals().strokes > 0;
+    const double radius = workspace_.laser.radius;
+    const FileUnit unit = workspace_.view.frame.unit;
+    draw_half_label(l.first,
+                    resolution_text(cut ? document.history().last_settings().resolution
+                                        : workspace_.laser.resolution.of(radius),
+                                    unit),
+                    count_text(workspace_.services.statistics.shown.faces, "face"), list);
+    draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
+                    twin_.there() ? count_text(workspace_.services.statistics.shown.twin_faces, "face")
+                                  : "Too large to compare (more than 400 000 faces)",
+                    list);
+    const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
+    list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);
+    list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
+  }
   void write_session_log(nlohmann::ordered_json& report) const override {
     report["split"] = {{"shown", shown_}, {"faces", twin_.world().live_faces()}};
   }
@@ -81,89 +114,48 @@ class SplitFeature : public Feature {
     twin_.forget();
     workspace_.view.second_world = shown_ ? &twin_.world() : nullptr;
   }
-  void draw_rows();
-  bool cut(Renderer& renderer);
+  void draw_rows() {
+    if (!begin_properties("split view")) return;
+    property("Split View");
+    bool shown = shown_;
+    if (ImGui::Checkbox(
+            (with_shortcut(workspace_.view, "Two Resolutions", "view.split") + "###split").c_str(), &shown))
+      show(shown);
+    tooltip("Shows the last cut at a second resolution in the right half of the viewport.");
+    if (shown_) {
+      property("Right View");
+      ImGui::Dummy({1, ImGui::GetFrameHeight()});
+      if (resolution_rows(resolution_, {workspace_.laser.radius, workspace_.view.frame.unit}))
+        workspace_.view.picture_old = true;
+      figure_row("Faces", grouped(workspace_.services.statistics.shown.twin_faces),
+                 "Faces of all bodies in the right view.");
+    }
+    end_properties();
+  }
+  // Returns true if anything was queued, or if the world was replaced.
+  bool cut(Renderer& renderer) {
+    const bool restarted = twin_.follow(workspace_.session.document, resolution_);
+    if (restarted) workspace_.changes.show_world(twin_.world(), renderer);
+    const bool waited = twin_.waiting() > 0;
+    while (twin_.waiting() > 0 && workspace_.screen.clock->seconds() < workspace_.screen.cut_until) {
+      const Result<StepResult> step = twin_.step(kMovesOfTwin);
+      if (!step) {
+        renderer.resend(twin_.world());
+        workspace_.message.error("Right view: " + step.error().message);
+        break;
+      }
+      renderer.follow(twin_.world(), step->delta);
+      if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
+        renderer.send_faces(twin_.world());
+    }
+    return restarted || waited;
+  }
 
   Workspace& workspace_;
   bool shown_ = false;
   ResolutionControls resolution_{.edge_fraction = 1};
   TwinCut twin_;
 };
-
-void SplitFeature::after_queue(double) {
-  workspace_.services.statistics.shown.twin_faces = twin_.world().live_faces();
-  if (!shown_) return;
-  const Result<Renderer*> half = workspace_.screen.picture->second();
-  if (!half) {
-    show(false);
-    return workspace_.message.error(half.error().message);
-  }
-  const double began = workspace_.screen.clock->seconds();
-  const bool anything = cut(**half);
-  workspace_.view.second_world = &twin_.world();
-  if (!anything) return;
-  workspace_.screen.cut_seconds += workspace_.screen.clock->seconds() - began;
-  workspace_.view.picture_old = workspace_.services.statistics.world_changed = true;
-}
-
-// Returns true if anything was queued, or if the world was replaced.
-bool SplitFeature::cut(Renderer& renderer) {
-  const bool restarted = twin_.follow(workspace_.session.document, resolution_);
-  if (restarted) workspace_.changes.show_world(twin_.world(), renderer);
-  const bool waited = twin_.waiting() > 0;
-  while (twin_.waiting() > 0 && workspace_.screen.clock->seconds() < workspace_.screen.cut_until) {
-    const Result<StepResult> step = twin_.step(kMovesOfTwin);
-    if (!step) {
-      renderer.resend(twin_.world());
-      workspace_.message.error("Right view: " + step.error().message);
-      break;
-    }
-    renderer.follow(twin_.world(), step->delta);
-    if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
-      renderer.send_faces(twin_.world());
-  }
-  return restarted || waited;
-}
-
-void SplitFeature::draw_rows() {
-  if (!begin_properties("split view")) return;
-  property("Split View");
-  bool shown = shown_;
-  if (ImGui::Checkbox((with_shortcut(workspace_.view, "Two Resolutions", "view.split") + "###split").c_str(),
-                      &shown))
-    show(shown);
-  tooltip("Shows the last cut at a second resolution in the right half of the viewport.");
-  if (shown_) {
-    property("Right View");
-    ImGui::Dummy({1, ImGui::GetFrameHeight()});
-    if (resolution_rows(resolution_, {workspace_.laser.radius, workspace_.view.frame.unit}))
-      workspace_.view.picture_old = true;
-    figure_row("Faces", grouped(workspace_.services.statistics.shown.twin_faces),
-               "Faces of all bodies in the right view.");
-  }
-  end_properties();
-}
-
-void SplitFeature::draw_overlay(ImDrawList& list) {
-  const Layout& l = workspace_.view.layout;
-  if (!l.split()) return;
-  const Document& document = workspace_.session.document;
-  const bool cut = document.history().totals().strokes > 0;
-  const double radius = workspace_.laser.radius;
-  const FileUnit unit = workspace_.view.frame.unit;
-  draw_half_label(
-      l.first,
-      resolution_text(
-          cut ? document.history().last_settings().resolution : workspace_.laser.resolution.of(radius), unit),
-      count_text(workspace_.services.statistics.shown.faces, "face"), list);
-  draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
-                  twin_.there() ? count_text(workspace_.services.statistics.shown.twin_faces, "face")
-                                : "Too large to compare (more than 400 000 faces)",
-                  list);
-  const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
-  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);
-  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
-}
 
 }  // namespace
 

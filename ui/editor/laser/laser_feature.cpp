@@ -251,7 +251,19 @@ class LaserFeature : public Feature {
     return {{"cut", "Left drag", "Cut where the pointer goes"}};
   }
 
-  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
+    if (workspace_.opening.loader.busy()) {
+      workspace_.message.info("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
+      return nullptr;
+    }
+    stand_together(workspace_.world(), workspace_.view);
+    cancel_stroke(workspace_);
+    workspace_.view.camera.finish();
+    auto stroke = std::make_unique<DrawnStroke>(workspace_, press.event.seconds);
+    workspace_.links.cut_once = true;
+    workspace_.message.clear();
+    return stroke;
+  }
   bool cancel() override {
     const bool at_work = can_stop();
     if (at_work) workspace_.changes.enqueue("Stop cutting", [this] { stop_cutting(); });
@@ -268,7 +280,17 @@ class LaserFeature : public Feature {
     workspace_.beam.follow_time(workspace_.session.document, workspace_.links.plays);
     workspace_.beam.hold_beam(workspace_.session.document, workspace_.screen.clock->seconds());
   }
-  void after_queue(double seconds) override;
+  void after_queue(double seconds) override {
+    if (!workspace_.changes.is_pending()) {
+      progress_.follow(workspace_.session.document, workspace_.links.holds_back(), seconds);
+      workspace_.services.statistics.shown.work = progress_.text();
+    }
+    const bool changed = !workspace_.changes.is_pending() &&
+                         waiting_.follow(workspace_.session.document, workspace_.view.frame.unit,
+                                         workspace_.stroke_waits(), seconds);
+    sparks_.advance(std::min(seconds, Workspace::kLongestStep), workspace_.beam, workspace_.session.document,
+                    waiting_, changed, workspace_.view);
+  }
   void write_session_log(nlohmann::ordered_json& report) const override {
     report["laser"] = {{"radius", workspace_.laser.radius}, {"power", workspace_.laser.power}};
   }
@@ -291,21 +313,144 @@ class LaserFeature : public Feature {
   }
 
  private:
-  bool can_stop() const;
-  void draw_resolution();
-  void draw_ring(ImDrawList& list) const;
-  UserAction recut_action();
-  std::vector<UserAction> laser_actions();
-  UserAction radius_action(const char* id, const char* name, double factor);
-  UserAction finer_action(const char* id, const char* name, int steps);
+  // A finished stroke can be stopped immediately, one that is being drawn only if its cut lags behind.
+  bool can_stop() const {
+    const BeamQueue& pending = workspace_.session.document.queue().pending();
+    if (workspace_.beam.cutting()) return progress_.can_stop();
+    return !workspace_.links.holds_back() && pending.holds_beam() && pending.holds_moves();
+  }
+  void draw_resolution() {
+    if (!begin_properties("resolution")) return;
+    const bool changed =
+        resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
+    property("Last Cut");
+    const char* disabled_reason = recut_disabled_reason(workspace_.session.document);
+    ImGui::BeginDisabled(disabled_reason != nullptr);
+    if (ImGui::Button("Recompute", {-1, 0})) request_recut(false);
+    ImGui::EndDisabled();
+    const std::string meaning =
+        with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.", "laser.recut");
+    tooltip(disabled_reason != nullptr ? disabled_reason : meaning.c_str());
+    property("");
+    ImGui::Checkbox("Live Update", &workspace_.settings.live_recut);
+    tooltip("Recuts the last stroke while a slider above, or that of the radius, moves.");
+    if (changed) cut_again_live(false);
+    figure_row("Faces", grouped(workspace_.services.statistics.shown.faces), "Current faces of all bodies.");
+    stroke_rows(workspace_.services.statistics.shown.stroke, workspace_.view.frame.unit);
+    end_properties();
+  }
+  // Draws a ring with the width of the cut at the pointer.
+  void draw_ring(ImDrawList& list) const {
+    const bool cuts = dynamic_cast<const DrawnStroke*>(workspace_.input.held.get()) != nullptr;
+    if (!cuts && (!workspace_.input.points() || workspace_.input.tool != kLaserTool ||
+                  is_on_axes(workspace_.view, workspace_.input.pointer)))
+      return;
+    const CameraView view = workspace_.view.seen();
+    const Vec2 p = workspace_.view.in_picture(workspace_.input.pointer);
+    const auto seen_face = pick(workspace_.world(), workspace_.view.look, view.ray(p.x, p.y));
+    const double distance = seen_face ? seen_face->length : view.focus;
+    const double seen = view.parallel ? view.half_height() : distance * view.tan_half_fov;
+    const double pixels = workspace_.laser.radius / seen * 0.5 * workspace_.view.pane().size.y;
+    const auto ring = static_cast<float>(std::clamp(pixels, kMinRing, kMaxRing));
+    const ImVec2 at = to_im(workspace_.input.pointer);
+    list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
+    list.AddCircle(at, ring + 1.5f, cuts ? colours::accent() : colours::kPictureText, 0, 1.3f);
+  }
+  UserAction recut_action() {
+    return make_action(
+        "laser.recut", "Recompute Last Cut", "R", "Recuts the last stroke at the current resolution.",
+        [this] { request_recut(false); },
+        {.disabled_reason = [this] { return recut_disabled_reason(workspace_.session.document); }});
+  }
+  std::vector<UserAction> laser_actions() {
+    using Rule = Resolution::Rule;
+    Pattern& pattern = workspace_.laser.pattern;
+    ResolutionControls& resolution = workspace_.laser.resolution;
+    bool& live = workspace_.settings.live_recut;
+    const auto choice = [this](const char* id, const char* name, auto& value, auto set, const char* tip) {
+      return setting_action(id, name, tip, value, set, [this] { cut_again_live(false); });
+    };
+    return {
+        radius_action("laser.wider", "Wider Beam", kRadiusStep),
+        radius_action("laser.narrower", "Narrower Beam", 1 / kRadiusStep),
+        setting_action("laser.pattern_volume", "Pattern: Volume", "Removes everything in the beam.", pattern,
+                       Pattern::kVolume),
+        setting_action("laser.pattern_rays", "Pattern: Four Rays",
+                       "Removes only what four parallel rays on the rim of the beam hit.", pattern,
+                       Pattern::kRays4),
+        finer_action("resolution.finer", "Finer Cut", 1),
+        finer_action("resolution.coarser", "Coarser Cut", -1),
+        choice("resolution.by_edge_length", "Refine by Edge Length", resolution.rule, Rule::kTargetEdge,
+               "Splits faces until their edges are short enough."),
+        choice("resolution.by_tolerance", "Refine by Tolerance", resolution.rule, Rule::kTolerance,
+               "Splits faces until the removed area exceeds the beam by at most the tolerance."),
+        choice("resolution.by_depth", "Refine by Depth", resolution.rule, Rule::kDepth,
+               "Splits faces a fixed number of times."),
+        choice("resolution.one_to_four", "Subdivision: One to Four", resolution.scheme, Scheme::kOneToFour,
+               "Splits a face into four, as in the paper."),
+        choice("resolution.longest_edge", "Subdivision: Longest Edge", resolution.scheme,
+               Scheme::kLongestEdge, "Splits a face into two at its longest edge."),
+        choice("resolution.rim_faces", "Rim: Faces", resolution.rim, Rim::kFaces,
+               "Removes every face the beam touches; the edge is jagged."),
+        choice("resolution.rim_smooth", "Rim: Smooth", resolution.rim, Rim::kSmooth,
+               "Cuts faces along the boundary of the beam when the stroke ends."),
+        make_action("resolution.live", "Live Update of Last Cut", "",
+                    "Recuts the last stroke when the resolution or the radius changes.",
+                    [&live] { live = !live; }, {.checked = [&live] { return live; }}),
+    };
+  }
+  UserAction radius_action(const char* id, const char* name, double factor) {
+    return make_action(
+        id, name, "", "Changes the beam radius by a quarter; with live update, the last stroke is recut.",
+        [this, factor] {
+          LaserControls& laser = workspace_.laser;
+          laser.radius = std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
+                                    laser.default_radius * LaserControls::kRadiusSpan);
+          cut_again_live(true);
+        });
+  }
+  UserAction finer_action(const char* id, const char* name, int steps) {
+    return make_action(id, name, "",
+                       "Halves or doubles the edge length along the cut, or changes the depth by one.",
+                       [this, steps] {
+                         make_finer(workspace_.laser.resolution, steps);
+                         cut_again_live(false);
+                       });
+  }
 
   void cut_again_live(bool radius) {
     if (workspace_.settings.live_recut && recut_disabled_reason(workspace_.session.document) == nullptr)
       request_recut(radius);
   }
-  void request_recut(bool radius);
-  void recut(bool radius);
-  void stop_cutting();
+  void request_recut(bool radius) {
+    recut_radius_ = recut_radius_ || radius;
+    workspace_.changes.enqueue("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
+  }
+  // Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
+  // radius; its other settings stay. Consecutive recuts share one history entry.
+  void recut(bool radius) {
+    const Document& document = workspace_.session.document;
+    if (recut_disabled_reason(document) != nullptr) return;
+    CutSettings settings = document.history().last_settings();
+    if (radius) settings.laser.radius = workspace_.laser.radius;
+    settings.resolution = workspace_.laser.resolution.of(settings.laser.radius);
+    std::vector<Command> commands;
+    const HistoryStep& last = document.history().last();
+    const bool again = last.kind() == HistoryStep::Kind::kRecut;
+    if (again) commands.emplace_back(Undo{});
+    commands.emplace_back(Recut{settings});
+    // Queue the time again that had passed after the undone recut.
+    if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
+    workspace_.changes.change("Cut again", true, apply_all(std::move(commands)));
+    ++workspace_.services.statistics.recuts;
+  }
+  // Ends the current stroke at the beam, and drops the strokes queued after it.
+  void stop_cutting() {
+    cancel_stroke(workspace_);
+    workspace_.changes.change(
+        "Stop cutting", true, [](Document& document, const Progress*) { return stop_strokes(document); },
+        "Stopped: the stroke ends here. Undo restores the uncut state.");
+  }
 
   Workspace& workspace_;
   CutProgress progress_;
@@ -317,177 +462,8 @@ class LaserFeature : public Feature {
 // Input
 // --------------------------------------------------------------------------------------------------------
 
-std::unique_ptr<Interaction> LaserFeature::begin_interaction(const Press& press) {
-  if (workspace_.opening.loader.busy()) {
-    workspace_.message.info("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
-    return nullptr;
-  }
-  stand_together(workspace_.world(), workspace_.view);
-  cancel_stroke(workspace_);
-  workspace_.view.camera.finish();
-  auto stroke = std::make_unique<DrawnStroke>(workspace_, press.event.seconds);
-  workspace_.links.cut_once = true;
-  workspace_.message.clear();
-  return stroke;
-}
-
-// A finished stroke can be stopped immediately, one that is being drawn only if its cut lags behind.
-bool LaserFeature::can_stop() const {
-  const BeamQueue& pending = workspace_.session.document.queue().pending();
-  if (workspace_.beam.cutting()) return progress_.can_stop();
-  return !workspace_.links.holds_back() && pending.holds_beam() && pending.holds_moves();
-}
-
-UserAction LaserFeature::recut_action() {
-  return make_action(
-      "laser.recut", "Recompute Last Cut", "R", "Recuts the last stroke at the current resolution.",
-      [this] { request_recut(false); },
-      {.disabled_reason = [this] { return recut_disabled_reason(workspace_.session.document); }});
-}
-
-UserAction LaserFeature::radius_action(const char* id, const char* name, double factor) {
-  return make_action(
-      id, name, "", "Changes the beam radius by a quarter; with live update, the last stroke is recut.",
-      [this, factor] {
-        LaserControls& laser = workspace_.laser;
-        laser.radius = std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
-                                  laser.default_radius * LaserControls::kRadiusSpan);
-        cut_again_live(true);
-      });
-}
-
-UserAction LaserFeature::finer_action(const char* id, const char* name, int steps) {
-  return make_action(id, name, "",
-                     "Halves or doubles the edge length along the cut, or changes the depth by one.",
-                     [this, steps] {
-                       make_finer(workspace_.laser.resolution, steps);
-                       cut_again_live(false);
-                     });
-}
-
-std::vector<UserAction> LaserFeature::laser_actions() {
-  using Rule = Resolution::Rule;
-  Pattern& pattern = workspace_.laser.pattern;
-  ResolutionControls& resolution = workspace_.laser.resolution;
-  bool& live = workspace_.settings.live_recut;
-  const auto choice = [this](const char* id, const char* name, auto& value, auto set, const char* tip) {
-    return setting_action(id, name, tip, value, set, [this] { cut_again_live(false); });
-  };
-  return {
-      radius_action("laser.wider", "Wider Beam", kRadiusStep),
-      radius_action("laser.narrower", "Narrower Beam", 1 / kRadiusStep),
-      setting_action("laser.pattern_volume", "Pattern: Volume", "Removes everything in the beam.", pattern,
-                     Pattern::kVolume),
-      setting_action("laser.pattern_rays", "Pattern: Four Rays",
-                     "Removes only what four parallel rays on the rim of the beam hit.", pattern,
-                     Pattern::kRays4),
-      finer_action("resolution.finer", "Finer Cut", 1),
-      finer_action("resolution.coarser", "Coarser Cut", -1),
-      choice("resolution.by_edge_length", "Refine by Edge Length", resolution.rule, Rule::kTargetEdge,
-             "Splits faces until their edges are short enough."),
-      choice("resolution.by_tolerance", "Refine by Tolerance", resolution.rule, Rule::kTolerance,
-             "Splits faces until the removed area exceeds the beam by at most the tolerance."),
-      choice("resolution.by_depth", "Refine by Depth", resolution.rule, Rule::kDepth,
-             "Splits faces a fixed number of times."),
-      choice("resolution.one_to_four", "Subdivision: One to Four", resolution.scheme, Scheme::kOneToFour,
-             "Splits a face into four, as in the paper."),
-      choice("resolution.longest_edge", "Subdivision: Longest Edge", resolution.scheme, Scheme::kLongestEdge,
-             "Splits a face into two at its longest edge."),
-      choice("resolution.rim_faces", "Rim: Faces", resolution.rim, Rim::kFaces,
-             "Removes every face the beam touches; the edge is jagged."),
-      choice("resolution.rim_smooth", "Rim: Smooth", resolution.rim, Rim::kSmooth,
-             "Cuts faces along the boundary of the beam when the stroke ends."),
-      make_action("resolution.live", "Live Update of Last Cut", "",
-                  "Recuts the last stroke when the resolution or the radius changes.",
-                  [&live] { live = !live; }, {.checked = [&live] { return live; }}),
-  };
-}
-
-void LaserFeature::draw_resolution() {
-  if (!begin_properties("resolution")) return;
-  const bool changed =
-      resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
-  property("Last Cut");
-  const char* disabled_reason = recut_disabled_reason(workspace_.session.document);
-  ImGui::BeginDisabled(disabled_reason != nullptr);
-  if (ImGui::Button("Recompute", {-1, 0})) request_recut(false);
-  ImGui::EndDisabled();
-  const std::string meaning =
-      with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.", "laser.recut");
-  tooltip(disabled_reason != nullptr ? disabled_reason : meaning.c_str());
-  property("");
-  ImGui::Checkbox("Live Update", &workspace_.settings.live_recut);
-  tooltip("Recuts the last stroke while a slider above, or that of the radius, moves.");
-  if (changed) cut_again_live(false);
-  figure_row("Faces", grouped(workspace_.services.statistics.shown.faces), "Current faces of all bodies.");
-  stroke_rows(workspace_.services.statistics.shown.stroke, workspace_.view.frame.unit);
-  end_properties();
-}
-
 // Cutting
 // --------------------------------------------------------------------------------------------------------
-
-void LaserFeature::request_recut(bool radius) {
-  recut_radius_ = recut_radius_ || radius;
-  workspace_.changes.enqueue("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
-}
-
-// Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
-// radius; its other settings stay. Consecutive recuts share one history entry.
-void LaserFeature::recut(bool radius) {
-  const Document& document = workspace_.session.document;
-  if (recut_disabled_reason(document) != nullptr) return;
-  CutSettings settings = document.history().last_settings();
-  if (radius) settings.laser.radius = workspace_.laser.radius;
-  settings.resolution = workspace_.laser.resolution.of(settings.laser.radius);
-  std::vector<Command> commands;
-  const HistoryStep& last = document.history().last();
-  const bool again = last.kind() == HistoryStep::Kind::kRecut;
-  if (again) commands.emplace_back(Undo{});
-  commands.emplace_back(Recut{settings});
-  // Queue the time again that had passed after the undone recut.
-  if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
-  workspace_.changes.change("Cut again", true, apply_all(std::move(commands)));
-  ++workspace_.services.statistics.recuts;
-}
-
-// Ends the current stroke at the beam, and drops the strokes queued after it.
-void LaserFeature::stop_cutting() {
-  cancel_stroke(workspace_);
-  workspace_.changes.change(
-      "Stop cutting", true, [](Document& document, const Progress*) { return stop_strokes(document); },
-      "Stopped: the stroke ends here. Undo restores the uncut state.");
-}
-
-void LaserFeature::after_queue(double seconds) {
-  if (!workspace_.changes.is_pending()) {
-    progress_.follow(workspace_.session.document, workspace_.links.holds_back(), seconds);
-    workspace_.services.statistics.shown.work = progress_.text();
-  }
-  const bool changed = !workspace_.changes.is_pending() &&
-                       waiting_.follow(workspace_.session.document, workspace_.view.frame.unit,
-                                       workspace_.stroke_waits(), seconds);
-  sparks_.advance(std::min(seconds, Workspace::kLongestStep), workspace_.beam, workspace_.session.document,
-                  waiting_, changed, workspace_.view);
-}
-
-// Draws a ring with the width of the cut at the pointer.
-void LaserFeature::draw_ring(ImDrawList& list) const {
-  const bool cuts = dynamic_cast<const DrawnStroke*>(workspace_.input.held.get()) != nullptr;
-  if (!cuts && (!workspace_.input.points() || workspace_.input.tool != kLaserTool ||
-                is_on_axes(workspace_.view, workspace_.input.pointer)))
-    return;
-  const CameraView view = workspace_.view.seen();
-  const Vec2 p = workspace_.view.in_picture(workspace_.input.pointer);
-  const auto seen_face = pick(workspace_.world(), workspace_.view.look, view.ray(p.x, p.y));
-  const double distance = seen_face ? seen_face->length : view.focus;
-  const double seen = view.parallel ? view.half_height() : distance * view.tan_half_fov;
-  const double pixels = workspace_.laser.radius / seen * 0.5 * workspace_.view.pane().size.y;
-  const auto ring = static_cast<float>(std::clamp(pixels, kMinRing, kMaxRing));
-  const ImVec2 at = to_im(workspace_.input.pointer);
-  list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
-  list.AddCircle(at, ring + 1.5f, cuts ? colours::accent() : colours::kPictureText, 0, 1.3f);
-}
 
 }  // namespace
 

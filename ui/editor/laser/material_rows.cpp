@@ -98,12 +98,14 @@ struct NumberRow {
 
 constexpr NumberRow kThicknessRow{"Thickness", 0.001, "%.4g mm",
                                   "Determines the mass and the heat capacity of the sheet."};
+
 constexpr NumberRow kDensityRow{"Density", 1, "%.5g kg/m\xc2\xb3", "Mass per volume of the material."};
 
 struct ConstantRow {
   double Substance::*member;
   NumberRow row;
 };
+
 constexpr std::array kConstantRows{
     ConstantRow{&Substance::heat_solid,
                 {"Heat, solid", 1, "%.4g J/(kg K)", "Specific heat below the transition."}},
@@ -266,7 +268,19 @@ class MaterialFeature : public Feature {
   }
   bool needs_redraw() const override { return aim_ && aim_->speed > 0; }
   void on_document_opened() override { watch_ = StrokeWatch(); }
-  void draw_overlay(ImDrawList& list) override;
+  // Drawn at the pointer, where the user looks while drawing.
+  void draw_overlay(ImDrawList& list) override {
+    if (!watch_.now() || !workspace_.beam.cutting()) return;
+    const bool through = watch_.now()->through;
+    const float size = ImGui::GetFontSize();
+    const ImVec2 at = to_im(workspace_.input.pointer + Vec2(1.2 * size, 0.8 * size));
+    const char* text = through ? "through" : "not through";
+    const ImVec2 extent = ImGui::CalcTextSize(text);
+    const float margin = 0.25f * size;
+    list.AddRectFilled({at.x - margin, at.y - margin}, {at.x + extent.x + margin, at.y + extent.y + margin},
+                       colours::kPictureShade, margin);
+    list.AddText(at, through ? colours::kPictureText : colours::accent(), text);
+  }
 
  private:
   void draw_heat() {
@@ -295,7 +309,19 @@ class MaterialFeature : public Feature {
                                 .run = [this, name, command] { return change_all(name, command), true; },
                                 .is_one = true});
   }
-  void change_all(const char* name, const CommandFor& command);
+  void change_all(const char* name, const CommandFor& command) {
+    std::vector<PieceId> pieces;
+    const PieceMap& looks = workspace_.view.look.pieces;
+    const bool all = selected_count(looks) == 0;
+    for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
+      const auto look = looks.find(row.id);
+      const bool selected = look != looks.end() && look->second.selected;
+      if (!row.part && (all || selected)) pieces.push_back(row.id);
+    }
+    cancel_stroke(workspace_);
+    workspace_.changes.change(name, is_small(workspace_.session.document),
+                              edit_all(std::move(pieces), command));
+  }
 
   Workspace& workspace_;
   MaterialPanel panel_;
@@ -304,34 +330,6 @@ class MaterialFeature : public Feature {
   std::optional<PointerAim> aim_;
   StrokeWatch watch_;
 };
-
-// Drawn at the pointer, where the user looks while drawing.
-void MaterialFeature::draw_overlay(ImDrawList& list) {
-  if (!watch_.now() || !workspace_.beam.cutting()) return;
-  const bool through = watch_.now()->through;
-  const float size = ImGui::GetFontSize();
-  const ImVec2 at = to_im(workspace_.input.pointer + Vec2(1.2 * size, 0.8 * size));
-  const char* text = through ? "through" : "not through";
-  const ImVec2 extent = ImGui::CalcTextSize(text);
-  const float margin = 0.25f * size;
-  list.AddRectFilled({at.x - margin, at.y - margin}, {at.x + extent.x + margin, at.y + extent.y + margin},
-                     colours::kPictureShade, margin);
-  list.AddText(at, through ? colours::kPictureText : colours::accent(), text);
-}
-
-void MaterialFeature::change_all(const char* name, const CommandFor& command) {
-  std::vector<PieceId> pieces;
-  const PieceMap& looks = workspace_.view.look.pieces;
-  const bool all = selected_count(looks) == 0;
-  for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
-    const auto look = looks.find(row.id);
-    const bool selected = look != looks.end() && look->second.selected;
-    if (!row.part && (all || selected)) pieces.push_back(row.id);
-  }
-  cancel_stroke(workspace_);
-  workspace_.changes.change(name, is_small(workspace_.session.document),
-                            edit_all(std::move(pieces), command));
-}
 
 }  // namespace
 

@@ -78,7 +78,14 @@ class EmitterFeature : public Feature {
     return {{"move_emitter", "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
   }
 
-  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  std::unique_ptr<Interaction> begin_interaction(const Press&) override {
+    const auto handle =
+        handle_under(emitter_handles(emitter_, FirstPicture(workspace_.view)), workspace_.input.pointer);
+    if (!handle || workspace_.view.in_second) return nullptr;
+    emitter_.take(handle->part, workspace_.input.pointer);
+    return std::make_unique<PlainDrag>("Moving the emitter",
+                                       [this](const InputEvent& event) { drag(event.seconds); });
+  }
   bool cancel() override { return std::exchange(emitter_.firing, false); }
   void update(double) override {
     if (workspace_.input.held == nullptr) keep();
@@ -90,175 +97,148 @@ class EmitterFeature : public Feature {
   }
   bool needs_redraw() const override { return emitter_.firing && emitter_.in_shots; }
 
-  void draw_overlay(ImDrawList& list) override;
+  void draw_overlay(ImDrawList& list) override {
+    const Area& first = workspace_.view.layout.first;
+    list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
+    draw_emitter(emitter_, FirstPicture(workspace_.view), workspace_.input.pointer_in_viewport(), list);
+    list.PopClipRect();
+    if (!emitter_.firing) return;
+    workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode,
+                                    with_shortcut(workspace_.view, "The emitter fires.", "emitter.fire"),
+                                    "emitter badge");
+  }
   void add_landmarks(Landmarks& landmarks) const override {
     mark_handles(emitter_handles(emitter_, FirstPicture(workspace_.view)), landmarks);
   }
-  void write_session_log(nlohmann::ordered_json& report) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    report["emitter"] = {{"placed", emitter_.placed()},
+                         {"at", vector_json(emitter_.at())},
+                         {"target", vector_json(emitter_.target())},
+                         {"firing", emitter_.firing},
+                         {"in_shots", emitter_.in_shots},
+                         {"pace", emitter_.pace.per_second()}};
+  }
 
  private:
-  std::vector<UserAction> emitter_actions();
-  void keep();
-  void drag(double now);
-  void draw_rows();
-  void draw_pace();
-  void place();
-  void follow_switch(double now);
-  void begin_fire(double now);
-  void fire_shots(double now);
+  std::vector<UserAction> emitter_actions() {
+    const auto no_emitter_reason = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
+    return {
+        make_action("emitter.place", "Place Emitter", "Shift+U",
+                    "Places a laser in the scene, aimed at the centre of the viewport.", [this] { place(); }),
+        make_action(
+            "emitter.fire", "Fire Emitter", "U",
+            "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
+            [this] { emitter_.firing = !emitter_.firing; },
+            {.disabled_reason = no_emitter_reason, .checked = [this] { return emitter_.firing; }}),
+        make_action("emitter.remove", "Remove Emitter", "", "Removes the emitter from the scene.",
+                    [this] { emitter_.remove(); }, {.disabled_reason = no_emitter_reason}),
+    };
+  }
+  void keep() {
+    nlohmann::json entry = emitter_entry(emitter_);
+    if (entry == kept_) return;
+    set_head_entry(workspace_.session.scene, kEmitterKey, entry);
+    kept_ = std::move(entry);
+  }
+  // Moves or aims the emitter. If it fires, its beam follows each move of the pointer.
+  void drag(double now) {
+    emitter_.drag(FirstPicture(workspace_.view), workspace_.input.pointer, point_under_pointer(workspace_));
+    if (emitter_.drawing) workspace_.beam.carry_to(workspace_.session.document, emitter_.pose(), now);
+  }
+  // Draws buttons that place, switch and remove the emitter, and its pace, position and target.
+  void draw_rows() {
+    if (!emitter_.placed()) {
+      const std::string meaning = with_shortcut(
+          workspace_.view, "Places a laser in the scene; move and aim it by its handles.", "emitter.place");
+      if (row_button("Place Emitter", 1, nullptr, meaning.c_str())) place();
+      return;
+    }
+    const std::string meaning =
+        with_shortcut(workspace_.view, "Switches the emitter on or off.", "emitter.fire");
+    if (row_button(emitter_.firing ? "Stop###fire" : "Fire###fire", 2, nullptr, meaning.c_str()))
+      emitter_.firing = !emitter_.firing;
+    mark_last_item("fire");
+    ImGui::SameLine();
+    const bool removed = row_button("Remove", 2, nullptr, "Removes the emitter from the scene.");
+    if (!begin_properties("emitter")) return;
+    draw_pace();
+    Vec3 at = emitter_.at(), target = emitter_.target();
+    const NumberUnit unit = file_unit(workspace_.view.frame.unit);
+    const double size = workspace_.world().loaded_bounds().diagonal();
+    if (fields_.vector("Position", at, "%.5g", "Position of the emitter, in the unit of the file.", unit,
+                       size))
+      emitter_.move_to(at);
+    if (fields_.vector("Target", target, "%.5g", "Target of the emitter, in the unit of the file.", unit,
+                       size))
+      emitter_.aim_at(target);
+    end_properties();
+    if (removed) emitter_.remove();
+  }
+  void draw_pace() {
+    constexpr std::array kKinds{"Continuous", "Pulsed"};
+    int kind = emitter_.in_shots ? 1 : 0;
+    marked_choice_row(
+        "Mode", "##fires", kind, kKinds, "emitter fires",
+        "Continuous: one stroke follows the motion of the emitter. Pulsed: each shot at a steady "
+        "rate is a stroke.");
+    emitter_.in_shots = kind == 1;
+    if (!emitter_.in_shots) return;
+    double pace = emitter_.pace.per_second();
+    if (fields_.number("Pace", pace, "%.3g shots/s",
+                       "Shots per second, 0.1 to 60. A shot waits until the last one is cut.", {},
+                       {FirePace::kSlowest, FirePace::kFastest}))
+      emitter_.pace.set(pace);
+  }
+  void place() {
+    const double diagonal = workspace_.world().bounds().diagonal();
+    const CameraView view = workspace_.view.seen_first();
+    const auto surface = surface_point(workspace_.world(), workspace_.view.look, view.ray(0, 0));
+    place_in_view(emitter_, view, surface ? surface->at : workspace_.view.camera.pivot(),
+                  diagonal > 0 ? kEmitterAway * diagonal : 1);
+  }
+  // Begins, continues or ends the stroke of the emitter as switched, or fires the due shot.
+  void follow_switch(double now) {
+    LaserTool& beam = workspace_.beam;
+    const bool ended_elsewhere =
+        (emitter_.drawing && !beam.cutting()) || (workspace_.input.held && workspace_.input.held->cuts());
+    if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;
+    if (workspace_.opening.loader.busy()) emitter_.firing = false;
+    if (emitter_.in_shots && !emitter_.drawing) return fire_shots(now);
+    const bool on = emitter_.firing && !emitter_.in_shots;
+    if (on && !emitter_.drawing) {
+      begin_fire(now);
+    } else if (on) {
+      beam.carry_to(workspace_.session.document, emitter_.pose(), now);
+    } else if (emitter_.drawing) {
+      cancel_stroke(workspace_);
+    }
+    emitter_.drawing = on;
+  }
+  void begin_fire(double now) {
+    cancel_stroke(workspace_);
+    stand_together(workspace_.world(), workspace_.view);
+    KERF_ASSERT(emitter_.placed());
+    workspace_.beam.fire(workspace_.session.document, emitter_.pose(), emitter_.distance(),
+                         workspace_.laser.settings(workspace_.world().bounds().diagonal()), now);
+    workspace_.links.cut_once = true;
+  }
+  // A shot waits until the last one is cut. A shot that hits nothing would be an empty history entry.
+  void fire_shots(double now) {
+    const Document& document = workspace_.session.document;
+    if (!emitter_.firing) return emitter_.pace.begin();
+    if (workspace_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
+    emitter_.pace.take(now);
+    const Laser laser = workspace_.laser.settings(workspace_.world().bounds().diagonal()).laser;
+    if (!hits_anything(workspace_.world(), laser, emitter_.pose())) return;
+    begin_fire(now);
+    workspace_.beam.release(workspace_.session.document);
+  }
 
   Workspace& workspace_;
   Emitter emitter_;
   nlohmann::json kept_;  // entry stored in the head of the document
   NumberFields fields_;
 };
-
-std::unique_ptr<Interaction> EmitterFeature::begin_interaction(const Press&) {
-  const auto handle =
-      handle_under(emitter_handles(emitter_, FirstPicture(workspace_.view)), workspace_.input.pointer);
-  if (!handle || workspace_.view.in_second) return nullptr;
-  emitter_.take(handle->part, workspace_.input.pointer);
-  return std::make_unique<PlainDrag>("Moving the emitter",
-                                     [this](const InputEvent& event) { drag(event.seconds); });
-}
-
-void EmitterFeature::keep() {
-  nlohmann::json entry = emitter_entry(emitter_);
-  if (entry == kept_) return;
-  set_head_entry(workspace_.session.scene, kEmitterKey, entry);
-  kept_ = std::move(entry);
-}
-
-// Moves or aims the emitter. If it fires, its beam follows each move of the pointer.
-void EmitterFeature::drag(double now) {
-  emitter_.drag(FirstPicture(workspace_.view), workspace_.input.pointer, point_under_pointer(workspace_));
-  if (emitter_.drawing) workspace_.beam.carry_to(workspace_.session.document, emitter_.pose(), now);
-}
-
-std::vector<UserAction> EmitterFeature::emitter_actions() {
-  const auto no_emitter_reason = [this] { return emitter_.placed() ? nullptr : "Place an emitter first."; };
-  return {
-      make_action("emitter.place", "Place Emitter", "Shift+U",
-                  "Places a laser in the scene, aimed at the centre of the viewport.", [this] { place(); }),
-      make_action("emitter.fire", "Fire Emitter", "U",
-                  "Switches the emitter on or off. The Laser panel sets whether it is continuous or pulsed.",
-                  [this] { emitter_.firing = !emitter_.firing; },
-                  {.disabled_reason = no_emitter_reason, .checked = [this] { return emitter_.firing; }}),
-      make_action("emitter.remove", "Remove Emitter", "", "Removes the emitter from the scene.",
-                  [this] { emitter_.remove(); }, {.disabled_reason = no_emitter_reason}),
-  };
-}
-
-// Draws buttons that place, switch and remove the emitter, and its pace, position and target.
-void EmitterFeature::draw_rows() {
-  if (!emitter_.placed()) {
-    const std::string meaning = with_shortcut(
-        workspace_.view, "Places a laser in the scene; move and aim it by its handles.", "emitter.place");
-    if (row_button("Place Emitter", 1, nullptr, meaning.c_str())) place();
-    return;
-  }
-  const std::string meaning =
-      with_shortcut(workspace_.view, "Switches the emitter on or off.", "emitter.fire");
-  if (row_button(emitter_.firing ? "Stop###fire" : "Fire###fire", 2, nullptr, meaning.c_str()))
-    emitter_.firing = !emitter_.firing;
-  mark_last_item("fire");
-  ImGui::SameLine();
-  const bool removed = row_button("Remove", 2, nullptr, "Removes the emitter from the scene.");
-  if (!begin_properties("emitter")) return;
-  draw_pace();
-  Vec3 at = emitter_.at(), target = emitter_.target();
-  const NumberUnit unit = file_unit(workspace_.view.frame.unit);
-  const double size = workspace_.world().loaded_bounds().diagonal();
-  if (fields_.vector("Position", at, "%.5g", "Position of the emitter, in the unit of the file.", unit, size))
-    emitter_.move_to(at);
-  if (fields_.vector("Target", target, "%.5g", "Target of the emitter, in the unit of the file.", unit, size))
-    emitter_.aim_at(target);
-  end_properties();
-  if (removed) emitter_.remove();
-}
-
-void EmitterFeature::draw_pace() {
-  constexpr std::array kKinds{"Continuous", "Pulsed"};
-  int kind = emitter_.in_shots ? 1 : 0;
-  marked_choice_row("Mode", "##fires", kind, kKinds, "emitter fires",
-                    "Continuous: one stroke follows the motion of the emitter. Pulsed: each shot at a steady "
-                    "rate is a stroke.");
-  emitter_.in_shots = kind == 1;
-  if (!emitter_.in_shots) return;
-  double pace = emitter_.pace.per_second();
-  if (fields_.number("Pace", pace, "%.3g shots/s",
-                     "Shots per second, 0.1 to 60. A shot waits until the last one is cut.", {},
-                     {FirePace::kSlowest, FirePace::kFastest}))
-    emitter_.pace.set(pace);
-}
-
-void EmitterFeature::place() {
-  const double diagonal = workspace_.world().bounds().diagonal();
-  const CameraView view = workspace_.view.seen_first();
-  const auto surface = surface_point(workspace_.world(), workspace_.view.look, view.ray(0, 0));
-  place_in_view(emitter_, view, surface ? surface->at : workspace_.view.camera.pivot(),
-                diagonal > 0 ? kEmitterAway * diagonal : 1);
-}
-
-// Begins, continues or ends the stroke of the emitter as switched, or fires the due shot.
-void EmitterFeature::follow_switch(double now) {
-  LaserTool& beam = workspace_.beam;
-  const bool ended_elsewhere =
-      (emitter_.drawing && !beam.cutting()) || (workspace_.input.held && workspace_.input.held->cuts());
-  if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;
-  if (workspace_.opening.loader.busy()) emitter_.firing = false;
-  if (emitter_.in_shots && !emitter_.drawing) return fire_shots(now);
-  const bool on = emitter_.firing && !emitter_.in_shots;
-  if (on && !emitter_.drawing) {
-    begin_fire(now);
-  } else if (on) {
-    beam.carry_to(workspace_.session.document, emitter_.pose(), now);
-  } else if (emitter_.drawing) {
-    cancel_stroke(workspace_);
-  }
-  emitter_.drawing = on;
-}
-
-void EmitterFeature::begin_fire(double now) {
-  cancel_stroke(workspace_);
-  stand_together(workspace_.world(), workspace_.view);
-  KERF_ASSERT(emitter_.placed());
-  workspace_.beam.fire(workspace_.session.document, emitter_.pose(), emitter_.distance(),
-                       workspace_.laser.settings(workspace_.world().bounds().diagonal()), now);
-  workspace_.links.cut_once = true;
-}
-
-// A shot waits until the last one is cut. A shot that hits nothing would be an empty history entry.
-void EmitterFeature::fire_shots(double now) {
-  const Document& document = workspace_.session.document;
-  if (!emitter_.firing) return emitter_.pace.begin();
-  if (workspace_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
-  emitter_.pace.take(now);
-  const Laser laser = workspace_.laser.settings(workspace_.world().bounds().diagonal()).laser;
-  if (!hits_anything(workspace_.world(), laser, emitter_.pose())) return;
-  begin_fire(now);
-  workspace_.beam.release(workspace_.session.document);
-}
-
-void EmitterFeature::draw_overlay(ImDrawList& list) {
-  const Area& first = workspace_.view.layout.first;
-  list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
-  draw_emitter(emitter_, FirstPicture(workspace_.view), workspace_.input.pointer_in_viewport(), list);
-  list.PopClipRect();
-  if (!emitter_.firing) return;
-  workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode,
-                                  with_shortcut(workspace_.view, "The emitter fires.", "emitter.fire"),
-                                  "emitter badge");
-}
-
-void EmitterFeature::write_session_log(nlohmann::ordered_json& report) const {
-  report["emitter"] = {{"placed", emitter_.placed()},
-                       {"at", vector_json(emitter_.at())},
-                       {"target", vector_json(emitter_.target())},
-                       {"firing", emitter_.firing},
-                       {"in_shots", emitter_.in_shots},
-                       {"pace", emitter_.pace.per_second()}};
-}
 
 }  // namespace
 

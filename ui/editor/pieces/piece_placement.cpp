@@ -457,9 +457,33 @@ class TransformFeature : public Feature {
     return {{"move_piece", "Left drag on an arrow or a ring",
              "Move or rotate the selected piece with the tool Select; Ctrl snaps to steps and vertices"}};
   }
-
-  bool handle_event(const InputEvent& event, bool in_picture) override;
-  std::unique_ptr<Interaction> begin_interaction(const Press& press) override;
+  // A piece moved by keys follows the pointer without a button; a click confirms.
+  bool handle_event(const InputEvent& event, bool in_picture) override {
+    if (!moving_.moves()) return false;
+    if (event.kind == InputEvent::Kind::kKey) {
+      take_key(event.button);
+      return true;
+    }
+    if (workspace_.input.held) return false;
+    if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
+    const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
+    if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
+    if (left && in_picture) {
+      confirm();
+    } else {
+      cancel_move();
+    }
+    return in_picture;
+  }
+  std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
+    if (!picks(workspace_.input, press)) return nullptr;
+    const auto handle = handle_under(piece_handles(workspace_.view, pivot()), workspace_.input.pointer);
+    if (!handle) return nullptr;
+    moving_.begin(workspace_.world(), handle->kind, workspace_.input.pointer);
+    moving_.constrain(handle->axis);
+    moves_copy_ = false;
+    return std::make_unique<DragOfPiece>(*this);
+  }
   const char* status_hint() const override {
     if (!moving_.moves()) return nullptr;
     return moving_.move().kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Rotating a piece";
@@ -500,14 +524,55 @@ class TransformFeature : public Feature {
   std::optional<Vec3> pivot() const {
     return pivot_shown(workspace_.view, moving_.now(), workspace_.input.picks(), workspace_.world());
   }
-  UserAction move_action(const char* id, const char* name, const char* key, PieceMove::Kind kind);
-  UserAction duplicate_action();
-  void draw_placement();
+  // The key moves the piece only if the Select tool is active and a piece is selected.
+  UserAction move_action(const char* id, const char* name, const char* key, PieceMove::Kind kind) {
+    return make_action(
+        id, name, key,
+        "The selected piece follows the pointer: X/Y/Z lock an axis, digits set the amount. The key needs "
+        "the Select tool.",
+        [this, kind] {
+          cancel_stroke(workspace_);
+          moving_.begin(workspace_.world(), kind, workspace_.input.pointer);
+          moves_copy_ = false;
+        },
+        {.disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); },
+         .has_key_when =
+             [this] { return workspace_.input.picks() && selected_count(workspace_.view.look.pieces) > 0; }});
+  }
+  UserAction duplicate_action() {
+    return make_action(
+        "pieces.duplicate", "Duplicate", "Shift+D",
+        "Adds a copy of the selected piece and moves it with the pointer.",
+        [this] { workspace_.changes.enqueue("Duplicate", [this] { duplicate(); }); },
+        {.disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); }});
+  }
+  void draw_placement() {
+    if (const auto command = placement_.draw(workspace_.world(), workspace_.view))
+      workspace_.changes.enqueue(*command);
+  }
 
   void follow_pointer(const InputEvent& event) {
     moving_.follow(workspace_.world(), event.at, (event.mods & GLFW_MOD_CONTROL) != 0);
   }
-  void take_key(int key);
+  // Enter confirms, Esc cancels, G and R switch between moving and turning; PieceMove::key handles the rest.
+  void take_key(int key) {
+    switch (key) {
+      case GLFW_KEY_ENTER:
+      case GLFW_KEY_KP_ENTER:
+        return confirm();
+      case GLFW_KEY_ESCAPE:
+        return cancel_move();
+      case GLFW_KEY_G:
+      case GLFW_KEY_R:
+        moving_.begin(workspace_.world(), key == GLFW_KEY_G ? PieceMove::Kind::kMove : PieceMove::Kind::kTurn,
+                      workspace_.input.pointer);
+        break;
+      default:
+        if (!moving_.key(key)) return;
+        break;
+    }
+    moving_.follow(workspace_.world(), workspace_.input.pointer, false);
+  }
   void confirm() {
     if (const auto command = moving_.confirm()) workspace_.changes.enqueue(*command);
   }
@@ -517,8 +582,27 @@ class TransformFeature : public Feature {
       workspace_.changes.enqueue("Undo", [this] { workspace_.changes.step_through_history(true); });
     moving_.end();
   }
-  void duplicate();
-  void grab_copy();
+  // The piece may have been hidden, and so deselected, since the request.
+  void duplicate() {
+    const auto piece = first_selected(workspace_.view.look.pieces);
+    if (!piece) return;
+    newest_before_copy_ = workspace_.world().ids().back();
+    workspace_.changes.apply(DuplicatePiece{*piece, workspace_.world().body(piece->body).placement});
+  }
+  // Selects the requested copy, if it exists, and begins to move it.
+  void grab_copy() {
+    const std::optional<BodyId> newest_before = std::exchange(newest_before_copy_, std::nullopt);
+    const std::vector<BodyId> ids = workspace_.world().ids();
+    if (!newest_before || ids.empty() || ids.back() == *newest_before) return;
+    const Records<Piece>& pieces = workspace_.world().body(ids.back()).pieces;
+    deselect_all(workspace_.view.look.pieces);
+    for (uint32_t label = 0; label < pieces.size(); ++label) {
+      if (pieces[label].faces > 0) workspace_.view.look.pieces[{ids.back(), label}].selected = true;
+    }
+    moving_.begin(workspace_.world(), PieceMove::Kind::kMove, workspace_.input.pointer);
+    moves_copy_ = true;
+    workspace_.view.picture_old = true;
+  }
 
   Workspace& workspace_;
   Moving moving_{workspace_.view};
@@ -526,108 +610,6 @@ class TransformFeature : public Feature {
   std::optional<BodyId> newest_before_copy_;  // newest body when the copy was requested
   PlacementRows placement_;
 };
-
-// A piece moved by keys follows the pointer without a button; a click confirms.
-bool TransformFeature::handle_event(const InputEvent& event, bool in_picture) {
-  if (!moving_.moves()) return false;
-  if (event.kind == InputEvent::Kind::kKey) {
-    take_key(event.button);
-    return true;
-  }
-  if (workspace_.input.held) return false;
-  if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
-  const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
-  if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
-  if (left && in_picture) {
-    confirm();
-  } else {
-    cancel_move();
-  }
-  return in_picture;
-}
-
-// Enter confirms, Esc cancels, G and R switch between moving and turning; PieceMove::key handles the rest.
-void TransformFeature::take_key(int key) {
-  switch (key) {
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      return confirm();
-    case GLFW_KEY_ESCAPE:
-      return cancel_move();
-    case GLFW_KEY_G:
-    case GLFW_KEY_R:
-      moving_.begin(workspace_.world(), key == GLFW_KEY_G ? PieceMove::Kind::kMove : PieceMove::Kind::kTurn,
-                    workspace_.input.pointer);
-      break;
-    default:
-      if (!moving_.key(key)) return;
-      break;
-  }
-  moving_.follow(workspace_.world(), workspace_.input.pointer, false);
-}
-
-std::unique_ptr<Interaction> TransformFeature::begin_interaction(const Press& press) {
-  if (!picks(workspace_.input, press)) return nullptr;
-  const auto handle = handle_under(piece_handles(workspace_.view, pivot()), workspace_.input.pointer);
-  if (!handle) return nullptr;
-  moving_.begin(workspace_.world(), handle->kind, workspace_.input.pointer);
-  moving_.constrain(handle->axis);
-  moves_copy_ = false;
-  return std::make_unique<DragOfPiece>(*this);
-}
-
-// The key moves the piece only if the Select tool is active and a piece is selected.
-UserAction TransformFeature::move_action(const char* id, const char* name, const char* key,
-                                         PieceMove::Kind kind) {
-  return make_action(
-      id, name, key,
-      "The selected piece follows the pointer: X/Y/Z lock an axis, digits set the amount. The key needs "
-      "the Select tool.",
-      [this, kind] {
-        cancel_stroke(workspace_);
-        moving_.begin(workspace_.world(), kind, workspace_.input.pointer);
-        moves_copy_ = false;
-      },
-      {.disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); },
-       .has_key_when =
-           [this] { return workspace_.input.picks() && selected_count(workspace_.view.look.pieces) > 0; }});
-}
-
-UserAction TransformFeature::duplicate_action() {
-  return make_action(
-      "pieces.duplicate", "Duplicate", "Shift+D",
-      "Adds a copy of the selected piece and moves it with the pointer.",
-      [this] { workspace_.changes.enqueue("Duplicate", [this] { duplicate(); }); },
-      {.disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); }});
-}
-
-// The piece may have been hidden, and so deselected, since the request.
-void TransformFeature::duplicate() {
-  const auto piece = first_selected(workspace_.view.look.pieces);
-  if (!piece) return;
-  newest_before_copy_ = workspace_.world().ids().back();
-  workspace_.changes.apply(DuplicatePiece{*piece, workspace_.world().body(piece->body).placement});
-}
-
-// Selects the requested copy, if it exists, and begins to move it.
-void TransformFeature::grab_copy() {
-  const std::optional<BodyId> newest_before = std::exchange(newest_before_copy_, std::nullopt);
-  const std::vector<BodyId> ids = workspace_.world().ids();
-  if (!newest_before || ids.empty() || ids.back() == *newest_before) return;
-  const Records<Piece>& pieces = workspace_.world().body(ids.back()).pieces;
-  deselect_all(workspace_.view.look.pieces);
-  for (uint32_t label = 0; label < pieces.size(); ++label) {
-    if (pieces[label].faces > 0) workspace_.view.look.pieces[{ids.back(), label}].selected = true;
-  }
-  moving_.begin(workspace_.world(), PieceMove::Kind::kMove, workspace_.input.pointer);
-  moves_copy_ = true;
-  workspace_.view.picture_old = true;
-}
-
-void TransformFeature::draw_placement() {
-  if (const auto command = placement_.draw(workspace_.world(), workspace_.view))
-    workspace_.changes.enqueue(*command);
-}
 
 }  // namespace
 

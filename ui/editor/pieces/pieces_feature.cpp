@@ -202,22 +202,171 @@ class PiecesFeature : public Feature {
   }
 
  private:
-  std::vector<UserAction> piece_actions();
-  std::vector<UserAction> shown_actions();
-  std::vector<UserAction> pieces_to_select();
-  UserAction spread_action(const char* id, const char* name, double by);
-  UserAction export_action();
+  std::vector<UserAction> piece_actions() {
+    const auto no_emitter_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); };
+    const auto rename_disabled_reason = [this]() -> const char* {
+      if (const char* why = no_selection_reason(workspace_.view.look.pieces)) return why;
+      return selected_count(workspace_.view.look.pieces) > 1 ? "Select a single piece to rename it."
+                                                             : nullptr;
+    };
+    return {
+        make_action("pieces.select_all", "Select All", "Ctrl+A", "Selects all visible pieces.",
+                    [this] { select_all(); }),
+        make_action("pieces.hide", "Hide Selected", "H",
+                    "Hides the selected pieces; the beam does not cut them.", [this] { request_hide(); },
+                    {.disabled_reason = no_emitter_reason}),
+        make_action("pieces.show_all", "Show All", "Shift+H", "Shows the hidden pieces again.",
+                    [this] { request_show(); }, {.disabled_reason = [this] { return none_hidden_reason(); }}),
+        UserAction{.id = "pieces.isolate",
+                   .name = "Isolate Selected",
+                   .shortcut = "/",
+                   .pad_key = GLFW_KEY_KP_DIVIDE,
+                   .tip = "Hides all other pieces; repeat to show them again.",
+                   .run =
+                       [this] {
+                         workspace_.changes.enqueue({.name = "Isolate pieces",
+                                                     .run = [this] { return isolation_.change(), true; },
+                                                     .is_one = true});
+                       },
+                   .disabled_reason = [this] { return isolation_.disabled_reason(); }},
+        make_action("pieces.rename", "Rename...", "F2",
+                    "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
+                    [this] { rename_selected(); }, {.disabled_reason = rename_disabled_reason}),
+        make_action(
+            "pieces.delete", "Delete Selected", "Del", "Removes the selected pieces from the scene.",
+            [this] {
+              workspace_.changes.enqueue(
+                  {.name = "Delete pieces",
+                   .run = [this] { return change_selected([](const PieceId& p) { return DeletePiece{p}; }); },
+                   .is_one = true});
+            },
+            {.disabled_reason = no_emitter_reason}),
+    };
+  }
+  std::vector<UserAction> shown_actions() {
+    return {
+        UserAction{.id = "pieces.select_one",
+                   .name = "Select Pieces",
+                   .items = [this] { return pieces_to_select(); }},
+        spread_action("pieces.explode_more", "Explode More", kSpreadStep),
+        spread_action("pieces.explode_less", "Explode Less", -kSpreadStep),
+    };
+  }
+  std::vector<UserAction> pieces_to_select() {
+    std::vector<UserAction> actions;
+    PieceMap& looks = workspace_.view.look.pieces;
+    for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
+      if (actions.size() >= kMaxNamed) break;
+      actions.push_back({.name = row.name, .tip = "Selects only this piece."});
+      actions.back().run = [this, &looks, id = row.id] {
+        deselect_all(looks);
+        looks[id].selected = true;
+        workspace_.view.picture_old = true;
+      };
+      actions.back().disabled_reason = [&looks, id = row.id] {
+        const auto look = looks.find(id);
+        return look != looks.end() && look->second.hidden ? "This piece is hidden." : nullptr;
+      };
+    }
+    return actions;
+  }
+  UserAction spread_action(const char* id, const char* name, double by) {
+    return picture_action(workspace_.view, id, name,
+                          "Draws the pieces apart or closer together, without moving them.", [this, by] {
+                            workspace_.view.spread = std::clamp(workspace_.view.spread + by, 0.0, kMaxSpread);
+                            spread_pieces(workspace_.world(), workspace_.view.spread, workspace_.view.look);
+                          });
+  }
+  UserAction export_action() {
+    return make_action(
+        "pieces.export", "Export Selected...", "Ctrl+E",
+        "Writes the selected pieces to mesh files, in world space.", [this] { export_.select_file(); },
+        {.disabled_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); }});
+  }
 
-  void draw_list();
-  void draw_buttons();
-  void draw_spread(bool one_piece);
+  void draw_list() {
+    list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces),
+               [this] { request_hide(); });
+    draw_buttons();
+  }
+  void draw_buttons() {
+    const char* no_emitter_reason =
+        selected_count(workspace_.view.look.pieces) > 0
+            ? nullptr
+            : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
+    const auto told = [&](const char* meaning, const char* action) {
+      return with_shortcut(workspace_.view, meaning, action);
+    };
+    if (row_button("Hide", 3, no_emitter_reason, told("Hides the selected pieces.", "pieces.hide").c_str()))
+      request_hide();
+    ImGui::SameLine();
+    if (row_button("Show All", 3, none_hidden_reason(),
+                   told("Shows the hidden pieces again.", "pieces.show_all").c_str()))
+      request_show();
+    ImGui::SameLine();
+    if (row_button("Export", 3, no_emitter_reason,
+                   told("Writes the selected pieces to mesh files.", "pieces.export").c_str()))
+      export_.select_file();
+  }
+  void draw_spread(bool one_piece) {
+    if (!begin_properties("spread")) return;
+    property("Explode");
+    double& spread = workspace_.view.spread;
+    ImGui::BeginDisabled(one_piece);
+    const char* meaning = one_piece ? "There is only one piece: cut a piece off first."
+                                    : "Draws the pieces apart without moving them; the next cut resets it.";
+    if (real_slider({"Explode", "##spread", meaning}, spread, 0, kMaxSpread, "%.2f", {},
+                    spread == 0 ? "together" : "")) {
+      spread_further(workspace_.world(), spread, workspace_.view.look);
+      workspace_.view.picture_old = true;
+    }
+    ImGui::EndDisabled();
+    end_properties();
+  }
 
-  void select_all();
-  void request_hide();
-  void request_show();
-  void rename_selected();
-  bool change_selected(const std::function<Command(const PieceId&)>& command_for);
-  void show_hidden();
+  void select_all() {
+    for (const PieceRow& row : list_pieces(workspace_.world())) {
+      PieceLook& look = workspace_.view.look.pieces[row.id];
+      look.selected = !look.hidden;
+    }
+    workspace_.view.picture_old = true;
+  }
+  void request_hide() {
+    workspace_.changes.enqueue(
+        {.name = "Hide pieces",
+         .run =
+             [this] { return change_selected([](const PieceId& piece) {
+                        return HidePiece{piece, true};
+                      }); },
+         .is_one = true});
+  }
+  void request_show() {
+    workspace_.changes.enqueue(
+        {.name = "Show All", .run = [this] { return show_hidden(), true; }, .is_one = true});
+  }
+  void rename_selected() {
+    KERF_ASSERT(selected_count(workspace_.view.look.pieces) == 1);
+    workspace_.services.panels.reveal(kPiecesPanel);
+    list_.rename(*first_selected(workspace_.view.look.pieces));
+  }
+  // Changes the pieces one by one, because a command may move a piece to another body. Returns false if some
+  // are left because a change became pending.
+  bool change_selected(const std::function<Command(const PieceId&)>& command_for) {
+    while (const auto piece = first_selected(workspace_.view.look.pieces)) {
+      if (workspace_.changes.is_pending()) return false;
+      workspace_.view.look.pieces[*piece].selected = false;
+      workspace_.changes.apply(command_for(*piece));
+    }
+    return true;
+  }
+  // Hidden pieces are separate bodies, so no id changes when one of them is shown.
+  void show_hidden() {
+    std::vector<Command> commands;
+    for (const PieceId& piece : hidden_pieces(workspace_.view.look.pieces))
+      commands.emplace_back(HidePiece{piece, false});
+    workspace_.changes.change("Show All", is_small(workspace_.session.document),
+                              apply_all(std::move(commands)));
+  }
   const char* none_hidden_reason() const {
     return hidden_pieces(workspace_.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
   }
@@ -231,185 +380,11 @@ class PiecesFeature : public Feature {
 // Actions
 // --------------------------------------------------------------------------------------------------------
 
-std::vector<UserAction> PiecesFeature::piece_actions() {
-  const auto no_emitter_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); };
-  const auto rename_disabled_reason = [this]() -> const char* {
-    if (const char* why = no_selection_reason(workspace_.view.look.pieces)) return why;
-    return selected_count(workspace_.view.look.pieces) > 1 ? "Select a single piece to rename it." : nullptr;
-  };
-  return {
-      make_action("pieces.select_all", "Select All", "Ctrl+A", "Selects all visible pieces.",
-                  [this] { select_all(); }),
-      make_action("pieces.hide", "Hide Selected", "H",
-                  "Hides the selected pieces; the beam does not cut them.", [this] { request_hide(); },
-                  {.disabled_reason = no_emitter_reason}),
-      make_action("pieces.show_all", "Show All", "Shift+H", "Shows the hidden pieces again.",
-                  [this] { request_show(); }, {.disabled_reason = [this] { return none_hidden_reason(); }}),
-      UserAction{.id = "pieces.isolate",
-                 .name = "Isolate Selected",
-                 .shortcut = "/",
-                 .pad_key = GLFW_KEY_KP_DIVIDE,
-                 .tip = "Hides all other pieces; repeat to show them again.",
-                 .run =
-                     [this] {
-                       workspace_.changes.enqueue({.name = "Isolate pieces",
-                                                   .run = [this] { return isolation_.change(), true; },
-                                                   .is_one = true});
-                     },
-                 .disabled_reason = [this] { return isolation_.disabled_reason(); }},
-      make_action("pieces.rename", "Rename...", "F2",
-                  "Edits the name in the Pieces panel: Enter to confirm, Esc to cancel.",
-                  [this] { rename_selected(); }, {.disabled_reason = rename_disabled_reason}),
-      make_action(
-          "pieces.delete", "Delete Selected", "Del", "Removes the selected pieces from the scene.",
-          [this] {
-            workspace_.changes.enqueue(
-                {.name = "Delete pieces",
-                 .run = [this] { return change_selected([](const PieceId& p) { return DeletePiece{p}; }); },
-                 .is_one = true});
-          },
-          {.disabled_reason = no_emitter_reason}),
-  };
-}
-
-UserAction PiecesFeature::export_action() {
-  return make_action(
-      "pieces.export", "Export Selected...", "Ctrl+E",
-      "Writes the selected pieces to mesh files, in world space.", [this] { export_.select_file(); },
-      {.disabled_reason = [this] { return no_selection_reason(workspace_.view.look.pieces); }});
-}
-
-std::vector<UserAction> PiecesFeature::pieces_to_select() {
-  std::vector<UserAction> actions;
-  PieceMap& looks = workspace_.view.look.pieces;
-  for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
-    if (actions.size() >= kMaxNamed) break;
-    actions.push_back({.name = row.name, .tip = "Selects only this piece."});
-    actions.back().run = [this, &looks, id = row.id] {
-      deselect_all(looks);
-      looks[id].selected = true;
-      workspace_.view.picture_old = true;
-    };
-    actions.back().disabled_reason = [&looks, id = row.id] {
-      const auto look = looks.find(id);
-      return look != looks.end() && look->second.hidden ? "This piece is hidden." : nullptr;
-    };
-  }
-  return actions;
-}
-
-UserAction PiecesFeature::spread_action(const char* id, const char* name, double by) {
-  return picture_action(workspace_.view, id, name,
-                        "Draws the pieces apart or closer together, without moving them.", [this, by] {
-                          workspace_.view.spread = std::clamp(workspace_.view.spread + by, 0.0, kMaxSpread);
-                          spread_pieces(workspace_.world(), workspace_.view.spread, workspace_.view.look);
-                        });
-}
-
-std::vector<UserAction> PiecesFeature::shown_actions() {
-  return {
-      UserAction{
-          .id = "pieces.select_one", .name = "Select Pieces", .items = [this] { return pieces_to_select(); }},
-      spread_action("pieces.explode_more", "Explode More", kSpreadStep),
-      spread_action("pieces.explode_less", "Explode Less", -kSpreadStep),
-  };
-}
-
 // The panel
 // --------------------------------------------------------------------------------------------------------
 
-void PiecesFeature::draw_list() {
-  list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces),
-             [this] { request_hide(); });
-  draw_buttons();
-}
-
-void PiecesFeature::draw_buttons() {
-  const char* no_emitter_reason =
-      selected_count(workspace_.view.look.pieces) > 0
-          ? nullptr
-          : "Select a piece first: Ctrl+click it, or click it in the Pieces list.";
-  const auto told = [&](const char* meaning, const char* action) {
-    return with_shortcut(workspace_.view, meaning, action);
-  };
-  if (row_button("Hide", 3, no_emitter_reason, told("Hides the selected pieces.", "pieces.hide").c_str()))
-    request_hide();
-  ImGui::SameLine();
-  if (row_button("Show All", 3, none_hidden_reason(),
-                 told("Shows the hidden pieces again.", "pieces.show_all").c_str()))
-    request_show();
-  ImGui::SameLine();
-  if (row_button("Export", 3, no_emitter_reason,
-                 told("Writes the selected pieces to mesh files.", "pieces.export").c_str()))
-    export_.select_file();
-}
-
-void PiecesFeature::draw_spread(bool one_piece) {
-  if (!begin_properties("spread")) return;
-  property("Explode");
-  double& spread = workspace_.view.spread;
-  ImGui::BeginDisabled(one_piece);
-  const char* meaning = one_piece ? "There is only one piece: cut a piece off first."
-                                  : "Draws the pieces apart without moving them; the next cut resets it.";
-  if (real_slider({"Explode", "##spread", meaning}, spread, 0, kMaxSpread, "%.2f", {},
-                  spread == 0 ? "together" : "")) {
-    spread_further(workspace_.world(), spread, workspace_.view.look);
-    workspace_.view.picture_old = true;
-  }
-  ImGui::EndDisabled();
-  end_properties();
-}
-
 // Changes
 // --------------------------------------------------------------------------------------------------------
-
-void PiecesFeature::select_all() {
-  for (const PieceRow& row : list_pieces(workspace_.world())) {
-    PieceLook& look = workspace_.view.look.pieces[row.id];
-    look.selected = !look.hidden;
-  }
-  workspace_.view.picture_old = true;
-}
-
-void PiecesFeature::request_hide() {
-  workspace_.changes.enqueue(
-      {.name = "Hide pieces",
-       .run = [this] { return change_selected([](const PieceId& piece) {
-                         return HidePiece{piece, true};
-                       }); },
-       .is_one = true});
-}
-
-void PiecesFeature::request_show() {
-  workspace_.changes.enqueue(
-      {.name = "Show All", .run = [this] { return show_hidden(), true; }, .is_one = true});
-}
-
-void PiecesFeature::rename_selected() {
-  KERF_ASSERT(selected_count(workspace_.view.look.pieces) == 1);
-  workspace_.services.panels.reveal(kPiecesPanel);
-  list_.rename(*first_selected(workspace_.view.look.pieces));
-}
-
-// Changes the pieces one by one, because a command may move a piece to another body. Returns false if some
-// are left because a change became pending.
-bool PiecesFeature::change_selected(const std::function<Command(const PieceId&)>& command_for) {
-  while (const auto piece = first_selected(workspace_.view.look.pieces)) {
-    if (workspace_.changes.is_pending()) return false;
-    workspace_.view.look.pieces[*piece].selected = false;
-    workspace_.changes.apply(command_for(*piece));
-  }
-  return true;
-}
-
-// Hidden pieces are separate bodies, so no id changes when one of them is shown.
-void PiecesFeature::show_hidden() {
-  std::vector<Command> commands;
-  for (const PieceId& piece : hidden_pieces(workspace_.view.look.pieces))
-    commands.emplace_back(HidePiece{piece, false});
-  workspace_.changes.change("Show All", is_small(workspace_.session.document),
-                            apply_all(std::move(commands)));
-}
 
 }  // namespace
 

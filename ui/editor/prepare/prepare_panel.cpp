@@ -499,13 +499,38 @@ class PrepareFeature : public Feature {
                     {.checked = [this] { return workspace_.settings.prepare_preview; }})};
   }
 
-  void after_queue(double) override;
+  void after_queue(double) override {
+    const bool seen = workspace_.settings.prepare_preview &&
+                      workspace_.services.panels.shows(kPreparePanel) && world_rests();
+    const std::vector<PieceRow> pieces = seen ? this->pieces() : std::vector<PieceRow>();
+    const Preparation preparation = with_numbers(preparation_, pieces, workspace_.world());
+    if (!seen || preview_disabled_reason(workspace_.world(), pieces, preparation) != nullptr) {
+      preview_.drop();
+    } else {
+      preview_.follow(workspace_.world(), pieces, preparation);
+      preview_.wait(workspace_.screen.background_wait);
+    }
+    const auto wire = preview_.shown() != nullptr ? preview_.shown()->wire : nullptr;
+    if (workspace_.view.look.wire == wire) return;
+    workspace_.view.look.wire = wire;
+    workspace_.view.picture_old = true;
+  }
   bool needs_redraw() const override { return preview_.busy(); }
   void on_world_changed(const Delta& delta) override {
     if (!delta.empty()) preview_.drop();
   }
   void on_document_opened() override { preview_.drop(); }
-  void write_session_log(nlohmann::ordered_json& report) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    const Preview* shown = preview_.shown();
+    if (shown == nullptr) return;
+    report["preview"] = {{"faces", shown->after.faces},
+                         {"least_angle", shown->after.min_angle},
+                         {"distance", shown->distance},
+                         {"edges", 0}};
+    size_t edges = 0;
+    for (const DrawnWire::Part& part : shown->wire->parts) edges += part.edges.size();
+    report["preview"]["edges"] = edges;
+  }
 
  private:
   UserAction tool_action(const char* id, const char* name, const char* tip, Preparation::Tool tool) {
@@ -556,35 +581,6 @@ class PrepareFeature : public Feature {
   PreparePanel panel_;
   LivePreview preview_;
 };
-
-void PrepareFeature::after_queue(double) {
-  const bool seen =
-      workspace_.settings.prepare_preview && workspace_.services.panels.shows(kPreparePanel) && world_rests();
-  const std::vector<PieceRow> pieces = seen ? this->pieces() : std::vector<PieceRow>();
-  const Preparation preparation = with_numbers(preparation_, pieces, workspace_.world());
-  if (!seen || preview_disabled_reason(workspace_.world(), pieces, preparation) != nullptr) {
-    preview_.drop();
-  } else {
-    preview_.follow(workspace_.world(), pieces, preparation);
-    preview_.wait(workspace_.screen.background_wait);
-  }
-  const auto wire = preview_.shown() != nullptr ? preview_.shown()->wire : nullptr;
-  if (workspace_.view.look.wire == wire) return;
-  workspace_.view.look.wire = wire;
-  workspace_.view.picture_old = true;
-}
-
-void PrepareFeature::write_session_log(nlohmann::ordered_json& report) const {
-  const Preview* shown = preview_.shown();
-  if (shown == nullptr) return;
-  report["preview"] = {{"faces", shown->after.faces},
-                       {"least_angle", shown->after.min_angle},
-                       {"distance", shown->distance},
-                       {"edges", 0}};
-  size_t edges = 0;
-  for (const DrawnWire::Part& part : shown->wire->parts) edges += part.edges.size();
-  report["preview"]["edges"] = edges;
-}
 
 }  // namespace
 

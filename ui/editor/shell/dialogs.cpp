@@ -229,21 +229,70 @@ class Dialogs : public Feature {
              "selection"}};
   }
 
-  bool handle_event(const InputEvent& event, bool) override;
+  bool handle_event(const InputEvent& event, bool) override {
+    if (event.kind != InputEvent::Kind::kKey) return false;
+    if (workspace_.services.browser.open) {
+      browser_key(workspace_.services.browser, event.button);
+    } else if (palette_.open) {
+      palette_key(palette_, event.button);
+    } else if (page_.shown && !is_text_field_active()) {
+      settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
+    } else {
+      return false;
+    }
+    return true;
+  }
   bool clear_selection() override {
     const bool shown = shortcuts_shown_ || workspace_.services.messages_shown;
     shortcuts_shown_ = workspace_.services.messages_shown = false;
     return shown;
   }
   bool awaits_focus() const override { return workspace_.services.browser.open || palette_.open; }
-  void draw_windows() override;
+  void draw_windows() override {
+    draw_shortcut_sheet(shortcuts_shown_, catalogue_.actions, catalogue_.gestures);
+    draw_message_log(workspace_.services.messages_shown, workspace_.message);
+    draw_settings_page(page_, workspace_.settings, catalogue_.usual);
+    const Area& picture = workspace_.view.layout.viewport;
+    draw_palette(palette_, catalogue_.actions, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
+                 static_cast<float>(picture.at.y + ImGui::GetFontSize()));
+    const bool was_open = workspace_.services.browser.open;
+    draw_file_browser(workspace_.services.browser);
+    if (was_open && !workspace_.services.browser.open)
+      workspace_.settings.folder = workspace_.services.browser.folder;
+  }
   void add_landmarks(Landmarks& landmarks) const override {
     if (workspace_.services.browser.open) landmarks.mark("browser", {workspace_.input.pointer, Vec2(1)});
   }
 
  private:
-  std::vector<UserAction> column_actions();
-  std::vector<UserAction> help_actions();
+  std::vector<UserAction> column_actions() {
+    bool& shown = workspace_.settings.side_shown;
+    std::vector<UserAction> actions = tab_actions(workspace_.services.panels);
+    actions.push_back({.id = "view.panels", .name = "Panels", .items = [this] {
+                         return panel_actions(catalogue_.panels, workspace_.services.panels);
+                       }});
+    actions.push_back(make_action("view.sidebar", "Sidebar", "F4",
+                                  "Hides the sidebar, so that the viewport fills the window.",
+                                  [&shown] { shown = !shown; }, {.checked = [&shown] { return shown; }}));
+    return actions;
+  }
+  std::vector<UserAction> help_actions() {
+    return {
+        make_action("help.palette", "Command Palette", "Ctrl+P",
+                    "Finds any action by parts of its name, and shows its key.",
+                    [this] { open_palette(palette_); }),
+        make_action("help.settings", "Settings", "Ctrl+,",
+                    "The speed of the mouse, and the keys of all actions.",
+                    [this] { page_.shown = !page_.shown; }, {.checked = [this] { return page_.shown; }}),
+        make_action("help.shortcuts", "Shortcuts", "F1", "All keys, and what the mouse does.",
+                    [this] { shortcuts_shown_ = !shortcuts_shown_; },
+                    {.checked = [this] { return shortcuts_shown_; }}),
+        make_action("help.messages", "Messages", "",
+                    "All messages of the status bar, in full. A click on its message shows them too.",
+                    [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
+                    {.checked = [this] { return workspace_.services.messages_shown; }}),
+    };
+  }
 
   Workspace& workspace_;
   const Catalogue& catalogue_;
@@ -251,63 +300,6 @@ class Dialogs : public Feature {
   SettingsPage page_;
   bool shortcuts_shown_ = false;
 };
-
-std::vector<UserAction> Dialogs::column_actions() {
-  bool& shown = workspace_.settings.side_shown;
-  std::vector<UserAction> actions = tab_actions(workspace_.services.panels);
-  actions.push_back({.id = "view.panels", .name = "Panels", .items = [this] {
-                       return panel_actions(catalogue_.panels, workspace_.services.panels);
-                     }});
-  actions.push_back(make_action("view.sidebar", "Sidebar", "F4",
-                                "Hides the sidebar, so that the viewport fills the window.",
-                                [&shown] { shown = !shown; }, {.checked = [&shown] { return shown; }}));
-  return actions;
-}
-
-std::vector<UserAction> Dialogs::help_actions() {
-  return {
-      make_action("help.palette", "Command Palette", "Ctrl+P",
-                  "Finds any action by parts of its name, and shows its key.",
-                  [this] { open_palette(palette_); }),
-      make_action("help.settings", "Settings", "Ctrl+,",
-                  "The speed of the mouse, and the keys of all actions.",
-                  [this] { page_.shown = !page_.shown; }, {.checked = [this] { return page_.shown; }}),
-      make_action("help.shortcuts", "Shortcuts", "F1", "All keys, and what the mouse does.",
-                  [this] { shortcuts_shown_ = !shortcuts_shown_; },
-                  {.checked = [this] { return shortcuts_shown_; }}),
-      make_action("help.messages", "Messages", "",
-                  "All messages of the status bar, in full. A click on its message shows them too.",
-                  [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
-                  {.checked = [this] { return workspace_.services.messages_shown; }}),
-  };
-}
-
-bool Dialogs::handle_event(const InputEvent& event, bool) {
-  if (event.kind != InputEvent::Kind::kKey) return false;
-  if (workspace_.services.browser.open) {
-    browser_key(workspace_.services.browser, event.button);
-  } else if (palette_.open) {
-    palette_key(palette_, event.button);
-  } else if (page_.shown && !is_text_field_active()) {
-    settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
-  } else {
-    return false;
-  }
-  return true;
-}
-
-void Dialogs::draw_windows() {
-  draw_shortcut_sheet(shortcuts_shown_, catalogue_.actions, catalogue_.gestures);
-  draw_message_log(workspace_.services.messages_shown, workspace_.message);
-  draw_settings_page(page_, workspace_.settings, catalogue_.usual);
-  const Area& picture = workspace_.view.layout.viewport;
-  draw_palette(palette_, catalogue_.actions, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
-               static_cast<float>(picture.at.y + ImGui::GetFontSize()));
-  const bool was_open = workspace_.services.browser.open;
-  draw_file_browser(workspace_.services.browser);
-  if (was_open && !workspace_.services.browser.open)
-    workspace_.settings.folder = workspace_.services.browser.folder;
-}
 
 }  // namespace
 

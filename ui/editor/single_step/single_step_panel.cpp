@@ -472,112 +472,105 @@ class SingleStepFeature : public Feature {
 
  private:
   // Describes what single steps do or wait for.
-  std::string state_text() const;
+  std::string state_text() const {
+    if (cut_.waits_for_earlier())
+      return cut_.needs_more() ? "an earlier stroke is cut first, then the next stage"
+                               : "an earlier stroke is cut first";
+    const size_t waiting = workspace_.session.document.waiting();
+    if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
+    if (waiting > 0 && stages_.requests.playing) return "playing";
+    if (waiting > 0) return with_shortcut(workspace_.view, "next stage", "stages.next");
+    return stages_.log.done() > 0 ? "the stroke is cut" : "draw a stroke";
+  }
   const char* next_disabled_reason() const {
     return next_stage_disabled_reason(stages_, workspace_.session.document);
   }
-  std::vector<UserAction> beginnings();
-  std::vector<UserAction> steps();
-  std::vector<UserAction> view_actions();
-  UserAction speed_action(const char* id, const char* name, double factor);
-  UserAction visit_action(const char* id, const char* name, const char* shortcut, int by);
+  std::vector<UserAction> beginnings() {
+    StageRequests& requests = stages_.requests;
+    const auto start_disabled_reason = [this] {
+      return restart_disabled_reason(workspace_.session.document);
+    };
+    const auto play_disabled_reason = [this, start_disabled_reason]() -> const char* {
+      return stages_.requests.playing || next_disabled_reason() == nullptr ? nullptr
+                                                                           : start_disabled_reason();
+    };
+    return {
+        make_action("stages.step_mode", "Step Mode", "F8",
+                    "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
+                    [&requests] { requests.stop(), requests.on = !requests.on; },
+                    {.checked = [&requests] { return requests.on; }}),
+        make_action("stages.step_last_cut", "Step Through Last Cut", "Shift+F8",
+                    "Undoes the last stroke and cuts it again, stage by stage.",
+                    [&requests] { requests.start_over(); }, {.disabled_reason = start_disabled_reason}),
+        make_action("stages.play", "Play Stages", "Space",
+                    "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
+                    [this] { cut_.follow(), play_or_pause(stages_, workspace_.session.document); },
+                    {.disabled_reason = play_disabled_reason,
+                     .checked = [&requests] { return requests.playing; },
+                     .has_key_when = [&requests] { return requests.on; }}),
+    };
+  }
+  std::vector<UserAction> steps() {
+    StageRequests& requests = stages_.requests;
+    const auto disabled_reason = [this] { return next_disabled_reason(); };
+    const auto while_on = [&requests] { return requests.on; };  // otherwise the key advances a tick
+    return {
+        make_action("stages.next", "Next Stage", ".", "Executes one stage of the stroke.",
+                    [this] {
+                      cut_.follow();
+                      stages_.requests.go_to(stages_.log.done() + 1);
+                    },
+                    {.disabled_reason = disabled_reason, .has_key_when = while_on}),
+        make_action(
+            "stages.previous", "Previous Stage", ",", "Undoes the last stage, to the bit.",
+            [this] { stages_.requests.go_to(stages_.log.done() - 1); },
+            {.disabled_reason =
+                 [this] { return stage_back_disabled_reason(stages_, workspace_.session.document); }}),
+        make_action("stages.finish_segment", "Finish Segment", "Shift+.",
+                    "Executes the remaining stages of this segment of the beam.",
+                    [this] { cut_.follow(), stages_.requests.run_to_end_of_move(); },
+                    {.disabled_reason = disabled_reason}),
+        make_action("stages.finish_stroke", "Finish Stroke", "End", "Executes all remaining stages.",
+                    [this] { cut_.follow(), stages_.requests.go_to(StageRequests::kAll); },
+                    {.disabled_reason = disabled_reason}),
+    };
+  }
+  std::vector<UserAction> view_actions() {
+    return {
+        speed_action("stages.faster", "Faster Stages", kSpeedStep),
+        speed_action("stages.slower", "Slower Stages", 1 / kSpeedStep),
+        visit_action("tree.next_node", "Next Node", "]", 1),
+        visit_action("tree.previous_node", "Previous Node", "[", -1),
+        make_action(
+            "tree.show_query", "Show Last Tree Query", "",
+            "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
+            [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
+            {.checked = [this] { return stages_.log.query().drawn; }})};
+  }
+  UserAction speed_action(const char* id, const char* name, double factor) {
+    return make_action(id, name, "", "Speed of playback in stages per second.", [this, factor] {
+      double& speed = stages_.requests.per_second;
+      speed = std::clamp(speed * factor, StageRequests::kSlowest, StageRequests::kFastest);
+    });
+  }
+  // Visits one more or one less box of the last query.
+  UserAction visit_action(const char* id, const char* name, const char* shortcut, int by) {
+    return make_action(id, name, shortcut,
+                       "Steps through the boxes of the last tree query in the order of their tests.",
+                       [this, by] {
+                         const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
+                         stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
+                       },
+                       {.disabled_reason = [this] {
+                         return stages_.log.query().empty() ? "No stage has queried the tree yet." : nullptr;
+                       }});
+  }
 
   Workspace& workspace_;
   StageState stages_;
   StageCut cut_{workspace_, stages_};
   SingleStepPanel panel_;
 };
-
-std::string SingleStepFeature::state_text() const {
-  if (cut_.waits_for_earlier())
-    return cut_.needs_more() ? "an earlier stroke is cut first, then the next stage"
-                             : "an earlier stroke is cut first";
-  const size_t waiting = workspace_.session.document.waiting();
-  if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
-  if (waiting > 0 && stages_.requests.playing) return "playing";
-  if (waiting > 0) return with_shortcut(workspace_.view, "next stage", "stages.next");
-  return stages_.log.done() > 0 ? "the stroke is cut" : "draw a stroke";
-}
-
-std::vector<UserAction> SingleStepFeature::beginnings() {
-  StageRequests& requests = stages_.requests;
-  const auto start_disabled_reason = [this] { return restart_disabled_reason(workspace_.session.document); };
-  const auto play_disabled_reason = [this, start_disabled_reason]() -> const char* {
-    return stages_.requests.playing || next_disabled_reason() == nullptr ? nullptr : start_disabled_reason();
-  };
-  return {
-      make_action("stages.step_mode", "Step Mode", "F8",
-                  "Cuts a drawn stroke stage by stage: sweep, hit, refine, remove, separate.",
-                  [&requests] { requests.stop(), requests.on = !requests.on; },
-                  {.checked = [&requests] { return requests.on; }}),
-      make_action("stages.step_last_cut", "Step Through Last Cut", "Shift+F8",
-                  "Undoes the last stroke and cuts it again, stage by stage.",
-                  [&requests] { requests.start_over(); }, {.disabled_reason = start_disabled_reason}),
-      make_action("stages.play", "Play Stages", "Space",
-                  "Plays the stages in slow motion, or pauses; restarts at the end of the stroke.",
-                  [this] { cut_.follow(), play_or_pause(stages_, workspace_.session.document); },
-                  {.disabled_reason = play_disabled_reason,
-                   .checked = [&requests] { return requests.playing; },
-                   .has_key_when = [&requests] { return requests.on; }}),
-  };
-}
-
-std::vector<UserAction> SingleStepFeature::steps() {
-  StageRequests& requests = stages_.requests;
-  const auto disabled_reason = [this] { return next_disabled_reason(); };
-  const auto while_on = [&requests] { return requests.on; };  // otherwise the key advances a tick
-  return {
-      make_action("stages.next", "Next Stage", ".", "Executes one stage of the stroke.",
-                  [this] {
-                    cut_.follow();
-                    stages_.requests.go_to(stages_.log.done() + 1);
-                  },
-                  {.disabled_reason = disabled_reason, .has_key_when = while_on}),
-      make_action("stages.previous", "Previous Stage", ",", "Undoes the last stage, to the bit.",
-                  [this] { stages_.requests.go_to(stages_.log.done() - 1); },
-                  {.disabled_reason =
-                       [this] { return stage_back_disabled_reason(stages_, workspace_.session.document); }}),
-      make_action("stages.finish_segment", "Finish Segment", "Shift+.",
-                  "Executes the remaining stages of this segment of the beam.",
-                  [this] { cut_.follow(), stages_.requests.run_to_end_of_move(); },
-                  {.disabled_reason = disabled_reason}),
-      make_action("stages.finish_stroke", "Finish Stroke", "End", "Executes all remaining stages.",
-                  [this] { cut_.follow(), stages_.requests.go_to(StageRequests::kAll); },
-                  {.disabled_reason = disabled_reason}),
-  };
-}
-
-UserAction SingleStepFeature::speed_action(const char* id, const char* name, double factor) {
-  return make_action(id, name, "", "Speed of playback in stages per second.", [this, factor] {
-    double& speed = stages_.requests.per_second;
-    speed = std::clamp(speed * factor, StageRequests::kSlowest, StageRequests::kFastest);
-  });
-}
-
-// Visits one more or one less box of the last query.
-UserAction SingleStepFeature::visit_action(const char* id, const char* name, const char* shortcut, int by) {
-  return make_action(id, name, shortcut,
-                     "Steps through the boxes of the last tree query in the order of their tests.",
-                     [this, by] {
-                       const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
-                       stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
-                     },
-                     {.disabled_reason = [this] {
-                       return stages_.log.query().empty() ? "No stage has queried the tree yet." : nullptr;
-                     }});
-}
-
-std::vector<UserAction> SingleStepFeature::view_actions() {
-  return {speed_action("stages.faster", "Faster Stages", kSpeedStep),
-          speed_action("stages.slower", "Slower Stages", 1 / kSpeedStep),
-          visit_action("tree.next_node", "Next Node", "]", 1),
-          visit_action("tree.previous_node", "Previous Node", "[", -1),
-          make_action(
-              "tree.show_query", "Show Last Tree Query", "",
-              "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
-              [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
-              {.checked = [this] { return stages_.log.query().drawn; }})};
-}
 
 }  // namespace
 

@@ -69,6 +69,7 @@ struct Sphere {
   Vec3 middle;
   double radius;
 };
+
 Sphere sphere_of(const CameraView& view) {
   return {view.eye + view.forward * view.focus, kSphere * view.half_height()};
 }
@@ -322,8 +323,42 @@ class LightFeature : public Feature {
 
  private:
   bool shows_handles() const { return services_.panels.shows(kLightPanel); }
-  std::vector<UserAction> light_actions();
-  std::vector<UserAction> presets();
+  std::vector<UserAction> light_actions() {
+    ViewOptions& look = view_.look;
+    UserAction add =
+        picture_action(view_, "light.add", "Add Light",
+                       "Adds a directional light; drag its handle while the Light panel is open.",
+                       [this] { add_light(view_.look, view_.camera.up_axis()); });
+    add.disabled_reason = [&look] {
+      return look.lights.size() < kMaxLights ? nullptr : "There are already four lights, the maximum.";
+    };
+    UserAction remove =
+        picture_action(view_, "light.remove", "Remove Light", "Removes the light shown in the Light panel.",
+                       [&look] { remove_light(look); });
+    remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
+    UserAction next = picture_action(
+        view_, "light.next", "Next Light", "Selects the next light in the Light panel.", [&look] {
+          KERF_ASSERT(!look.lights.empty());
+          look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
+        });
+    next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
+    return {UserAction{.id = "light.preset", .name = "Light Preset", .items = [this] { return presets(); }},
+            add, remove, next,
+            flag_action(view_, "light.paper_look", "Paper Shadow Style", look.shadow.paper_look,
+                        "Draws shadows as transparent black instead of omitting the light.")};
+  }
+  std::vector<UserAction> presets() {
+    std::vector<UserAction> actions;
+    for (const LightPreset& preset : light_presets()) {
+      actions.push_back({.name = preset.name, .tip = preset.meaning});
+      actions.back().run = [this, &preset] {
+        view_.look.lights = lights_of(preset, session_.world().bounds(), view_.camera.up_axis());
+        view_.look.shadow.inspected = 0;
+        view_.picture_old = true;
+      };
+    }
+    return actions;
+  }
 
   const DocumentSession& session_;
   ViewState& view_;
@@ -331,46 +366,9 @@ class LightFeature : public Feature {
   Services& services_;
 };
 
-std::vector<UserAction> LightFeature::presets() {
-  std::vector<UserAction> actions;
-  for (const LightPreset& preset : light_presets()) {
-    actions.push_back({.name = preset.name, .tip = preset.meaning});
-    actions.back().run = [this, &preset] {
-      view_.look.lights = lights_of(preset, session_.world().bounds(), view_.camera.up_axis());
-      view_.look.shadow.inspected = 0;
-      view_.picture_old = true;
-    };
-  }
-  return actions;
-}
-
-std::vector<UserAction> LightFeature::light_actions() {
-  ViewOptions& look = view_.look;
-  UserAction add = picture_action(view_, "light.add", "Add Light",
-                                  "Adds a directional light; drag its handle while the Light panel is open.",
-                                  [this] { add_light(view_.look, view_.camera.up_axis()); });
-  add.disabled_reason = [&look] {
-    return look.lights.size() < kMaxLights ? nullptr : "There are already four lights, the maximum.";
-  };
-  UserAction remove =
-      picture_action(view_, "light.remove", "Remove Light", "Removes the light shown in the Light panel.",
-                     [&look] { remove_light(look); });
-  remove.disabled_reason = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
-  UserAction next = picture_action(view_, "light.next", "Next Light",
-                                   "Selects the next light in the Light panel.", [&look] {
-                                     KERF_ASSERT(!look.lights.empty());
-                                     look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
-                                   });
-  next.disabled_reason = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
-  return {UserAction{.id = "light.preset", .name = "Light Preset", .items = [this] { return presets(); }},
-          add, remove, next,
-          flag_action(view_, "light.paper_look", "Paper Shadow Style", look.shadow.paper_look,
-                      "Draws shadows as transparent black instead of omitting the light.")};
-}
+const char* method_name(ShadowMethod method) { return row_of(method).name; }
 
 }  // namespace
-
-const char* method_name(ShadowMethod method) { return row_of(method).name; }
 
 std::span<const LightPreset> light_presets() { return kLightPresets; }
 

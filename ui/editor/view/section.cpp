@@ -232,7 +232,22 @@ class SectionFeature : public Feature {
     return edit_action(id, name, "Turns the plane about its point and hides the side towards the eye.",
                        [axis](ViewState& view) { turn_section_across(view, axis); });
   }
-  void draw_rows();
+  // Draws fields for point and normal, in file units, and buttons that flip, turn, copy and paste the plane.
+  void draw_rows() {
+    if (shown_section(view_.look) == nullptr || !begin_properties("section plane")) return;
+    SectionPlane plane = *view_.look.section;
+    bool typed = fields_.vector("Section", plane.point, "%.5g", "Point on the plane, about which it turns.",
+                                file_unit(view_.frame.unit), session_.world().loaded_bounds().diagonal());
+    typed |= fields_.vector("Normal", plane.normal, "%.4g",
+                            "Normal of the plane, of any length. The side it points to is hidden.");
+    if (typed && plane.normal != Vec3(0)) {
+      view_.look.section = SectionPlane::facing(plane.point, plane.normal);
+      view_.picture_old = true;
+    }
+    draw_turns(view_);
+    draw_text(view_, message_);
+    end_properties();
+  }
 
   const DocumentSession& session_;
   ViewState& view_;
@@ -240,23 +255,6 @@ class SectionFeature : public Feature {
   Message& message_;
   NumberFields fields_;
 };
-
-// Draws fields for point and normal, in file units, and buttons that flip, turn, copy and paste the plane.
-void SectionFeature::draw_rows() {
-  if (shown_section(view_.look) == nullptr || !begin_properties("section plane")) return;
-  SectionPlane plane = *view_.look.section;
-  bool typed = fields_.vector("Section", plane.point, "%.5g", "Point on the plane, about which it turns.",
-                              file_unit(view_.frame.unit), session_.world().loaded_bounds().diagonal());
-  typed |= fields_.vector("Normal", plane.normal, "%.4g",
-                          "Normal of the plane, of any length. The side it points to is hidden.");
-  if (typed && plane.normal != Vec3(0)) {
-    view_.look.section = SectionPlane::facing(plane.point, plane.normal);
-    view_.picture_old = true;
-  }
-  draw_turns(view_);
-  draw_text(view_, message_);
-  end_properties();
-}
 
 }  // namespace
 

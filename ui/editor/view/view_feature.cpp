@@ -359,7 +359,23 @@ class ViewFeature : public Feature {
   void add_landmarks(Landmarks& landmarks) const override {
     for (const AxisEnd& end : axis_ends(workspace_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});
   }
-  void write_session_log(nlohmann::ordered_json& report) const override;
+  void write_session_log(nlohmann::ordered_json& report) const override {
+    nlohmann::ordered_json& all = report["view"];
+    for (const ViewSwitch& s : view_switches()) {
+      const size_t state = s.get(workspace_.view.look);
+      KERF_ASSERT(state < s.states.size());
+      all[s.report] = s.is_two_state() ? nlohmann::ordered_json(state == 1) : s.states[state];
+    }
+    all["section_plane"] = nullptr;
+    if (const SectionPlane* plane = shown_section(workspace_.view.look))
+      all["section_plane"] = section_text(*plane);
+    all["boxes_deepest"] = workspace_.view.look.tree.deepest;
+    all["boxes_leaves_only"] = workspace_.view.look.tree.leaves_only;
+    const Vec3 eye = workspace_.view.seen().near().eye;
+    all["eye"] = {eye.x, eye.y, eye.z};
+    all["orthographic"] = workspace_.view.camera.parallel();
+    all["frame"] = frame_to_json(workspace_.view.frame);
+  }
 
  private:
   void draw_switches() {
@@ -367,100 +383,73 @@ class ViewFeature : public Feature {
       if (s.in_view_panel) draw_switch(workspace_.view, s.id);
     }
   }
-  std::vector<UserAction> text_of_view_actions();
-  std::vector<UserAction> camera_actions();
-  std::vector<UserAction> switch_actions();
-  UserAction theme_action();
-  std::vector<UserAction> scale_actions();
+  std::vector<UserAction> text_of_view_actions() {
+    return {
+        make_action("view.copy_camera", "Copy Camera", "Ctrl+C", "Copies the position of the camera as text.",
+                    [this] { copy_view(workspace_.view, workspace_.message); }),
+        make_action("view.paste_camera", "Paste Camera", "Ctrl+V",
+                    "Sets the camera from text in the clipboard.",
+                    [this] { paste_view(workspace_.view, workspace_.message); }),
+    };
+  }
+  std::vector<UserAction> camera_actions() {
+    std::vector<UserAction> actions{
+        make_action(
+            "view.frame_all", "Frame All", "F",
+            "Fits the scene in the viewport and keeps the direction of view.",
+            [this] { workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect()); }),
+        make_action("view.reset", "Reset View", "Home",
+                    "Restores the view as it was when the file was opened.",
+                    [this] { go_home(workspace_.view, workspace_.world().bounds()); }),
+    };
+    for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(workspace_.view, i));
+    actions.push_back(
+        UserAction{.id = "view.orthographic",
+                   .name = "Orthographic",
+                   .shortcut = "5",
+                   .pad_key = GLFW_KEY_KP_5,
+                   .tip = "Projection without perspective: sizes do not depend on the distance.",
+                   .run = [this] { workspace_.view.camera.set_parallel(!workspace_.view.camera.parallel()); },
+                   .checked = [this] { return workspace_.view.camera.parallel(); }});
+    return actions;
+  }
+  std::vector<UserAction> switch_actions() {
+    std::vector<UserAction> actions;
+    for (const ViewSwitch& each : view_switches()) {
+      if (each.label[0] != '\0') actions.push_back(switch_action(workspace_.view, workspace_.message, each));
+    }
+    return actions;
+  }
+  UserAction theme_action() {
+    Theme& theme = workspace_.settings.theme;
+    return make_action("view.light_theme", "Light Theme", "F9",
+                       "Light panels and menus; the viewport keeps its colours.",
+                       [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
+                       {.checked = [&theme] { return theme == Theme::kLight; }});
+  }
+  std::vector<UserAction> scale_actions() {
+    Settings& settings = workspace_.settings;
+    return {
+        make_action("view.scale_up", "Increase UI Scale", "Ctrl+=", "Size of panels and menus.",
+                    [&settings] { change_scale(settings, kScaleStep); },
+                    {.disabled_reason =
+                         [&settings] {
+                           return settings.ui_scale >= Settings::kMaxScale ? "Already at the maximum size."
+                                                                           : nullptr;
+                         }}),
+        make_action("view.scale_down", "Decrease UI Scale", "Ctrl+-", "Size of panels and menus.",
+                    [&settings] { change_scale(settings, -kScaleStep); },
+                    {.disabled_reason =
+                         [&settings] {
+                           return settings.ui_scale <= Settings::kMinScale ? "Already at the minimum size."
+                                                                           : nullptr;
+                         }}),
+    };
+  }
 
   Workspace& workspace_;
   DisplayPanel display_;
 };
-
-std::vector<UserAction> ViewFeature::text_of_view_actions() {
-  return {
-      make_action("view.copy_camera", "Copy Camera", "Ctrl+C", "Copies the position of the camera as text.",
-                  [this] { copy_view(workspace_.view, workspace_.message); }),
-      make_action("view.paste_camera", "Paste Camera", "Ctrl+V",
-                  "Sets the camera from text in the clipboard.",
-                  [this] { paste_view(workspace_.view, workspace_.message); }),
-  };
-}
-
-std::vector<UserAction> ViewFeature::camera_actions() {
-  std::vector<UserAction> actions{
-      make_action(
-          "view.frame_all", "Frame All", "F",
-          "Fits the scene in the viewport and keeps the direction of view.",
-          [this] { workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect()); }),
-      make_action("view.reset", "Reset View", "Home", "Restores the view as it was when the file was opened.",
-                  [this] { go_home(workspace_.view, workspace_.world().bounds()); }),
-  };
-  for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(workspace_.view, i));
-  actions.push_back(
-      UserAction{.id = "view.orthographic",
-                 .name = "Orthographic",
-                 .shortcut = "5",
-                 .pad_key = GLFW_KEY_KP_5,
-                 .tip = "Projection without perspective: sizes do not depend on the distance.",
-                 .run = [this] { workspace_.view.camera.set_parallel(!workspace_.view.camera.parallel()); },
-                 .checked = [this] { return workspace_.view.camera.parallel(); }});
-  return actions;
-}
-
-std::vector<UserAction> ViewFeature::switch_actions() {
-  std::vector<UserAction> actions;
-  for (const ViewSwitch& each : view_switches()) {
-    if (each.label[0] != '\0') actions.push_back(switch_action(workspace_.view, workspace_.message, each));
-  }
-  return actions;
-}
-
-UserAction ViewFeature::theme_action() {
-  Theme& theme = workspace_.settings.theme;
-  return make_action("view.light_theme", "Light Theme", "F9",
-                     "Light panels and menus; the viewport keeps its colours.",
-                     [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
-                     {.checked = [&theme] { return theme == Theme::kLight; }});
-}
-
-std::vector<UserAction> ViewFeature::scale_actions() {
-  Settings& settings = workspace_.settings;
-  return {
-      make_action("view.scale_up", "Increase UI Scale", "Ctrl+=", "Size of panels and menus.",
-                  [&settings] { change_scale(settings, kScaleStep); },
-                  {.disabled_reason =
-                       [&settings] {
-                         return settings.ui_scale >= Settings::kMaxScale ? "Already at the maximum size."
-                                                                         : nullptr;
-                       }}),
-      make_action("view.scale_down", "Decrease UI Scale", "Ctrl+-", "Size of panels and menus.",
-                  [&settings] { change_scale(settings, -kScaleStep); },
-                  {.disabled_reason =
-                       [&settings] {
-                         return settings.ui_scale <= Settings::kMinScale ? "Already at the minimum size."
-                                                                         : nullptr;
-                       }}),
-  };
-}
-
-void ViewFeature::write_session_log(nlohmann::ordered_json& report) const {
-  nlohmann::ordered_json& all = report["view"];
-  for (const ViewSwitch& s : view_switches()) {
-    const size_t state = s.get(workspace_.view.look);
-    KERF_ASSERT(state < s.states.size());
-    all[s.report] = s.is_two_state() ? nlohmann::ordered_json(state == 1) : s.states[state];
-  }
-  all["section_plane"] = nullptr;
-  if (const SectionPlane* plane = shown_section(workspace_.view.look))
-    all["section_plane"] = section_text(*plane);
-  all["boxes_deepest"] = workspace_.view.look.tree.deepest;
-  all["boxes_leaves_only"] = workspace_.view.look.tree.leaves_only;
-  const Vec3 eye = workspace_.view.seen().near().eye;
-  all["eye"] = {eye.x, eye.y, eye.z};
-  all["orthographic"] = workspace_.view.camera.parallel();
-  all["frame"] = frame_to_json(workspace_.view.frame);
-}
 
 }  // namespace
 

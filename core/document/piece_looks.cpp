@@ -163,12 +163,12 @@ class Evaluation {
     for (uint32_t s = 0; s < at.size(); ++s) sides[next[first[s]]++] = s;
     std::vector<Vec3> planes;
     for (const uint32_t i : bare) planes.push_back(unit_normal_of(triangles_[i]));
-    constexpr uint32_t kLargestFan = 512;  // faces at larger ones are flat
+    constexpr uint32_t kMaxFan = 512;  // faces at larger ones are flat
     for (uint32_t b = 0; b < bare.size(); ++b) {
       for (uint32_t i = 0; i < 3; ++i) {
         const uint32_t p = first[3 * b + i];
         Vec3 sum(0);
-        for (uint32_t k = begin[p]; k < begin[p + 1] && begin[p + 1] - begin[p] <= kLargestFan; ++k) {
+        for (uint32_t k = begin[p]; k < begin[p + 1] && begin[p + 1] - begin[p] <= kMaxFan; ++k) {
           const uint32_t other = sides[k] / 3;
           if (glm::dot(planes[b], planes[other]) >= kCreaseCosine && is_wall(bare[b]) == is_wall(bare[other]))
             sum += corner_weight(triangles_[bare[other]], sides[k] % 3) * planes[other];

@@ -152,7 +152,7 @@ void draw_statistics(const Preview& preview, FileUnit unit) {
   }
   const Preview::Statistics &before = preview.before, &after = preview.after;
   draw_row({"Faces", grouped(before.faces), grouped(after.faces), "Number of faces of the pieces."});
-  draw_row({"Least angle", angle_text(before.min_angle), angle_text(after.min_angle),
+  draw_row({"Min. angle", angle_text(before.min_angle), angle_text(after.min_angle),
             "Smallest angle of all these faces."});
   draw_row({"Distance", "", preview.distance > 0 ? length_label(preview.distance, unit) : "none",
             "Maximum distance between the old and the new surface, measured both ways."});

@@ -366,9 +366,9 @@ class LightFeature : public Feature {
   Services& services_;
 };
 
-const char* method_name(ShadowMethod method) { return row_of(method).name; }
-
 }  // namespace
+
+const char* method_name(ShadowMethod method) { return row_of(method).name; }
 
 std::span<const LightPreset> light_presets() { return kLightPresets; }
 

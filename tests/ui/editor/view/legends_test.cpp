@@ -1,4 +1,4 @@
-#include "ui/editor/view/view_feature.h"
+#include "ui/editor/view/legends.h"
 
 #include <gtest/gtest.h>
 

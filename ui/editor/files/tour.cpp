@@ -1,4 +1,4 @@
-#include "ui/editor/files/welcome_feature.h"
+#include "ui/editor/files/tour.h"
 
 #include <imgui.h>
 #include <algorithm>

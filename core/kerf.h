@@ -45,7 +45,8 @@ class Busy : public Error {
   using Error::Error;
 };
 
-// Throws the exception of a failed result, with kerf_last_error(); no-op for KERF_OK.
+// Throws the exception that corresponds to a failed result, with the message of kerf_last_error(). No-op for
+// KERF_OK.
 inline void check(kerf_result result) {
   if (result == KERF_OK) return;
   if (result == KERF_BUSY) throw Busy(kerf_last_error());
@@ -112,16 +113,16 @@ class Mesh {
     check(kerf_mesh_create(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &mesh));
     mesh_.reset(mesh, kerf_mesh_destroy);
   }
-  // Takes ownership of a mesh of kerf_c.h.
+  // Takes ownership of a kerf_c.h handle.
   explicit Mesh(kerf_mesh* mesh) : mesh_(mesh, kerf_mesh_destroy) {}
 
-  // Writes the mesh to a file, whole or not at all.
-  // path: its extension decides the format: .obj, .ply, .stl, .off, .glb or .gltf.
-  // Throws InvalidArgument for another extension, Error if the file cannot be written. O(n).
+  // Writes the mesh to a file atomically: a failed call leaves no partial file. path: its extension decides
+  // the format: .obj, .ply, .stl, .off, .glb or .gltf. Throws InvalidArgument for another extension, Error if
+  // the file cannot be written. O(n).
   void write(const std::string& path) const { check(kerf_mesh_write(get(), path.c_str())); }
 
-  // Return three numbers per vertex (m), and three vertex indices per face. Valid as long as any copy of the
-  // mesh. O(1).
+  // Return three numbers per vertex (m) and three vertex indices per face. Valid while any copy of the mesh
+  // exists. O(1).
   std::span<const double> vertices() const {
     return {kerf_mesh_vertices(get()), 3 * kerf_mesh_vertex_count(get())};
   }
@@ -144,7 +145,7 @@ class Mesh {
   std::string name() const { return info().name; }
   double area() const { return info().area; }
 
-  // Returns the mesh of kerf_c.h, owned by this one.
+  // Returns the kerf_c.h handle; this object keeps ownership.
   const kerf_mesh* get() const { return mesh_.get(); }
 
  private:
@@ -176,7 +177,7 @@ using CutResult = kerf_cut_result;
 
 // Crossings of rays.
 struct Hits {
-  // all_hits(): those of ray i are entries offsets[i] to offsets[i + 1] - 1. nearest_hits(): empty.
+  // all_hits(): the crossings of ray i are entries offsets[i] to offsets[i + 1] - 1. nearest_hits(): empty.
   std::vector<size_t> offsets;
   std::vector<double> distances;        // m, infinity on a miss
   std::vector<uint32_t> bodies, faces;  // indices; bodies in the order of adding
@@ -191,9 +192,8 @@ class World {
     check(kerf_world_create(&world));
     world_.reset(world);
   }
-  // Opens a file as a world.
-  // path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.
-  // Throws InvalidArgument for an invalid file. Cost: loading the meshes and replaying the cuts.
+  // Creates a world from a file. path: a scene (.json), a journal (.kerf), whose commands are replayed, or a
+  // mesh. Throws InvalidArgument for an invalid file. Cost: loading the meshes and replaying the cuts.
   explicit World(const std::string& path, const CallOptions& options = {}) {
     kerf_world* world = nullptr;
     Run(options).call([&](const kerf_call_options* c) { return kerf_world_open(path.c_str(), c, &world); });
@@ -268,7 +268,8 @@ class World {
     });
     return hits;
   }
-  // Finds all surfaces that each ray crosses, nearest first; otherwise like nearest_hits().
+  // Finds all surfaces that each ray crosses, nearest first. Arguments, errors and cost per crossing are
+  // those of nearest_hits().
   Hits all_hits(std::span<const double> origins, std::span<const double> directions,
                 std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                 const CallOptions& options = {}) const {
@@ -318,7 +319,7 @@ class World {
     return text;
   }
 
-  // Returns the world of kerf_c.h, owned by this one.
+  // Returns the kerf_c.h handle; this object keeps ownership.
   kerf_world* get() const { return world_.get(); }
 
  private:

@@ -18,8 +18,8 @@
  *
  * Threads: all functions may be called from several threads at the same time. Any number of calls may read
  * one world (`const kerf_world*`). A call that changes a world (`kerf_world*`) needs exclusive access: it
- * fails with KERF_BUSY while another call uses the world, and other calls fail so until it returns. A mesh
- * is immutable and may be shared. */
+ * fails with KERF_BUSY while another call uses the world, and until it returns, other calls on that world
+ * fail with KERF_BUSY. A mesh is immutable and may be shared. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -45,7 +45,7 @@ typedef enum kerf_result {
 /* Returns the version of the library, such as "0.1.0"; a static string. */
 KERF_API const char* kerf_version(void);
 
-/* Returns the message of the last failed call in this thread; empty if none has failed. Valid until the
+/* Returns the message of the last failed call in this thread; empty if no call has failed. Valid until the
  * next failed call in this thread. */
 KERF_API const char* kerf_last_error(void);
 
@@ -91,7 +91,7 @@ KERF_API kerf_result kerf_mesh_create(const double* vertices, size_t vertex_coun
 /* Destroys a mesh. No-op if `mesh` is null. */
 KERF_API void kerf_mesh_destroy(kerf_mesh* mesh);
 
-/* Writes a mesh to a file, whole or not at all.
+/* Writes a mesh to a file atomically: a failed call leaves no partial file.
  * path: its extension decides the format: .obj, .ply, .stl, .off, .glb or .gltf.
  * Errors: KERF_INVALID_ARGUMENT for another extension, KERF_FAILED if the file cannot be written. O(n). */
 KERF_API kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path);
@@ -101,23 +101,23 @@ KERF_API size_t kerf_mesh_vertex_count(const kerf_mesh* mesh);
 KERF_API size_t kerf_mesh_face_count(const kerf_mesh* mesh);
 
 /* Return the positions, 3 numbers per vertex (m), or the faces, 3 vertex indices each; null if `mesh` is
- * null. Valid as long as the mesh. O(1). */
+ * null. Valid while the mesh exists. O(1). */
 KERF_API const double* kerf_mesh_vertices(const kerf_mesh* mesh);
 KERF_API const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh);
 
-/* Returns the temperature of each face (K) of a piece of a world; null for any other mesh. Valid as long
- * as the mesh. O(1). */
+/* Returns the temperature of each face (K) of a piece of a world; null for any other mesh. Valid while the
+ * mesh exists. O(1). */
 KERF_API const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh);
 
 /* Properties of a mesh. Mass and inertia are 0 unless the mesh is a piece of a world. */
 typedef struct kerf_mesh_info {
-  const char* name;      /* name of the piece, else empty. Valid as long as the mesh */
+  const char* name;      /* name of the piece, else empty; valid while the mesh exists */
   double area;           /* m^2 */
   double centroid[3];    /* of the area, or of the volume of a solid [m] */
   size_t boundary_edges; /* number of edges with one face; 0 unless the mesh is a piece */
-  double mass;           /* kg, of the sheet, or of the solid if its body is one and the piece is closed */
+  double mass;           /* kg: of a solid if the body is solid and the piece is closed, else of a sheet */
   double inertia[6];     /* kg m^2 about the centroid in world axes: xx yy zz xy xz yz */
-  double position[3];    /* of the body of the piece [m]: x_world = orientation * x_body + position */
+  double position[3];    /* of the body that owns the piece [m]: x_world = orientation * x_body + position */
   double orientation[4]; /* quaternion w x y z; the vertices are already in world coordinates */
 } kerf_mesh_info;
 
@@ -134,18 +134,18 @@ typedef struct kerf_world kerf_world;
  * out: receives the world; destroy it with kerf_world_destroy. O(1). */
 KERF_API kerf_result kerf_world_create(kerf_world** out);
 
-/* Opens a file as a world.
+/* Creates a world from a file.
  * path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.
  * options: may be null.
  * out: receives the world; destroy it with kerf_world_destroy.
  * Errors: KERF_INVALID_ARGUMENT for an invalid file. Cost: loading the meshes and replaying the cuts. */
 KERF_API kerf_result kerf_world_open(const char* path, const kerf_call_options* options, kerf_world** out);
 
-/* Destroys a world, which no call may be using. No-op if `world` is null. */
+/* Destroys a world. No-op if `world` is null. Precondition: no other call uses the world. */
 KERF_API void kerf_world_destroy(kerf_world* world);
 
 /* Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick, and builds its AABB tree.
- * name: UTF-8; null: "mesh".
+ * name: UTF-8; "mesh" if null.
  * options: may be null.
  * Errors: KERF_INVALID_ARGUMENT if the name is not UTF-8. O(n log n), about 0.5 us per face. */
 KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
@@ -153,9 +153,9 @@ KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, co
 
 /* Pose of the beam at a time. */
 typedef struct kerf_keyframe {
-  double time;         /* s, not less than that of the previous keyframe */
+  double time;         /* s, >= the time of the previous keyframe */
   double origin[3];    /* m */
-  double direction[3]; /* of any non-zero length, not opposite to that of the previous keyframe */
+  double direction[3]; /* of any non-zero length, not opposite to the direction of the previous keyframe */
 } kerf_keyframe;
 
 /* A stroke of the laser: between keyframes the origin moves along a straight line and the direction along
@@ -163,7 +163,7 @@ typedef struct kerf_keyframe {
 typedef struct kerf_stroke {
   const kerf_keyframe* keys;
   size_t key_count; /* at least 1 */
-  double radius;    /* m; 0: 1/400 of the diagonal of all meshes as they were added */
+  double radius;    /* m; 0: 1/400 of the diagonal of the bounding box of all meshes as they were added */
   double range[2];  /* m along the beam, 0 <= min <= max; both 0: from 0 to ten diagonals */
   double power;     /* W, for the thermal model; 0: 2000 */
 } kerf_stroke;
@@ -227,7 +227,7 @@ KERF_API kerf_result kerf_world_nearest_hits(const kerf_world* world, const doub
                                              const kerf_call_options* options, double* distances,
                                              uint32_t* bodies, uint32_t* faces);
 
-/* Crossings of n rays: those of ray i are entries offsets[i] to offsets[i + 1] - 1, nearest first. */
+/* Crossings of n rays. Entries offsets[i] to offsets[i + 1] - 1 belong to ray i, nearest first. */
 typedef struct kerf_hits {
   size_t count;
   const size_t* offsets;   /* n + 1 */

@@ -15,33 +15,35 @@ namespace kerf {
 
 struct RimState;
 
-// The walls that were made, and a sentence with reason and place for each part that stays open.
+// The walls created, and one sentence with the reason and place for each part left open.
 struct ClosedRim {
   std::vector<FaceId> walls;
   std::vector<std::string> left_open;
 };
 
-// Closes a solid body along the rim of a stroke by walls, and makes the search for parts cross them. Each
-// solid (an outer shell with its cavities) is closed wholly or not at all. The work is done in parts.
+// Closes a solid body along the rim of a stroke by walls, and makes the search for separated pieces cross
+// them. Each solid (an outer shell with its cavities) is closed completely or not at all. The work is divided
+// into parts.
 class WallClosing {
  public:
-  // `moves`: those of the stroke, in the frame of the body.
+  // `moves`: all moves of the stroke, in the frame of the body.
   explicit WallClosing(std::vector<BeamMove> moves) : moves_(std::move(moves)) {}
   WallClosing(const WallClosing&) = delete;
   WallClosing& operator=(const WallClosing&) = delete;
 
-  // Does the next part. Returns true if it was the last one. Preconditions: the body, the region and the
-  // rim's state are as the last part left them, and the tree is up to date.
+  // Executes the next part. Returns true if it was the last one. Preconditions: the body, the region and the
+  // state of the rim have not changed since the last part, and the tree is up to date.
   bool resume(RimState& rim);
 
-  // Returns true while only some of the walls exist; then the last part must be done before anything else.
+  // Returns true while only some of the walls exist. All remaining parts must then be executed before any
+  // other edit.
   bool is_adding() const { return is_adding_; }
 
-  // Precondition: the last part was done.
+  // Returns the result. Precondition: resume() returned true.
   ClosedRim take() { return closing_->take(); }
 
  private:
-  // Sides on edges of several sheets whose ring was visited: face and corner.
+  // Sides, as face and start vertex, on edges of several sheets whose rings were already visited.
   using SidesOfRings = std::set<std::pair<FaceId, VertexId>>;
 
   Task<ClosedRim> close();

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// The state that the stages of a step share, for one body.
+// State shared by the stages of a step, for one body.
 struct BodyStep {
   BodyStep(BodyId body_id, Body& cut_body) : id(body_id), edit(cut_body) {}
 
@@ -21,7 +21,7 @@ struct BodyStep {
   StepStatistics statistics;
 };
 
-// Returns the number of faces that are processed between updates of the tree, and the minimum work of a
+// Returns the number of faces processed between two updates of the tree, which is also the minimum work of a
 // step: 128 unless Shuffle varies it. The result of a cut does not depend on it.
 size_t faces_per_batch();
 
@@ -35,42 +35,44 @@ void hit(BodyStep& step, std::vector<FaceId>& faces);
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
 // Returns true if a face need not be split under the beam of the move. Precondition: the face is live.
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f);
-// Removes the next faces_per_batch() faces of move.hit; with `only_within` only those entirely within the
-// beam of the move. With `keeps_beside`, also lists their neighbours in the move.
+// Removes the next faces_per_batch() faces of move.hit; with `only_within`, only faces entirely within the
+// beam of the move. With `keeps_beside`, also appends the neighbours of removed faces to move.beside.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside);
 // Removes faces. If only one half of a green pair is removed, the other becomes an ordinary face.
 void remove_faces(BodyStep& step, std::span<const FaceId> faces);
-// Splits a face and those that conformity requires; no-op if the face is too small for midpoints. Returns
-// the new entries of step.edit.splits().
+// Splits a face, and other faces as conformity requires. No-op if the face is so small that a midpoint would
+// round to an end of its edge. Returns the new entries of step.edit.splits().
 std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, FaceId f);
-// Calls BodyEdit::update_tree and measures its time.
+// Calls BodyEdit::update_tree and adds its duration to the statistics.
 void update_tree(BodyStep& step);
 // Searches for separated parts, visiting about `most` faces; see kerf::settle. Returns the number of faces
 // visited and relabelled. `hit`: faces, some of them removed since the last search.
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most,
                 EditPolicy policy = EditPolicy::kAllowEdits);
-// Once no search is open: separates parts that joints no longer hold (see separate_by_joints), and assigns
-// cavities to the pieces around them (see assign_cavities).
+// Separates parts that joints no longer hold (see separate_by_joints), and assigns cavities to the pieces
+// around them (see assign_cavities). No-op while a search for separated pieces is unfinished.
 void apply_joints(World& world, Delta& delta, JointMode mode = JointMode::kRigid);
 // Ends the step of a body and adds its changes and statistics to the result.
 void end_step(BodyStep& step, StepResult& result);
-// Adds the changes alone. Returns them, valid until the result changes; null if there are none.
+// Adds only the changes of the step to the result. Returns them, valid until the result changes; null if
+// there are none.
 const BodyDelta* take_changes(BodyStep& step, StepResult& result);
 // Returns the error of a cut that exceeds settings.max_faces.
 Error too_many_faces(const CutSettings& settings);
 
-// Deposits heat of a cut by the geometric model in the faces around the removed ones. At distance d (m)
-// from the volume that the beam swept, the temperature falls linearly from the transition of the material
-// (melting) at d = 0 to the ambient at d = settings.heat_width. A face gets the mean of the enthalpy over
-// its area, from samples finer than the width; no face is split for it. A hotter face keeps its heat, so
-// overlapping moves do not add up. The energy is booked as emitted and absorbed.
+// Deposits heat of a cut by the geometric model in the faces around the removed ones. At distance d (m) from
+// the volume that the beam swept, the temperature falls linearly from the transition of the material
+// (melting) at d = 0 to the ambient at d = settings.heat_width. A face gets the mean of the enthalpy over its
+// area, from samples finer than the width; no face is split for it. A hotter face keeps its heat, so
+// overlapping moves do not add up. Adds the energy to the world's energy balance as emitted and absorbed.
 //
-// Heats only faces that are connected within that distance to the given ones: live faces that the beam
-// touched or that adjoin removed ones. Preconditions: step.beam is that of the move, and heat_width > 0.
-// O(faces within the width).
+// Heats only faces that are connected to those in `beside` by faces within that distance. `beside`: live
+// faces that the beam touched, or that are adjacent to removed faces. Preconditions: step.beam is that of the
+// move, and heat_width > 0. O(faces within the width).
 void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside);
 
-// Heats walls, which lie on the beam's boundary, to the transition of their material; booked likewise.
+// Heats walls, which lie on the boundary of the beam, to the transition of their material. Adds the energy to
+// the balance likewise.
 void heat_walls(World& world, const BodyStep& step, std::span<const FaceId> walls);
 
 }  // namespace kerf

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// State shared by the stages of closing a rim, for one body and one step. Private to core/cut.
+// State shared by the stages that close a rim, for one body and one step. Private to core/cut.
 struct RimState {
   BodyStep& step;
   const CutSettings& settings;
@@ -44,30 +44,32 @@ struct RimState {
   void record_distance(VertexId v, double d);
 };
 
-// The stages; close_rim.cpp holds their order. Each call handles at most faces_per_batch() items and, in
-// most stages, returns true when the stage is over. The boxes of the tree are updated after each call and
-// thus depend on this number, as in the steps of a stroke.
+// The stages; close_rim.cpp defines their order. Each call processes at most faces_per_batch() items; most
+// stages return true when they are complete. The boxes of the tree are updated after each call, so they
+// depend on faces_per_batch(), as in the steps of a stroke.
 
 // Splits faces near the rim and their parts until each can be cut along one chord. Fails like cut_step.
 Status refine_rim(RimState& rim);
-// List vertices that may move onto the boundary, move them unless that degrades a face, and split the faces
-// of vertices that are very near the boundary but cannot be moved.
+// The first two list the vertices that may move onto the boundary. The third moves them unless that degrades
+// a face, and the last splits the faces of vertices that are very near the boundary but cannot be moved.
 bool list_moves_in_plane(RimState& rim);
 bool list_moves_along_edges(RimState& rim);
 bool move_onto_rim(RimState& rim);
 bool split_in_the_way(RimState& rim);
-// Treat vertices that cannot be moved but lie very near the boundary as lying on it, if the chords permit.
+// List, and then treat as lying on the boundary, the vertices that cannot be moved but lie very near it, if
+// the chords permit.
 bool list_near_rim(RimState& rim);
 bool settle_on_rim(RimState& rim);
-// Splits a face by the scheme. Appends its parts and those of other faces near the boundary that it entails.
+// Splits a face by the scheme. Appends its parts, and the parts of other faces near the boundary that the
+// split entails.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
 bool clip_at_rim(RimState& rim);
 bool select_within_rim(RimState& rim);
 bool remove_within_rim(RimState& rim);
 bool select_beside_rim(RimState& rim);
 bool flip_near_rim(RimState& rim);
-// Calls visit(item) for the next faces_per_batch() items of a list that may grow meanwhile. Returns true at
-// the end of the list, and resets work.next for the next list.
+// Calls visit(item) for the next faces_per_batch() items of a list, to which visit may append. At the end of
+// the list returns true and resets work.next for the next list.
 template <typename Item, typename Visit>
 bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
   size_t& next = rim.work.next;
@@ -79,14 +81,14 @@ bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
 
 struct RimState;
 
-// Finds connected parts of a few faces that lie entirely along the boundary of the swept volume. Walls
-// would make them solids of almost no volume.
+// Finds specks: connected parts of a few faces that lie entirely along the boundary of the swept volume.
+// Walls would turn them into solids of almost no volume.
 class SpeckSearch {
  public:
   // Precondition: all sides are along the rim.
   SpeckSearch(const SweptDistance& distance, std::span<const RimSide> sides);
 
-  // Appends the faces of the part of a face if the part is a speck.
+  // Appends the faces of the connected part that contains `start` if that part is a speck.
   void append(RimState& rim, FaceId start, std::vector<FaceId>& specks) const;
 
  private:

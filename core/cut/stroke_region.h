@@ -11,10 +11,10 @@
 
 namespace kerf {
 
-// The volume that a beam has swept in a stroke, in the frame of one body: the union of its parts, the
-// volumes of its moves. Each face near the region has a list of the parts that meet it, so that the cost of
-// a distance query in a face depends on the number of those parts, not on the length of the stroke. Queries
-// are correct as long as the list of a face holds every part that meets it: call inherit() when faces are
+// The volume that a beam has swept in a stroke, in the frame of one body: the union of its parts, i.e. of the
+// volumes swept by single moves. Each face near the region has a list of the parts that intersect it, so that
+// the cost of a distance query in a face depends on their number, not on the length of the stroke. Queries
+// are correct if the list of a face holds every part that intersects it, so call inherit() when faces are
 // replaced.
 class StrokeRegion {
  public:
@@ -24,23 +24,24 @@ class StrokeRegion {
 
   // Appends a part to the list of a face. Precondition: parts are added to a face in ascending order.
   void record_near(FaceId f, uint32_t part);
-  // Passes lists on from replaced faces: each child is near every part that any parent is near, since it may
-  // lie where only that parent lay. Slots are reused, so parents may be among the children. Precondition: a
-  // parent is near the region. Constant time if the parents have one list, else linear in their lists.
+  // Copies the lists of replaced faces to their children. Each child gets the parts of all parents, since it
+  // may lie within any of them. Slots are reused, so parents may be among the children. Precondition: at
+  // least one parent is near the region. Constant time if the parents have one list, else linear in their
+  // lists.
   void inherit(std::span<const FaceId> children, std::span<const FaceId> parents);
   bool is_near(FaceId f) const { return list_of_.get(f.index) != 0; }
 
   // Returns the signed distance (m) of a point in or near the face from the boundary: negative inside.
   double signed_distance(FaceId near, const Vec3& p) const;
 
-  // Returns true if any part, with its radius reduced by `graze` metres, meets the triangle.
+  // Returns true if any part, with its radius reduced by `graze` metres, intersects the triangle.
   bool reaches_into(FaceId near, const Triangle& t, double graze) const;
 
-  // Returns the point at which the boundary crosses the segment from a point inside to one outside.
+  // Returns the point at which the segment from a point inside to a point outside crosses the boundary.
   Vec3 crossing(FaceId near, const Vec3& inside, const Vec3& outside) const;
 
  private:
-  // Parts that may contain a point of a repeatedly halved segment.
+  // The parts that may contain a point of a segment, reduced as the segment is halved.
   class PartsOnSegment;
 
   static constexpr uint32_t kNone = 0xffffffffu;
@@ -65,14 +66,14 @@ class StrokeRegion {
   PagedArray<uint32_t> list_of_;  // by face slot: index of its list plus one, or 0
 };
 
-// Signed distance from the boundary of the volume swept by a stroke, anywhere, unlike StrokeRegion, which
-// works only near a face. A binary tree over consecutive moves limits a query to the near parts.
+// Signed distance from the boundary of the volume swept by a stroke, at any point; StrokeRegion works only
+// near a face. A bounding hierarchy over consecutive moves, a binary tree, limits a query to the near parts.
 class SweptDistance {
  public:
   // Precondition: part i of the region is the volume of moves[i], in one frame. O(n log n).
   SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves);
 
-  // Returns the minimum of the distances from the parts (m), negative inside, positive outside; bit-exact.
+  // Returns the minimum of the signed distances from all parts (m), negative inside; exact to the bit.
   double operator()(const Vec3& p) const;
 
  private:
@@ -91,11 +92,11 @@ class SweptDistance {
   std::vector<Node> nodes_;  // root first
 };
 
-// Returns true if a single chord across a triangle fails to approximate the boundary of the region: the
-// chord would deviate from it by more than `chord`, an edge crosses it more than once, or the region
-// reaches into the triangle although no corner is inside. Ignores parts that reach across the boundary by
-// less than `graze`. `at` is the triangle of `face`, and `distances` are the signed distances of its
-// corners, negative inside and zero on the boundary; all in metres.
+// Returns true if a single chord across a triangle does not approximate the boundary of the region: the chord
+// would deviate from the boundary by more than `chord`, an edge crosses the boundary more than once, or the
+// region reaches into the triangle although no corner is inside. Ignores parts of the region that reach into
+// the triangle by less than `graze`. `at`: the triangle of `face`. `distances`: of its corners, negative
+// inside and zero on the boundary. All lengths in metres.
 bool chord_fails(const StrokeRegion& region, FaceId face, const Triangle& at,
                  const std::array<double, 3>& distances, double chord, double graze);
 

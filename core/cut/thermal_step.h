@@ -15,42 +15,44 @@ namespace kerf {
 // Faces of one body that rays heat. Private to core/cut.
 struct BurnedBody {
   BodyId id;
-  std::vector<FaceId> removed;                 // have reached their energy of removal
+  std::vector<FaceId> removed;                 // faces that reached their energy of removal
   std::unordered_set<uint32_t> removed_slots;  // for lookup; never iterated
-  double deepest = 0;                          // maximum fraction of that energy over the other heated faces
-  std::vector<FaceId> coarse;                  // to be split before they can be removed; each once
+  double deepest = 0;                          // max fraction of that energy, over the other heated faces
+  std::vector<FaceId> coarse;                  // faces to split before they can be removed; each once
 };
 
-// Distributes the energy (J) of a beam at a pose over the faces that its rays hit, and adds it to the energy
+// Distributes the energy (J) that a beam emits over the faces that its rays hit, and updates the energy
 // balance of the world; see thermal_step.
 class Burn {
  public:
   // Returns true if a face of the body with this index is as fine as the resolution requires.
   using IsFine = std::function<bool(size_t body, FaceId)>;
 
-  // `face`: size of the faces under the beam, in radii. Precondition: `bodies` are the cuttable ones, by
-  // slot.
+  // `face`: size of the faces under the beam, in radii. Precondition: `bodies` are the cuttable bodies in the
+  // order of their slots.
   Burn(World& world, const CutSettings& settings, std::vector<BurnedBody>& bodies, double face,
        IsFine is_fine);
 
-  // Preconditions: the pose is in world coordinates; the trees of the bodies are up to date except for
-  // faces that have reached their energy of removal.
+  // Emits energy along the rays of the beam at a pose in world coordinates. Precondition: the trees of the
+  // bodies are up to date except for faces that have reached their energy of removal.
   void emit(const Pose& pose, double joules);
 
-  // Returns true if rays wait. A ray that has the energy to remove a wide coarse face waits there until the
-  // face, listed in `coarse`, is split.
+  // Returns true if rays are waiting. A ray with enough energy to remove a wide coarse face waits at the
+  // face, which is listed in BurnedBody::coarse, until it is split.
   bool any_waiting() const { return !waiting_.empty(); }
   // Returns the maximum distance of waiting rays from the axis (m).
   double waiting_within() const;
-  // Emits the waiting energy. Without `splits`, rays do not wait again and remove such faces unsplit.
+  // Emits the energy of the waiting rays. Without `splits`, rays remove coarse faces unsplit instead of
+  // waiting again.
   void emit_waiting(bool splits);
 
-  // Adds the heat of oxidation if a face hit at the last pose is hot enough. The heat is distributed by mass
-  // over all hit faces, up to their energy of removal, because the burning melt flows over them (see
-  // core/heat/material.h). The beam cuts a kerf of `area` (m^2) at `speed` (m/s).
+  // Adds the heat of oxidation if a face hit at the last pose is hot enough to ignite. The heat is
+  // distributed by mass over all faces hit, up to their energy of removal, because the burning melt flows
+  // over them (see core/heat/material.h). `area`: of the kerf that the beam cuts (m^2). `speed`: of the beam
+  // (m/s).
   void burn(double area, double speed);
 
-  // Returns the maximum distance along the rays to their first hit (m); nullopt if all miss.
+  // Returns the maximum over all rays of the distance to the first hit (m); nullopt if all rays miss.
   std::optional<double> reach(const Pose& pose);
 
  private:
@@ -87,28 +89,31 @@ class Burn {
   bool splits_ = true;
 };
 
-// Executes one step of a cut by the thermal model for cut_step: moves of the beam through all bodies that
-// it may cut, in order, until settings.bite faces are processed.
+// Executes one step of a cut by the thermal model, for cut_step: moves the beam through all cuttable bodies,
+// in order, until settings.bite faces are processed.
 //
-// In each move, the faces that the beam reaches are split until they are fine enough (refine), but not
-// those behind a wall that still stands. The move is divided into parts in which the beam advances by a
-// fraction of its radius and emits at most the energy that melts the area it covers. In each part a bundle
-// of rays (ray_bundle) distributes the emitted energy: a ray heats the first face that it meets and
-// reflects the rest; once the face has its energy of removal, the ray continues with its remaining energy
-// to the next face behind. So the speed of a cut depends neither on the size of faces nor on the rate of
-// moves. Faces that reach their energy of removal are removed with it; after each part heat flows for the
-// duration of the part (step_heat), and after each move separated pieces get their labels.
+// In each move, the faces that the beam reaches are split until they are fine enough (refine), except those
+// that remaining material shields from the beam. The move is divided into parts in which the beam advances by
+// a fraction of its radius and emits at most the energy that melts the area it covers. In each part a bundle
+// of rays (ray_bundle) distributes the emitted energy: a ray heats the first face that it hits, and the
+// energy not absorbed is reflected; once the face has its energy of removal, the ray continues with the
+// remaining energy to the next face behind it. Therefore the speed of a cut depends neither on the size of
+// faces nor on the rate of moves. Faces that reach their energy of removal are removed, with this energy.
+// After each part, heat is conducted for the duration of the part (step_heat); after each move, separated
+// pieces get their labels.
 //
-// A ray that has the energy for a face wider than the kerf (two radii) waits while the face can be split:
-// the removed parts are deleted, the face is split, and the ray continues. If the resolution forbids the
-// split, the face is removed for the energy of a strip of it as wide as the kerf (scales_removal).
+// A ray with enough energy to remove a face wider than the kerf (two radii) waits if the face can be split:
+// faces that have reached their energy of removal are removed, the face is split, and the ray continues. If
+// the resolution forbids the split, the face is removed for the energy of a strip of it as wide as the kerf
+// (scales_removal).
 //
 // Fails like cut_step. A move without a duration emits nothing. The result does not depend on the division
 // into steps.
 Result<StepResult> thermal_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                                 const Progress* progress = nullptr);
 
-// Returns true if the resolution permits faces so large that their energy of removal is scaled.
+// Returns true if the resolution permits faces so large that their energy of removal is reduced to that of a
+// strip.
 bool scales_removal(const CutSettings& settings);
 
 }  // namespace kerf

@@ -9,9 +9,8 @@
 
 namespace kerf {
 
-// Faces that are read together. Reading a triangle takes four dependent reads, each of which may miss the
-// cache; a batch overlaps those of many faces. For callers that read many faces, in any order; a single face
-// costs more than with Mesh::triangle().
+// Reads many faces together. A triangle takes four dependent memory reads, each of which may miss the cache;
+// a batch overlaps the reads of many faces. A single face costs more than with Mesh::triangle().
 class TriangleBatch {
  public:
   static constexpr uint32_t kFaces = 64;
@@ -62,7 +61,8 @@ void for_each_triangle(const Mesh& mesh, size_t first, size_t end, Visit visit) 
   });
 }
 
-// Calls visit(FaceId, const std::array<VertexId, 3>&) for some live faces, in their order.
+// Calls visit(FaceId, const std::array<VertexId, 3>&) for each of `faces`, in order. Precondition: all are
+// live.
 template <typename Visit>
 void for_each_corners(const Mesh& mesh, std::span<const FaceId> faces, Visit visit) {
   TriangleBatch batch;
@@ -76,9 +76,9 @@ void for_each_corners(const Mesh& mesh, std::span<const FaceId> faces, Visit vis
   }
 }
 
-// A face reached by a traversal over shared edges, with the side over which it was reached, so that its
-// neighbourhood is found without looking up the face first. A missing side, or one that is outdated by an
-// edit of the face, only costs time.
+// A face reached by a traversal over shared edges, and the side over which it was reached, through which its
+// neighbours are found without a lookup of the face. A missing side, or one outdated by an edit of the face,
+// costs only time.
 struct ReachedFace {
   static constexpr uint32_t kNone = 0xffffffffu;
 

@@ -23,9 +23,11 @@ inline HalfEdgeId half_edge(EdgeId e, uint32_t side) { return HalfEdgeId(2 * e.i
 
 // The half-edges of a triangle mesh (K. Weiler: Edge-based data structures for solid modeling in
 // curved-surface environments, 1985), in arrays that grow by chunks and record the changes of a command. A
-// half-edge without a face is a boundary; the boundary half-edges of one hole form a cycle. Slots only grow.
+// half-edge without a face is a boundary; the boundary half-edges of one hole form a cycle. The numbers of
+// slots never decrease.
 //
-// An edge has at most two faces, and a vertex one cycle of half-edges; rings represent other meshes.
+// An edge has at most two faces, and a vertex has one cycle of half-edges; rings represent non-manifold
+// meshes (see Mesh).
 class HalfEdges {
  public:
   uint32_t vertices() const { return positions_.size(); }
@@ -50,8 +52,8 @@ class HalfEdges {
   HalfEdgeId add_edge(VertexId from, VertexId to);
   FaceId add_face(HalfEdgeId first);
 
-  // Grows the arrays for a mesh to be filled in; every new record must be set. Several threads may then set
-  // different records concurrently.
+  // Grows the arrays for a mesh whose records are set afterwards; every new record must be set. Several
+  // threads may set different records concurrently.
   void grow_to(uint32_t vertices, uint32_t edges, uint32_t faces);
   // Sets the sides of a new face, in the order of its corners, and their links.
   void set_face_sides(FaceId f, const std::array<HalfEdgeId, 3>& sides,
@@ -164,7 +166,7 @@ struct Mesh::Kernel {
 
 struct Mesh::Change::Parts : ChangeOfParts<Mesh::Kernel> {};
 
-// A ring links the coincident edges of a mesh (see Mesh); a mesh without rings stores no links.
+// Rings, which link the coincident edges of a mesh (see Mesh). A mesh without rings stores no links.
 
 // Return the next and the previous half-edge in the ring of h, in its direction; h if in no ring.
 HalfEdgeId next_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
@@ -204,7 +206,7 @@ Result<VertexFans> name_vertices(std::vector<std::array<uint32_t, 3>>& triangles
 // Fills empty half-edge arrays from triangles of vertices. partner[side] is as in name_vertices(), and
 // last_side[v] is the highest side that starts at vertex v; its half-edge becomes the vertex's. Edges have
 // the order of their lower sides, whose direction is that of half-edge 0. Does not set vertex positions.
-// Returns the half-edge of each side, or fails with cancelled() when stopped. `progress` may be null.
+// Returns the half-edge of each side; fails with cancelled() when stopped. `progress` may be null.
 // Precondition: every vertex has one fan of triangles. Linear time, multithreaded.
 Result<std::vector<HalfEdgeId>> fill_half_edges(HalfEdges& half_edges,
                                                 std::span<const std::array<uint32_t, 3>> triangles,

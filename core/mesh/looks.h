@@ -15,18 +15,19 @@
 
 namespace kerf {
 
-// Looks as functions on the triangles as loaded: UVs and normals by barycentric coordinates, and the
-// materials of the file. Immutable, and shared by all copies of a body and the bodies detached from it. A
-// face of today evaluates the functions of the loaded face that contains it (Body::loaded_face), so that
-// edits of faces need no care of them.
+// The looks of a loaded mesh, i.e. its UVs, normals and materials. UVs and normals are functions on the
+// loaded triangles, evaluated by barycentric coordinates. A current face evaluates those of the loaded face
+// that contains it (Body::loaded_face), so edits of faces need not update them. Immutable; shared by all
+// copies of a body and the bodies detached from it.
 //
 // Memory per loaded face, on a smooth mesh without seams: 24 bytes for positions, 16 for a set of UVs, 18 for
 // normals. Equal tuples are shared, and so are equal lists of corners.
 class Looks {
  public:
-  // `sources` are the triangles of the soup by loaded face, empty if they are the same; `turned` tells which
-  // loaded faces have the opposite orientation in the mesh. Returns null if the soup has neither looks nor
-  // surfaces nor asks for its corners. Appends a warning about values that are not finite. Linear time.
+  // Creates the looks of a soup. `sources`: by loaded face, the index of its triangle in the soup; empty if
+  // both orders are equal. `turned`: by loaded face, whether the mesh reverses its orientation. Returns null
+  // if the soup has neither looks nor surfaces and does not keep its corners (see Soup::keeps_corners).
+  // Appends a warning about values that are not finite. Linear time.
   static std::shared_ptr<const Looks> make(const Soup& soup, std::span<const uint32_t> sources,
                                            const std::vector<bool>& turned,
                                            std::vector<std::string>& warnings);
@@ -34,62 +35,65 @@ class Looks {
   size_t uv_sets() const { return uv_sets_.size(); }
   bool v_points_down() const { return v_points_down_; }  // see CornerLooks
   bool has_normals() const { return normals_.corners != nullptr; }
-  // Returns true if faces can be located, which surfaces alone do not need.
+  // Returns true if points can be located in loaded faces; looks of surfaces alone store no corners.
   bool has_corners() const { return positions_.corners != nullptr; }
-  // Return true if a loaded face has these values. False for faces that were not loaded, such as walls.
+  // Return true if a loaded face has corners, UVs or a normal; false for faces that were not loaded, such as
+  // walls.
   bool contains(FaceId loaded) const { return positions_.contains(loaded); }
   bool has_uvs(size_t set, FaceId loaded) const { return uv_sets_[set].contains(loaded); }
   bool has_normal(FaceId loaded) const { return normals_.contains(loaded); }
 
-  // Returns the barycentric coordinates of a point in a loaded face, whose corners have the order of the
-  // file. They are exact at its corners, and on its sides depend on the ends of the side only, so that both
-  // faces there have the same values. A point off the plane is projected. Precondition: contains(loaded).
+  // Returns the barycentric coordinates of a point in a loaded face, with the corners in the order of the
+  // file. They are exact at the corners; on a side they depend only on its two ends, so that both adjacent
+  // faces have the same values there. A point off the plane is projected onto it. Precondition:
+  // contains(loaded).
   Vec3 barycentrics(FaceId loaded, const Vec3& point) const;
   // Returns the corners of a loaded face in the order of the file. Precondition: contains(loaded).
   Triangle triangle(FaceId loaded) const { return positions_.at(loaded); }
-  // Returns true if a part of a loaded face has its orientation in the file. Precondition: contains(loaded).
+  // Returns true if a part of a loaded face has the orientation of that face in the file. Precondition:
+  // contains(loaded).
   bool agrees(FaceId loaded, const Triangle& part) const;
 
-  // Returns the number of a loaded face among the triangles of the soup.
+  // Returns the index of the soup's triangle from which a loaded face was made.
   uint32_t number_in_file(FaceId loaded) const {
     return sources_.empty() ? loaded.index : sources_[loaded.index];
   }
 
-  // A point at which values are evaluated: in a loaded face, or close to one. Vertices that slide onto a
-  // smooth rim leave the loaded faces of some of their faces.
+  // A point at which values are evaluated, in or close to a loaded face. It may lie outside, because a vertex
+  // moved onto a smooth rim can leave the loaded faces that contain its adjacent faces.
   struct Point {
     FaceId face;
     Vec3 weights{0};
     bool is_on_plane = true;  // of `face`
-    // Another loaded face whose values hold at the point, unless there is a seam between the two: it contains
-    // the point, or the point is on its plane and not on that of `face`.
+    // Another loaded face whose values apply to the point unless a seam separates it from `face`: it contains
+    // the point, or its plane does and that of `face` does not.
     FaceId adjacent{};
     Vec3 adjacent_weights{0};
   };
-  // Locates a point by its own loaded face. `is_inside` becomes false if it lies outside of the face, so that
-  // continue_in() should be called with other loaded faces around it. Precondition: contains(loaded).
+  // Locates a point in a loaded face. `is_inside` becomes false if the point lies outside that face; call
+  // continue_in() with the adjacent loaded faces then. Precondition: contains(loaded).
   Point locate(FaceId loaded, const Vec3& at, bool& is_inside) const;
-  // Continues a point by another loaded face if that is better. Returns true if that face contains the point,
-  // which ends the search. Precondition: contains(adjacent).
+  // Sets Point::adjacent to another loaded face if it suits the point better. Returns true if that face
+  // contains the point, which ends the search. Precondition: contains(adjacent).
   bool continue_in(Point& point, FaceId adjacent, const Vec3& at) const;
 
-  // Return the values at a point. The normal has the orientation of the loaded face in the file, and is not
-  // normalised. Precondition: the face has the values.
+  // Return the UV or the normal at a point. The normal has the orientation of the loaded face in the file and
+  // is not normalised. Precondition: the loaded face has UVs or a normal, respectively.
   glm::dvec2 uv(size_t set, const Point& point) const { return value<glm::dvec2>(uv_sets_[set], point); }
   Vec3 normal(const Point& point) const { return value<Vec3>(normals_, point); }
 
-  // Return a number for each loaded face: equal for faces that a chain of faces connects in which neighbours
-  // have a corner and its value in common, so that there is no seam between them.
+  // Return a chart number per loaded face. Two faces are in one chart if a chain of faces connects them in
+  // which each two consecutive ones share a corner and its value, i.e. no seam separates them.
   std::vector<uint32_t> uv_charts(size_t set) const { return charts(uv_sets_[set]); }
   std::vector<uint32_t> normal_charts() const { return charts(normals_); }
 
-  // Returns true if two loaded faces with UVs have different ones at a corner that they share.
+  // Returns true if two loaded faces with UVs share a corner at which their UVs differ.
   bool has_seam(FaceId a, FaceId b) const;
 
   // Materials by FaceData::material; null if the file describes none.
   const std::shared_ptr<const SurfaceLibrary>& surfaces() const { return surfaces_; }
 
-  size_t bytes() const;  // without the surfaces
+  size_t bytes() const;  // excluding the surfaces
 
  private:
   using Corners = std::vector<std::array<uint32_t, 3>>;
@@ -111,7 +115,7 @@ class Looks {
   class Builder;
 
   bool lies_on_plane(FaceId loaded, const Vec3& at) const;
-  // Returns true if two loaded faces share corners, and the values of a channel there.
+  // Returns true if two loaded faces share corners and the values of a channel at these.
   template <typename T>
   bool continues(const Channel<T>& channel, FaceId a, FaceId b) const;
   template <typename T>

@@ -41,26 +41,25 @@ inline double volume_under(const Triangle& t, const Vec3& origin) {
   return glm::dot(t[0] - origin, glm::cross(t[1] - origin, t[2] - origin)) / 6;
 }
 
-// The volume enclosed by triangles. They are closed and consistently oriented if every edge, by the positions
-// of its ends, is used equally often in both directions; connected parts share no edges, so that all parts
-// are closed if the whole is. An empty set is not closed.
+// The volume enclosed by triangles. Triangles are closed and consistently oriented if every edge, identified
+// by the positions of its ends, is used equally often in both directions. Connected parts share no edges, so
+// all parts are closed if the whole set is. An empty set is not closed.
 struct EnclosedVolume {
   bool closed = false;
   double volume = 0;  // m^3, the signed sum of the tetrahedra between an origin and each triangle
 };
 
-// Computes the volume enclosed by live faces. If they are closed, the order of the faces and the origin,
-// which should be near their middle, only affect rounding. O(faces + vertex slots).
+// Computes the volume enclosed by live faces. The origin should be near their middle; if the faces are
+// closed, it and the order of the faces affect only rounding. O(faces + vertex slots).
 EnclosedVolume enclosed_volume(const Mesh& mesh, std::span<const FaceId> faces, const Vec3& origin);
 // Likewise for all live faces.
 EnclosedVolume enclosed_volume(const Mesh& mesh, const Vec3& origin);
-// Likewise for triangles whose corners are numbers of distinct positions; `edges` are their edges.
-// O(triangles).
+// Likewise for triangles that index distinct positions; `edges` are their edges. O(triangles).
 EnclosedVolume enclosed_volume(std::span<const Vec3> positions,
                                std::span<const std::array<uint32_t, 3>> triangles, const SoupEdges& edges,
                                const Vec3& origin);
 
-// Returns for each label below `labels` whether the live faces of that piece are closed. Precondition: all
+// Returns, for each label below `labels`, whether the live faces of that piece are closed. Precondition: all
 // labels in the mesh are below `labels`. O(face slots + vertex slots).
 std::vector<bool> closed_pieces(const Mesh& mesh, uint32_t labels);
 

@@ -36,8 +36,8 @@ class FaceColumn {
   uint32_t index_ = kNone;
 };
 
-// Values of the faces of a mesh that its clients attach (FaceData holds the data that every mesh needs). All
-// edits of the mesh keep them up to date:
+// Values per face that clients attach to a mesh; FaceData holds the data that every mesh needs. All edits of
+// the mesh keep them up to date:
 //
 //   split    the parts of a face copy its value, or share it by area, so that the sum is preserved;
 //   flip     two faces whose common edge is flipped keep their values, or share their sum by area;
@@ -46,7 +46,7 @@ class FaceColumn {
 //   copy     extract_mesh and copies of the mesh have the same columns with the same values;
 //   undo     the columns are a part of Mesh::Change.
 //
-// A value is T(), all bits zero, until it is set. A mesh without any set value has no overhead, and a column
+// A value is T(), all bits zero, until it is set. A mesh in which no value was set has no overhead; a column
 // takes memory up to the last face whose value was set.
 class FaceColumns {
  public:
@@ -73,7 +73,8 @@ class FaceColumns {
   }
 
   // Calls visit(f) for the faces whose value in the column is not T(), ascending; `visit` may set their
-  // values. O(these faces + faces / kBlock), but up to kBlock times the faces found if they are scattered.
+  // values. O(visited faces + faces / kBlock) if the visited faces are contiguous, up to kBlock per visited
+  // face if they are scattered.
   template <typename T, typename Visit>
   void for_each_set(FaceColumn<T> column, Visit visit) const {
     assert(column.index_ < columns_.size());
@@ -256,8 +257,8 @@ class Mesh {
   bool is_live(FaceId f) const;  // false if the slot does not exist
 
   Vec3 position(VertexId v) const;
-  // The corners of a face, counter-clockwise; nearby edits may change which corner is first. Precondition of
-  // this, has_side, triangle, data and edit_data: the face is live.
+  // The corners of a face, counter-clockwise; edits of adjacent faces may change which corner is first.
+  // Precondition of corners, has_side, triangle, data and edit_data: the face is live.
   std::array<VertexId, 3> corners(FaceId f) const;
   bool has_side(FaceId f, VertexId from, VertexId to) const;  // counter-clockwise
   Triangle triangle(FaceId f) const;
@@ -267,11 +268,11 @@ class Mesh {
   const FaceData& data(FaceId f) const;
   FaceData& edit_data(FaceId f);
 
-  // Additional values of the faces, kept up to date by all edits of faces (see FaceColumns).
+  // Values attached to the faces (see FaceColumns).
   const FaceColumns& columns() const;
   FaceColumns& columns();
 
-  // The colours of the vertices, kept up to date by all edits of vertices.
+  // Colours of the vertices (see VertexColours).
   const VertexColours& colours() const;
   VertexColours& colours();
 
@@ -279,8 +280,8 @@ class Mesh {
   // edges. Precondition: f is live. Linear in the degrees of the rings.
   void append_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
-  // Appends these neighbours, but of each ring only the two faces next to f. They suffice for traversal and
-  // connectivity, because they lead to the other faces. Constant time.
+  // Like append_neighbours, but appends only the two faces next to f in each ring. They suffice for
+  // traversals and connectivity, because the other faces of the ring are reached through them. Constant time.
   void append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
   // A face and one of its edges in the face's counter-clockwise direction, by vertices of its own sheet.
@@ -293,14 +294,14 @@ class Mesh {
   // Appends the sides of all other live faces on the edge of f from corner `from` to its next corner `to`.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
 
-  // Append the sides of live faces that no other face shares: those of all faces, O(edges); of one live face;
-  // and those along the edges in slots first .. end - 1, which may exceed edge_slots().
+  // Append the sides of live faces that no other face shares: of all faces, in O(edges); of one live face; or
+  // along the edges in slots first .. end - 1, where `end` may exceed edge_slots().
   void append_open_sides(std::vector<Side>& out) const { append_open_sides_in(0, edge_slots(), out); }
   void append_open_sides_of(FaceId f, std::vector<Side>& out) const;
   void append_open_sides_in(uint32_t first, uint32_t end, std::vector<Side>& out) const;
 
   // The faces around a vertex on its sheet, and the other ends of its boundary edges. `alone` is false if an
-  // edge at the vertex is in a ring, so that other sheets have a vertex at the same position.
+  // edge at the vertex is in a ring, i.e. if other sheets have a vertex at the same position.
   struct Star {
     std::vector<FaceId> faces;
     std::vector<VertexId> rim;
@@ -309,7 +310,7 @@ class Mesh {
   // Finds the star of a vertex. Linear in its degree.
   void star(VertexId v, Star& out) const;
 
-  // Moves a vertex of one sheet. Structures that depend on positions, e.g. a tree, need an update.
+  // Moves a vertex of one sheet. The caller must update structures that depend on positions, e.g. a tree.
   void move_vertex(VertexId v, const Vec3& to);
 
   // One face that was split at an edge: `kept` is its old slot, now the half at `kept_end`, and `added` is
@@ -340,12 +341,13 @@ class Mesh {
   bool can_flip_edge(FaceId f, VertexId from, VertexId to) const;
 
   VertexId add_vertex(const Vec3& position);
-  // Adds faces with these corners, counter-clockwise, and returns their slots. Each is its own base face with
-  // the given other data. Common sides of two of them become one edge, and a side along a boundary closes it;
-  // columns and colours of new items are zero. A vertex whose faces are no longer connected over edges is
-  // replaced by several at its position. Precondition: the mesh stays orientable, i.e. no side occurs twice
-  // in one direction, or along a live face that already has it. New edges are in no ring, even if they
-  // coincide with edges of other sheets. O(n log n) in the new faces and those around them.
+  // Adds faces with these corners, counter-clockwise, and returns their slots. Each face becomes its own base
+  // face; the rest of its data is that given. Two new faces with a common side share one edge, and a side
+  // along a boundary closes the boundary; columns and colours of new items are zero. A vertex whose faces are
+  // no longer connected over edges is replaced by several at its position. Precondition: the mesh stays
+  // orientable, i.e. no side occurs twice in one direction, or along a live face that already has it. New
+  // edges are in no ring, even if they coincide with edges of other sheets. O(n log n) in the new faces and
+  // those around them.
   std::vector<FaceId> add_faces(std::span<const std::array<VertexId, 3>> corners,
                                 std::span<const FaceData> data);
 
@@ -354,8 +356,8 @@ class Mesh {
 
   size_t bytes() const;
 
-  // The mesh before a command or, after exchange(), after it (see ChangeOf). The cost of every function
-  // depends on the size of the change, not of the mesh.
+  // The mesh before a command or, once exchanged, after it (see ChangeOf). The cost of every function depends
+  // on the size of the change, not on that of the mesh.
   class Change {
    public:
     Change();
@@ -368,8 +370,8 @@ class Mesh {
     void exchange(Mesh& mesh);
     void restore(Mesh& mesh) const;
     size_t bytes() const;
-    // Appends every face that differs before and after the change: dead in one of the two states, or with
-    // other corners. May also list unchanged or non-existent faces, and repeat faces.
+    // Appends every face that differs between the states before and after the change: faces that are dead in
+    // one of them, or have other corners. May also list unchanged or non-existent faces, and repeat faces.
     void append_faces(const Mesh& mesh, std::vector<FaceId>& out) const;
 
    private:
@@ -388,23 +390,23 @@ class Mesh {
 
 using HalfEdgeId = Id<struct HalfEdgeTag>;
 
-// Adds new faces to a mesh in parts (Mesh::add_faces adds them at once). Between the parts all queries of the
-// mesh work, except that the star of a vertex lacks faces that are not connected to the others yet; nothing
-// else may edit the mesh until the addition is complete.
+// Adds new faces to a mesh in parts; Mesh::add_faces adds them at once. Between the parts all queries of the
+// mesh work, except that the star of a vertex lacks faces that are not connected to the others yet. No other
+// code may edit the mesh until the addition is complete.
 class FaceAddition {
  public:
-  // Corners are indices of `vertices`, which are distinct. Otherwise as Mesh::add_faces.
+  // `corners` index `vertices`, which are distinct. Preconditions as for Mesh::add_faces.
   FaceAddition(std::vector<VertexId> vertices, std::vector<std::array<uint32_t, 3>> corners);
 
   size_t faces() const { return corners_.size(); }
   size_t added() const { return added_; }
 
-  // Adds the next data.size() faces and returns their slots. Precondition: at least that number remains.
+  // Adds the next data.size() faces and returns their slots. Precondition: added() + data.size() <= faces().
   std::vector<FaceId> add(Mesh& mesh, std::span<const FaceData> data);
 
-  // Replaces each of the next `most` vertices by several if its faces are not connected over edges. Appends
-  // the faces whose corners change. Returns true if the addition is complete. Precondition: all faces were
-  // added.
+  // Processes the next `most` vertices: splits a vertex into one per fan if its faces are not connected over
+  // edges. Appends the faces whose corners change. Returns true if the addition is complete. Precondition:
+  // all faces were added.
   bool part_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed);
 
  private:
@@ -432,24 +434,24 @@ class FaceAddition {
 
   std::vector<VertexId> vertices_;
   std::vector<std::array<uint32_t, 3>> corners_;
-  std::vector<bool> is_noted_;  // by vertex: its half-edges are listed
+  std::vector<bool> is_noted_;  // by vertex: true if its half-edges are listed
   std::vector<Chain> chains_;   // by vertex
   std::vector<Entry> entries_;
-  size_t added_ = 0, parted_ = 0;  // faces, vertices
+  size_t added_ = 0, parted_ = 0;  // faces added, vertices processed by part_fans()
 };
 
 // Copies some faces of a mesh into a new mesh. Positions, orientation, the order of faces around vertices,
-// rings, face data, columns and colours are preserved to the bit, except for references to other faces: green
+// rings, face data, columns and colours are preserved to the bit. References to other faces change: green
 // pairs are dropped, and the base of a face becomes the face itself if it was never split, otherwise the
 // first of the extracted faces with the same base. Slots have the order of `faces`. Parts that touch in a
-// vertex get a vertex each.
+// vertex get separate vertices.
 //
 // Preconditions: `faces` are live, ascending and not empty, and contain with each face all faces connected to
 // it over edges. O(n log n).
 Mesh extract_mesh(const Mesh& mesh, std::span<const FaceId> faces);
 
-// The boundaries of single sheets of a mesh. Mesh::append_open_sides omits boundaries that touch other
-// sheets, i.e. whose edges are in rings.
+// Boundaries of single sheets, including those that touch other sheets, i.e. whose edges are in rings.
+// Mesh::append_open_sides omits the latter.
 
 // A side on the boundary of a sheet, and whether its edge is in a ring.
 struct SheetSide {
@@ -457,12 +459,12 @@ struct SheetSide {
   bool is_shared;
 };
 
-// Append the sides on boundaries of sheets: those of a live face, and those along the edges in slots first ..
-// end - 1, which may exceed edge_slots(). Linear in the edges.
+// Append the sides on boundaries of sheets: of a live face, or along the edges in slots first .. end - 1,
+// where `end` may exceed edge_slots(). Linear in the edges.
 void append_sheet_sides_of(const Mesh& mesh, FaceId f, std::vector<SheetSide>& out);
 void append_sheet_sides_in(const Mesh& mesh, uint32_t first, uint32_t end, std::vector<SheetSide>& out);
 
-// Appends the neighbours of a live face on its sheet: the other face on each edge, excluding those over
+// Appends the neighbours of a live face on its sheet: the other face on each edge, without faces reached over
 // rings.
 void append_sheet_neighbours(const Mesh& mesh, FaceId f, std::vector<FaceId>& out);
 

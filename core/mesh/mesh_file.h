@@ -23,7 +23,7 @@ Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progre
 // Reads a mesh file with read_mesh and builds its mesh with build_mesh. The message of every failure but
 // cancelled() names the file. `progress` may be null.
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress);
-// Likewise; the mesh has looks even if the file has none (see Soup::keeps_corners).
+// Like load_mesh, but the mesh has looks even if the file has none (see Soup::keeps_corners).
 Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file, const Progress* progress);
 
 // Returns notes for the user about the faces of a file, the most important first: dropped faces, changed
@@ -42,7 +42,7 @@ std::vector<std::string> dropped_notes(const Repairs& repairs);
 // coordinates beyond the range of float in STL. Holds all bytes in memory before writing. Linear time.
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format);
 
-// The loss of a mesh in a single-precision format.
+// The loss of precision when a mesh is written in a single-precision format.
 struct PrecisionLoss {
   double max_move = 0;       // of a vertex, m
   double shortest_edge = 0;  // non-zero, before rounding, m; 0 if there is none

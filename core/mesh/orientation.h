@@ -12,9 +12,10 @@
 
 namespace kerf {
 
-// Counts for each entry of `asked` the closed patches around that patch: those whose bounding boxes contain
-// its box and that are crossed an odd number of times by rays from its vertices. Rays from up to `rays` of
-// its vertices must agree; if a surface passes within rounding of all of them, either result is possible.
+// Counts, for each patch listed in `asked`, the closed patches that enclose it. A closed patch encloses
+// another one if its bounding box contains that of the other, and if the rays from up to `rays` vertices of
+// the other all cross it an odd number of times. If a surface lies within rounding of all these vertices,
+// either result is possible.
 //
 // The rays are parallel to the shortest side of the mesh's bounding box, and their origins are sorted into
 // the cells of a grid in the plane of the other two. Linear in the number of triangles of closed patches
@@ -24,17 +25,18 @@ std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
                                       const std::vector<std::array<uint32_t, 3>>& triangles,
                                       const Patches& patches, std::span<const uint32_t> asked, uint32_t rays);
 
-// Returns for each of some patches whether it is inside another closed one. As count_enclosing(), one ray.
+// Returns, for each patch listed in `asked`, whether another closed patch encloses it. Like count_enclosing()
+// with one ray.
 std::vector<bool> find_enclosed(std::span<const Vec3> positions,
                                 const std::vector<std::array<uint32_t, 3>>& triangles, const Patches& patches,
                                 std::span<const uint32_t> asked);
 
-// Finds the triangles to be reversed for a consistent orientation, i.e. so that two triangles on an edge of
-// exactly two triangles traverse it in opposite directions. In each set of triangles connected over such
-// edges the smaller part is reversed; of two equal parts the one without the lowest triangle. On a surface
-// that cannot be oriented (a Moebius strip) some edges stay inconsistent. Returns one flag per triangle, or
-// fails with cancelled() when stopped. `progress` may be null. Precondition: `edges` are those of
-// `triangles`. Linear time; multithreaded if none is to be reversed.
+// Finds the triangles to reverse for a consistent orientation, i.e. such that the two triangles on every edge
+// of exactly two triangles traverse it in opposite directions. In each set of triangles connected over such
+// edges, the minority is reversed; in a tie, the part without the lowest triangle. On a surface that cannot
+// be oriented (a Moebius strip) some edges stay inconsistent. Returns one flag per triangle, or fails with
+// cancelled() when stopped. `progress` may be null. Precondition: `edges` are those of `triangles`. Linear
+// time; multithreaded if none is to be reversed.
 Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
                                             const SoupEdges& edges, const Progress* progress);
 
@@ -48,10 +50,9 @@ std::vector<bool> inward_triangles(std::span<const Vec3> positions,
                                    const std::vector<std::array<uint32_t, 3>>& triangles,
                                    const Patches& patches);
 
-// Finds the closed patches inside others that face the wrong way for the volumes to add up: of nested patches
-// every second one must face inward, as a cavity does, and the one inside it outward. Otherwise their
-// overlapping volumes are added or subtracted twice. Returns the patches, ascending. Preconditions and cost
-// as above.
+// Finds the nested closed patches whose orientation makes overlapping volumes count twice. Nested patches
+// must alternate: the outermost faces outward, the next one inward (a cavity), the next one outward, and so
+// on. Returns the patches, ascending. Preconditions and cost as above.
 std::vector<uint32_t> overlapping_patches(std::span<const Vec3> positions,
                                           const std::vector<std::array<uint32_t, 3>>& triangles,
                                           const Patches& patches);

@@ -10,16 +10,15 @@
 
 namespace kerf {
 
-// Finds closed shells that touch along edges of three or more triangles, and pairs the sides there like those
-// of an edge of two triangles: each shell then has its own edge. `partner` holds the pairs of the edges of
-// two triangles, or kNoSide for a side (see name_vertices), and receives the others; `patch_of` is as in
-// Patches.
+// Finds closed shells that touch along edges of three or more triangles, and pairs their sides there, so that
+// each shell gets an edge of its own with two triangles. `partner` holds, by side, its pair on an edge of two
+// triangles, or kNoSide (see name_vertices), and receives the new pairs. `patch_of` is that of Patches.
 //
-// Around an edge, a triangle that begins a shell is paired with the next one that ends a shell, of the same
-// patch if there is one: seen along the edge, the two bound the inside. Of coincident triangles, such as
-// those of solids that share a face, those that end a shell come first. Only shells whose sides are all
-// paired by this keep their pairs, so that open sheets stay unchanged. Returns one side of each pair.
-// O(triangles + k log k), where k is the number of sides on such edges; O(1) without such edges.
+// In the order around an edge, a triangle that enters a solid is paired with the next one that leaves it, of
+// the same patch if possible; the two bound the inside of a shell. Of coincident triangles, e.g. of solids
+// that share a face, those that leave a solid come first. Only shells all of whose sides are paired keep
+// their pairs, so open sheets do not change. Returns one side of each pair. O(triangles + k log k), where k
+// is the number of sides on such edges; O(1) without such edges.
 //
 // Preconditions: `edges` are those of the triangles, whose corners are numbers of distinct positions, and
 // `several` are the edges of three or more triangles.

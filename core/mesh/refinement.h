@@ -11,7 +11,7 @@
 namespace kerf {
 
 // The replacement of split faces by their parts, which cover the same area. A reused slot is in both lists.
-// Replacements are in chronological order, in which a tree can apply them.
+// Lists of replacements are in chronological order, so that a tree can apply them.
 struct Replacement {
   std::array<FaceId, 2> removed;
   std::array<FaceId, 4> added;
@@ -19,18 +19,19 @@ struct Replacement {
   uint8_t added_count = 0;
 };
 
-// Red-green refinement: the 1-to-4 split of the paper, with closure of the neighbours (R. E. Bank, A. H.
-// Sherman, A. Weiser: Refinement algorithms and data structures for regular local mesh refinement, 1983).
+// Red-green refinement: the 1-to-4 split of the paper, with conforming closure of the neighbours (R. E. Bank,
+// A. H. Sherman, A. Weiser: Refinement algorithms and data structures for regular local mesh refinement,
+// 1983).
 //
 // The mesh is regarded as a set of *elements*, i.e. red triangles. An element without a bisected edge is one
-// face. An element with one bisected edge is a green pair of faces; the two halves are removed together, and
-// they are merged into the element before it is split. An element with two bisected edges, or with a
+// face. An element with one bisected edge is a green pair of faces; its two halves are removed together, and
+// are merged into the element before the element is split. An element with two bisected edges, or with a
 // neighbour that must bisect one half of its bisected edge, is split red into four elements of the next
-// level. Therefore no face descends from a green one, and every face has the angles of its base face or of
-// one green bisection of it.
+// level. Therefore no face descends from a green face, and every face has the angles of its base face or of a
+// single green bisection of it.
 class OneToFour {
  public:
-  // The element that consists of f or of a green pair that contains f.
+  // An element: one face, or a green pair.
   struct Element {
     std::array<VertexId, 3> corners;
     std::array<FaceId, 2> faces;
@@ -42,13 +43,13 @@ class OneToFour {
   // Returns true if the element of f is large enough: the midpoints of its edges differ from their ends.
   bool can_split(const Mesh& mesh, FaceId f) const;
 
-  // Splits the element of f into four and closes the mesh on its neighbours, so that it is conforming.
-  // Appends the replacement of every changed element: one face or a green pair by a green pair or four red
+  // Splits the element of f into four, and its neighbours where the mesh must stay conforming. Appends the
+  // replacement of every changed element: one face or a green pair is replaced by a green pair or four red
   // faces. Precondition: f is live and can_split(). Linear in the changed elements.
   void split(Mesh& mesh, FaceId f, std::vector<Replacement>& out);
 
-  // Dissolves the green pair of a face into ordinary faces, before the face is removed or split by another
-  // scheme. No-op for a face in no pair.
+  // Turns the green pair of a face into two ordinary faces. Must be called before the face is removed or
+  // split by another scheme. No-op if the face is in no pair.
   void forget(Mesh& mesh, FaceId f);
 
   // The elements before a command (see ChangeOf).
@@ -68,7 +69,7 @@ class OneToFour {
     std::array<VertexId, 3> midpoints;
     std::array<FaceId, 4> faces;
     uint8_t face_count = 1;
-    uint8_t faces_in_tree = 1;  // 1: the other faces are new in this call; 2: an earlier green pair
+    uint8_t faces_in_tree = 1;  // faces that exist since before this call: 1, or 2 for an earlier green pair
     uint8_t first_edge = 0;     // the edge bisected first; its bisector is flipped at the end
     uint8_t halvings = 0;       // of the element
     bool wanted_red = false;

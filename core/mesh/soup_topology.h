@@ -42,7 +42,7 @@ struct Patches {
   std::vector<uint32_t> first;  // patch p is triangles[first[p]] .. triangles[first[p + 1] - 1], ascending
   std::vector<uint32_t> triangles;  // sorted by patch; patches have the order of their lowest triangles
   std::vector<uint32_t> patch_of;   // by triangle
-  // By patch: whether it bounds a volume, i.e. traverses each of its edges equally often both ways.
+  // By patch: true if it bounds a volume, i.e. traverses each of its edges equally often in both directions.
   std::vector<bool> closed;
 
   size_t count() const { return closed.size(); }
@@ -56,8 +56,9 @@ struct Patches {
 Result<Patches> find_patches(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
                              const Progress* progress);
 
-// Returns the number of sets of triangles connected over edges with any number of triangles. Preconditions as
-// above. O(n log n), less if every edge has at most two triangles.
+// Returns the number of connected components: sets of triangles connected over edges with any number of
+// triangles. Precondition: both arguments are of the same triangles. O(n log n), less if every edge has at
+// most two triangles.
 size_t count_components(const Patches& patches, const SoupEdges& edges);
 
 }  // namespace kerf

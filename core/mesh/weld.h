@@ -34,8 +34,8 @@ struct UsableTriangles {
 Result<UsableTriangles> usable_triangles(const Soup& soup, std::span<const uint32_t> welded,
                                          const Progress* progress);
 
-// Collects triangles over welded positions: drops those with two corners at one position, and numbers
-// positions in the order in which triangles use them.
+// Collects triangles with welded positions. Drops triangles with two corners at one position, and numbers the
+// positions in the order of their first use.
 class WeldedTriangles {
  public:
   // The positions must outlive the collection. Expected linear time.
@@ -65,7 +65,7 @@ class WeldedTriangles {
  private:
   std::span<const Vec3> from_;
   std::vector<uint32_t> first_;   // by position: the lowest index of an equal one
-  std::vector<uint32_t> number_;  // by that: its index in `positions`
+  std::vector<uint32_t> number_;  // by that index: the index in `positions`, or kNoIndex
 };
 
 }  // namespace kerf

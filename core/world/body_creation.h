@@ -12,11 +12,10 @@
 
 namespace kerf {
 
-// Loads a mesh file and makes a body of it, with the errors of load_mesh and make_body. `progress` may be
-// null.
+// Loads a mesh file as a body. Fails like load_mesh and make_body. `progress` may be null.
 Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress);
 
-// A piece to be remeshed, with its faces copied from its body.
+// A piece to remesh, copied from its body.
 struct PieceCopy {
   uint32_t label = 0;
   std::vector<FaceId> faces;         // of the body, ascending
@@ -28,10 +27,10 @@ struct PieceCopy {
 // Copies a piece. Precondition: it has faces. O(n log n).
 PieceCopy copy_piece(const Body& body, uint32_t label);
 
-// Makes the body that replaces a piece. Triangles are sorted by the loaded faces they stem from, so that
-// `parts` of loaded faces become parts of the new ones. All data but the faces is copied from `body`. Fails
-// like build_mesh and make_body; `progress` may be null. Precondition: `remeshed` was made of `copy.mesh`,
-// which was made of `body`, and has triangles.
+// Creates the body that replaces a piece. Its triangles are sorted by the loaded faces from which they
+// derive, so that `parts`, ranges of loaded faces, become ranges of the new ones. All data except the faces
+// is copied from `body`. Fails like build_mesh and make_body; `progress` may be null. Preconditions:
+// `remeshed` was computed from `copy.mesh` and has triangles, and `copy` is of `body`.
 Result<Body> rebuilt_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
                           std::span<const MeshPart> parts, const Progress* progress);
 

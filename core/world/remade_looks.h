@@ -7,8 +7,8 @@
 namespace kerf {
 
 // Returns the looks of the body that replaces a piece; null if `body` has none. The values at a corner are
-// those of the nearest point of the surface before, on the same side of a seam. Preconditions: `remeshed` was
-// made of `copy.mesh`, which was made of `body`. O(n log n).
+// those at the nearest point of the original surface, on the same side of a seam. Preconditions: `remeshed`
+// was computed from `copy.mesh`, and `copy` is of `body`. O(n log n).
 std::shared_ptr<const Looks> remade_looks(const Body& body, const PieceCopy& copy, const Remeshed& remeshed);
 
 }  // namespace kerf

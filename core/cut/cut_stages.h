@@ -49,8 +49,9 @@ void update_tree(BodyStep& step);
 // visited and relabelled. `hit`: faces, some of them removed since the last search.
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most,
                 EditPolicy policy = EditPolicy::kAllowEdits);
-// Separates parts that joints no longer hold (see separate_by_joints), and assigns cavities to the pieces
-// around them (see assign_cavities). No-op while a search for separated pieces is unfinished.
+// Assigns cavities to the pieces around them, in every body without an unfinished search for separated pieces
+// (see assign_cavities). Once no body has one, separates the parts that joints no longer hold (see
+// separate_by_joints).
 void apply_joints(World& world, Delta& delta, JointMode mode = JointMode::kRigid);
 // Ends the step of a body and adds its changes and statistics to the result.
 void end_step(BodyStep& step, StepResult& result);

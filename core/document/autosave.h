@@ -10,12 +10,13 @@
 
 namespace kerf {
 
-// A file locked by one program. No other program can lock it while this object exists; the system releases
-// the lock when the program ends in any way. Other programs can still read, rename and remove the file.
+// A file locked by this program. No other program can lock it while this object exists; the operating system
+// releases the lock when the program ends, even by a crash. Other programs can still read, rename and remove
+// the file.
 class LockedFile {
  public:
-  // Creates a file with these bytes, which appears under its name atomically, locked and flushed to the
-  // disk. Fails if it exists.
+  // Creates a file with these bytes; it appears under its name atomically, locked and flushed to the disk.
+  // Fails if the file exists.
   static Result<LockedFile> create(const std::filesystem::path& path, std::string_view bytes);
   // Opens and locks an existing file. Fails if another program has locked it.
   static Result<LockedFile> open(const std::filesystem::path& path);
@@ -26,11 +27,11 @@ class LockedFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // Appends all bytes or, on failure, none. They survive the end of the program, but a loss of power only
+  // Appends all bytes or, on failure, none. They survive a crash of the program, and a loss of power only
   // after flush().
   Status append(std::string_view bytes);
-  // Starts to flush appended bytes to the disk without waiting. Returns true while that is in progress or
-  // was just started; call it again then.
+  // Flushes appended bytes to the disk asynchronously. Returns true if a flush was started or is in progress;
+  // call flush() again in that case.
   bool flush();
 
   void remove();
@@ -42,22 +43,22 @@ class LockedFile {
   Handle* handle_ = nullptr;
 };
 
-// Keeps the unsaved work of one editor in a journal file that survives a crash. Each editor locks its own
-// file and does not touch those of others.
+// Stores the unsaved changes of one editor in a journal file that survives a crash. Each editor locks its own
+// file and ignores those of other editors.
 class Autosave {
  public:
   explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // Starts to keep a document with this scene, which was last saved to `work_of` (may be empty) and opened
-  // from the files `opened`. The file of the previous document is removed once the new one is written.
-  // Precondition: the meshes have hashes (see record_hashes).
+  // Starts autosaving a document with this scene. `work_of`: the file it was last saved to; may be empty.
+  // `opened`: the files it was read from. The autosave file of the previous document is removed once the new
+  // one is written. Precondition: the meshes have hashes (see record_hashes).
   void begin(SceneDescription scene, std::filesystem::path work_of,
              std::vector<std::filesystem::path> opened = {});
 
   // Appends the final commands (see Document::final_commands) and marks since the last call; the first call
-  // writes all of them to a new file. AdvanceTime commands lag by less than a second. On failure,
-  // everything written before is kept, and the next call tries again. The cost is proportional to the new
-  // commands. Data reach the disk asynchronously: call follow or flush again within about a second.
+  // writes all of them to a new file. AdvanceTime commands lag by less than a second. On failure, everything
+  // written before is kept, and the next call retries. The cost is proportional to the number of new
+  // commands. Data reach the disk asynchronously, so call follow() or flush() again within about a second.
   // Precondition: `document` and `marks` continue those of the last call.
   Status follow(const Document& document, std::span<const StateMark> marks);
   // Continues flushing to the disk. Returns true if anything is left to flush.
@@ -87,8 +88,8 @@ struct RecoverableDocument {
   std::filesystem::file_time_type last_change;
 };
 
-// Finds the work of crashed editors in the folder, the latest first. Skips the locked files of running
-// editors. A file that cannot be read is left unchanged and adds a sentence to `faults`.
+// Finds the unsaved work of crashed editors in the folder, the latest first. Skips the locked files of
+// running editors. Leaves an unreadable file unchanged and appends a sentence about it to `faults`.
 std::vector<RecoverableDocument> find_recoverable_documents(const std::filesystem::path& folder,
                                                             std::vector<std::string>& faults);
 

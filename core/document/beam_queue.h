@@ -14,44 +14,43 @@
 
 namespace kerf {
 
-// A stroke that is being cut: its settings, the end of its queued moves, and the path that the beam has
-// swept.
+// A stroke being cut: its settings, the end of its queued moves, and the path that the beam has swept.
 struct Stroke {
   CutSettings settings;
   BeamAt beam;                 // pose and time at the end of the last queued move
-  bool ended = false;          // its end is queued
-  bool given_up = false;       // a part of it failed: further moves are not executed
+  bool ended = false;          // true if the end of the stroke is queued
+  bool given_up = false;       // true if a part of the stroke failed: further moves are not executed
   size_t queued = 0;           // number of moves queued
   std::vector<BeamMove> path;  // moves that were begun; moves that rotate the beam are subdivided
-  // For each body that has moved since the stroke began, the swept volume of the beam in the frame of the
-  // body, from moves of the beam and of the body. Bodies that are not listed have stood still.
+  // For each body that has moved since the stroke began, the path of the beam in the frame of the body, from
+  // moves of the beam and of the body. Unlisted bodies have not moved.
   SweptByBody swept;
 
   // Adds the path since the last call to `swept` for the bodies that have moved. Call before a body moves
   // again. O(appended moves * listed bodies).
   void list_path(const World& world);
 
-  // Removes this many moves from the end of the path, which were begun but not reached before the stroke
-  // was stopped, and appends `instead` if it is given. Precondition: list_path() was called since they were
+  // Removes from the end of the path this number of moves, which were begun but not reached before the stroke
+  // was stopped, and appends `instead` if given. Preconditions: list_path() was called after these moves were
   // begun, and no body has moved since.
   void cut_back(const World& world, size_t moves, const std::optional<BeamMove>& instead);
 
   // Copies the swept volumes of bodies to the pieces detached from them.
   void inherit(std::span<const Detached> detached);
 
-  // Records the motion of a body from a placement under a beam that stands still. Returns the moves of the
-  // beam in the frame of the body, subdivided, without those that cannot hit the body, and adds them to
-  // `swept`. Precondition: list_path() was called. The cost is proportional to the path only for a body
-  // that moves for the first time.
+  // Records the motion of a body, from the placement `from`, under a stationary beam. Returns the resulting
+  // moves of the beam in the frame of the body, subdivided and without moves that cannot hit the body, and
+  // adds them to `swept`. Precondition: list_path() was called. The cost is proportional to the path only for
+  // a body that moves for the first time.
   std::vector<BeamMove> move_body(BodyId id, const Body& body, const Placement& from, const Pose& beam);
 
  private:
   size_t listed_ = 0;  // number of moves of the path in `swept`
 };
 
-// The pending work of a document, in order: beam moves, ends of strokes with a smooth rim, ticks, and
-// changes of the spring. Each entry belongs to a history step. Moves are stored whole and subdivided when
-// they are begun, because the subdivision depends on the placements of the bodies at that time.
+// The pending work of a document, in order: beam moves, ends of strokes with a smooth rim, ticks, and changes
+// of the spring. Each entry belongs to a history step. A move is subdivided when it is begun, because the
+// subdivision depends on the placements of the bodies at that time.
 class BeamQueue {
  public:
   enum class Kind { kMove, kRim, kTicks, kSpring };
@@ -69,12 +68,12 @@ class BeamQueue {
   };
 
   bool empty() const { return ready_.empty() && entries_.empty(); }
-  // The number of moves, ends of strokes, ticks and changes of the spring. A move counts as the number of
-  // parts that its subdivision had when it was appended, and exactly from when it is begun.
+  // The number of moves, ends of strokes, ticks and spring changes. A move counts as the number of parts of
+  // its subdivision, estimated when it is appended and exact once it is begun.
   size_t size() const { return size_; }
   bool holds_beam() const { return size_ > in_time_; }
   bool holds_moves() const { return !ready_.empty() || rims_ + in_time_ < size_; }
-  // Returns true if it is not empty and holds only ticks in which bodies stand still.
+  // Returns true if the queue is not empty and holds only ticks in which bodies do not move.
   bool only_cools() const;
   // Returns true if the queue holds work of a history step.
   bool holds(size_t step) const;
@@ -85,8 +84,8 @@ class BeamQueue {
   // without a beam if it is null.
   void push_ticks(size_t step, Ticks ticks, bool bodies, std::shared_ptr<Stroke> stroke);
   void push_spring(size_t step, const std::optional<Spring>& spring);
-  // Insert ticks without a beam, or a change of the spring, at the front. Precondition: no move and no end
-  // of a stroke is unfinished.
+  // Insert ticks without a beam, or a spring change, at the front. Precondition: no move and no end of a
+  // stroke is partly executed.
   void push_ticks_in_front(size_t step, Ticks ticks, bool bodies);
   void push_spring_in_front(size_t step, const std::optional<Spring>& spring);
 
@@ -97,7 +96,7 @@ class BeamQueue {
   // Precondition: front_kind() is kTicks or kSpring.
   const Entry& front_in_time() const;
 
-  // The move that the next step begins or continues; nullopt if the front is no move.
+  // The move that the next step begins or continues; nullopt if the front is not a move.
   std::optional<BeamMove> next_move(const World& world) const;
 
   // Begins moves at the front: subdivides them, appends the parts to the path of their stroke, and returns
@@ -113,14 +112,14 @@ class BeamQueue {
   // The progress of the beam in the stroke of a history step, counted as in StopStroke. An unfinished part
   // of a move counts as executed.
   StopStroke reached(size_t step) const;
-  // Returns true if moves of the stroke are queued behind that.
+  // Returns true if moves of the stroke are queued behind reached(step).
   bool holds_moves(size_t step) const;
-  // Switches the beam of a stroke off at a place: drops its later moves and passes its ticks without a
-  // beam. The first move is kept. Precondition: the place is not before reached(step).
+  // Switches the beam of a stroke off at a place of its path: drops its later moves, and passes its later
+  // ticks without a beam. The first move is kept. Precondition: the place is not before reached(step).
   void stop(size_t step, StopStroke at, const World& world);
 
   void pop_moves(size_t count);
-  // Precondition: the front is no move. Of ticks, some may be left.
+  // Removes the front entry or, of ticks, the first `count`. Precondition: the front is not a move.
   void pop(size_t count = 1);
 
   // Remove the entries of a history step: all of them, or those of its strokes, so that its ticks pass

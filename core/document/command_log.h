@@ -24,9 +24,9 @@ class CommandLog {
   // Removes all but the first `size` commands. Precondition: size <= size().
   void shrink(size_t size);
 
-  // The number of final commands: all, or all but the last if that is time that may grow.
+  // The number of final commands: all, or all but the last if that is an AdvanceTime that may still grow.
   size_t final_size() const;
-  // Makes all commands final: later time becomes a command of its own.
+  // Makes all commands final: later ticks start a new AdvanceTime.
   void seal() { sealed_ = commands_.size(); }
 
  private:
@@ -34,10 +34,10 @@ class CommandLog {
   size_t sealed_ = 0;
 };
 
-// Marks the commands of a journal whose effect lasts to its end: those of history steps that are neither
-// undone nor, being a stroke, replaced by a recut. Undo and Redo are not marked; of a step that was redone,
-// the original commands are. Returns one flag per command. Exact for the journal of a Document, in which
-// each command had an effect; all commands of an edited file are assumed to have had one. Linear time.
+// Finds the commands of a journal whose effect lasts to its end: those of history steps that are not undone
+// and, for strokes, not replaced by a recut. Undo and Redo do not count; for a step that was redone, its
+// original commands do. Returns one flag per command. Exact for the journal of a Document, which contains
+// only commands with an effect; commands in an edited file are assumed to have one. Linear time.
 std::vector<bool> lasting_commands(std::span<const Command> journal);
 
 }  // namespace kerf

@@ -17,13 +17,13 @@
 
 namespace kerf {
 
-// Estimates how many face slots, of live and removed faces, fit into this memory [bytes], including the
-// tree, the before-images of strokes and the rest of the program; see Document::set_face_budget.
+// Estimates the number of face slots, for live and removed faces, that fit into this memory [bytes] together
+// with the tree, the before-images of strokes and the rest of the program; see Document::set_face_budget.
 size_t usual_face_budget(uint64_t memory);
 
 Error over_face_budget(size_t budget);
 
-// Records the before-images of the history step being executed, the open step.
+// Records the before-images of the open step, i.e. the history step being executed.
 class Recorder {
  public:
   // The open step; nullopt between close() and open().
@@ -52,14 +52,14 @@ class Recorder {
   bool recording_ = false;
 };
 
-// The queue of commands that executes the steps of a history on a world and records before-images of their
-// changes. Timed commands are queued and executed in bounded parts; the others execute immediately.
+// Executes the steps of a history on a world, and records before-images of their changes. Timed commands and
+// those of strokes are queued and executed in bounded parts; other commands execute immediately.
 //
-// The result does not depend on the division into parts, nor on when the queue runs empty: the same faces
-// are removed, and the same pieces are separated, with the same labels. A tick starts when the moves before
-// it have been executed and the search for separated pieces has finished. Bodies move in the ticks of
-// AdvanceTime commands with `bodies`: first, separated pieces become bodies (see release_pieces), and
-// bodies that touched a changed body wake (see forget_contacts).
+// The result (removed faces, separated pieces and their labels) does not depend on the division into parts,
+// nor on the times at which the queue becomes empty. A tick starts when the moves before it have been
+// executed and the search for separated pieces has finished. Bodies move in the ticks of AdvanceTime commands
+// with `bodies`: first, separated pieces become bodies (see release_pieces), and bodies that touched a
+// changed body wake (see forget_contacts).
 class CommandQueue {
  public:
   CommandQueue() = default;
@@ -71,13 +71,13 @@ class CommandQueue {
   const UndoStack& history() const { return history_; }
   UndoStack& history() { return history_; }
 
-  // The queue ---------------------------------------------------------------------------------------------
+  // Queue -------------------------------------------------------------------------------------------------
 
   // The queued moves, ends of strokes, ticks and changes of the spring, without searches.
   const BeamQueue& pending() const { return pending_; }
-  // The length of the queue: moves (including a partly executed one), ticks, changes of the spring, and
-  // ends of strokes with a smooth rim (see BeamQueue::size). At least 1 while no stroke is running and a
-  // search for separated pieces is unfinished.
+  // The length of the queue: moves (including a partly executed one), ticks, spring changes, and ends of
+  // strokes with a smooth rim (see BeamQueue::size). If no stroke is running and a search for separated
+  // pieces is unfinished, at least 1.
   size_t waiting() const;
   // Returns true if the queue holds only ticks in which bodies stand still, so that only heat changes.
   bool only_cools() const { return pending_.only_cools() && !next_searches(); }
@@ -87,9 +87,9 @@ class CommandQueue {
 
   // Returns true if the next step searches for separated pieces, before everything that is pending.
   bool next_searches() const;
-  // The number of faces that the next step prepares for motion: those of bodies from which pieces came off,
-  // and of bodies that have changed since bodies last moved. The cost of the step is proportional to it. 0
-  // if bodies do not move in it.
+  // The number of faces that the next step prepares for motion: those of bodies with pieces to detach, and of
+  // bodies that have changed since bodies last moved. The cost of the step is proportional to it. 0 if no
+  // bodies move in the step.
   size_t next_makes_ready() const;
   // Returns true if the next step executes work of the last history step, not of an earlier one.
   bool next_is_of_last_step() const;
@@ -97,7 +97,7 @@ class CommandQueue {
   // Queues the work of a command of a history step that does not execute immediately.
   void enqueue(size_t step, const Command& command);
 
-  // Executing ---------------------------------------------------------------------------------------------
+  // Execution ---------------------------------------------------------------------------------------------
 
   // Executes a bounded part of the queue (see Document::step and step_stage). After a failure, call
   // give_up().
@@ -106,38 +106,38 @@ class CommandQueue {
   void set_face_budget(size_t slots) { face_budget_ = slots; }
   bool is_over_budget() const { return world_.face_slots() > face_budget_; }
 
-  // Ends a step of which a part failed: its stroke cuts nothing, and only its time passes. With `stopped`,
-  // all of it is undone, and the queue behind it is dropped. Returns false if no before-images of the step
-  // are held, so that its stroke ends at its current place. A stroke that is still running continues
+  // Ends a step after one of its parts failed: undoes its stroke, so that only its time passes. With
+  // `stopped`, undoes all of the step and drops the queue behind it. Returns false if no before-images of the
+  // step are held; its stroke then ends at its current place. A stroke that is still running continues
   // without effect. Precondition: with `stopped`, no stroke is running.
   bool give_up(size_t step, bool stopped);
-  // Ends a step and its recording if none of it is queued and nothing can be added to it.
+  // Ends a step and its recording, unless parts of it are queued or commands can still be added to it.
   void finish(size_t step);
 
-  // Runs the immediate command of a step at position `at` of the history, or to be inserted there. On
-  // failure the world is unchanged. Precondition: the queue is empty.
+  // Executes the immediate command of a step that is, or will be inserted, at position `at` of the history.
+  // On failure the world is unchanged. Precondition: the queue is empty.
   Result<Delta> run(HistoryStep& step, size_t at, const Progress* progress);
 
   // Sets bodies to the states that a journal recorded (see Document::set_states).
   StepResult set_states(std::span<const BodyState> states, std::span<const NearPair> pairs);
 
-  // The interval at which details of contacts are discarded (see forget_details), so that the state that a
-  // journal records at a full minute alone determines how bodies continue. They are also discarded at the
+  // The interval at which contact details are discarded (see forget_details), so that the state that a
+  // journal records at a full minute fully determines the further motion. They are also discarded at the
   // start of each step.
   static constexpr Ticks kTicksToForget = 60 * kTicksPerSecond;
 
-  // Going back --------------------------------------------------------------------------------------------
+  // Undo and redo -----------------------------------------------------------------------------------------
 
   // Undoes a step by its before-images and removes its work from the queue. Preconditions: the images are
   // held, and all later steps are undone.
   Delta undo(size_t step);
-  // Redoes a step that was done when it was undone. Preconditions: the queue is empty, and the images of
-  // the step are held.
+  // Redoes a step that had been complete when it was undone. Preconditions: the queue is empty, and the
+  // images of the step are held.
   Delta redo(size_t step);
-  // Queues the work of the last history step as if it had just been drawn. A recut first undoes the stroke
-  // that it cuts again, as an edit of the recut. A stroke with queued moves is then undone without keeping
-  // images: undo of the recut has to execute it again. Precondition: before-images can restore the world at
-  // the start of the step.
+  // Queues the work of the last history step again, as if its commands had just been applied. A recut first
+  // undoes the stroke that it cuts again, as an edit of its own. If that stroke still has queued moves, its
+  // images are dropped: undoing the recut has to execute the stroke again. Precondition: before-images can
+  // restore the world at the start of the step.
   Delta run_again();
   // Copies the world as it was before the steps base .. end - 1, the last of the history; nullopt if their
   // images are not held.
@@ -152,7 +152,8 @@ class CommandQueue {
     std::shared_ptr<Stroke> stroke;
     size_t moves = 0;  // of its path
   };
-  // Returns nullopt if Document::SavePoint::create() does. Precondition: the history has a last step.
+  // Creates a save point; nullopt in the cases of Document::SavePoint::create(). Precondition: the history
+  // has a last step.
   std::optional<SavePoint> save_point();
   Delta restore(const SavePoint& point);
 
@@ -175,8 +176,8 @@ class CommandQueue {
   Delta undo_strokes_of(size_t recut);
 
   void begin(size_t step);
-  // Ends the recording of the open step without trimming the history, because the images of a step that is
-  // about to be undone must be kept.
+  // Ends the recording of the open step without trimming the history, which keeps the images of a step to be
+  // undone next.
   void close();
   void keep_open(size_t step);
   void record_cut(size_t step, const StepResult& some);

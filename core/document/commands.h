@@ -34,27 +34,27 @@ struct BeginStroke {
 };
 void describe(Fields& f, BeginStroke& c);
 
-// Moves the beam of the running stroke with the beam on all the way.
+// Moves the beam of the running stroke; the beam stays on during the move.
 struct MoveBeam {
   Pose pose;        // world coordinates; not opposite to the previous direction
-  double time = 0;  // s since the stroke began, not descending; all 0 if times are unknown
+  double time = 0;  // s since the stroke began, non-decreasing; all 0 if times are unknown
 
   static constexpr const char* kName = "move-beam";
 };
 void describe(Fields& f, MoveBeam& c);
 
-// Ends the running stroke: switches the beam off and smooths a smooth rim.
+// Ends the running stroke: switches the beam off and closes a smooth rim.
 struct EndStroke {
   static constexpr const char* kName = "end-stroke";
 };
 
-// Ends the last stroke at a place of its path, before the end of its moves, for strokes that take long to
-// cut. Belongs to the step of the stroke.
+// Stops the last stroke at a place of its path, before the end of its moves, e.g. because it takes long to
+// cut. Belongs to the history step of the stroke.
 struct StopStroke {
-  // The number of moves that are cut, of which the first only switches the beam on: 12.5 are twelve moves
-  // and the first half of the next one, rounded to the parts of its subdivision.
+  // The number of moves to cut; the first one only switches the beam on. 12.5 means twelve moves and the
+  // first half of the next, rounded to the parts of its subdivision.
   double moves = 0;
-  Ticks ticks = 0;  // after those moves, for which the beam stays on while bodies move
+  Ticks ticks = 0;  // ticks after those moves for which the beam stays on while bodies move
 
   static constexpr const char* kName = "stop-stroke";
 };
@@ -68,14 +68,14 @@ struct Recut {
 };
 void describe(Fields& f, Recut& c);
 
-// Advances time by a number of ticks (see core/base/ids.h), in which all changes of the world happen that
-// no other command makes. Does not end a running stroke; takes effect when the moves before it have been
-// executed.
+// Advances time by a number of ticks (see core/base/ids.h). All changes of the world that no other command
+// makes, i.e. motion and cooling, happen in ticks. Does not end a running stroke; takes effect when the moves
+// before it have been executed.
 struct AdvanceTime {
   Ticks ticks = 0;
   bool bodies = false;  // bodies move (see core/physics); begun by Play
-  // Belongs to the previous history step, whatever that is, and is undone with it. Otherwise it is a step
-  // of its own after an edit (see Document).
+  // If true, the time belongs to the previous history step of any kind and is undone with it; if false, it is
+  // a step of its own after an edit (see Document).
   bool joins = false;
 
   static constexpr const char* kName = "advance-time";
@@ -85,7 +85,7 @@ struct AdvanceTime {
 void describe(Fields& f, AdvanceTime& c);
 
 // Attaches a spring to a piece, or moves the far end of its spring (see Spring). Takes effect between the
-// ticks before and after it; bodies follow a spring only while they move.
+// ticks before and after it. A spring pulls only in ticks in which bodies move.
 struct DragBody {
   PieceId piece;
   Vec3 at{0};  // the attached point, in the frame of the body [m]
@@ -99,14 +99,14 @@ struct ReleaseBody {
   static constexpr const char* kName = "release-body";
 };
 
-// Begins a history step in which bodies move: the AdvanceTime commands that follow, up to the next stroke
-// or edit, belong to it and are undone with it.
+// Begins a history step in which bodies move: the following AdvanceTime commands, up to the next stroke or
+// edit, belong to it and are undone with it.
 struct Play {
   static constexpr const char* kName = "play";
 };
 
-// Commands that change a piece as a whole. Except for DuplicatePiece, they first make the piece a body of
-// its own if it is none (see edit_piece). run() executes the command (see ImmediateCommand).
+// Commands that change a piece as a whole. Except for DuplicatePiece, they first detach the piece as a body
+// of its own if necessary (see edit_piece). run() executes the command (see ImmediateCommand).
 
 struct MovePiece {
   PieceId piece;
@@ -144,7 +144,7 @@ struct DeletePiece {
 };
 void describe(Fields& f, DeletePiece& c);
 
-// Renames a piece. Pieces that later come off it are named after it.
+// Renames a piece. Pieces later cut off it derive their names from the new one.
 struct RenamePiece {
   PieceId piece;
   std::string name;
@@ -155,7 +155,7 @@ struct RenamePiece {
 };
 void describe(Fields& f, RenamePiece& c);
 
-// Pins a piece, so that nothing moves it while bodies move, or unpins it.
+// Pins a piece, which makes it immovable in the simulation, or unpins it.
 struct PinPiece {
   PieceId piece;
   bool pinned = true;
@@ -176,8 +176,8 @@ struct SetSheetProperties {
 };
 void describe(Fields& f, SetSheetProperties& c);
 
-// Makes a piece a solid or a sheet. The faces of a solid enclose a volume: strokes with a smooth rim close
-// it again by walls, and its mass is that of the volume.
+// Turns a piece into a solid or a sheet. The faces of a solid enclose a volume: strokes with a smooth rim
+// close it again by walls, and its mass is that of the volume.
 struct SetSolid {
   PieceId piece;
   bool solid = true;
@@ -219,7 +219,8 @@ struct SmoothPiece {
 };
 void describe(Fields& f, SmoothPiece& c);
 
-// Reverses the closed parts of a piece that lie in others and overlap with them (see turn_shells).
+// Reverses the closed parts of a piece that lie inside others and whose orientation makes the volumes overlap
+// (see turn_shells).
 struct TurnShells {
   PieceId piece;
 
@@ -257,8 +258,9 @@ struct Redo {
   static constexpr const char* kName = "redo";
 };
 
-// All changes of the world are commands. A stroke consists of a beginning, poses in world coordinates and
-// an end; it contains no pixels, so that a journal of commands produces the same world in every replay.
+// A command: all changes of the world are commands. A stroke consists of a beginning, poses in world
+// coordinates and an end; it does not depend on pixels, so that every replay of a journal produces the same
+// world.
 //
 // Each kind of command is a struct with, in addition to its data:
 //   kName      its name in a journal
@@ -291,7 +293,7 @@ struct Overloaded : Cases... {
 template <typename... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-// The piece that a command names; nullopt if it names none.
+// Returns the piece to which a command applies; nullopt if there is none.
 inline std::optional<PieceId> piece_of(const Command& command) {
   const auto named = [](const auto& c) -> std::optional<PieceId> {
     if constexpr (requires { c.piece; }) return c.piece;

@@ -20,7 +20,8 @@ struct CutJob {
   // Call these around each stroke, to detect strokes that hit nothing.
   void begin_stroke();
   void end_stroke();
-  // Fraction of the thickness that the beam penetrated where it did not cut, 0 .. 1.
+  // Mean depth of the thermal cut, as a fraction of the energy of removal, 0 .. 1 (see
+  // StepStatistics::depth_s).
   double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
   size_t input_faces = 0, input_vertices = 0, input_components = 0;
@@ -54,10 +55,10 @@ struct WrittenPiece {
   std::optional<bool> asleep;    // nullopt if no body has moved
 };
 
-// The settings of a job, i.e. of its first stroke.
+// Returns the settings of a job, i.e. of its first stroke.
 nlohmann::ordered_json settings_json(const CutSettings& settings, const std::string& format, bool split_all);
 
-// The smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
+// Returns the smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
 double smallest_angle(const World& world);
 
 bool any_is_solid(const World& world);

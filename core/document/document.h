@@ -56,7 +56,7 @@ class Outcome {
 //
 // Undo and redo exchange the before-images that each history step recorded. They are exact to the bit and
 // cost time proportional to the change. If the before-images of a step were discarded to save memory, the
-// document is replayed from its origin.
+// document replays its commands from the origin.
 class Document {
  public:
   // Recreates the initial world of the document.
@@ -85,9 +85,9 @@ class Document {
   // A command that executes immediately first executes the whole queue; the outcome lists the changes of
   // both. On failure the command itself has changed nothing, but the queue has been executed.
   Outcome apply(const Command& command, const Progress* progress = nullptr);
-  // Applies stroke and AdvanceTime commands and executes them completely, all or nothing. On failure, also
-  // if `progress` stops it, the world, the journal and the history including its undone steps are restored.
-  // The queue is executed first, which `progress` does not stop. The outcome lists all changes.
+  // Applies stroke and AdvanceTime commands and executes them completely, all or nothing. First executes the
+  // queue, which `progress` cannot stop. On failure, or if `progress` stops the commands, restores the world,
+  // the journal and the history with its undone steps. The outcome lists all changes.
   Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);
 
   // The length of the queue (see CommandQueue::waiting).
@@ -102,10 +102,10 @@ class Document {
   // - a change of the spring
   // Calling it while waiting() > 0 executes the whole queue.
   //
-  // On failure the stroke is undone, and so is the stroke that it recuts; observers of the world must
-  // reload it completely. If `progress` stopped the step, the stroke is also undone in the journal,
-  // together with the queue behind it. If no before-images are recorded (see set_window), the stroke ends
-  // where it was stopped instead.
+  // On failure the stroke is undone; a failed recut also undoes the stroke that it replaces. Caches of the
+  // world must then be rebuilt completely. If `progress` stopped the step, the stroke is also undone in the
+  // journal, together with the queue behind it. If no before-images are recorded (see set_window), the stroke
+  // instead ends at the place reached.
   Result<StepResult> step(size_t most, const Progress* progress = nullptr) {
     return execute(most, false, progress);
   }
@@ -127,10 +127,10 @@ class Document {
   // A counter that increases when a stroke is begun, stopped, recut, undone or redone.
   size_t revision() const { return revision_; }
 
-  // Sets existing bodies to the states that a journal recorded, so that they continue as they did there.
-  // Skips the queued ticks and spring changes without simulating bodies. Belongs to the last history step
-  // and is not a command. Preconditions: there is such a step, and nothing is queued; or only ticks and
-  // spring changes of that step, no beam is on, and the last executed step was one of its ticks.
+  // Sets existing bodies to the states that a journal recorded, so that their motion continues as recorded.
+  // Skips the queued ticks and spring changes without simulating bodies. Belongs to the last history step and
+  // is not a command. Preconditions: there is such a step, and nothing is queued; or only ticks and spring
+  // changes of that step, no beam is on, and the last executed step was one of its ticks.
   StepResult set_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
     return queue_.set_states(states, pairs);
   }
@@ -183,13 +183,13 @@ class Document::SavePoint {
   // its undo needs more memory.
   static std::optional<SavePoint> create(Document& document);
 
-  // Returns true if since then the queue has only been executed.
+  // Returns true if the document has changed since the save point only by execution of its queue.
   bool can_restore(const Document& document) const;
   // Restores the save point. The history and the journal are unchanged, and executing the queue again leads
   // to the same world, to the bit. Returns the changes. Costs as much as undoing that execution.
   // Precondition: can_restore(document).
   Delta restore(Document& document) const;
-  // Keeps this save point valid after the restoration of a later one.
+  // Keeps this save point valid after a later save point was restored.
   void follow(const Document& document) { revision_ = document.revision(); }
 
  private:
@@ -211,20 +211,21 @@ bool can_restart_stroke(const Document& document);
 
 struct QueueRun {
   size_t moves_a_step = 64;  // passed to Document::step
-  size_t leave = 0;          // execution ends when the queue is this short
-  // Called after each step with its result, also on failure. Execution ends with the error that it returns,
-  // if any. Without this function, execution ends at the first step that fails.
+  size_t leave = 0;          // execution ends when the queue has at most this length
+  // Called after each step with its result, also on failure. If it returns an error, execution ends with this
+  // error. If it is empty, execution ends at the first step that fails.
   std::function<Status(const Result<StepResult>&)> told;
   const Progress* progress = nullptr;  // may stop execution before and within each step
 };
 
-// Executes the queue of a document step by step. Fails with the error of `told`, or with cancelled() if
-// `progress` stops it; the document undoes a stroke that is stopped within a step.
+// Executes the queue of a document step by step. Fails with the error that QueueRun::told returns, or with
+// cancelled() if QueueRun::progress stops execution; the document undoes a stroke that is stopped within a
+// step.
 Status run_queue(Document& document, const QueueRun& how);
 
 // Stops the beam: the stroke being executed ends at its current place, and the strokes queued behind it are
-// undone, so that they can be redone. Also undoes a stroke of which nothing was executed. No-op if no moves
-// are queued.
+// undone; they can be redone. A stroke of which no part was executed is undone too. No-op if no moves are
+// queued.
 Outcome stop_strokes(Document& document);
 
 }  // namespace kerf

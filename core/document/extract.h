@@ -17,7 +17,7 @@
 
 namespace kerf {
 
-// The name of a piece in messages: "piece 2 of body 1".
+// Returns the name of a piece in messages: "piece 2 of body 1".
 std::string piece_words(const PieceId& piece);
 
 // Returns true if the world has the piece, with at least one face.
@@ -25,8 +25,8 @@ bool has_faces(const World& world, const PieceId& piece);
 Error no_such_piece(const PieceId& piece);
 
 // Detaches the piece as a body of this generation if necessary (see detach), applies `edit` to it, and adds
-// it to `list` of the delta. Returns an empty delta if `differs` returns false for the body of the piece. Bad
-// input if there is no such piece; the world is unchanged then.
+// it to `list` of the delta. Returns an empty delta if `differs` returns false for the body of the piece.
+// Fails with bad input, and does not change the world, if there is no such piece.
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
                          std::vector<BodyId> Delta::*list, const std::function<bool(const Body&)>& differs,
                          const std::function<void(Body&)>& edit);
@@ -34,7 +34,7 @@ Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation
 // Faces with constraints on remeshing, each list ascending.
 struct TrackedFaces {
   std::vector<FaceId> kept;                     // must not change
-  std::vector<FaceId> warm;                     // store heat, or did before
+  std::vector<FaceId> warm;                     // store heat, or once did
   std::function<bool(FaceId, FaceId)> is_seam;  // see RemeshLimits
 };
 
@@ -42,18 +42,19 @@ using Remake =
     std::function<Result<Remeshed>(const Mesh& mesh, const TrackedFaces& tracked, const Progress* progress)>;
 
 // Replaces a piece by a new body of this generation with the mesh that `remake` returns. The body keeps the
-// label, the name, the placement and all other properties of the piece; its faces count as loaded, with the
-// materials, the energy and the part names of the faces they stem from. Faces that carry joints stay, and
-// so do the joints. Returns an empty delta if the mesh is unchanged.
+// label, the name, the placement and all other properties of the piece. Its faces count as loaded, with the
+// materials, the energy and the part names of the faces from which they derive. Faces that carry joints, and
+// the joints, are preserved. Returns an empty delta if the mesh is unchanged.
 //
-// Bad input if there is no such piece, or if joints hold it to a separately moving piece: the joint could
-// not name both. Fails like `remake`, if no face would be left, and with cancelled() when stopped;
-// `progress` may be null. On failure the world is unchanged. O(n log n) plus the cost of `remake`.
+// Fails with bad input if there is no such piece, or if joints attach it to a separately moving piece,
+// because a joint names a single body. Also fails like `remake`, if no face would be left, and with
+// cancelled() when stopped; `progress` may be null. On failure the world is unchanged. O(n log n) plus the
+// cost of `remake`.
 Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
                            const Progress* progress);
 
-// A copy of some faces of a body as plain arrays in world coordinates, exact to the bit if the body was not
-// moved. Coincident vertices are merged; vertices and faces keep the order of their slots.
+// A copy of faces of a body as plain arrays in world coordinates, exact to the bit if the body has not moved.
+// Coincident vertices are merged; vertices and faces keep the order of their slots.
 struct Extract {
   std::vector<Vec3> positions;
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -63,18 +64,18 @@ struct Extract {
   Vec3 centroid{0};                   // centre of area, or of volume if solid, m
   size_t boundary_edges = 0;          // edges with one face
   std::optional<double> volume;       // enclosed by the faces, m^3; nullopt if they are not closed
-  bool solid = false;                 // the faces are of a solid body and enclose a volume
+  bool solid = false;                 // true if the body is solid and the faces enclose a volume
 };
 
 // Copies faces. Precondition: they are live and ascending. O(n log n).
 Extract extract_faces(const Body& body, std::span<const FaceId> faces);
 
-// The mass properties of an extract, as a solid if it is one and otherwise as a sheet, about its centroid,
-// in world axes. O(n).
+// Returns the mass properties of an extract, as a solid if it is one, else as a sheet; about its centroid, in
+// world axes. O(n).
 MassProperties mass_of(const Extract& extract, const Sheet& sheet);
 
-// The live faces of each piece of a body that has any, in the order of labels; with `every_component`,
-// those of each connected component, in the order of their lowest faces. O(n).
+// Returns the live faces of each non-empty piece of a body, in the order of labels; with `every_component`,
+// of each connected component, in the order of their lowest faces. O(n).
 std::vector<std::vector<FaceId>> faces_by_piece(const Body& body, bool every_component);
 
 }  // namespace kerf

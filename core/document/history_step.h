@@ -25,13 +25,13 @@ class HistoryStep {
   };
   enum class State {
     kWaiting,  // nothing has been executed yet
-    kBegun,    // a part is still queued, or more commands may follow
+    kBegun,    // begun; parts are still queued, or more commands may follow
     kDone,
   };
   enum class Images {
     kNone,   // the step is waiting
-    kHeld,   // all are kept or being recorded
-    kLetGo,  // some were discarded: the step can be undone only by a replay
+    kHeld,   // all images are kept or being recorded
+    kLetGo,  // some images were discarded: the step can be undone only by a replay
   };
   // Sums over the parts of the step that have been executed.
   struct Totals {
@@ -42,10 +42,10 @@ class HistoryStep {
     size_t cut_faces_kept = 0;  // number of faces in cut_faces()
     StepStatistics statistics;
     // The pieces that the step separated, by the ids of their bodies after the step, with the label of the
-    // piece from which each came off.
+    // piece from which each was cut off.
     std::map<PieceId, uint32_t> came_off;
-    // The separated pieces that were specks when they came off (see is_speck), whether or not their origin
-    // is known.
+    // The separated pieces that were specks when they were cut off (see is_speck), including those of unknown
+    // origin.
     std::set<PieceId> specks;
     // The number of faces that the beam removed, by name of the part or piece (see count_cut_names).
     std::map<std::string, size_t> cut_names;
@@ -67,9 +67,9 @@ class HistoryStep {
 
   bool waiting() const { return state_ == State::kWaiting; }
   bool done() const { return state_ == State::kDone; }
-  // Begins the step if it is waiting. `record`: the before-images of all its changes will be added.
+  // Begins the step if it is waiting. `record`: before-images of all its changes will be added.
   void begin(bool record);
-  // Precondition: it was begun.
+  // Precondition: the step was begun.
   void finish();
   // Returns a finished step to kBegun, because commands were added to it.
   void reopen();
@@ -79,10 +79,11 @@ class HistoryStep {
   const Delta& body_changes() const { return bodies_; }
   // Records changes of the step, from which undo and redo compute their delta.
   void record(const Delta& delta);
-  // Records a part of the step, including the pieces that it separated. Call directly after the part: the
-  // origin of a new piece is found from the faces removed next to it.
+  // Records an executed part of the step, including the pieces that it separated. Call directly after the
+  // part, because the origin of a new piece is derived from the faces removed next to it.
   void record(const World& world, const StepResult& part);
-  // Returns the step to kWaiting after its changes were removed from the world. Drops all records of them.
+  // Resets the step to kWaiting after its changes were removed from the world. Drops all records of these
+  // changes.
   void forget();
 
   Images images() const { return images_; }
@@ -101,8 +102,9 @@ class HistoryStep {
   // are held, and all later steps are undone.
   Delta undo(World& world);
   Delta redo(World& world);
-  // Undoes the step by an edit of the world that is recorded like any other; the step is unchanged. Undo
-  // several steps from the latest to the earliest; `slots` is that of the earliest (see World::restore).
+  // Undoes the step by an edit of the world that is recorded like any other; the step itself does not change.
+  // Undo several steps from the latest to the earliest; `slots` is slots_before() of the earliest (see
+  // World::restore).
   Delta restore(World& world, size_t slots) const;
   // The number of body slots of the world before the step; nullopt if the step holds no images.
   std::optional<size_t> slots_before() const;
@@ -129,16 +131,17 @@ class HistoryStep {
   Totals totals_;
 };
 
-// A save point of the execution of a step. All records of a step are appended or summed.
+// A save point in the execution of a step. It stores sizes and sums, because records of a step are only
+// appended or summed.
 class HistoryStep::SavePoint {
  public:
   // Precondition: the step was begun, and no recording is open.
   explicit SavePoint(const HistoryStep& step);
 
-  // Returns true if the step has only been executed further since then, has changed nothing of the bodies
-  // but their faces, and its images are held.
+  // Returns true if the images of the step are held and, since the save point, the step has only been
+  // executed further and has changed only faces of bodies.
   bool can_restore(const HistoryStep& step) const;
-  // Restores the save point; the step is kBegun then. Returns the changes. Preconditions:
+  // Restores the save point and sets the step to kBegun. Returns the changes. Preconditions:
   // can_restore(step), no recording is open, and all later steps are undone.
   Delta restore(HistoryStep& step, World& world) const;
 

@@ -15,8 +15,8 @@ namespace kerf {
 
 class Document;
 
-// The state hash of the world after the first `commands` commands, taken while no move was queued. If
-// bodies have moved, also their states, the time, and the kind of machine (see machine_kind).
+// A mark of a journal: the state hash of the world after the first `commands` commands, taken while no move
+// was queued. If bodies have moved, also their states, the time, and the kind of machine (see machine_kind).
 struct StateMark {
   size_t commands = 0;
   uint64_t hash = 0;
@@ -27,7 +27,7 @@ struct StateMark {
   Ticks clock = 0;  // 0 if bodies did not move, and in journals without it
 };
 
-// The format of journals: incremented when earlier versions of Kerf cannot read new journals.
+// Format number of journals; incremented when earlier versions of Kerf cannot read new journals.
 inline constexpr uint64_t kJournalFormat = 1;
 
 // The content of a journal file (.kerf), one JSON object per line: first the scene, with "kerf": "journal",
@@ -45,14 +45,14 @@ struct Journal {
   bool torn = false;             // only the last line is unreadable, because it is incomplete
 };
 
-// Reads a journal up to its first invalid line or an incomplete last line (`torn`); the rest is ignored,
-// and `damage` states the line and the reason. Bad input if the file or its first line cannot be read. Does
-// not read the mesh files.
+// Reads a journal up to its first invalid line or an incomplete last line (`torn`); the rest is ignored, and
+// `damage` states the line and the reason. Fails with bad input if the file or its first line cannot be read.
+// Does not read the mesh files.
 Result<Journal> read_journal(const std::filesystem::path& file);
 
-// The text of a journal. `folder` is the folder of the journal file; if it is empty, meshes are named by
-// absolute paths. `work_of` and `opened`: see Journal. Bad input if a mesh has no hash (see record_hashes)
-// or a name is not UTF-8.
+// Format the head of a journal, and its lines. `folder` is the folder of the journal file; if it is empty,
+// meshes are named by absolute paths. `work_of` and `opened`: see Journal. Fail with bad input if a mesh has
+// no hash (see record_hashes) or a name is not UTF-8.
 Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
                                  const std::filesystem::path& folder,
                                  std::span<const std::filesystem::path> opened = {});
@@ -64,15 +64,15 @@ inline constexpr size_t kCommandsBetweenMarks = 50;
 // Returns the mark of the current state. Preconditions: the queue is empty, and no stroke is being drawn.
 // O(faces).
 StateMark state_mark(const Document& document);
-// Appends a mark of the current state if one is due; with `always`, if no move is queued and the state has
-// no mark yet. Returns true if it did. A mark seals the journal (see Document::seal_journal). O(faces) if a
-// mark is appended.
+// Appends a mark of the current state if one is due; with `always`, if no move is queued and the state has no
+// mark yet. Returns true if a mark was appended, which also seals the journal (see Document::seal_journal).
+// O(faces) in that case.
 bool mark_state(Document& document, std::vector<StateMark>& marks, bool always = false);
 
-// The content of a file that Kerf opens: a scene with its meshes loaded and, for a journal, its commands.
+// The content of an opened file: a scene with its meshes loaded and, for a journal, its commands.
 struct OpenedFile {
   Scene scene;
-  Journal journal;  // with the scene as described in the file; empty if the file is no journal
+  Journal journal;  // with the scene as described in the file; empty if the file is not a journal
 };
 
 // Reads a scene (.json), a journal (.kerf) or a mesh.
@@ -86,12 +86,12 @@ bool is_journal(const std::filesystem::path& file);
 
 // Returns a command as one line of a journal, without the line break: {"do": "move-beam", "origin": [..],
 // "direction": [..]}. Numbers are exact. `folder` is the folder of the journal; mesh files are named as in
-// path_text. Bad input if a name or a path is not UTF-8.
+// path_text. Fails with bad input if a name or a path is not UTF-8.
 Result<std::string> command_text(const Command& command, const std::filesystem::path& folder);
 
-// Parses such a line; numbers are restored to the bit. `beam` is the beam of the last stroke, if any: a
-// move must not reverse its direction. Numbers out of range, missing keys and unknown keys are bad input
-// with a JSON pointer.
+// Parses a line written by command_text; numbers are restored to the bit. `beam` is the beam of the last
+// stroke, if any: a move must not reverse its direction. Fails with bad input, with a JSON pointer, for
+// numbers out of range, missing keys and unknown keys.
 Result<Command> parse_command(const JsonValue& value, const std::filesystem::path& folder,
                               const std::optional<BeamAt>& beam);
 

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// Counts the losses of looks by a format, by what is lost.
+// Counts the looks (UVs, normals and materials) that a file format cannot represent, by kind of loss.
 class LostLooks {
  public:
   void add(const Body& body, const Extract& extract, MeshFormat format);

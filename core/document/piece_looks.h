@@ -13,12 +13,12 @@ namespace kerf {
 
 // Which normals looks_of() returns.
 enum class LookNormals : uint8_t {
-  kLoaded,  // of faces that have them in the file, in the axes of the body
-  kSmooth,  // likewise in world axes; if there are any, faces without get smooth ones with creases
-  kAll,     // likewise even if there are none
+  kLoaded,  // normals from the file, for faces that have them; in the axes of the body
+  kSmooth,  // in world axes; if any face has normals from the file, the others get smooth ones with creases
+  kAll,     // like kSmooth, but also if no face has normals from the file
 };
 
-// Returns the UVs and unit normals of faces of a body, evaluated from its looks; nothing if it has none.
+// Returns the UVs and unit normals of faces of a body, evaluated from its looks; empty if the body has none.
 // Triangles and corners have the order of extract_faces(). Walls of a body with UVs get UVs in metres,
 // undistorted and continuous in a plane. Precondition: the faces are live. O(n log n).
 CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, LookNormals normals);
@@ -34,8 +34,9 @@ struct FaceSource {
 // corners (see Soup::keeps_corners). Linear time.
 std::vector<FaceSource> sources_of(const Body& body, std::span<const FaceId> faces);
 
-// Returns the name of the part with the largest area of these faces, of several the smallest one; empty if
-// there is none. `parts` are of loaded faces. O(faces log faces + parts) if parts do not overlap.
+// Returns the name of the part that contains the largest area of these faces, in a tie that of the smallest
+// part; empty if no part contains any. `parts` are ranges of loaded faces. O(faces log faces + parts) if
+// parts do not overlap.
 std::string part_name_of(const Body& body, std::span<const MeshPart> parts, std::span<const FaceId> faces);
 
 }  // namespace kerf

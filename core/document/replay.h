@@ -8,21 +8,21 @@
 
 namespace kerf {
 
-// Commands of a journal that only simulate bodies, and the mark with the resulting states: a replay may
-// apply the states instead and reaches the same world.
+// A run of commands of a journal that only simulate bodies, and the mark with the resulting states. A replay
+// may apply these states instead, and reaches the same world.
 struct TimeSkip {
   size_t first = 0;  // index of the first of these commands
   size_t mark = 0;   // index in Journal::marks
   Ticks ticks = 0;   // duration until the mark
 };
 
-// The runs of at least `least` ticks that can be skipped, in order. A run begins with Play or at the end of
-// the stroke before it, and ends at its last mark from which bodies continue to the bit: at the end of the
-// history step, or at a full minute (see CommandQueue::kTicksToForget).
+// Returns the runs of at least `least` ticks that can be skipped, in order. A run begins with Play or at the
+// end of the stroke before it, and ends at its last mark from which motion continues bit-identically: at the
+// end of the history step, or at a full minute (see CommandQueue::kTicksToForget).
 std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least);
 
 // Applies the commands of a journal to a document with the journal's scene, and compares the state of the
-// world with the marks on the way. The journal and the document must outlive the replay.
+// world with each mark. The journal and the document must outlive the replay.
 class Replay {
  public:
   // `skips`: runs of time for which bodies get the states of the marks instead of being simulated.
@@ -41,22 +41,22 @@ class Replay {
   // for the changes of an immediate command. A failed command or step does not end the replay if `told`
   // returns success, because it also failed when the journal was recorded. Precondition: !done().
   Status next(const QueueRun& how);
-  // Replays the rest of the journal. Fails like run_queue(), or if `progress`, which receives fraction(),
-  // stops it.
+  // Replays the remaining commands. Reports fraction() to QueueRun::progress. Fails like run_queue().
   Status run(const QueueRun& how);
 
-  // The first mark whose hash differs from that of the world, unless bodies moved on another kind of
-  // machine before, and the hash of the world there.
+  // The first mark whose hash differs from that of the world, and the hash of the world there. Marks after
+  // motion recorded on another kind of machine are not compared.
   struct Difference {
     StateMark mark;
     uint64_t hash = 0;
   };
   const std::optional<Difference>& difference() const { return difference_; }
 
-  // The kind of machine on which bodies moved differently, so that their states were taken from its marks;
-  // empty if there was none. This does not count as a difference.
+  // The kind of machine that recorded a different motion, so that the states of bodies were taken from the
+  // marks; empty if there is none. Does not count as a difference.
   const std::string& other_machine() const { return other_machine_; }
-  // Returns true if, because of that, a stroke drawn while bodies moved has cut differently here.
+  // Returns true if such a difference of motion changed the result of a stroke that was drawn while bodies
+  // moved.
   bool cut_otherwise() const { return cut_otherwise_; }
 
   Ticks skipped() const { return skipped_; }

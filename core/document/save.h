@@ -16,9 +16,9 @@
 namespace kerf {
 
 // The files that a run reads and must not overwrite: the input would be lost, and a journal that names it
-// could not be replayed. Files are compared by device and inode, so that links and other spellings of a
-// path count as the same file. Paths that are no regular files are ignored, because writing to a device or
-// a pipe loses nothing.
+// could not be replayed. Files are compared by device and inode, so links and other spellings of a path count
+// as the same file. Paths that are not regular files are ignored, because a device or a pipe cannot be
+// overwritten.
 class InputFiles {
  public:
   // Adds a file, and for a glTF file its buffers and images.
@@ -26,11 +26,11 @@ class InputFiles {
   void add_meshes(const SceneDescription& scene);
   void add_meshes(std::span<const Command> commands);
 
-  // Bad input if an output is one of the files. `option` is the option that gave the output, e.g.
-  // "--journal".
+  // Fails with bad input if an output is one of the files. `option` is the option that specified the output,
+  // e.g. "--journal".
   Status check(const std::string& option, const std::filesystem::path& output) const;
-  // Bad input if a file of a folder, whose name `is_output` accepts, is one of the files. Accepts a folder
-  // that does not exist. O(files in the folder).
+  // Fails with bad input if a file in the folder whose name `is_output` accepts is one of the files. The
+  // folder need not exist. O(files in the folder).
   Status check_folder(const std::string& option, const std::filesystem::path& folder,
                       const std::function<bool(std::string_view name)>& is_output) const;
 
@@ -44,19 +44,20 @@ class InputFiles {
 
 InputFiles input_files(std::span<const std::filesystem::path> files);
 
-// The file in which save_file keeps the previous version: "car.kerf~" for "car.kerf".
+// Returns the file in which save_file keeps the previous version: "car.kerf~" for "car.kerf".
 std::filesystem::path previous_version(const std::filesystem::path& file);
 
 // Writes a file atomically (see write_file_atomically). An existing file becomes its previous version and
 // replaces an earlier one. Follows a symbolic link. On failure the file is unchanged.
 Status save_file(const std::filesystem::path& file, std::string_view bytes);
 
-// Writes a journal with save_file. Bad input if the file is a mesh that the journal names. Precondition: the
-// meshes of the scene have hashes (see record_hashes).
+// Writes a journal with save_file. Fails with bad input if the file is a mesh that the journal names.
+// Precondition: the meshes of the scene have hashes (see record_hashes).
 Status save_journal(const std::filesystem::path& file, const SceneDescription& scene,
                     std::span<const Command> commands, std::span<const StateMark> marks);
 
-// Writes a scene (.json) with save_file, without commands and hashes. Bad input if the file is a mesh of it.
+// Writes a scene (.json) with save_file, without commands and hashes. Fails with bad input if the file is a
+// mesh of the scene.
 Status save_scene(const std::filesystem::path& file, const SceneDescription& scene);
 
 // Writes a path file (.json) with save_file. Reading it restores the strokes to the bit.

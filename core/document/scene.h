@@ -34,12 +34,12 @@ struct SceneJoint {
   Vec3 axis{0, 1, 0};                       // of a hinge or a hub; not zero
   std::optional<Interval> limits;           // of a hinge; degrees, from -180 to 180 and containing 0
   std::optional<std::array<Vec3, 2>> near;  // m, a point of each part; default: the anchor
-  // m, the distance from its point up to which the faces of a part carry the joint; default: all faces of
-  // the part connected with the nearest one.
+  // Faces of a part carry the joint up to this distance from its point [m]; default: all faces of the part
+  // that are connected with the nearest one.
   std::optional<double> radius;
 };
 
-// Makes the joint for a loaded body with the id `id`. Fails if the mesh has no such part, if none of its
+// Creates a joint for a loaded body with the id `id`. Fails if the mesh has no such part, if none of its
 // faces is within the radius, if a face would carry both sides, or if the distance of the anchor from the
 // mesh exceeds a hundred times its size. O(faces of the body).
 Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body);
@@ -55,8 +55,8 @@ struct View {
   Vec3 eye{0}, target{0};  // m
 };
 
-// Solidity of a body: its faces are a sheet, enclose a volume, or (auto) enclose one if every connected
-// part of the loaded mesh is closed.
+// Whether the faces of a body are a sheet or enclose a volume; kAuto: they enclose a volume if every
+// connected part of the loaded mesh is closed.
 enum class Solidity { kSheet, kSolid, kAuto };
 
 struct SceneBody {
@@ -102,8 +102,8 @@ struct Scene : SceneDescription {
   World world;
 };
 
-// Reads the description of a scene (.json), or makes that of a mesh file as a scene of one body. Mesh paths
-// in a scene file are relative to the file. Fails if the file is not a valid scene; does not read meshes.
+// Reads the description of a scene (.json), or describes a mesh file as a scene of one body. Mesh paths in a
+// scene file are relative to the file. Fails if the file is not a valid scene; does not read meshes.
 Result<SceneDescription> read_description(const std::filesystem::path& file);
 
 // Adds the loaded mesh of a description to a world, with its placement, sheet, solidity and joints. Fails
@@ -114,7 +114,7 @@ Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& wo
 // fails with cancelled() when stopped. `progress` may be null. O(n log n) in the number of faces.
 Result<Scene> load_scene(SceneDescription description, const Progress* progress = nullptr);
 
-// read_description() and load_scene(). Fails like these.
+// Reads and loads a scene: read_description(), then load_scene(), with their errors.
 Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr);
 
 // Computes the missing hashes of mesh files, as journals require. Fails if a file cannot be read.

@@ -17,7 +17,7 @@ struct StageRecord {
     kHitAgain,  // repeats the query after the splits
     kRemove,    // removes faces
     kSeparate,  // searches for separated pieces
-    kCloseRim,  // ends a stroke with a smooth rim, or a part of that
+    kCloseRim,  // closes a smooth rim, or executes a part of that
     kTime,      // one tick
   };
   Kind kind = Kind::kSweep;
@@ -27,14 +27,14 @@ struct StageRecord {
   BodyId body;
   std::vector<SweptCylinder> beam;
   std::vector<FaceId> hit;  // of kHit and kHitAgain: the faces touched, each once
-  size_t left = 0;          // faces left for further stages of the same kind, if there are thousands
-  size_t specks = 0;        // number of specks among the pieces that came off
+  size_t left = 0;          // number of faces left for further stages of the same kind
+  size_t specks = 0;        // number of specks among the pieces that were cut off
   StepResult done;          // changes and statistics of the stage
 };
 
 // Executes the queue of a document stage by stage, and steps back within the last stroke. The result equals
-// that of Document::step, to the bit. The document must outlive it, and no other code may execute its queue
-// in the meantime.
+// that of Document::step, to the bit. The document must outlive this object, and no other code may execute
+// its queue.
 class SingleStep {
  public:
   // `work`: the approximate number of faces split, removed and visited between two save points.
@@ -44,7 +44,7 @@ class SingleStep {
   // Executes the next stage. Fails like Document::step. Precondition: document.waiting() > 0.
   Result<StageRecord> next(const Progress* progress = nullptr);
 
-  // The number of stages executed by next() since the construction, minus those that go_back_to() undid.
+  // The number of stages executed by next() since construction, minus those undone by go_back_to().
   size_t stages() const { return stages_; }
 
   using Told = std::function<void(const StageRecord&)>;

@@ -42,19 +42,19 @@ class Fields;
 // The fields of a stroke in path files and scenes. Reading restores a written stroke to the bit.
 void describe(Fields& f, StrokePath& stroke);
 
-// The text of a path file, one line per key.
+// Returns the text of a path file, one line per key.
 std::string path_file_text(std::span<const StrokePath> strokes);
 // Parses such a text. Fails like read_path_file(); `where` is the name of the text in errors.
 Result<std::vector<StrokePath>> read_path_text(std::string_view text, const std::string& where);
 
-// Manual edits of a stroke, which has one time per key.
+// Functions for editing a stroke by hand. Precondition of all: it has one time per key.
 
-// The path length of the beam's origin [m], and its duration [s].
+// Return the length of the path of the beam's origin [m], and the duration of the stroke [s].
 double way_of(const StrokePath& stroke);
 double duration_of(const StrokePath& stroke);
 
-// Sets the times so that the origin moves at a constant speed [m/s, > 0] from time 0 on. Where only the
-// direction changes, the next key follows a tick later.
+// Sets the times so that the origin moves at a constant speed [m/s, > 0], starting at time 0. If only the
+// direction changes between two keys, the second follows one tick later.
 void retime(StrokePath& stroke, double speed);
 
 // Inserts a key before index `at`, or at the end. Its time is the middle of its neighbours; at an end of
@@ -64,34 +64,35 @@ void insert_key(StrokePath& stroke, size_t at, const Pose& pose);
 // Removes a key with its time. Precondition: at < keys.
 void erase_key(StrokePath& stroke, size_t at);
 
-// The reason why a path file with these strokes would be rejected, one sentence; nullopt if there is none.
+// Returns why a path file with these strokes would be rejected, as a sentence; nullopt if it would be
+// accepted.
 std::optional<std::string> rejection_reason(std::span<const StrokePath> strokes);
 
-// Clamps a derived length, which may vanish or be infinite, to what a journal can store.
+// Clamps a derived length, which may be zero or infinite, to the positive range that a journal can store.
 double positive(double length);
 
-// The settings of a stroke: those of its file, and otherwise defaults derived from the diagonal D of the
-// bounding box of all meshes [m]: radius D/400, range 0 to 10 D, faces down to a quarter of the radius.
+// Returns the settings of a stroke: those in its file, and for the others defaults derived from the diagonal
+// D of the bounding box of all meshes [m]: radius D/400, range 0 to 10 D, target edge a quarter of the
+// radius.
 CutSettings default_settings(const StrokePath& stroke, double diagonal);
 
-// The width over which a geometric cut leaves heat in the editor [m] (see CutSettings::heat_width), for a
-// beam of this radius [m]: twice the geometric mean of the radius and 6 mm, over which steel glows for a
-// few seconds, but at most eight radii. So the glowing rim of a wide beam remains visible from a distance
-// that shows the whole cut.
+// Returns the default width of the heat-affected zone of geometric cuts in the editor [m] (see
+// CutSettings::heat_width) for a beam of this radius [m]: twice the geometric mean of the radius and 6 mm, a
+// width over which steel glows for a few seconds, but at most eight radii. It grows with the radius, so that
+// the glowing rim of a wide beam stays visible from a distance that shows the whole cut.
 double default_heat_width(double radius);
 
-// The commands that draw a stroke: its keys with their times relative to the first key. Precondition: it
-// has a key.
+// Returns the commands that draw a stroke, with times relative to its first key. Precondition: it has a key.
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings);
 
-// The commands that draw the strokes of a path in order, with default_settings(), like `kerf cut --path`
-// without further options. `resolution`, a function of the beam radius [m], overrides their resolution.
-// Precondition: each stroke has a key.
+// Returns the commands that draw the strokes of a path in order, with default_settings(), like `kerf cut
+// --path` without further options. `resolution`, a function of the beam radius [m], overrides their
+// resolution. Precondition: each stroke has a key.
 std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal,
                                    const std::function<Resolution(double)>& resolution = {});
 
-// The commands that draw a stroke of a scene with its default settings and a hot smooth rim, as in the
-// editor. Empty if it has no key.
+// Returns the commands that draw a stroke of a scene with its default settings and a hot smooth rim, as in
+// the editor. Empty if the stroke has no key.
 std::vector<Command> scene_stroke_commands(const StrokePath& stroke, double diagonal);
 
 }  // namespace kerf

@@ -10,8 +10,8 @@
 
 namespace kerf {
 
-// The material library and the images of OBJ pieces, in their folder. Existing files are never overwritten: a
-// file with the same bytes is used, and otherwise the new file gets another name.
+// The material library (.mtl) and the images of pieces saved as OBJ files, in the same folder. Existing files
+// are never overwritten: one with the same bytes is reused; otherwise the new file gets another name.
 class SurfaceFiles {
  public:
   SurfaceFiles() = default;
@@ -20,8 +20,8 @@ class SurfaceFiles {
   // Adds a body that was not added before.
   void add(const Body& body);
 
-  // Writes the library, with this name if it is free, and the images that it refers to, if a body has
-  // materials that its file describes.
+  // Writes the library, with this name if it is free, and the images to which it refers. No-op if the mesh
+  // file of no body describes materials.
   Status write(const std::filesystem::path& folder, const std::string& name = "pieces.mtl");
   // Removes the files that write() created.
   void remove() const;
@@ -45,7 +45,7 @@ class SurfaceFiles {
   std::vector<Material> materials_;
   std::vector<const SurfaceImage*> images_;
   std::map<const Body*, std::vector<std::string>> names_;
-  bool any_ = false;  // a material is described
+  bool any_ = false;  // true if a mesh file describes a material
   std::string library_;
   std::vector<std::filesystem::path> created_;
 };

@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-// The history of a document: steps before the position are done, steps from it on are undone. The
-// before-images are kept within a memory limit, the window; the oldest are discarded first.
+// The history of a document. Steps before the position are done; the step at the position and later ones are
+// undone. The window limits the memory of the before-images; the oldest are discarded first.
 class UndoStack {
  public:
   using Steps = std::vector<std::unique_ptr<HistoryStep>>;
@@ -35,27 +35,28 @@ class UndoStack {
   // Adds a step at the position and drops the steps that were undone.
   void append(HistoryStep step);
   void drop_undone() { steps_.resize(position_); }
-  // Removes and returns the undone steps; replaces the undone steps by these.
+  // Remove and return the undone steps, and replace the undone steps by others.
   Steps take_undone();
   void put_undone(Steps steps);
-  // Drops the records of the steps after this one, so that they can only be redone by executing their
+  // Drops the records of the steps after this one, so that they can be redone only by executing their
   // commands.
   void forget_behind(size_t step);
 
   // Returns true if a step is a stroke or a recut.
   bool cuts(size_t step) const;
-  // The stroke itself, or for a recut the stroke that it cuts again.
+  // Returns the stroke itself or, for a recut, the stroke that it cuts again.
   size_t base_of(size_t step) const;
   // Returns true if a step is a stroke or a recut that a later recut replaced.
   bool is_cut_again(size_t step) const;
   // The last stroke or recut before the position.
   std::optional<size_t> last_cut() const;
-  // The settings of that. Precondition: last_cut().
+  // The settings of last_cut(). Precondition: last_cut().
   const CutSettings& last_settings() const { return settings_of(*last_cut()); }
   // The cut settings of a step. Precondition: cuts(step).
   const CutSettings& settings_of(size_t step) const;
-  // The commands that reproduce the effect of a step. For a recut: the commands of the stroke with the
-  // settings of the recut, followed by the time that passed after the stroke and after each recut.
+  // Returns the commands that reproduce the effect of a step. For a recut, these are the commands of the
+  // stroke with the settings of the recut, followed by the time that passed after the stroke and after each
+  // recut.
   std::vector<Command> commands_of(size_t step) const;
   // O(position()).
   Totals totals() const;

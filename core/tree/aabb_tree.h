@@ -23,14 +23,14 @@ struct RayHit {
   friend bool operator==(const RayHit&, const RayHit&) = default;
 };
 
-// A point of a face, and the square of its distance from the point of the query [m^2].
+// A point of a face, and its squared distance from the query point [m^2].
 struct PointOnFace {
   FaceId face;
   Vec3 point{0};
   double distance2 = 0;
 };
 
-// The numbers of boxes and of faces that a query tested.
+// Numbers of boxes and faces tested by a query.
 struct QueryCounts {
   size_t boxes = 0;
   size_t faces = 0;
@@ -43,8 +43,8 @@ struct QueryCounts {
 // on the depth of the tree, not on the size of the mesh.
 //
 // Boxes and corners are stored as floats of (x - origin) times a power of two, and boxes are rounded outward.
-// They only cull; exact tests use the mesh's doubles. Every query and edit takes the mesh that the tree was
-// built over, and every edit of that mesh must be followed by replace, remove, refit or update.
+// They only cull; exact tests use the mesh's doubles. Every query and edit takes the mesh over which the tree
+// was built; every edit of that mesh must be followed by replace, add, remove, refit or update.
 //
 // The tree is a cache: query results depend on the mesh alone, never on the shape of the tree, the history of
 // its edits or the instruction set. Queries are read-only and may run on several threads.
@@ -58,8 +58,9 @@ class AabbTree {
   // Builds the same tree; fails with cancelled() when stopped. `progress` may be null.
   static Result<AabbTree> build(const Mesh& mesh, const Progress* progress);
 
-  // Appends each face that meets the closed volume once, in unspecified order, and to `near`, unless it is
-  // null, each face whose box may meet the volume. The volume is in the frame of the mesh.
+  // Appends to `out` each face that intersects the closed volume, once, in unspecified order. Unless `near`
+  // is null, appends to it each face whose box may intersect the volume. The volume is in the frame of the
+  // mesh.
   QueryCounts touched(const Mesh& mesh, const SweptCylinder& beam, std::vector<FaceId>& out,
                       std::vector<FaceId>* near = nullptr) const;
 
@@ -68,44 +69,45 @@ class AabbTree {
   // Faces parallel to the ray are not crossed. Precondition: the direction is a unit vector.
   void crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const;
 
-  // Finds the crossings of several rays; out[i] receives those of rays[i]. Up to four rays of equal direction
+  // Likewise for several rays; appends the crossings of rays[i] to out[i]. Up to four rays of equal direction
   // cost about as much as one if they are closer together than the size of a face. Precondition: `out` has as
   // many elements as `rays`.
   void crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,
                  std::span<std::vector<RayHit>> out) const;
 
-  // Returns the first of the crossings, or nullopt if there is none. Same precondition.
+  // Returns the nearest crossing; nullopt on a miss. Precondition: the direction is a unit vector.
   std::optional<RayHit> nearest(const Mesh& mesh, const Pose& ray, Interval range) const;
 
-  // Returns the point of the surface nearest to a given one, of several that of the first face; nullopt if
-  // there is no face (best first, by the boxes: N. Roussopoulos, S. Kelley, F. Vincent: Nearest neighbor
+  // Returns the point of the surface nearest to `at`, in a tie that on the face with the lowest id; nullopt
+  // if there is no face. Visits boxes best-first (N. Roussopoulos, S. Kelley, F. Vincent: Nearest neighbor
   // queries, 1995). O(log n) near an evenly divided surface.
   std::optional<PointOnFace> nearest_point(const Mesh& mesh, const Vec3& at) const;
-  // Appends the nearest point of each face within a distance [m], nearest first, of several the first face.
+  // Appends, for each face within a distance [m], its nearest point; sorted by distance, then by face id.
   void points_within(const Mesh& mesh, const Vec3& at, double distance, std::vector<PointOnFace>& out) const;
 
-  // Replaces the leaves of one set of faces by those of another; a face may be in both. Replacements may be
-  // reported late, after further edits of the mesh, in their original order. Preconditions: neither set is
-  // empty, the old faces are in the tree, and the new ones lie within their bounding box, extended by the
-  // corners passed to enlarge_bounds().
+  // Replaces the leaves of one set of faces by those of another; a face may be in both sets. May be called
+  // late, after further edits of the mesh, if the order of replacements is kept. Preconditions: neither set
+  // is empty, the old faces are in the tree, and the new faces lie within the bounding box of the old ones,
+  // extended by the corners passed to enlarge_bounds().
   void replace(const Mesh& mesh, std::span<const FaceId> removed, std::span<const FaceId> added);
   // Applies all replacements in order; faster than one call for each.
   void replace(const Mesh& mesh, std::span<const Replacement> all);
 
-  // Adds leaves for faces anywhere, each where the boxes above grow least, and enlarges these boxes.
-  // Preconditions: the faces are not in the tree, and it is not empty. O(depth) for each.
+  // Adds leaves for faces at any position. Inserts each where the boxes on the way from the root grow least,
+  // and enlarges these boxes. Preconditions: the faces are not in the tree, and the tree is not empty.
+  // O(depth) per face.
   void add(const Mesh& mesh, std::span<const FaceId> faces);
 
   // Removes the leaf of a face. Precondition: the face is in the tree.
   void remove(FaceId f);
 
-  // Fits the leaves of faces whose corners have moved and enlarges the boxes above where necessary.
+  // Updates the leaves of faces whose corners have moved, and enlarges the boxes above where necessary.
   // Precondition: the faces are in the tree.
   void refit(const Mesh& mesh, std::span<const FaceId> faces);
 
-  // Adds, refits or removes the leaves of these faces so that they agree with the mesh, whatever was edited.
-  // Faces may be repeated. O(depth) for each; rebuilds the tree if that is quicker. The boxes equal those of
-  // a tree that was built over the original mesh and edited since.
+  // Adds, refits or removes the leaves of these faces so that the tree matches the mesh after any edits.
+  // Faces may be repeated. O(depth) per face; rebuilds the tree if that is faster. The boxes equal those of a
+  // tree that was built over the original mesh and edited since.
   void update(const Mesh& mesh, std::vector<FaceId> faces);
 
   // A box of the tree, for display, in metres in the frame of the mesh.
@@ -115,7 +117,8 @@ class AabbTree {
     bool leaf = false;  // the box of one face
     bool hit = false;   // it contains a face with FaceData::hit
   };
-  // Visits all boxes, parents before children; a block of one face once, as the box of that face. O(n).
+  // Visits all boxes, parents before children. Visits a block of a single face once, as the box of that face.
+  // O(n).
   void for_each_box(const Mesh& mesh, const std::function<void(const Box&)>& visit) const;
 
   size_t leaf_count() const { return leaf_count_; }
@@ -129,7 +132,8 @@ class AabbTree {
   // Enlarges the bounds to include a corner of a face that a later replace() adds.
   void enlarge_bounds(const Vec3& corner);
 
-  // Occasionally rebuilds the tree in another shape if choices are varied (see Shuffle); otherwise a no-op.
+  // Rebuilds the tree in another shape at random moments in tests that vary choices (see Shuffle); otherwise
+  // a no-op.
   void vary(const Mesh& mesh);
 
   size_t bytes() const { return store_.bytes(); }

@@ -12,8 +12,9 @@
 
 namespace kerf {
 
-// Progress of sorting faces on several threads; only the constructing thread reports. Sorting n faces takes
-// time in proportion to n log2 n, so a split accounts for the difference between the range and its parts.
+// Progress of sorting faces on several threads; only the thread that constructed this object reports it. The
+// work of sorting n faces is modelled as n log2 n, so a split completes the difference between its range and
+// both parts.
 class SortProgress {
  public:
   // `progress` may be null; it must outlive this object.
@@ -29,7 +30,7 @@ class SortProgress {
   const Progress* progress_;
   std::thread::id owner_;
   double all_;
-  double next_ = 0;  // the work after which the owner reports again
+  double next_ = 0;  // completed work at which the owner reports next
   std::atomic<double> done_ = 0;
   std::atomic<bool> stopped_ = false;
 };
@@ -67,12 +68,13 @@ struct PrimitiveRange {
 struct RangePair {
   PrimitiveRange left, right;
 };
-// Splits a range at the plane for which the surface area heuristic over binned centroids is cheapest; the
+// Splits a range at the plane with the least cost by the surface area heuristic over binned centroids; the
 // cost of a part is its area times the number of blocks of `block` primitives that it fills. Reorders the
 // items. Splits at the middle if all centroids coincide. Preconditions: the range holds at least two
 // primitives, block > 0. O(n).
 RangePair split_binned(const PrimitiveRange& range, uint32_t block);
-// Splits a range at its middle, in the given order of its items. Same precondition. O(n).
+// Splits a range in the middle of its items, in their given order. Precondition: it holds at least two
+// primitives. O(n).
 RangePair split_in_half(const PrimitiveRange& range);
 
 // The shape of a tree; the default gives the fastest queries.

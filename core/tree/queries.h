@@ -10,12 +10,12 @@ namespace kerf {
 // A query of AabbTree::touched, box by box, for display.
 struct TouchedWalk {
   enum class Outcome {
-    kEntered,  // the box may meet the beam: its contents are tested
+    kEntered,  // the box may intersect the beam: its contents are tested
     kCulled,   // the box lies outside the beam
-    kMissed,   // the box of one face may meet the beam, but the face does not touch it
-    kTouched,  // the beam touches the face of a box of one face
+    kMissed,   // a leaf: the box may intersect the beam, but the beam does not touch the face
+    kTouched,  // a leaf: the beam touches the face
   };
-  // The interval that a culled box misses: an interval along one axis of the oriented box around the beam.
+  // The interval that a culled box misses, along one axis of the oriented box around the beam.
   enum class Side { kNone, kDepth, kMotion, kLateral };
 
   static constexpr uint32_t kNoParent = 0xffffffffu;
@@ -24,18 +24,19 @@ struct TouchedWalk {
     uint32_t parent = kNoParent;
     Outcome outcome = Outcome::kEntered;
     Side outside = Side::kNone;
-    FaceId face;  // of a box of one face, otherwise invalid
+    FaceId face;  // of a leaf; otherwise invalid
   };
   std::vector<Visit> visits;    // each after its parent
   std::vector<FaceId> touched;  // ascending
-  QueryCounts counts;           // as the query counts
+  QueryCounts counts;           // equal to those of the query
 };
 
-// Traces a query. Its boxes entered, faces tested, results and counts equal those of AabbTree::touched to the
-// bit. Slower by a constant factor.
+// Traces a query. The boxes entered, faces tested, results and counts equal those of AabbTree::touched.
+// Slower by a constant factor.
 TouchedWalk trace_touched(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam);
 
-// The slot of a face in the tree, in a block of up to four faces, and its FaceData::hit.
+// Position of a face in the tree: its block of up to four faces, and the lane in that block. `hit` is
+// FaceData::hit.
 struct TreeSlot {
   uint32_t block = 0, place = 0;
   bool hit = false;

@@ -8,11 +8,11 @@
 
 namespace kerf {
 
-// The volume that a cylinder with flat ends sweeps between two poses: all points within the radius of its
-// axis whose depth along the axis lies in the range. The origin moves on a straight line, and the direction
-// turns uniformly. The volume is exact for a translation. For a tilting cylinder, the corners of a triangle
-// are assumed to move on straight lines in the plane across the beam; the error is proportional to the
-// squared angle, so that large turns must be subdivided.
+// The volume that a cylinder with flat ends sweeps between two poses. At each pose the cylinder holds all
+// points within the radius of its axis whose depth along the axis lies in the range. The origin moves on a
+// straight line, and the direction turns uniformly. The volume is exact for a translation. For a tilting
+// cylinder, the corners of a triangle are assumed to move on straight lines in the plane across the beam; the
+// error is proportional to the squared angle, so that large turns must be subdivided.
 //
 // All arguments are in one frame, in metres. The radius may be zero: a ray, or the strip that it sweeps.
 class SweptCylinder {
@@ -38,8 +38,8 @@ class SweptCylinder {
   double steepest() const { return 1 + std::max(glm::length(from_tilt_), glm::length(to_tilt_)); }
 
   double radius() const { return radius_; }
-  // Returns true if the beam tilts. touches() may then hold for a triangle slightly outside the volume that
-  // the distances refer to.
+  // Returns true if the beam tilts. touches() may then return true for a triangle slightly outside the volume
+  // to which the distances refer.
   bool tilts() const { return tilts_; }
 
   // Returns this sweep with another radius. Precondition: radius >= 0.
@@ -51,8 +51,8 @@ class SweptCylinder {
   }
 
   // An oriented box around the part of the volume whose depth lies in `depths`, for culling. Its axes are
-  // `axis` (the beam), `along` (the motion) and `across`; intervals are relative to `origin`, of the first
-  // pose.
+  // `axis` (the beam), `along` (the motion) and `across`; intervals are relative to `origin`, the origin of
+  // the first pose.
   struct Slab {
     Vec3 axis, along, across, origin;
     Interval depth, motion, lateral;
@@ -60,8 +60,8 @@ class SweptCylinder {
   Slab slab(Interval depths) const;
 
  private:
-  // A point relative to the beam: its offset from the axis at the start and the end of the motion, and its
-  // depth along the axis at the start.
+  // A point in the frame of the beam: its offsets from the axis at the start and at the end of the motion,
+  // and its depth along the axis at the start.
   struct Seen {
     Vec2 start, end;
     double depth;

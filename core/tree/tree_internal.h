@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-// In-place edits of a tree, which access only the changed records and their ancestors. Preconditions: see
+// In-place edits of a tree. They access only the changed records and their ancestors. Preconditions: see
 // AabbTree.
 
 // Replaces the leaves of one set of faces by those of another, which are added to the block of the first old
@@ -23,12 +23,12 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> re
 // Applies all replacements in order and prefetches the records of the following ones.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 
-// Adds a leaf to the block found from the root by following the box that grows least in area. Preconditions:
-// the face is not in the tree, and the tree is not empty.
+// Adds a leaf to the block found by descending from the root into the child whose box grows least in area.
+// Preconditions: the face is not in the tree, and the tree is not empty.
 void add_face(TreeStore& tree, const Mesh& mesh, FaceId f);
 
-// Removes a leaf, and a block or node that becomes empty; replaces a node with a single child by that child,
-// and shrinks the boxes above up to the first unchanged one.
+// Removes a leaf, and each block or node that becomes empty. Replaces a node with a single child by that
+// child. Shrinks the ancestors' boxes up to the first one that does not change.
 void remove_face(TreeStore& tree, FaceId f);
 
 // Updates the leaf of a face whose corners have moved and enlarges the boxes above it.
@@ -44,9 +44,9 @@ class WalkScratch : public WalkLists {
   WalkScratch(const WalkScratch&) = delete;
   WalkScratch& operator=(const WalkScratch&) = delete;
 
-  // Faces that the traversal listed, as face_word().
+  // Faces listed by the traversal, as face_word().
   std::span<const uintptr_t> found() const { return {faces.items, faces.count}; }
-  // Faces whose boxes the traversal met, likewise.
+  // Faces whose boxes passed the test, as face_word().
   std::span<const uintptr_t> met() const { return {boxes.items, boxes.count}; }
 
  private:
@@ -82,8 +82,8 @@ class ShearedRay {
     return other;
   }
 
-  // Returns the signed length along the ray [m] at which its line crosses the triangle of any orientation, or
-  // nullopt if it misses the triangle or is parallel to it.
+  // Returns the signed length along the ray [m] at which its line crosses the triangle; nullopt if the line
+  // misses the triangle or is parallel to it. The orientation of the triangle does not matter.
   std::optional<double> cross(const Triangle& t) const;
 
  private:

@@ -60,8 +60,8 @@ inline __m128 most_of_rows(__m128 x, __m128 y, __m128 z) {
   return _mm_max_ps(_mm_max_ps(x, y), _mm_max_ps(z, w));
 }
 
-// The coordinates of a tree's boxes: (x - origin) * scale, so that any mesh lies within about [-1, 1] and the
-// precision of floats suffices for culling.
+// The frame of a tree: its boxes have the coordinates (x - origin) * scale, so that any mesh lies within
+// about [-1, 1] and the precision of floats suffices for culling.
 struct TreeFrame {
   Vec3 origin{0};
   double scale = 1;  // a power of two
@@ -84,7 +84,7 @@ struct TreeFrame {
 // A face as the tree stores it: its vertices and their positions as floats in the frame of the tree.
 struct TreeFace {
   TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : TreeFace(frame, mesh, mesh.positions(), f) {}
-  // The caller passes mesh.positions(), to convert many faces.
+  // For many faces: the caller passes mesh.positions() once.
   TreeFace(const TreeFrame& frame, const Mesh& mesh, Positions positions, FaceId f)
       : vertex(mesh.corners(f)), face(f) {
     for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(positions[vertex[i]]);
@@ -136,7 +136,7 @@ class TreeStore : private TreeCounts {
   void free_block(uint32_t b);
   uint32_t node_count() const { return nodes.size() - TreeCounts::free_node_count; }
   uint32_t block_count() const { return blocks.size() - TreeCounts::free_block_count; }
-  uint32_t single_count() const { return TreeCounts::single_count; }  // blocks of one face
+  uint32_t single_count() const { return TreeCounts::single_count; }  // blocks with a single face
   void set_count(uint32_t block, uint32_t count);
 
   // Returns the place of a face as block * kBlockWidth + lane; kNoIndex if the face is not in the tree.
@@ -158,7 +158,7 @@ class TreeStore : private TreeCounts {
 
   FloatBox slot_box(uint32_t node, uint32_t slot) const;
   void set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box);
-  // Links a child and a slot with each other; `box` is the child's box.
+  // Stores a child with its box in a slot, and the slot in the child.
   void hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box);
   void empty_slot(uint32_t node, uint32_t slot);
 

@@ -20,8 +20,8 @@ class WalkCode {
     list.items[list.count++] = word;
   }
 
-  // Reserves room for `more` words. A loop reserves its maximum beforehand, so that it calls no function and
-  // keeps its variables in registers.
+  // Reserves capacity for `more` words. Loops reserve their maximum in advance, so that they call no
+  // functions and keep their variables in registers.
   static void make_room(WalkLists& lists, WordList& list, uint32_t more) {
     while (list.count + more > list.capacity) lists.grow(lists, list);
   }
@@ -139,15 +139,15 @@ class WalkCode {
         x[i] = Float4::load(b.corner[i][shear.across[0]]) - shear_x * z;
         y[i] = Float4::load(b.corner[i][shear.across[1]]) - shear_y * z;
       }
-      // The bound must hold only where the ray meets the triangle, whose extent then bounds all coordinates
-      // relative to the ray.
+      // The bound matters only if the ray hits the triangle; the extent of the triangle then bounds all
+      // coordinates relative to the ray.
       const Float4 wide = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
       const Float4 tall = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);
       const Float4 extent = max(wide, tall) + Float4::all(2 * q.error);
       error = extent * (extent * Float4::all(kEdgeRoundings) + Float4::all(8 * q.error));
     }
 
-    // Masks of the faces that the ray may cross and of those that it surely crosses.
+    // Masks of the faces that the ray may cross, and of those that it certainly crosses.
     struct Lanes {
       unsigned may, sure;
     };
@@ -175,8 +175,8 @@ class WalkCode {
     }
   }
 
-  // Opens the listed nodes from index `next` on while the lists have room. Returns the index of the first
-  // node left.
+  // Opens the listed nodes from index `next` on while the lists have capacity. Returns the index of the first
+  // unopened node.
   static uint32_t open_listed(const TreeView& tree, const RayQuery& q, WalkLists& lists, uint32_t next) {
     const RaySlabs slabs(q);
     uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
@@ -213,7 +213,7 @@ class WalkCode {
     }
   }
 
-  // The corners twice, to test two rays at a time.
+  // The sheared corners of a block, duplicated to test two rays at a time.
   struct ShearedTwice {
     explicit ShearedTwice(const ShearedBlock& b) : error(Float8::twice(b.error)) {
       for (int i = 0; i < 3; ++i) {
@@ -287,8 +287,9 @@ class WalkCode {
   static constexpr uint32_t kStackedANode = 2 * kNodeWidth;
   static bool is_block(uintptr_t word) { return (word & 1) != 0; }
 
-  // Advances from the record `next`, or from the top of the stack if it is 0, to the next block and returns
-  // it. Returns a node if the stack is too short to open it, and 0 if nothing is left up to t_high.
+  // Advances from the record `next`, or from the top of the stack if `next` is 0, to the next block and
+  // returns it. Returns a node if the stack lacks the capacity to open it, and 0 if no record is left up to
+  // t_high.
   static uintptr_t nearest_block(const TreeView& tree, const RayQuery& q, float t_high, WordList& list,
                                  uintptr_t next) {
     RaySlabs slabs(q);
@@ -308,7 +309,7 @@ class WalkCode {
   }
 
   // Lists the faces of a block that the ray may cross up to t_high. Returns the smallest t by which the ray
-  // has surely crossed one of them, or t_high.
+  // has certainly crossed one of them, at most t_high.
   static float list_near_faces(const FaceBlock& b, const Shear& shear, const RayQuery& q, float t_high,
                                WordList& faces) {
     const auto lanes = ShearedBlock(b, shear, q).hold(shear.pass[0]);

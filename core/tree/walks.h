@@ -9,7 +9,7 @@ namespace kerf {
 inline constexpr uint32_t kNodeWidth = 8;
 inline constexpr uint32_t kBlockWidth = 4;
 
-// The content of a slot of a node: nothing, another node, or a block of faces.
+// The content of a slot of a node: empty, a node, or a block of faces.
 struct Child {
   static constexpr uint32_t kBlockBit = 0x80000000u;
   uint32_t bits = kNoIndex;
@@ -22,8 +22,8 @@ struct Child {
   uint32_t index() const { return bits & ~kBlockBit; }
 };
 
-// A node: the boxes of up to eight children as a structure of arrays, by plane (low x y z, high x y z). The
-// box of an empty slot is empty, so that no query meets it.
+// A node: the boxes of up to eight children as a structure of arrays, by plane (low x y z, high x y z). An
+// empty slot has an empty box, which no query hits.
 struct alignas(64) WideNode {
   float plane[6][kNodeWidth];
   Child child[kNodeWidth];
@@ -59,13 +59,13 @@ template <typename T>
 // The instruction set that traversals of a tree use. Results do not depend on it.
 enum class Simd : uint8_t { kSse4, kAvx2 };
 
-// Returns the best one that the processor supports and GLIBC_TUNABLES does not disable.
+// Returns the best instruction set that the processor supports and GLIBC_TUNABLES does not disable.
 Simd best_simd();
 
-// Tree traversals cull in single precision and list the faces that may be results. Each is written once over
-// vectors of floats and compiled for each instruction set. Sources compiled for a newer instruction set share
-// only plain data and always-inlined functions with the rest of the program, so that the linker never picks a
-// copy of a shared function that older processors cannot execute.
+// Tree traversals cull in single precision and list the faces that may be results. Each traversal is a
+// template over vector types (see walk_code.h), compiled once per instruction set. Sources compiled for a
+// newer instruction set share only plain data and always-inlined functions with the rest of the program, so
+// that the linker never picks a copy of a shared function that older processors cannot execute.
 
 // The records of a tree.
 struct TreeView {
@@ -136,11 +136,11 @@ struct SlabQuery {
 
 // The traversals for one instruction set. Precondition of each: the tree has a root.
 struct Walks {
-  // Lists the faces that a ray may cross, in an order that depends on the tree alone.
+  // Lists the faces that the ray may cross, in an order that depends only on the tree.
   void (*ray)(const TreeView&, const RayQuery&, WalkLists&);
   // Lists the faces that any of up to four parallel rays may cross.
   void (*rays)(const TreeView&, const RayQuery&, WalkLists&);
-  // Lists candidates that include the first face that the ray crosses; visits near boxes first.
+  // Lists candidates for the first face that the ray crosses, which is among them; visits near boxes first.
   void (*nearest)(const TreeView&, const RayQuery&, WalkLists&);
   // Lists the faces that may meet the oriented box, and in `boxes` those whose boxes may. Returns the number
   // of boxes tested.

@@ -19,22 +19,23 @@
 
 namespace kerf {
 
-// Number and area of some live faces of a mesh.
+// Number and area of a set of live faces.
 struct FaceCounts {
   size_t faces = 0;
   double area = 0;  // m^2
 };
 
 // The connected components of a mesh as loaded. The remaining faces of a component belong to its home piece:
-// 0, or the piece that joints hold it to. Each part cut off a component is connected itself and is counted by
-// its piece (Piece::cut_off), so that the counts of the connected part of a face are known without a search.
+// the one with label 0, or the one to which joints attach it. A part cut off a component is itself connected,
+// and its piece counts it (Piece::cut_off), so the counts of the connected part that contains a face are
+// known without a search.
 struct LoadedComponents {
   static constexpr uint32_t kNone = 0xffffffffu;
 
   std::vector<uint32_t> of_base;  // by base face; all lists are empty if the mesh is connected
-  Records<FaceCounts> left;       // by component: its faces with the label of its home
-  Records<uint32_t> home;         // by component: a label
-  // By component: the one that a wall joined it to, plus one, or 0; shorter if no later one was joined.
+  Records<FaceCounts> left;       // by component: its faces that have the label of its home piece
+  Records<uint32_t> home;         // by component: label of its home piece
+  // By component: the component that a wall merged it into, plus one; 0 or beyond the end if none did.
   Records<uint32_t> joined;
 
   // Returns the component of a base face, as merged by walls. Precondition: the mesh was not connected.
@@ -44,7 +45,8 @@ struct LoadedComponents {
     return component;
   }
 
-  // Returns the component of faces with this base face and label; kNone if cut off, or in a connected mesh.
+  // Returns the component of the faces with this base face and label; kNone if they were cut off or the mesh
+  // was connected.
   uint32_t at_home(FaceId base, uint32_t label) const {
     if (of_base.empty()) return kNone;
     const uint32_t component = of(base);
@@ -68,28 +70,28 @@ struct LoadedComponents {
 
 class LoadedComponents::Change : public ChangeOfParts<LoadedComponents> {};
 
-// Counts the faces of the components of a mesh as loaded, whose number is known. Fails with cancelled() when
-// stopped; `progress` may be null. O(n), or O(1) if the mesh is connected.
+// Counts the faces of each component of a mesh as loaded. `components`: number of components. Fails with
+// cancelled() when stopped; `progress` may be null. O(n), or O(1) if the mesh is connected.
 Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, const Progress* progress);
 
-// One side of a joint: the faces that carry it, i.e. the parts of some base faces within a distance of a
-// point. All are of one connected component.
+// One side of a joint. The faces that carry it are the parts of the listed base faces within `radius` of
+// `point`; all belong to one connected component.
 struct JointSide {
   std::vector<uint32_t> faces;  // base faces of the body as loaded, ascending and not empty
   bool carries(FaceId loaded) const { return std::ranges::binary_search(faces, loaded.index); }
   uint32_t component = 0;                                   // of LoadedComponents
   Vec3 point{0};                                            // m, in the frame of the body
   double radius = std::numeric_limits<double>::infinity();  // m
-  // For a hinge, the distance from its anchor to the faces that hold the pin [m]. A beam that removes all
-  // faces within it has cut the hinge, although it has passed between the faces of both sides.
+  // For a hinge, the distance from its anchor within which faces hold the pin [m]. A beam that removes all
+  // faces within this distance cuts the hinge, even if it passes between the faces of both sides.
   double reaches_pin = std::numeric_limits<double>::infinity();
 };
 
-// A joint between two parts of a mesh that are not connected, or no longer once they are cut apart.
+// A joint between two parts of a mesh that are not connected, or are no longer after a cut.
 //
-// A joint holds while each side has remaining faces, these are connected, and those of a hinge reach its pin.
-// That follows from the faces alone (see held_joints in core/joints), so that undo and replay need no state
-// of joints.
+// A joint is intact while each side has remaining faces, these are connected, and, for a hinge, some of them
+// reach its pin. This follows from the faces alone (see held_joints in core/joints), so undo and replay store
+// no state of joints.
 struct Joint {
   enum class Kind : uint8_t {
     kWeld,   // the parts move as one
@@ -97,7 +99,7 @@ struct Joint {
     kHub,    // free rotation about the axis, as of a wheel
   };
   Kind kind = Kind::kWeld;
-  BodyId body;  // with which the parts were loaded (Body::loaded_as)
+  BodyId body;  // body with which the parts were loaded (Body::loaded_as)
   std::array<JointSide, 2> sides;
   Vec3 anchor{0};                  // m, a point of the axis, in the frame of the body
   Vec3 axis{0, 1, 0};              // unit, in the frame of the body
@@ -119,14 +121,14 @@ struct Joints {
 
 // A breadth-first search over faces from one or more seeds.
 struct SearchFront {
-  std::vector<ReachedFace> frontier;  // faces from index `next` on are unvisited
+  std::vector<ReachedFace> frontier;  // faces reached; those from index `next` on are unvisited
   size_t next = 0;
   size_t visited = 0;             // faces visited
   size_t faces = 0;               // live faces among them
   double area = 0;                // of the live faces, m^2
   uint32_t lowest = 0xffffffffu;  // the lowest slot reached
-  bool compared = false;          // with the only other growing front of its component
-  bool estimated_larger = false;  // estimated to be larger than that one
+  bool compared = false;          // true if compared with the only other growing front of its component
+  bool estimated_larger = false;  // true if estimated to be larger than that front
   bool exhausted() const { return next == frontier.size(); }
 };
 
@@ -136,7 +138,7 @@ struct OpenSearch {
   static constexpr uint32_t kVisited = 0x80000000u;
 
   Stage stage = Stage::kNone;
-  bool asked_again = false;  // removals since the start of this search need another one
+  bool asked_again = false;  // true if faces removed during this search require another search
   PagedArray<uint32_t>
       mark;  // by face slot: the front that reached it plus one, or 0; plus kVisited once visited
   std::vector<SearchFront> fronts;
@@ -159,7 +161,8 @@ struct OpenSearch {
   }
   // Returns the label that relabelling will give to the face; 0 if it keeps its own.
   uint32_t label_to_be(FaceId f) const { return stage == Stage::kRelabel ? label_of(mark.get(f.index)) : 0; }
-  // Returns the label that relabelling gives faces with a mark. Precondition: faces are being relabelled.
+  // Returns the label that relabelling gives to faces with this mark; 0 if they keep theirs. Precondition:
+  // faces are being relabelled.
   uint32_t label_of(uint32_t marked) const {
     const uint32_t front = marked & ~kVisited;
     return front == 0 ? 0 : new_label[front - 1];
@@ -173,8 +176,8 @@ struct OpenSearch {
   }
 };
 
-// Records of core/edit about faces removed from a body. They may be discarded between two strokes, because
-// they can be derived from the mesh.
+// Records that core/edit keeps about faces removed from a body. They may be discarded between two strokes,
+// because they can be derived from the mesh.
 struct SeparationState {
   PagedArray<uint32_t>
       joined;  // by vertex slot: its parent in the union-find of CutLoops plus one, or 0 if unknown
@@ -185,11 +188,11 @@ struct SeparationState {
 
   // Removals since the last call of settle().
   size_t first_tie = 0;
-  int64_t loops = 0;         // loops closed by the cut, minus `alone`
-  int64_t alone = 0;         // removed faces without a neighbour
+  int64_t loops = 0;         // number of loops closed by the cut, minus `alone`
+  int64_t alone = 0;         // number of removed faces without a neighbour
   bool any_closed = false;   // true if any loop was closed, regardless of `alone`
   bool over_rings = false;   // a removed face was connected over a ring: `loops` is inconclusive
-  bool cannot_know = false;  // such a face had more than one neighbour
+  bool cannot_know = false;  // true if such a face had more than one neighbour
 
   // True to check joints (see separate_by_joints): faces that carry joints were removed, or parts separated.
   bool joints_requested = false;

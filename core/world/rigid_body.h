@@ -17,11 +17,11 @@
 
 namespace kerf {
 
-// First and second moments of area of some triangles: the integrals of x and of x x^T over their surface,
-// where x is the position relative to a fixed origin. Together with the area these ten sums give mass, centre
-// and inertia of a thin shell, and they can be added and subtracted face by face. Rounding errors grow with
-// the distance from the origin (as (distance / remaining size)^4), so the origin should lie near the middle
-// of the mesh.
+// First and second moments of area of a set of triangles: the integrals of x and of x x^T over their surface,
+// where x is the position relative to a fixed origin. Together with the area these sums determine the mass,
+// centre and inertia of a thin shell; they can be added and subtracted face by face. Rounding errors grow
+// with the distance from the origin (as (distance / remaining size)^4), so the origin should lie near the
+// middle of the mesh.
 struct AreaMoments {
   Vec3 first{0};                   // m^3
   std::array<double, 6> second{};  // m^4: xx, yy, zz, xy, xz, yz
@@ -31,7 +31,7 @@ struct AreaMoments {
   friend bool operator==(const AreaMoments&, const AreaMoments&) = default;
 };
 
-// Returns the moments of one triangle of the given area (m^2; triangle_area(t)), exact but for rounding: with
+// Returns the moments of one triangle of the given area (m^2; triangle_area(t)), exact up to rounding: with
 // corners p, q, r relative to the origin and s = p + q + r they are area / 3 * s and area / 12 * (p p^T + q
 // q^T + r r^T + s s^T).
 AreaMoments area_moments(const Triangle& t, double area, const Vec3& origin);
@@ -43,12 +43,12 @@ struct MassProperties {
 };
 
 // Returns the mass properties of a thin shell. `area` and `moments` are the sums over its faces, relative to
-// `origin`; thickness in m, density in kg/m^3, both positive. A shell without area up to rounding (area <= 0)
-// has no mass and its centre at the origin. O(1).
+// `origin`; thickness in m, density in kg/m^3, both positive. If the area is not positive, e.g. due to
+// rounding, the mass is 0 and the centre is at the origin. O(1).
 MassProperties shell_mass(double area, const AreaMoments& moments, const Vec3& origin, double thickness,
                           double density);
 
-// Moments of the volume that some triangles enclose: the integrals of 1, of x and of x x^T, where x is the
+// Moments of the volume enclosed by a set of triangles: the integrals of 1, of x and of x x^T, where x is the
 // position relative to a fixed origin. They are signed sums over the tetrahedra between the origin and each
 // triangle, and meaningful only for closed triangles (see closed_pieces). The origin should lie near the
 // middle of the triangles (see AreaMoments).
@@ -61,21 +61,21 @@ struct VolumeMoments {
   friend bool operator==(const VolumeMoments&, const VolumeMoments&) = default;
 };
 
-// Returns the contribution of one triangle, exact but for rounding: with corners p, q, r relative to the
+// Returns the contribution of one triangle, exact up to rounding: with corners p, q, r relative to the
 // origin, the signed volume v = p . (q x r) / 6 and s = p + q + r it is v, v / 4 * s and v / 20 * (p p^T + q
 // q^T + r r^T + s s^T).
 VolumeMoments volume_moments(const Triangle& t, const Vec3& origin);
 
 // Returns the mass properties of a solid body from the sums over its triangles, relative to `origin`. The
-// density is positive (kg/m^3). Without a volume up to rounding (volume <= 0) the mass is 0 and the centre is
-// at the origin. O(1).
+// density is in kg/m^3 and positive. If the volume is not positive, e.g. due to rounding, the mass is 0 and
+// the centre is at the origin. O(1).
 MassProperties solid_mass(const VolumeMoments& moments, const Vec3& origin, double density);
 
-// Returns the mass properties of two bodies that move as one; those of one if the other has no mass.
+// Returns the mass properties of two bodies that move as one. A body without mass is ignored.
 MassProperties combine(const MassProperties& a, const MassProperties& b);
 
-// The volume of a piece of a solid body when it was last computed. It is valid while the piece has the same
-// number of faces and, to the bit, their area; other pieces count as open.
+// The last computed volume of a piece of a solid body. Valid while the number of faces of the piece and, to
+// the bit, their area are unchanged; a piece without a valid entry counts as open.
 struct EnclosedPiece {
   MassProperties solid;  // of density 1, in the frame of the body
   size_t faces = 0;
@@ -103,7 +103,7 @@ struct Placement {
 struct Motion {
   Vec3 velocity{0};    // m/s
   Vec3 spin{0};        // rad/s
-  uint32_t quiet = 0;  // ticks slow enough to fall asleep
+  uint32_t quiet = 0;  // number of consecutive ticks slow enough for sleep
   bool asleep = false;
 
   friend bool operator==(const Motion&, const Motion&) = default;
@@ -122,12 +122,12 @@ struct Motion {
 // The sheet that the faces of a body represent. Precondition of its use: thickness and density are positive.
 struct Sheet {
   double thickness = 0.001;  // m
-  double density = 7850;     // kg/m^3, of mild steel; determines the mass (set from the weight of vehicles)
+  double density = 7850;     // kg/m^3, of mild steel; determines the mass (in vehicles, set from it)
   Substance substance;       // the material, for heating and cutting
   friend bool operator==(const Sheet&, const Sheet&) = default;
 };
 
-// The influences on all bodies of a world.
+// External influences on all bodies of a world.
 struct Environment {
   Vec3 gravity{0, -9.81, 0};     // m/s^2
   std::optional<double> ground;  // m, the height of a plane on which bodies rest, against gravity
@@ -137,7 +137,7 @@ struct Environment {
 
   friend bool operator==(const Environment&, const Environment&) = default;
 
-  // Unit, against gravity; +Y without gravity.
+  // Returns the unit vector against gravity; +Y without gravity.
   Vec3 up() const {
     const double g = glm::length(gravity);
     return g > 0 ? -gravity / g : Vec3(0, 1, 0);
@@ -153,7 +153,7 @@ struct Spring {
   friend bool operator==(const Spring&, const Spring&) = default;
 };
 
-// Memory of a point of one body near the faces of another.
+// Contact state of a point of one body near the faces of another, kept between ticks.
 struct PointMemory {
   uint32_t point = 0;
   // Unit normal, in the frame of the other body, of the last nearby face, towards the point's side.
@@ -165,23 +165,24 @@ struct ImpulseMemory {
   std::array<double, 3> impulse{};
 };
 
-// Memory of two bodies near each other. Lists are sorted by their first members.
+// Contact state of two bodies near each other, kept between ticks. Lists are sorted by the first member of
+// their elements.
 struct PairMemory {
   BodyId first, second;  // first < second; the second is not valid for the ground
   std::vector<PointMemory> points_of_first, points_of_second;
   std::vector<ImpulseMemory> impulses;
-  // Ticks for which the sheets have intersected since they met; 0 while they are apart.
+  // Number of ticks for which the sheets have intersected since they met; 0 while they are apart.
   uint32_t crossed = 0;
-  bool touching = false;  // in the last tick
-  // 2 if a body was stopped from passing through the other in this tick, 1 if in the last one.
+  bool touching = false;  // whether they touched in the last tick
+  // 2 if a body was kept from passing through the other in this tick, 1 if in the previous tick, else 0.
   uint8_t held = 0;
-  // Unit, in the world, if they intersect: the direction in which the first body was last pushed out.
+  // If the sheets intersect, the direction in which the first body was last pushed out; unit, in the world.
   Vec3 way_out{0};
 
   std::pair<BodyId, BodyId> bodies() const { return {first, second}; }
 };
 
-// Memory of all pairs, sorted by their bodies.
+// Contact state of all pairs, sorted by their bodies.
 using ContactMemory = std::vector<PairMemory>;
 
 class World;
@@ -204,8 +205,8 @@ struct NearPair {
 // Returns the states of the bodies that move or have moved. O(bodies).
 std::vector<BodyState> moved_bodies(const World& world);
 
-// Get and set the contact memory of pairs of bodies without contact details (see World::contact_memory),
-// which are cleared on set. `pairs` are sorted by their bodies. O(pairs).
+// Get and set the pairs in World::contact_memory() without contact details; setting discards the details.
+// `pairs` are sorted by their bodies. O(pairs).
 std::vector<NearPair> known_pairs(const World& world);
 void set_known_pairs(World& world, std::span<const NearPair> pairs);
 

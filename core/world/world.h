@@ -22,9 +22,9 @@
 
 namespace kerf {
 
-// Marks the walls of a mesh: faces on the boundary of the swept beam that close a solid body (see
-// core/walls). A wall is its own base face, and stores the base face of an adjacent face, by which it belongs
-// to a loaded part.
+// Marks the walls of a mesh, i.e. the faces on the boundary of the swept volume that close a solid body (see
+// core/walls). A wall is its own base face, and stores the base face of an adjacent face, which assigns it to
+// a loaded part.
 struct WallFaces {
   FaceColumn<uint32_t> beside_of;  // the index of that base face plus one; 0 for other faces
 
@@ -37,19 +37,19 @@ struct WallFaces {
   void set(Mesh& mesh, FaceId f, FaceId base) const { mesh.columns().set(beside_of, f, base.index + 1); }
 };
 
-// A piece of a body: the faces with one label (FaceData::piece). They are connected except for loaded
-// components, which share the label 0 as loaded, and which joints may hold to a piece that was cut off (see
-// separate_by_joints). `moments` are relative to Body::middle() and, unlike the counts, only include faces
+// A piece of a body: the faces with one label (FaceData::piece). They are connected, except that all loaded
+// components start with the label 0, and that joints may attach components to a piece that was cut off (see
+// separate_by_joints). `moments` are relative to Body::middle() and, unlike the counts, include only faces
 // that already have the label (see Body::label).
 struct Piece : FaceCounts {
   AreaMoments moments;
-  FaceCounts cut_off{};  // of these, the faces of the connected part that was cut off; none for label 0
+  FaceCounts cut_off{};  // the faces among these that were cut off as one connected part; none for label 0
 };
 
 // A mesh in the world with its derived data.
 struct Body {
   std::string name;
-  uint32_t named = 0;  // label of the piece with this name, from which other names derive
+  uint32_t named = 0;  // label of the piece called `name`; names of other pieces derive from `name`
   std::map<uint32_t, std::string> piece_names{};  // by label, of pieces with a custom name
   Placement placement;
   bool hidden = false;  // neither drawn nor cut
@@ -58,8 +58,7 @@ struct Body {
   bool pinned = false;  // immovable
   bool solid = false;   // its faces enclose a volume; strokes with a smooth rim add walls to close it
   std::string cut_material = "cut";  // name of the material of walls
-  // Position of the body in state_hash: the slot to which it was added. On a detachment, the larger side
-  // keeps it.
+  // Number of the body in state_hash: initially its slot. When a piece is detached, the larger side keeps it.
   uint32_t number = 0;
   Mesh mesh;
   AabbTree tree;
@@ -76,38 +75,39 @@ struct Body {
   std::vector<MeshPart> named_parts;   // of base faces; empty for a detached body
   std::shared_ptr<const Looks> looks;  // of loaded faces; null if the file has none
   MeshReport loaded;                   // content of the file
-  // Origin of the faces: the body with which they were loaded, and the base face there by base face of this
-  // body. The list is empty if both are equal, i.e. unless the body was detached from another.
+  // Origin of the faces: the body with which they were loaded and, by base face of this body, the base face
+  // of that body. The list is empty if both are equal, i.e. unless this body was detached from another.
   BodyId loaded_as;
   std::vector<FaceId> loaded_faces;
 
   // Returns the label of f, or the label that an unfinished search will give it.
   uint32_t label(FaceId f) const;
 
-  // Returns the displayed name of a piece: its custom name, else "car", or "car 9" for label 9.
+  // Returns the displayed name of a piece: its custom name, else `name`, followed by its label unless that is
+  // `named`: "car", "car 9".
   std::string name_of(uint32_t label) const;
-  // Returns the name of the body: that of its piece if it has only one.
+  // Returns the displayed name of the body: that of its piece if it has only one, else `name`.
   std::string own_name() const;
 
-  // Returns the live faces of a piece, or all others, ascending. O(faces).
+  // Returns the live faces of a piece or, with `of_piece` false, all other live faces; ascending. O(faces).
   std::vector<FaceId> faces_of(uint32_t label, bool of_piece = true) const;
   FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
   // Returns the loaded face that contains f; invalid for walls and other faces that were not loaded.
   FaceId loaded_source(FaceId f) const;
 
-  // Returns the base face that assigns f to a loaded part; that of an adjacent face if f is a wall.
+  // Returns the base face that assigns f to a loaded part: its own or, for a wall, that of an adjacent face.
   FaceId loaded_base(FaceId f) const {
     const FaceId beside = walls.beside(mesh, f);
     return beside.valid() ? beside : mesh.data(f).base;
   }
 
-  // Returns the counts of the component of f as of the last settle().
+  // Returns the counts of the connected part that contained f at the last settle().
   const FaceCounts& whole_of(FaceId f) const;
   FaceCounts& edit_whole_of(FaceId f);
 
   Piece& edit_piece_of(FaceId f) { return pieces.edit(mesh.data(f).piece); }
 
-  // Bounds of all corners in the frame of the body, exact to the bit; zero without faces. O(1).
+  // Bounds of all corners in the frame of the body, exact to the bit; zero if there are no faces. O(1).
   const Bounds& bounds() const { return tree.bounds(); }
 
   // Centre of the bounds of the mesh as loaded, the origin of moments.
@@ -127,9 +127,10 @@ struct Body {
   size_t bytes() const;
 };
 
-// Creates a body from a loaded mesh: builds the tree and counts its piece and its components. O(n log n).
+// Creates a body from a loaded mesh: builds the tree, and counts the faces of its piece and its components.
+// O(n log n).
 Body make_body(std::string name, BuiltMesh built);
-// The same; fails with cancelled() when stopped. `progress` may be null.
+// Likewise, or fails with cancelled() when stopped. `progress` may be null.
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
 // Balance of the energy emitted by beams (J): emitted = absorbed + escaped. Energy that was absorbed or came
@@ -143,7 +144,7 @@ struct EnergyLedger {
   double lost = 0;      // by convection and radiation
   // Time for which beams of the thermal model were on (s), which determines the phase of pulses.
   double beam_on = 0;
-  uint64_t poses = 0;  // poses from which they sent rays; see turned_bundle
+  uint64_t poses = 0;  // number of poses from which rays were emitted; see turned_bundle
   // Time simulated for heat ahead of the clock (s); see step_heat.
   double ahead = 0;
 
@@ -152,8 +153,8 @@ struct EnergyLedger {
 
 struct HeatMemory;
 
-// All bodies. An id is valid while its body exists and never refers to another one, provided that all bodies
-// of one slot are added with different generations.
+// All bodies. An id is valid while its body exists. It never refers to another body, provided that all bodies
+// added in one slot have different generations.
 class World {
  public:
   World();
@@ -166,7 +167,7 @@ class World {
 
   // Adds the body in a new slot. Generation 0 is for the initial bodies (see BodyId).
   BodyId add(Body body, uint32_t generation = 0);
-  // Removes a body; its slot is not used again. Precondition: contains(id).
+  // Removes a body; its slot is not reused. Precondition: contains(id).
   void remove(BodyId id);
   // Exchanges the bodies of two ids. Precondition: both are contained, and they differ. O(1).
   void exchange_bodies(BodyId a, BodyId b);
@@ -176,11 +177,12 @@ class World {
   // Precondition: contains(id).
   Body& body(BodyId id) { return slots_[checked(id)].body; }
   const Body& body(BodyId id) const { return slots_[checked(id)].body; }
-  // In slot order.
+  // All bodies, in the order of their slots.
   std::vector<BodyId> ids() const;
 
   using Bounds = kerf::Bounds;
-  // Returns the bounds of the boxes of all bodies at their placements; zero for an empty world. O(bodies).
+  // Returns the bounds of the bounding boxes of all bodies at their placements; zero for an empty world.
+  // O(bodies).
   Bounds bounds() const;
   // Returns the bounds of all bodies as loaded, at their placements.
   Bounds loaded_bounds() const;
@@ -202,7 +204,8 @@ class World {
   // Working memory for step_heat(), not part of the state.
   HeatMemory& heat_memory();
 
-  // Memory of core/physics about bodies near each other, part of the state because it affects the simulation.
+  // Contact state kept by core/physics between ticks; part of the state of the world, because it affects the
+  // simulation.
   const ContactMemory& contact_memory() const { return *situation_.contacts; }
   void set_contact_memory(ContactMemory memory) {
     situation_.contacts = std::make_shared<const ContactMemory>(std::move(memory));
@@ -218,9 +221,9 @@ class World {
 
   // Before-images of a command or, once exchanged, its after-images.
   class Change;
-  // Between begin_change and end_change, everything is saved before it is edited; end_change returns the
-  // saved images. exchange restores them exact to the bit and inverts the change. Changes must be exchanged
-  // in history order, the latest first. O(bodies + size of the change).
+  // Between begin_change and end_change, all data is saved before it is edited; end_change returns the saved
+  // images. exchange restores the images exactly, to the bit, and inverts the change. Changes must be
+  // exchanged in history order, the latest first. O(bodies + size of the change).
   void begin_change();
   Change end_change();
   void exchange(Change& change);
@@ -284,7 +287,7 @@ class World::Change {
 
   ChangeOf<Situation> situation_;
   size_t slots_ = 0, slots_end_ = 0;  // their number before and after the change
-  bool taken_back_ = false;           // the world is in the state before the change
+  bool taken_back_ = false;           // true while the world is in the state before the change
   std::vector<BodyChange> edited_;
   std::vector<std::pair<uint32_t, uint32_t>> exchanged_;  // slots whose bodies were exchanged, in order
   std::vector<std::pair<uint32_t, Body>> removed_;        // removed bodies, by slot before the change
@@ -293,20 +296,21 @@ class World::Change {
 };
 
 // Returns a hash of the state of the world, equal for equal states on every machine: a sum over the live
-// faces of a mix of the bits of their corners (from the least corner), level, body and energy, if any, and of
-// the placements. It is independent of slots and the order of edits. It includes the clock once time has
-// passed, and the motion of a body once it has moved. O(faces).
+// faces of a mix of the bits of their corners (starting with the lexicographically least), level, body and
+// energy, if any, plus the placements. Does not depend on slots or the order of edits. Includes the clock
+// once time has passed, and the motion of a body once it has moved. O(faces).
 uint64_t state_hash(const World& world);
 
-// Conducts heat in all bodies, with losses to the environment, for a time (s, >= 0) of a stroke. The clock
-// advances later, and cool() skips that time.
+// Conducts heat in all bodies, with losses to the environment, for a time (s, >= 0) within a stroke, ahead of
+// the clock; cool() later skips this time.
 void step_heat(World& world, double seconds);
 
-// Conducts heat while the clock advances by a time (s, >= 0), minus the time simulated ahead by strokes.
+// Conducts heat for a time by which the clock advances (s, >= 0), minus the time that strokes have simulated
+// ahead of the clock.
 void cool(World& world, double seconds);
 
-// Cools bodies for ticks that the clock of the world has just advanced. Heat flows once every kTicksOfFlow
-// ticks, so that the result does not depend on how the ticks are divided.
+// Conducts heat for ticks by which the clock of the world has just advanced. Heat is conducted once every
+// kTicksOfFlow ticks, so the result does not depend on the division into calls.
 inline constexpr Ticks kTicksOfFlow = 4;
 void cool_for_ticks(World& world, Ticks passed);
 

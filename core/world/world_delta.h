@@ -11,13 +11,13 @@
 
 namespace kerf {
 
-// A face removed by the beam, in its state at the removal. Its neighbours are the nearest faces of
-// Mesh::append_nearest_neighbours that were live then, so that the links between the faces of a cut do not
-// depend on later vertex moves or edge splits. Entries without a face are invalid.
+// A face removed by the beam, in its state at the removal. `neighbours` are the faces that
+// Mesh::append_nearest_neighbours returned then, so the links between the faces of a cut do not depend on
+// later vertex moves or edge splits. Unused entries are invalid.
 struct CutFace {
   FaceId face, base;
   uint32_t piece = 0;        // label at the removal
-  bool closed_loop = false;  // true if its removal closed a loop of removed faces (see CutLoops)
+  bool closed_loop = false;  // true if the removal closed a loop of removed faces (see CutLoops)
   Triangle corners{};        // m, in the frame of the body
   std::array<FaceId, 9> neighbours{};
 };
@@ -41,8 +41,8 @@ struct Detached {
   BodyId from;
   uint32_t label = 0;
   BodyId to;
-  // True if the faces of `from` keep their slots under the id `to`; `from`, if listed in Delta::created, is
-  // then another body.
+  // True if the faces of `from` keep their slots under the id `to`. If Delta::created lists `from`, that id
+  // then refers to another body.
   bool keeps_slots = false;
   friend bool operator==(const Detached&, const Detached&) = default;
 };
@@ -51,7 +51,8 @@ struct Detached {
 struct SolidChange {
   size_t wall_faces = 0;
   double wall_area = 0;  // m^2, of the new walls; not included in Delta::removed_area
-  // Volume lost (m^3): the sum over the removed faces and reversed walls, each with the body's middle.
+  // Volume lost (m^3): the sum of the signed tetrahedra between the body's middle and each removed face and
+  // reversed wall.
   double removed_volume = 0;
 
   SolidChange& operator+=(const SolidChange& other) {
@@ -65,16 +66,16 @@ struct SolidChange {
 // A solid body that a stroke left open, and why.
 struct LeftOpen {
   BodyId body;
-  std::string why;  // reason and place: a sentence for the user
+  std::string why;  // reason and place, a sentence for the user
 };
 
-// The changes of a step in the world. Caches of the world apply them in this order: drop the removed bodies,
-// transfer data of `from` to `to` for each detached piece, read the added bodies as a whole, and then apply
-// the changes of single bodies. All ids but those of removed bodies are those after the step.
+// Changes made to the world by a step. Caches of the world apply them in this order: drop the destroyed
+// bodies, transfer data of `from` to `to` for each detached piece, read the created bodies as a whole, then
+// apply the changes of single bodies. Ids are those after the step, except those of destroyed bodies.
 struct Delta {
-  std::vector<BodyDelta> bodies;  // with changed faces, without added bodies
+  std::vector<BodyDelta> bodies;  // bodies with changed faces, except created ones
   std::vector<BodyId> created,
-      destroyed;                     // added, removed; an id in both lists names another body since the step
+      destroyed;                     // an id in both lists refers to another body after the step
   std::vector<Detached> detached;    // in order
   std::vector<BodyId> moved;         // with changed placement
   std::vector<BodyId> mass_changed;  // with changed mass but unchanged faces
@@ -83,10 +84,10 @@ struct Delta {
   std::vector<BodyId> pinned;  // with changed Body::pinned
   bool environment = false;    // gravity or the ground changed
   size_t removed_faces = 0;
-  // Area lost by the bodies (m^2): that of the removed faces, plus the loss (or, negative, gain) of faces
+  // Area lost by the bodies (m^2): of the removed faces, plus the loss (if negative, the gain) of faces
   // around moved vertices. Removed and remaining area add up to the area before the step.
   double removed_area = 0;
-  double removed_mass = 0;  // mass of that area by Substance::density [kg]
+  double removed_mass = 0;  // mass of the removed area, by Substance::density [kg]
   SolidChange solid;
   std::vector<LeftOpen> left_open;
   bool replaced = false;  // the world was replaced: discard all caches
@@ -99,20 +100,20 @@ struct Delta {
            environment;
   }
 
-  // Combines this delta with the next step's, without bodies that existed only in between. O(n log n) in the
-  // lists.
+  // Appends the delta of the next step. Omits bodies that the first step created and the second destroyed.
+  // O(n log n) in the lists.
   void append(Delta later);
 };
 
-// Returns the inverse of the body changes of `delta`: added and removed bodies are swapped, detached pieces
-// returned. It omits faces, because the delta does not contain their previous state.
+// Returns the inverse of the body changes of `delta`: created and destroyed bodies are swapped, detached
+// pieces return to their bodies. Omits faces, because the delta does not contain their previous state.
 Delta inverse_body_changes(const Delta& delta);
 
-// Return the id of a body after a step from that before it, and the reverse. Precondition: the step neither
-// added nor removed the body.
+// Convert the id of a body before a step to its id after the step, and back. Precondition: the step neither
+// created nor destroyed the body.
 BodyId id_after(const Delta& delta, BodyId before);
 BodyId id_before(const Delta& delta, BodyId after);
-// Returns the id of a piece after a step, which is in another body if the step detached it.
+// Returns the id of a piece after a step; it names another body if the step detached the piece.
 PieceId id_after(const Delta& delta, PieceId before);
 
 }  // namespace kerf

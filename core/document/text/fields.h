@@ -41,8 +41,8 @@ void describe(Fields& f, Sheet& sheet);
 // The sheet in a scene, with the constants in "substance".
 void scene_sheet_fields(Fields& f, Sheet& sheet);
 
-// The message why a stroke left a solid body open, with the name of the body: "car: ...". `world` is the
-// one after the step.
+// Returns the message about a solid body that a stroke left open, with the name of the body: "car: ...".
+// `world`: after the step.
 std::string left_open_text(const LeftOpen& open, const World& world);
 
 class JsonValue;
@@ -54,9 +54,9 @@ enum class Presence {
 };
 inline constexpr Presence kNeeded = Presence::kNeeded, kOptional = Presence::kOptional;
 
-// Meaning of a missing key that may stand for a value: the behaviour of Kerf before the key existed,
-// permanently, whatever the default of new documents is. The key is written if the member has another
-// value; a key that every version wrote is always written.
+// Meaning of a missing key, which may be a value: the one that reproduces the behaviour of Kerf before the
+// key existed. That value never changes, even if new documents get another default. The key is written if the
+// member has another value; a key that every version wrote is always written.
 template <typename T>
 class Missing {
  public:
@@ -74,8 +74,8 @@ class Missing {
   bool written_ = true;
 };
 
-// Describes the limits of a range, "from 1e-09 to 1000 m" or "greater than zero", and states the rule that
-// a number outside of the range violates.
+// Format the limits of a range, "from 1e-09 to 1000 m" or "greater than zero", and the message about a number
+// outside the range.
 std::string limits_text(const NumberRange& range);
 std::string out_of_limits(double number, const NumberRange& range);
 
@@ -90,12 +90,11 @@ enum class VectorRule { kAny, kUnit, kNotZero, kNearby };  // nearby: within 100
 //     f.number("gloss", paint.gloss, kShare, kOptional);
 //   }
 //
-// A line has the key, the member, the constraint, and the meaning of a missing key. The table of a type
-// that only one file uses is static and not in an unnamed namespace, where argument-dependent lookup would
-// not find it. Reading stops at the first error, which read_fields() returns with the file and the JSON
-// pointer of the wrong value. A key that is not in the table is an error, which suggests the nearest key;
-// so the table must visit each key independently of the others (see present()). Keys are written in the
-// order of the table.
+// A line has the key, the member, the constraint, and the meaning of a missing key. A table used by a single
+// file is static; in an unnamed namespace, argument-dependent lookup would not find it. Reading stops at the
+// first error, which read_fields() returns with the file and the JSON pointer of the wrong value. A key that
+// is not in the table is an error, whose message suggests the nearest key; therefore the table must visit
+// each key independently of the others (see present()). Keys are written in the order of the table.
 class Fields {
  public:
   // State shared by the fields of a file.
@@ -110,8 +109,8 @@ class Fields {
 
   bool reading() const { return in_ != nullptr; }
   const std::filesystem::path& folder() const { return pass_.folder; }
-  // Returns true if the key is in the file, or when writing, if `written`: for fields that depend on
-  // others.
+  // When reading, returns true if the key is in the file; when writing, returns `written`. For fields that
+  // depend on others.
   bool present(const char* key, bool written);
 
   void number(const char* key, double& x, const NumberRange& range, const Missing<double>& missing = kNeeded);
@@ -147,7 +146,7 @@ class Fields {
   void angle(const char* key, double& radians, const NumberRange& degrees, Presence presence);
   void angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence);
 
-  // A value stored as a text; `wrong` states the rule that an unparsable text violates.
+  // A value stored as text; `wrong` is the error message for a text that cannot be parsed.
   template <typename T, typename Text>
   void coded(const char* key, T& x, std::optional<T> (*parse)(std::string_view), Text to_text,
              const char* wrong, const Missing<T>& missing = kNeeded) {
@@ -167,7 +166,7 @@ class Fields {
   void value(const char* key, const std::function<Status(const JsonValue&)>& read,
              const std::function<nlohmann::ordered_json()>& write, Presence presence = kNeeded);
 
-  // An object with the fields that `visit` visits, or with the table of its type.
+  // An object whose fields `visit` describes, or the table of its type.
   void member(const char* key, Presence presence, const std::function<void(Fields&)>& visit);
   template <typename T>
   void object(const char* key, T& x, Presence presence = kNeeded) {
@@ -177,7 +176,7 @@ class Fields {
   void object(const char* key, std::optional<T>& x) {
     if (present(key, x.has_value())) object(key, reading() ? x.emplace() : *x);
   }
-  // A list of such objects, named `of_what` in errors.
+  // A list of objects with the table of their type; errors call the elements `of_what`.
   template <typename T>
   void list(const char* key, const char* of_what, std::vector<T>& all, Presence presence = kNeeded) {
     elements(key, of_what, presence, all, [&](size_t i, Fields& f) { describe(f, all[i]); });
@@ -256,7 +255,7 @@ Result<T> read_described(const std::filesystem::path& file, T x = {}) {
   return x;
 }
 
-// The JSON of a value for a file in `folder`.
+// Returns the JSON of a value for a file in `folder`.
 nlohmann::ordered_json visited_json(const std::filesystem::path& folder,
                                     const std::function<void(Fields&)>& visit);
 template <typename T, typename Json = nlohmann::ordered_json>

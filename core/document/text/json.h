@@ -16,12 +16,12 @@
 namespace kerf {
 
 // Finds the name of a list that is most similar to a misspelt name: the minimum number of letters inserted,
-// deleted, replaced or swapped with the next one, ignoring case; a name that the other one begins with
-// counts 1 (F. J. Damerau, A technique for computer detection and correction of spelling errors, 1964).
-// Returns the first of equally near names; empty for an empty list. O(letters^2).
+// deleted, replaced or swapped with the next one, ignoring case; a name that the other one begins with counts
+// 1 (F. J. Damerau, A technique for computer detection and correction of spelling errors, 1964). In a tie
+// returns the first name; for an empty list, an empty text. O(letters^2).
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
-// "; the nearest name is \"radius\"", or an empty text for an empty list.
+// Formats a hint for an error message: "; the nearest name is \"radius\"". Empty for an empty list.
 std::string nearest_name_hint(std::string_view name, std::span<const std::string> names);
 
 inline nlohmann::ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -50,7 +50,7 @@ class JsonValue {
     return bad_input(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what);
   }
 
-  // The value as the given type. Fails with wrong() for any other value.
+  // Convert the value to a type. Fail with wrong() for any other value.
   Result<double> number() const;  // finite
   Result<double> positive_number() const;
   Result<Vec3> vector() const;             // three finite numbers
@@ -59,7 +59,7 @@ class JsonValue {
   Result<Interval> interval() const;       // two finite numbers, 0 <= first <= second
   Result<std::string> text() const;
   Result<bool> flag() const;
-  // A list of indices (see kNoIndex) of one of these lengths; nullopt for any other value.
+  // Returns a list of indices (see kNoIndex) of one of these lengths; nullopt for any other value.
   std::optional<std::vector<uint32_t>> whole_numbers(std::initializer_list<size_t> lengths) const;
   // Checks that the value is a list, or an object. `of_what` names the elements in the error.
   Status array(const char* of_what) const;
@@ -80,12 +80,11 @@ Status assign(const Result<T>& result, Target& target) {
 // Parses a text. The error names `file` and the line.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
 
-// The bytes of a regular file. The error names the file.
+// Reads a regular file. The error names the file.
 Result<std::string> read_text_file(const std::filesystem::path& file);
 
-// Appends the shortest decimal number that is read back as the same double, including the sign of zero. It
-// always has a point or an exponent, so that JSON does not treat it as an integer. Precondition: x is
-// finite.
+// Appends the shortest decimal number that reads back as the same double, including the sign of zero. It
+// always has a point or an exponent, so that JSON does not read an integer. Precondition: x is finite.
 void append_number(std::string& text, double x);
 
 // Serialises JSON. Fails if a string in it is not UTF-8.
@@ -94,8 +93,8 @@ Result<std::string> dump_json(const nlohmann::ordered_json& json, int indent = -
 // Serialises JSON in one line, as in journals, with numbers as written by append_number().
 Result<std::string> exact_text(const nlohmann::ordered_json& json);
 
-// The path of a file as stored in a file in `folder`: relative if it is in or below the folder or its
-// parent, otherwise and for an empty `folder` absolute.
+// Returns the path of a file as stored in a file in `folder`: relative if the former is in or below the
+// folder or its parent, else absolute; for an empty `folder` always absolute.
 std::string path_text(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 }  // namespace kerf

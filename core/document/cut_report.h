@@ -20,8 +20,7 @@ struct CutJob {
   // Call these around each stroke, to detect strokes that hit nothing.
   void begin_stroke();
   void end_stroke();
-  // Mean depth of the thermal cut, as a fraction of the energy of removal, 0 .. 1 (see
-  // StepStatistics::depth_s).
+  // Mean depth of the thermal cut over the time for which the beam hit a face, 0 .. 1 (see StepStatistics).
   double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
   size_t input_faces = 0, input_vertices = 0, input_components = 0;

@@ -11,7 +11,8 @@ struct Glow {
   double log_luminance = 0;  // natural logarithm of the luminance in cd/m^2
 };
 
-// Range (K): invisible below the Draper point; nothing that is cut stays hotter than kGlowTo.
+// Range of temperatures (K): a surface below the Draper point is dark, and no material of a cut stays hotter
+// than kGlowTo.
 inline constexpr double kGlowFrom = 798;
 inline constexpr double kGlowTo = 4000;
 

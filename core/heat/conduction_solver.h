@@ -6,11 +6,12 @@
 
 namespace kerf {
 
-// The faces of a mesh between which heat flows during a step, and the conductances between neighbours.
+// The faces of a mesh that conduct heat in a time step, and the conductances between neighbours.
 //
 // Neighbours conduct k h L / d (k conductivity, h thickness, L common edge, d distance of the centroids with
-// both faces unfolded into one plane). Around an edge of n > 2 faces each conducts to the next by index, with
-// (n - 1) / n of that, so that one face against all others conducts as if they all met in the edge.
+// both faces unfolded into one plane). Around an edge of n > 2 faces, each face conducts to the next one by
+// index, with (n - 1) / n of this conductance, so that the conductance of one face to all others is as if all
+// met in the edge.
 class HeatRegion {
  public:
   struct Node {
@@ -25,7 +26,7 @@ class HeatRegion {
     double conductance;  // W/K
   };
 
-  // The arrays of a region, which the next one may reuse to avoid allocation: 4 bytes per face slot of the
+  // Arrays of a region, which the next region reuses to avoid allocation: 4 bytes per face slot of the
   // largest mesh, plus the arrays of the largest region.
   class Memory {
     friend class HeatRegion;
@@ -37,7 +38,8 @@ class HeatRegion {
     std::vector<uint32_t> node_of;        // by slot of a face
   };
 
-  // Starts empty. The thickness is in m. Precondition: no other region uses the memory meanwhile.
+  // Creates an empty region. `thickness` in m. Precondition: no other region uses the memory at the same
+  // time.
   HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
              Memory& memory);
   ~HeatRegion();
@@ -102,7 +104,8 @@ class HeatSolver {
     double largest = 0;  // |x|
     void add(double scaled, double residual, double x);
   };
-  // Keeps the order of the links within each row, so that sums are equal to the bit to those over the links.
+  // Keeps the order of the links within each row, so that sums over a row equal sums over the links to the
+  // bit.
   void sort_by_rows(const std::vector<HeatRegion::Link>& links, double seconds, size_t rows);
   double row_times(size_t row, double diagonal, const std::vector<double>& x) const;
   void begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
@@ -115,7 +118,7 @@ class HeatSolver {
   std::vector<double> weights_;
 };
 
-// Rise above the ambient up to which a face counts as cold (K).
+// A face whose temperature exceeds the ambient by at most this (K) counts as cold.
 inline constexpr double kColdRise = 0.5;
 
 // One implicit step of conduction and losses over the nodes of a region; see conduct().
@@ -123,7 +126,7 @@ class HeatStep {
  public:
   class Memory;
 
-  // Precondition: no other step uses the memory meanwhile.
+  // Precondition: no other step uses the memory at the same time.
   HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness,
            Memory& memory);
 
@@ -133,7 +136,7 @@ class HeatStep {
   bool any_hot() const;
 
  private:
-  // The relation of energy and temperature of a node: below, in or beyond the transition.
+  // The branch of the relation between energy and temperature: below, in or beyond the transition.
   enum class Phase : uint8_t { kSolid, kChanging, kLiquid };
   struct LossLine {
     double constant, slope;  // W/m^2 and W/(m^2 K) of the rise
@@ -159,7 +162,7 @@ class HeatStep {
   const Substance substance_;
   const HeatLoss loss_;
   const double changing_rise_;  // K above the ambient, in the transition
-  const double heat_per_area_;  // J/(m^2 K) of the sheet, the lesser of its phases
+  const double heat_per_area_;  // J/(m^2 K) of the sheet, the minimum over its phases
 
   HeatEquations& equations_;
   HeatSolver& solver_;
@@ -170,7 +173,7 @@ class HeatStep {
   std::vector<LossLine>& loss_lines_;
 };
 
-// The arrays of a step, which the next one may reuse.
+// Arrays of a step, which the next step reuses.
 class HeatStep::Memory {
   friend class HeatStep;
   HeatEquations equations;

@@ -7,8 +7,9 @@ namespace kerf {
 
 // Heat of the faces of a mesh. Each face is a small sheet of one temperature.
 //
-// The energy of a face is relative to the ambient: a face that was never heated has none and takes no memory.
-// The parts of a split face share it by area, so that splitting conserves energy and temperatures.
+// The energy of a face is relative to the ambient temperature: a face that was never heated has no energy and
+// takes no memory. The parts of a split face share its energy by area, so that splitting conserves energy and
+// temperatures.
 struct FaceHeat {
   FaceColumn<double> energy;  // J
   FaceColumn<float> hottest;  // K, the highest temperature the face ever had; 0 if it was never hot
@@ -63,9 +64,9 @@ struct HeatMemory;
 // in proportion to the energies, so that conservation is exact. Losses are evaluated in the middle of the
 // step (second order), and a time is divided into up to 64 steps to keep them accurate. The transition is
 // implicit in the enthalpy: a face in it keeps its temperature and absorbs or releases the flux (semismooth
-// Newton iteration). No face gets colder than the ambient, or hotter than the hottest was; stable for every
-// time step. A face at most 0.5 K above the ambient without a warmer neighbour is excluded and relaxes to the
-// ambient at 0.5 K/s, so that a plate ends cold with an empty column.
+// Newton iteration). No face becomes colder than the ambient or hotter than the hottest face before; stable
+// for every time step. A face at most 0.5 K above the ambient without a warmer neighbour is excluded and
+// relaxes to the ambient at 0.5 K/s, so that a plate finally cools completely and its column becomes empty.
 //
 // Preconditions: thickness (m) > 0, the substance meets its preconditions, no loss is negative. The result is
 // identical to the bit on every machine, whatever the contents of `memory`. O(hot faces), independent of the

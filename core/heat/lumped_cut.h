@@ -4,8 +4,8 @@
 
 namespace kerf {
 
-// Ratio of the power density on the axis of a Gaussian beam of 1/e^2 radius w, integrated over its passing,
-// to that of the same power spread evenly over a width of 2 w: sqrt(8 / pi).
+// Ratio of the energy density on the axis of a passing Gaussian beam of 1/e^2 radius w to that of the same
+// power spread evenly over a width of 2 w: sqrt(8 / pi).
 inline constexpr double kAxisFactor = 1.5957691216057308;
 
 // The lumped heat balance of cutting (Steen and Mazumder, Laser Material Processing) with the heat conducted
@@ -13,9 +13,10 @@ inline constexpr double kAxisFactor = 1.5957691216057308;
 //
 //   A P = kerf thickness speed density (enthalpy of removal) / axis + k thickness dT q(Pe),
 //
-// Pe = speed kerf / (4 a), a the diffusivity, dT from the ambient to the transition. A sheet parts on the
-// axis of the beam, which is `axis` times denser than the same power spread evenly over the kerf; so this
-// predicts the results of the thermal model of the cut with a Gaussian beam of 1/e^2 radius kerf / 2.
+// where Pe = speed kerf / (4 a), a is the diffusivity, and dT is the difference between the transition and
+// the ambient. A sheet is cut through on the axis of the beam, where the energy density is `axis` times that
+// of the same power spread evenly over the kerf. The balance therefore predicts the results of the thermal
+// model with a Gaussian beam of 1/e^2 radius kerf / 2.
 struct LumpedCut {
   Substance substance;
   double power = 2000;        // W
@@ -25,10 +26,10 @@ struct LumpedCut {
   bool oxygen = false;        // combustion lowers the enthalpy of removal (see burning_heat)
 };
 
-// Returns the speed (m/s) that just cuts a sheet of this thickness (m, > 0); 0 if there is none in the range
-// of the balance (at Pe < 0.01 the losses of the surface and the border of the sheet matter).
+// Returns the maximum speed (m/s) that cuts a sheet of this thickness (m, > 0); 0 if there is none in the
+// range of the balance (at Pe < 0.01 the losses of the surface and the border of the sheet matter).
 double cutting_speed(const LumpedCut& cut, double thickness);
-// Returns the thickness (m) that is just cut at this speed (m/s, > 0); infinite if combustion alone suffices.
+// Returns the maximum thickness (m) cut at this speed (m/s, > 0); infinite if combustion alone suffices.
 double cut_thickness(const LumpedCut& cut, double speed);
 
 // Returns the heat that a cylinder at constant temperature loses while it moves through a plate, minus the
@@ -37,7 +38,7 @@ double cut_thickness(const LumpedCut& cut, double speed);
 // exponent of Schulz et al., Journal of Physics D 26, 1993). Precondition: peclet >= 0.
 double conduction_loss(double peclet);
 
-// Changes that would each on its own make a failed cut succeed, by the lumped heat balance.
+// Changes each of which alone would make a failed cut succeed, by the lumped heat balance.
 struct CutRemedies {
   double speed = 0;  // m/s, slower; 0 if no speed in the range of the balance is slow enough
   double power = 0;  // W, more
@@ -45,7 +46,7 @@ struct CutRemedies {
 };
 
 // Returns the remedies for a cut at a speed (m/s, > 0) through a sheet of this thickness (m, > 0, along the
-// beam); the values of the cut itself if the balance says that it succeeds. O(1).
+// beam); the values of the cut itself if the balance predicts success. O(1).
 CutRemedies remedies(const LumpedCut& cut, double thickness, double speed);
 
 }  // namespace kerf

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// Temperature of the environment and of everything that was never heated (K).
+// Temperature of the environment and of unheated material (K).
 inline constexpr double kAmbient = 293;
 
 // The constants of a material, one row each. Columns:
@@ -30,14 +30,15 @@ inline constexpr double kAmbient = 293;
   ROW(wavelength, "wavelength", 1.07e-6, always_written(1.07e-6), 1e-9, 1, "m")
 
 // The constants that determine the heat needed to remove a material: means over the temperature range, by
-// default of mild steel. Precondition of its use: density, heat_solid, heat_liquid are positive, transition >
-// kAmbient, and nothing is negative.
+// default of mild steel. Preconditions of all functions: density, heat_solid and heat_liquid are positive,
+// transition > kAmbient, and no constant is negative.
 //
-// A metal melts at `transition` and is removed once it has taken the heat of fusion, because the melt is
-// blown out. Plastics and wood decompose instead at `transition`, and are removed with the rest of the heat
-// of ablation (`latent`), which is measured as a whole from the ambient on. The specific heats are those
-// below and above the transition. `burnt_share` is the share of the kerf that burns with oxygen (see
-// burning_heat). `wavelength` is that of the two absorptivities with which the material is usually cut.
+// A metal melts at `transition` and is removed once it has absorbed the heat of fusion (`latent`), because
+// the melt is blown out. Plastics and wood instead decompose at `transition` and are removed once they have
+// absorbed the rest of the heat of ablation (`latent`); sources state the heat of ablation as a total from
+// the ambient temperature. The specific heats are those below and above the transition. `burnt_share` is the
+// share of the kerf that burns with oxygen (see burning_heat). `wavelength` is that of the two absorptivities
+// with which the material is usually cut.
 struct Substance {
 #define KERF_MEMBER(member, key, initial, ...) double member = initial;
   KERF_SUBSTANCE(KERF_MEMBER)
@@ -71,14 +72,15 @@ constexpr bool is_of(const Substance& s, const Substance& material) {
   return true;
 }
 
-// Returns the absorptivity at a wavelength (m): the nearer of the two; 0 for the usual wavelength.
+// Returns the absorptivity at a wavelength (m): the one given for the nearer laser. A wavelength of 0 means
+// the usual one of the material.
 constexpr double absorptivity(const Substance& s, double wavelength) {
   constexpr double kBetween = 3.37e-6;  // the geometric mean
   return (wavelength > 0 ? wavelength : s.wavelength) < kBetween ? s.absorptivity_fibre : s.absorptivity_co2;
 }
 
-// Return the specific enthalpy (J/kg) relative to the ambient at the beginning and the end of the transition;
-// the beam removes a face at the latter.
+// Return the specific enthalpy (J/kg) relative to the ambient at the beginning and at the end of the
+// transition; the beam removes a face at its end.
 constexpr double enthalpy_before_transition(const Substance& s) {
   return s.heat_solid * (s.transition - kAmbient);
 }
@@ -104,10 +106,10 @@ constexpr double enthalpy_at(const Substance& s, double temperature) {
 }
 
 // Laser cutting with oxygen: a share of the kerf burns (Substance::burnt_share), and its heat helps to melt
-// the rest (A. Ivarson et al., Journal of Materials Processing Technology 40, 1994). With more than about a
-// quarter of iron burnt that heat alone would melt the kerf at any speed; so the rate is bounded, too: oxygen
-// reaches the iron through melt and oxide, and a front does not burn faster than kBurningFront. Both numbers
-// are empirical.
+// the rest (A. Ivarson et al., Journal of Materials Processing Technology 40, 1994). If more than about a
+// quarter of the iron burnt, this heat alone would melt the kerf at any speed. The rate is therefore limited
+// as well: oxygen reaches the iron through melt and oxide, and a front burns at kBurningFront at most. Both
+// numbers are empirical.
 
 // Heat of combustion of iron to FeO (J/kg): 267 kJ/mol.
 inline constexpr double kHeatOfBurning = 4.78e6;

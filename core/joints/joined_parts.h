@@ -12,9 +12,9 @@
 
 namespace kerf {
 
-// Groups of the faces of a body whose pieces are shown apart. The faces of a piece form one group, except
-// its loose parts: components never connected to the largest component of the piece, such as the wheels and
-// door handles of a car. A loose part moves with the piece whose surface is nearest.
+// Groups of the faces of a body for the exploded view. The faces of a piece form one group, except its loose
+// parts: components never connected to the largest component of the piece, such as the wheels and door
+// handles of a car. A loose part moves with the piece whose surface is nearest.
 struct PieceGroups {
   // Loose parts of one piece that move with another one.
   struct Loose {
@@ -41,7 +41,8 @@ PieceGroups group_pieces(const Body& body);
 // without loose parts. O(n), or O(1) if neither has loose parts.
 std::vector<FaceId> regrouped(const Mesh& mesh, const PieceGroups* before, const PieceGroups* after);
 
-// A connected part of a body at the last settle(): the rest of a loaded component, or a cut-off piece.
+// A connected part of a body as of the last settle(): the remainder of a loaded component, or a cut-off
+// piece.
 struct ConnectedPart {
   BodyId body;
   uint32_t label = 0;
@@ -64,31 +65,31 @@ using LoadedBodies = std::vector<BodyId>;
 // Returns the bodies that have joints.
 LoadedBodies bodies_with_joints(const Joints& joints);
 
-// Returns the intact joints, in order: those with carrying faces left on either side, all of one part per
-// side. O(faces of the bodies with joints); constant time in a world without joints.
+// Returns the intact joints, in order. A joint is intact if both sides have carrying faces left and those of
+// each side belong to one part. O(faces of the bodies with joints); constant time in a world without joints.
 std::vector<HeldJoint> held_joints(const World& world);
 // Returns the intact joints of some loaded bodies. O(bodies + faces loaded with them).
 std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of);
 
-// Returns true if a piece is an independently moving part of its mesh file, attached by joints now or before,
-// rather than separated by a cut. Precondition: the body has that label.
+// Returns true if a piece is a part of its mesh file that moves independently and is or was attached by
+// joints, rather than a part separated by a cut. Precondition: the body has that label.
 bool is_loaded_part(const Body& body, uint32_t label);
 
-// Returns the name of such a piece in its mesh file, for the user: that of the smallest named part that
-// contains all its faces, else of the part that contains most of them. Empty if the file has no names, or
-// the body as which it was loaded no longer exists. O(faces of the body + parts).
+// Returns the name of a loaded part in its mesh file, for the user: that of the smallest named part that
+// contains all its faces, else of the part that contains most of them. Empty if the file has no names, or the
+// body with which the part was loaded no longer exists. O(faces of the body + parts).
 std::string loaded_part_name(const World& world, const PieceId& piece);
 
-// How joints connect parts of bodies that were loaded as several components.
+// The mode in which joints assign loaded components to pieces.
 //
-// Components that were loaded together are pieces of one body although nothing connects them. Components
-// without joints stay with the largest component of their piece. Every other component belongs to the piece
-// that joints connect it to, directly or through other components: to its own if that is among them, else
-// to the one whose connected part has the largest area. Components that joints connect only to each other
-// become a piece.
+// Components loaded together belong to one body even if they are not connected. A component without joints
+// stays with the largest component of its piece. Any other component belongs to a piece to which joints
+// connect it, directly or through other components: to its current piece if that is one of them, else to the
+// piece whose connected part has the largest area. Components that joints connect only to each other become a
+// piece.
 enum class JointMode {
-  kRigid,        // hinges and hubs act like welds while both sides are of one piece
-  kArticulated,  // a part held only by hinges and hubs becomes a piece, free to turn on them
+  kRigid,        // hinges and hubs act like welds while both sides belong to one piece
+  kArticulated,  // a part attached only by hinges and hubs becomes a piece that can turn on them
 };
 
 // Assigns all components to their pieces, and appends the changes to `delta`: new pieces and relabelled
@@ -102,9 +103,9 @@ void separate_requested_by_joints(World& world, JointMode mode, Delta& delta);
 // were separated.
 bool joints_requested(const World& world);
 
-// Records the dead faces among `removed` of a body of the world, and whether parts of it may have been
-// separated. Precondition: the slots of the dead faces have not been reused. Constant time in a world without
-// joints.
+// Records, for separate_requested_by_joints(), the dead faces among `removed`, and whether parts of the body
+// may have been separated. Precondition: the slots of the dead faces have not been reused. Constant time in a
+// world without joints.
 void request_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated);
 
 }  // namespace kerf

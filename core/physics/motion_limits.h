@@ -11,33 +11,33 @@
 
 namespace kerf {
 
-// Returns the pairs of bodies, as sorted indices, of which at least one moves and whose bounds overlap on
-// their ways: in the world, and in the frames of both. Bodies that glide do not touch fixed ones. Sorts
-// along the axis of the largest extent and sweeps (D. Baraff: Dynamic simulation of non-penetrating rigid
-// bodies, 1992). O(n log n + overlaps along that axis).
+// Broad phase: returns the pairs of bodies, as sorted indices, of which at least one moves and whose bounds
+// overlap during the tick: in the world, and in the frames of both bodies. Omits pairs that
+// MovingBody::passes_fixed excludes. Sweep and prune along the axis of the largest extent (D. Baraff: Dynamic
+// simulation of non-penetrating rigid bodies, 1992). O(n log n + overlaps along that axis).
 std::vector<std::pair<uint32_t, uint32_t>> near_pairs(std::span<const MovingBody> bodies);
 
-// Finds the contacts of all bodies in a tick. `before`: the contact memory before it. Bodies that joints
-// connect do not touch. All arguments must outlive this.
+// Finds the contacts of all bodies in a tick. `before`: the contact memory before the tick. Bodies connected
+// by joints do not touch. All arguments must outlive this object.
 class ContactSearch {
  public:
   ContactSearch(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
                 const Environment& around, const ContactMemory& before)
       : bodies_(bodies), joints_(joints), around_(around), before_(before) {}
 
-  // Finds the contacts of all pairs of which a body moves, and with the ground, sorted by their bodies. If
-  // called again after more bodies move, processes the new pairs. Multithreaded; the result does not depend
-  // on the number of threads.
+  // Finds the contacts of all pairs in which a body moves, and of moving bodies with the ground; sorted by
+  // their bodies. Another call, after more bodies have started to move, processes only the new pairs.
+  // Multithreaded; the result does not depend on the number of threads.
   void find();
 
-  // Returns, sorted, the pairs near each other on their ways, except those that intersected at the
-  // beginning.
+  // Returns the pairs that come near each other in the tick, except those that intersected at its beginning;
+  // sorted.
   std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
-  // Permits two bodies to intersect: they do not touch until they are apart.
+  // Permits two bodies to intersect: they get no contacts until they have been apart.
   void allow_intersection(uint32_t first, uint32_t second) { pair_of(first, second).memory.crossed = 1; }
-  // Stores the points at which the bodies of some pairs passed through each other, for the next tick.
-  // Returns for each pair whether any new point is at a rim and the bodies were not held back in the last
-  // tick too. Multithreaded.
+  // Stores, for the next tick, the points at which the bodies of these pairs passed through each other.
+  // Returns, for each pair, whether any new point is at a rim and the bodies were not already held back in
+  // the previous tick. Multithreaded.
   std::vector<uint8_t> remember_piercing(std::span<const std::pair<uint32_t, uint32_t>> pairs);
 
   // Returns the number of pairs of bodies found by the broad phase.
@@ -49,7 +49,7 @@ class ContactSearch {
   TouchingPair start(uint32_t first, uint32_t second) const;
   TouchingPair& pair_of(uint32_t first, uint32_t second);
   const TouchingPair* find(uint32_t first, uint32_t second) const;
-  // Returns the pairs that find() must process and that are not known yet, in order, with only bodies set.
+  // Returns the pairs that find() has yet to process, in order, with only the bodies set.
   std::vector<TouchingPair> pairs_to_test();
   void look_at(TouchingPair& pair) const;
   bool remember_piercing(uint32_t first, uint32_t second);
@@ -62,23 +62,24 @@ class ContactSearch {
   size_t candidates_ = 0;
 };
 
-// Shortens the ways of bodies in a tick, after the solver has moved them, until no two sheets intersect
-// that did not do so at its beginning. Slows the motion of a body that was held back.
+// Shortens the motion of bodies in a tick, after the solver, until no two sheets intersect that did not
+// intersect at the beginning of the tick. Reduces the velocity of a body that is held back.
 //
-// Each body moves a share of its way: all of it, a half, a quarter, or none. The shares of two bodies that
-// would intersect are lowered until they do not; bodies that do not move cause no new intersection, so this
-// terminates. Bodies too light to stop another one (see KinematicBody) may intersect it, and so may those
-// that must leave the ground. Multithreaded; the result does not depend on the number of threads.
-// Precondition: MovingBody::next is the end of the way. Returns the number of bodies that were held back.
+// Each body moves by a fraction of its motion: all of it, a half, a quarter, or none. The fractions of two
+// bodies that would intersect are lowered until they do not; bodies that do not move cause no new
+// intersection, so this terminates. Bodies too light to stop another body (see KinematicBody) may intersect
+// it, as may bodies that must leave the ground. Multithreaded; the result does not depend on the number of
+// threads. Precondition: MovingBody::next is the end of the way. Returns the number of bodies that were held
+// back.
 size_t limit_penetration(std::span<MovingBody> bodies, ContactSearch& search);
 
-// Limits the speeds after a tick by those before it: contacts lose energy and make no body faster than the
-// fastest of those that meet or that a joint connects. Otherwise a solver that has not converged would
-// shoot out light bodies that are jammed between heavy ones.
+// Limits the speeds after a tick by those before it. Contacts dissipate energy, so they make no body faster
+// than the fastest of the bodies in contact or connected by joints. Without this limit, an unconverged solver
+// would eject light bodies jammed between heavy ones.
 class SpeedLimit {
  public:
-  // Stores the motions before the tick. `gain`: permitted increase (m/s), from gravity and from release of a
-  // gap.
+  // Stores the motions before the tick. `gain`: permitted increase of speed (m/s), from gravity and from
+  // separating bodies.
   SpeedLimit(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
              std::span<const BodyJoint> joints, double gain);
 
@@ -86,7 +87,7 @@ class SpeedLimit {
   void apply(std::span<MovingBody> bodies) const;
 
  private:
-  std::vector<double> most_;  // of any point of the body [m/s]
+  std::vector<double> most_;  // by body: speed limit of all its points [m/s]
 };
 
 }  // namespace kerf

@@ -30,7 +30,7 @@ std::string machine_kind();
 void apply_spring(World& world, double seconds);
 
 inline constexpr double kSpringFrequency =
-    20;  // of the undamped spring with the effective mass at the point [rad/s]
+    20;  // rad/s, of the undamped spring with the effective mass at the point
 inline constexpr double kMaxSpringAcceleration = 100;  // m/s^2
 
 class SolverMemory;
@@ -41,7 +41,7 @@ struct TickStatistics {
   size_t candidates = 0;  // pairs of bodies whose bounds overlap
   size_t pairs = 0;       // of these, those whose faces were tested
   size_t contacts = 0;
-  size_t held = 0;     // bodies stopped early to prevent intersection
+  size_t held = 0;     // bodies held back to prevent intersection
   size_t crossed = 0;  // pairs of sheets that intersect and do not touch
 };
 
@@ -52,16 +52,16 @@ struct KinematicBody {
   double ignored_mass = 0;    // lighter bodies [kg] do not stop it, and may intersect it until they are apart
 };
 
-// Moves the bodies of a world as rigid sheets: they fall, touch each other and the ground, slide, and fall
-// asleep. Joints connect bodies if their two parts belong to different ones (see held_joints); such bodies
-// do not touch each other.
+// Moves the bodies of a world as rigid sheets: they fall, collide with each other and the ground, slide, and
+// fall asleep. A joint connects two bodies if its parts belong to different bodies (see held_joints); such
+// bodies do not touch each other.
 //
-// The entire state of the simulation lies in the world: placements, motions and World::contact_memory().
-// This class only caches colliders and intact joints, which are functions of the faces, so a new instance
-// continues bit-identically. One exception keeps ticks short, since the collider of a large body takes
-// longer than a tick: within a step of the history, a body of more than kMaxUnderBeam faces keeps its
-// collider while the beam cuts it. So a new instance continues identically only from the beginning of a
-// step, see begin_step().
+// The entire state of the simulation lies in the world: placements, motions and World::contact_memory(). This
+// class only caches colliders and intact joints, which are functions of the faces, so a new instance
+// continues bit-identically. There is one exception, because the collider of a large body takes longer to
+// build than a tick: within a history step, a body of more than kMaxUnderBeam faces keeps its collider while
+// the beam cuts it. Therefore a new instance continues identically only from the beginning of a history step;
+// see begin_step().
 class Physics {
  public:
   Physics();
@@ -72,7 +72,7 @@ class Physics {
   // Updates the caches after a change of the world. Must follow every change except those of tick().
   void follow(const Delta& delta);
 
-  // Must be called at the beginning of each step of the history.
+  // Must be called at the beginning of each history step.
   void begin_step();
 
   // The next tick rebuilds the colliders of these bodies.
@@ -81,9 +81,8 @@ class Physics {
   void forget_joints() { joints_.reset(); }
 
   // Advances all bodies by 1/120 s. Returns the bodies that moved. The caller advances the clock of the
-  // world. `under_beam`: a beam is on, and the next ticks will follow further cuts. `guided`: see
-  // KinematicBody; in any order, each once. `carried`, ascending: bodies that are part of others, without
-  // contacts or mass of their own.
+  // world. `under_beam`: a beam is on and will cut between ticks. `guided`: kinematic bodies, in any order,
+  // each once. `carried`: bodies that are part of others, without contacts or mass of their own; ascending.
   Delta tick(World& world, bool under_beam = false, std::span<const KinematicBody> guided = {},
              std::span<const BodyId> carried = {});
   // Prepares the next tick: builds its colliders, computes their masses, finds the intact joints.
@@ -92,11 +91,11 @@ class Physics {
   bool needs_collider(const World& world, BodyId id, bool under_beam) const;
   static constexpr size_t kMaxUnderBeam = 20'000;
 
-  // Returns true if the intact joints are cached: follow() was not called since the last tick.
+  // Returns true if the intact joints are cached, i.e. if follow() was not called since the last tick.
   bool has_joints_cached() const { return joints_.has_value(); }
 
   const TickStatistics& statistics() const { return statistics_; }
-  // Colliders of the bodies, as far as ticks have needed them.
+  // Colliders built by ticks so far, by body.
   const std::map<BodyId, Collider>& colliders() const { return colliders_; }
   // Contacts of the last tick.
   const std::vector<TouchingPair>& pairs() const { return pairs_; }
@@ -115,22 +114,23 @@ class Physics {
   std::map<BodyId, Collider> colliders_;
   std::set<BodyId> changed_;  // bodies whose faces have changed since their collider was built
   std::set<BodyId> of_step_;  // bodies whose colliders were used in this step
-  std::optional<std::vector<HeldJoint>> joints_;  // nullopt: not known
+  std::optional<std::vector<HeldJoint>> joints_;  // nullopt: out of date
   std::unique_ptr<SolverMemory> solver_;
   std::vector<TouchingPair> pairs_;
   TickStatistics statistics_;
 };
 
-// Makes every cut-off piece a separate body, so that it can move (see detach). In each visible body the piece
-// with the lowest label stays; the others inherit its velocity and spin, are not pinned, and are pushed apart
-// from it: with equal and opposite impulses along the line between the centres of mass, to a relative speed
-// of kPushApart. Pinned bodies are not pushed, nor are parts that were not cut off but turn on joints. New
-// bodies get `generation` (see BodyId). Appends the change to `delta`, and wakes the changed bodies.
+// Detaches every cut-off piece as a body of its own, so that it can move (see detach). In each visible body
+// the piece with the lowest label stays. The other pieces inherit its velocity and spin, are not pinned, and
+// are pushed away from it by equal and opposite impulses along the line between the centres of mass, to a
+// relative speed of kPushApart. Pinned bodies are not pushed, nor are parts that turn on joints and were not
+// cut off. New bodies get `generation` (see BodyId). Appends the changes to `delta`, and wakes the changed
+// bodies.
 //
-// Precondition: no search for separated pieces is unfinished. O(pieces) if no piece was cut off.
+// Precondition: all searches for separated pieces are finished. O(pieces) if no piece was cut off.
 void release_pieces(World& world, uint32_t generation, Delta& delta);
 
-// Returns true if this body has a piece that would become a separate body. O(pieces).
+// Returns true if release_pieces() would detach a piece of this body. O(pieces).
 bool has_pieces_off(const Body& body);
 
 inline constexpr double kPushApart = 0.03;  // m/s, proportionally less for bodies smaller than a metre

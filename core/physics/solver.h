@@ -21,21 +21,21 @@ struct BodyJoint {
   const Joint* joint = nullptr;
 };
 
-// Returns the joints whose parts belong to two different bodies of `bodies`, sorted by id, and whose sides
-// are not far from each other: a body moved away by hand is released.
+// Returns the joints that connect two different bodies of `bodies`, which are sorted by id. Omits joints
+// whose sides are far from each other, so that a body moved away by hand is released.
 std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
                                       const Joints& joints);
 
 // Returns true if a joint connects two bodies; such bodies do not touch each other.
 bool are_joined(std::span<const BodyJoint> joints, uint32_t a, uint32_t b);
 
-// Marks bodies that joints connect as touching: they sleep and wake together. `memory` stays sorted.
+// Marks bodies connected by joints as touching, so that they sleep and wake together. `memory` stays sorted.
 void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
                      ContactMemory& memory);
 
-// Makes the constraint of a joint between the Bullet bodies of its two bodies, whose frames are the
-// principal ones of `first` and `second`. Both bodies have the frame in which they were loaded, so equal
-// placements are their rest position.
+// Creates the constraint of a joint between two Bullet bodies, whose frames are the principal frames `first`
+// and `second`. Both Kerf bodies keep the frame in which they were loaded, so equal placements are the rest
+// position.
 std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const RigidFrame& first,
                                                    const RigidFrame& second, btRigidBody& first_rigid,
                                                    btRigidBody& second_rigid);
@@ -50,7 +50,7 @@ struct SolverSettings {
   double restitution = 0.1;
 };
 
-// Stateless storage of a solver.
+// Buffers of the solver, reused between calls; they hold no state.
 class SolverMemory {
  public:
   SolverMemory();
@@ -64,13 +64,14 @@ class SolverMemory {
   std::unique_ptr<Storage> storage_;
 };
 
-// Applies gravity, contacts and joints to the velocities of the bodies, moves the bodies by their
-// velocities, and stores the impulses in the contacts. Fixed and sleeping bodies are unchanged.
-// Precondition: a body of each pair moves.
+// Applies gravity, contacts and joints to the velocities of the bodies, moves the bodies by their velocities,
+// and stores the impulses in the contacts. Fixed and sleeping bodies are unchanged. Precondition: at least
+// one body of each pair moves.
 //
 // Uses Bullet's solver: projected Gauss-Seidel on velocities with warm starting (E. Catto: Iterative dynamics
-// with temporal coherence, 2005), speculative contacts for those still apart, and split impulses for those
-// that overlap. All its objects are set from the bodies on each call; `memory` only keeps their storage.
+// with temporal coherence, 2005), speculative contacts for bodies still apart, and split impulses for
+// overlapping ones. All its objects are reset from the bodies on each call; `memory` only keeps their
+// storage.
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
                     std::span<const BodyJoint> joints, const SolverSettings& settings, SolverMemory& memory);
 

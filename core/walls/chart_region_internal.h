@@ -17,8 +17,8 @@ struct ChartVertex {
   int64_t x = 0, y = 0;
 };
 
-// An edge of the boundary of a region, which lies on its left. `dx` is the growth of x along it: on a strip
-// closed to a ring, the ends alone do not determine the way around.
+// An edge of the boundary of a region; the region lies on its left. `dx` is the increase of x along the edge:
+// on a strip closed to a ring, the ends alone do not determine in which direction the edge runs around.
 struct ChartEdge {
   uint32_t from = 0, to = 0;
   int64_t dx = 0;
@@ -35,16 +35,15 @@ inline Wide doubled_area(int64_t ax, int64_t ay, int64_t bx, int64_t by) {
   return static_cast<Wide>(ax) * by - static_cast<Wide>(ay) * bx;
 }
 
-// Regions bounded by directed edges on a strip of this width that is closed to a ring in x; for a plane,
-// the width exceeds all x. The edges must form closed loops, and may meet only in their ends.
+// Regions bounded by directed edges on a strip of this width that is closed to a ring in x; for a plane, the
+// width exceeds all x. The edges must form closed loops, and may meet only at their ends.
 class ChartRegion {
  public:
   ChartRegion(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges, int64_t width)
       : vertices_(vertices), edges_(edges), width_(width) {}
 
-  // Min and max number of times that the edges wind around a point, relative to the points below all edges
-  // (y = -infinity); the number above all edges; and a vertex whose edge leads to a point of the min and of
-  // the max.
+  // The minimum and maximum winding number of all points, relative to that below all edges (y = -infinity);
+  // the winding number above all edges; and vertices next to points with the minimum and with the maximum.
   struct Winding {
     int least = 0, largest = 0, above = 0;
     uint32_t least_at = 0, largest_at = 0;
@@ -53,12 +52,12 @@ class ChartRegion {
   Task<std::optional<Winding>> winding(std::vector<uint32_t>* conflict = nullptr) const;
 
   // Returns counter-clockwise triangles between the vertices that cover exactly the points with winding
-  // number 1. Returns nullopt if edges cross or touch, if a winding number other than 0 or 1 occurs, or if
-  // it is not 0 above or below all edges; `conflict`, if not null, then receives vertices of such a place.
-  // Sweeps a line around the strip, divides the trapezoids that it passes by diagonals into polygons
-  // monotone in x (R. Seidel: A simple and fast incremental randomized algorithm for computing trapezoidal
-  // decompositions and for triangulating polygons, 1991), and triangulates these. O(n log n) comparisons;
-  // an insertion also moves up to as many entries as the line meets edges.
+  // number 1. Returns nullopt if edges cross or touch, if a winding number other than 0 or 1 occurs, or if it
+  // is not 0 above or below all edges; `conflict`, if not null, then receives vertices of such a place.
+  // Sweeps a line around the strip, divides the trapezoids that it passes by diagonals into polygons monotone
+  // in x (R. Seidel: A simple and fast incremental randomized algorithm for computing trapezoidal
+  // decompositions and for triangulating polygons, 1991), and triangulates these. O(n log n) comparisons; an
+  // insertion also moves at most one entry per edge that the line crosses.
   Task<std::optional<std::vector<ChartTriangle>>> triangles(std::vector<uint32_t>* conflict = nullptr) const;
 
  private:
@@ -79,7 +78,8 @@ class ChartSweep {
   const std::vector<uint32_t>& conflict() const { return conflict_; }
 
   const ChartRegion::Winding& winding() const { return winding_; }
-  // Returns diagonals: each joins the end vertices of a trapezoid of winding number 1 unless a side does.
+  // Returns the diagonals. Each connects the end vertices of a trapezoid of winding number 1, unless a side
+  // connects them.
   const std::vector<ChartEdge>& diagonals() const { return diagonals_; }
 
  private:
@@ -89,13 +89,14 @@ class ChartSweep {
     int64_t left_x = 0, right_x = 0;
     int sign = 0;  // change of the winding number when crossing it upwards
   };
-  // Left end of a trapezoid: a vertex, or the index in the list of edges at the start of the sweep.
+  // Left end of a trapezoid: a vertex or, if it began before the sweep, `unknown`, the index of an edge at
+  // the start.
   struct Start {
     uint32_t vertex = 0;
     int64_t x = 0;
     int unknown = -1;
   };
-  // An edge that the line meets, and the trapezoid above it.
+  // An edge that the sweep line crosses, and the trapezoid above it.
   struct Active {
     Span span;
     int winding = 0;

@@ -34,10 +34,10 @@ struct OutlineCurve {
 };
 
 // Returns the boundary of the union of the regions swept by discs of one radius (m, > 0): the parts of each
-// region's sides that no other region covers, chained to closed curves. Parts common to several regions
-// belong to the first one. Features smaller than 1e-4 radii are lost. Returns no curve if the chain does
-// not close. O(n log n) for n moves along paths that bend slowly compared with the radius, regardless of
-// the number of moves within a radius.
+// region's sides that no other region covers, joined into closed curves. Parts common to several regions
+// belong to the first one. Features smaller than 1e-4 radii are lost. Returns no curve if the parts do not
+// join into closed curves. O(n log n) for n moves along paths that bend slowly compared with the radius,
+// regardless of the number of moves within a radius.
 Task<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius);
 
 }  // namespace kerf

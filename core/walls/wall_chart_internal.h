@@ -24,8 +24,8 @@ class BeamPencil {
 
   bool parallel() const { return parallel_; }
 
-  // A point as its depth along the middle direction (m, from the apex, or from the origin of the first
-  // beam) and its position in the plane across that direction at this depth (m).
+  // A point in the coordinates of the pencil: its depth along the middle direction (m, from the apex, or from
+  // the origin of the first beam), and its position in the plane across that direction at this depth (m).
   struct Seen {
     Vec2 place;
     double depth;
@@ -52,13 +52,13 @@ class BeamPencil {
 //
 // For parallel beams the outline is the same at all depths, and the place is the length along it. For beams
 // through an apex the outline is computed at several depths; sides that are part of all these outlines are
-// landmarks with integer places, and between two of them the place is the share of the length. The map is
-// then exact only at these depths, and serves to locate things relative to each other.
+// landmarks with integer places, and between two landmarks the place is interpolated by length. The map is
+// then exact only at these depths, and serves to locate points relative to each other.
 class WallChart {
  public:
   // Makes the chart for depths within `depths` (m, of the pencil). Returns nullopt if the outlines at
   // different depths do not correspond: curves longer than a radius appear or disappear, or have no common
-  // side. Preconditions: radius > 0; pencil and moves live until completion.
+  // side. Preconditions: radius > 0; `pencil` and `moves` outlive the task.
   static Task<std::optional<WallChart>> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
                                              double radius, Interval depths);
 
@@ -77,8 +77,8 @@ class WallChart {
   // Returns the point at a place; `around` may lie outside the period.
   Vec3 point_at(const Place& place) const;
 
-  // Returns the places around a curve at which pieces of the outline meet, and further ones on arcs, at
-  // most `turn` radians apart; ascending, at the first depth.
+  // Returns the places around a curve, at the first depth, at which pieces of the outline meet, and places on
+  // arcs at most `turn` radians apart; ascending.
   std::vector<double> corners(uint32_t curve, double turn) const;
 
  private:
@@ -90,7 +90,8 @@ class WallChart {
   struct Curve {
     OutlineCurve outline;
     std::vector<double> starts;  // by piece: length along the curve, followed by the total length
-    // Landmarks: length at the first, and from it to each, ascending. Without any, places are lengths.
+    // Landmarks: the length along the curve at the first one, and the lengths from it to each, ascending.
+    // Without landmarks, places are lengths.
     double first_mark = 0;
     std::vector<double> marks;
     double period = 0;
@@ -131,8 +132,8 @@ RangeEnds range_ends(const BeamPencil& pencil, std::span<const BeamMove> moves, 
 // Parts of the boundary of the swept volume.
 enum class BoundaryPart { kSide, kLowEnd, kHighEnd };
 
-// Distances of a vertex of a rim from the sides and from the nearer end (m), and which end; kSide if none
-// is within reach. `place` is that on the sides, if they are within reach.
+// The distances of a rim vertex from the sides and from the nearer end of the beam (m). `end`: the nearer
+// end, or kSide if none is within reach. `place`: the nearest place on the sides, if within reach.
 struct NearBoundary {
   std::optional<WallChart::Place> place;
   double from_side = std::numeric_limits<double>::infinity();

@@ -48,9 +48,11 @@ class WallMesh {
     Vec3 at{0};  // m
     ChartVertex chart;
   };
-  // Deviation of an edge from the surface (m); 0 if it may stay. The x of the ends may exceed the width.
+  // Returns the deviation of an edge from the surface (m); 0 if the edge is exact. The x of the ends may
+  // exceed the width.
   using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
-  // Position of a vertex in the middle of an edge, from its place in the chart; nullopt forbids the split.
+  // Returns the position of a vertex in the middle of an edge, from its place in the chart; nullopt forbids
+  // the split.
   using Middle = std::function<std::optional<Vec3>(const ChartVertex& middle)>;
 
   // Edges may deviate by `most` metres. Precondition: the triangles are those of a ChartRegion of this
@@ -58,20 +60,20 @@ class WallMesh {
   WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
            Deviation deviation, double most);
 
-  // Flips inner edges of convex quadrilaterals until there is none whose other diagonal deviates less, or
-  // deviates equally and has a smaller sum of opposite angles (C. L. Lawson: Software for C1 surface
-  // interpolation, 1977). So long triangles along the beam on a bent wall need no further vertices.
+  // Flips inner edges of convex quadrilaterals until no other diagonal deviates less, or deviates equally and
+  // has a smaller sum of opposite angles (C. L. Lawson: Software for C1 surface interpolation, 1977). Long
+  // triangles along the beam on a bent wall then need no additional vertices.
   Task<Done> improve();
 
-  // Splits every inner edge, old or new, that deviates and has a `middle`, and improves the triangles
-  // around.
+  // Splits every inner edge, old or new, that deviates too much and for which `middle` permits a split, and
+  // improves the surrounding triangles.
   Task<Done> refine(const Middle& middle);
 
   // Splits long sides of thin triangles, longest first, and improves the surrounding triangles, so that
   // triangles grow away from the rim (as in M.-C. Rivara: New longest-edge algorithms for the refinement
   // and/or improvement of unstructured triangulations, 1997). On a bent wall they may be thinner. Without
-  // this, a later stroke that meets a wall of long thin triangles would refine all of them. Sides of at
-  // most `least` metres stay; the positions must be as exact as the chart.
+  // this, a later stroke that meets a wall of long thin triangles would refine all of them. Does not split
+  // sides of at most `least` metres. Precondition: the positions are as exact as the chart.
   Task<Done> grade(double least, const Middle& middle);
 
   // Splits, at `middle`, the inner edges between two of the first `fixed` vertices for which `splits` holds.
@@ -139,7 +141,7 @@ class WallMesh {
   std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: triangle beyond
   std::vector<uint8_t> is_pinched_;              // by vertex: true if it has several fans of triangles
   int64_t width_;
-  bool has_wide_edge_ = false;  // that spans at least half the ring
+  bool has_wide_edge_ = false;  // true if an edge spans at least half the ring
   bool is_folded_ = false;      // a triangle is not counter-clockwise in the chart, due to rounding
   Deviation deviation_;
   double most_;  // m

@@ -34,9 +34,9 @@ std::vector<VertexId> vertices_of(std::span<const RimSide> sides);
 
 // Groups the sides of the rim by solid, each group in the order of `sides`: the parts of an outer shell and
 // of its cavities, which bound its walls together. A rim that runs clockwise in the chart belongs to a
-// cavity, and the nearest rim below it to the same solid. `part_of_face` holds the index of the connected
-// part of each face, at least for the faces of all sides. O(n log n) without cavities, plus O(n) for each
-// of their rims.
+// cavity, which is part of the same solid as the nearest rim below it. `part_of_face` holds the index of the
+// connected part of each face, at least for the faces of all sides. O(n log n) without cavities, plus O(n)
+// for each of their rims.
 Task<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<const RimSide> sides,
                                                    std::span<const uint32_t> part_of_face,
                                                    const WallStroke& stroke, const SweptSides& swept);
@@ -53,7 +53,7 @@ class SideChart {
   ChartVertex place(double around, double depth) const;
   Vec3 point(const ChartVertex& v) const;
 
-  // Returns the growth of x along an edge of the rim, which runs the shorter way around the beam.
+  // Returns the increase of x along an edge of the rim; the edge runs the shorter way around the beam.
   static int64_t x_between(const ChartVertex& from, const ChartVertex& to);
   // Returns the vertex in the middle of an edge, the x of whose ends may lie beyond the width.
   static ChartVertex middle(const ChartVertex& from, const ChartVertex& to);
@@ -76,12 +76,12 @@ struct RimInChart {
   int64_t width = 0;  // of the chart
 };
 
-// Returns the winding numbers of the edges around the points of the chart. Vertices of a rim may be
-// slightly off the boundary, and its edges are chords: if some cross or touch, triangles of at most
-// `highest` height (m) are cut off at vertices there, smallest first, become faces of the wall and are
-// appended to `cut_off`. The third side of such a triangle never joins vertices for which `are_joined`
-// holds. Returns nullopt if that does not resolve all crossings; `conflict` then holds vertices of edges
-// that cross or touch. O(n log n) per triangle cut off.
+// Returns the winding numbers of the edges around the points of the chart. Vertices of a rim may be slightly
+// off the boundary, and its edges are chords: if some cross or touch, triangles at their vertices with a
+// height of at most `highest` (m) are cut off, smallest first; they become faces of the wall and are appended
+// to `cut_off`. The third side of such a triangle never joins vertices for which `are_joined` holds. Returns
+// nullopt if that does not resolve all crossings; `conflict` then holds vertices of edges that cross or
+// touch. O(n log n) per triangle cut off.
 Task<std::optional<ChartRegion::Winding>> untangle(RimInChart& rim, double highest,
                                                    const std::function<bool(uint32_t, uint32_t)>& are_joined,
                                                    std::vector<std::array<uint32_t, 3>>& cut_off,
@@ -103,9 +103,9 @@ class WallSide {
   // Places all vertices in a chart for depths within `depths` (m).
   void place_within(Interval depths);
 
-  // Close the side along an end of the range at a depth: all around, or between vertices there at which the
-  // rim leaves the side and returns to it. The latter returns true if there are any, and nullopt if they do
-  // not match; `conflict` then is one of them.
+  // Close the side along an end of the range at a depth: all around, or between corners, i.e. vertices at
+  // which the rim leaves the side and returns to it. The latter returns true if there are corners, and
+  // nullopt if they do not match; `conflict` is then one of them.
   void close_all_around(double depth, bool is_high);
   std::optional<bool> close_between_corners(double depth, bool is_high, uint32_t& conflict);
 

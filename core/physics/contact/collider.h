@@ -45,7 +45,7 @@ struct Box {
   }
 };
 
-// Items adjacent in a list and in space, and their bounding sphere.
+// A range of items that are close in space, and their bounding sphere.
 struct Cluster {
   uint32_t begin = 0, end = 0;  // range of the items
   Vec3 centre{0};
@@ -99,17 +99,19 @@ struct Clustering {
 // along the largest extent of their midpoints. Deterministic. O(n log^2 n).
 Clustering make_clusters(std::span<const std::array<Vec3, 2>> segments);
 
-// Occupied cells of a coarse grid over a box: rejects most queries in empty space cheaply. Initially empty.
+// The occupied cells of a coarse grid over a box, a cheap test that rejects most queries in empty space.
+// Initially empty.
 class Occupancy {
  public:
   Occupancy() = default;
   // Cells are cubes, at most kMaxCells along the longest side. The bounds may be flat but not empty.
   explicit Occupancy(const Box& bounds);
 
-  // Marks all cells that a box meets; ignores its part outside the bounds. O(cells of the box).
-  void add(const Box& box);
-  // Returns true if a non-empty box meets a marked cell, hence if it meets an added box. O(cells of the
+  // Marks all cells that a box intersects; ignores the part of the box outside the bounds. O(cells of the
   // box).
+  void add(const Box& box);
+  // Returns true if a non-empty box intersects a marked cell; therefore true for every box that intersects an
+  // added box. O(cells of the box).
   bool meets(const Box& box) const;
 
  private:
@@ -161,7 +163,8 @@ inline bool Occupancy::meets(const Box& box) const {
   return false;
 }
 
-// Contact features of a body besides its faces: points and straight chords of its sheet, in its frame (m).
+// Contact features of a body in addition to its faces: points and straight chords of its sheet, in its frame
+// (m).
 struct Collider {
   struct Point {
     Vec3 at{0};
@@ -175,15 +178,15 @@ struct Collider {
 
   std::vector<Point> points;
   std::vector<Chord> chords;
-  // Used only to detect that the body gets through another one: further points, numbered after `points`,
-  // and all chords; equal to `chords` if these are all.
+  // Used only to detect that the body passes through another one: further points, numbered after `points`,
+  // and chords at full detail; equal to `chords` if none were left out there.
   std::vector<Point> guards;
   std::vector<Chord> fine_chords;
   // Clusters of the items of each list.
   Clusters point_clusters, chord_clusters, guard_clusters, fine_chord_clusters;
   Box bounds;       // of all vertices
   Occupancy space;  // cells of faces and chords
-  // Points that can touch a plane: all vertices except those amid flat faces.
+  // Points that can touch a plane: all vertices except those inside flat regions.
   std::vector<Vec3> corners;
 };
 
@@ -192,15 +195,15 @@ struct ColliderSettings {
   size_t max_points = 96;
   size_t max_chords = 192;
   size_t max_guards = 512, max_fine_chords = 2048;
-  // Max distance of a chord from its rim [m]; larger if there would be too many chords.
+  // Maximum distance of a chord from its rim [m]; exceeded if there would otherwise be too many chords.
   double chord_error = 0.001;
 };
 
-// Makes the collider of all live faces of a mesh. Points: the ends of chords, extreme vertices, then those
-// of rims and all others as far apart as possible (T. Gonzalez: Clustering to minimize the maximum
-// intercluster distance, 1985). Chords: rims and creases of more than 40 degrees as polygons (D. Douglas,
-// T. Peucker, 1973). Guards: the other vertices, or some of them, evenly over their order. Deterministic.
-// About O(faces log faces).
+// Builds the collider of all live faces of a mesh. Points: the ends of chords, extreme vertices, then
+// vertices of rims and finally all others, selected as far apart as possible (T. Gonzalez: Clustering to
+// minimize the maximum intercluster distance, 1985). Chords: rims and creases of more than 40 degrees as
+// polygons (D. Douglas, T. Peucker, 1973). Guards: the remaining vertices, or a subset that is evenly spaced
+// in their order. Deterministic. About O(faces log faces).
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings = {});
 
 // An edge at which a sheet ends or bends sharply.
@@ -211,7 +214,7 @@ struct FeatureEdge {
 };
 
 struct FeatureEdges {
-  // Edges with one face, and edges at which faces meet at more than 40 degrees.
+  // Edges with one face, and edges whose faces differ in direction by more than 40 degrees.
   std::vector<FeatureEdge> lines;
   // Other edges with three or more faces, which may all lie on one side; `rim` is false.
   std::vector<FeatureEdge> seams;
@@ -221,27 +224,27 @@ struct FeatureEdges {
 // normals of the live faces by slot. O(faces).
 FeatureEdges feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals);
 
-// A sequence of vertices along feature edges; closed if the first and the last are the same.
+// A sequence of vertices along feature edges; closed if the first and last vertex are equal.
 using FeatureLine = std::vector<VertexId>;
 
 // Joins edges that meet in vertices of exactly two of them. O(n + highest vertex).
 std::vector<FeatureLine> joined(const std::vector<FeatureEdge>& edges);
 
-// Returns for each point of a polyline the squared error (m^2) from which on a simplified line omits it:
-// infinite for the ends, 0 for points omitted at `least_error` (m) already. The points with larger values
-// than the square of an error form its simplified line: starting with the ends, of each part between kept
-// points it keeps the point farthest from the segment between them while that is farther than the error (D.
-// Douglas, T. Peucker: Algorithms for the reduction of the number of points required to represent a
-// digitized line, 1973). A closed line, whose first and last points are equal, always keeps the point
-// farthest from them. O(n^2) at worst, usually O(n log n).
+// Returns, for each point of a polyline, the smallest squared error (m^2) at which the simplified line omits
+// the point: infinite for the ends, 0 for points omitted even at `least_error` (m). The simplified line for
+// an error thus consists of the points whose value exceeds the squared error. Simplification keeps the ends
+// and, recursively between two kept points, the point farthest from the segment between them while its
+// distance exceeds the error (D. Douglas, T. Peucker: Algorithms for the reduction of the number of points
+// required to represent a digitized line, 1973). A closed line, whose first and last points are equal, always
+// keeps the point farthest from these. O(n^2) at worst, usually O(n log n).
 std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_error);
 
 // Returns the simplified line for an error (m).
 std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error);
 
-// Appends indices of points that lie as far apart as possible to a selection: each is the point farthest
-// from all selected before (T. Gonzalez, 1985), the first of equal ones, until the selection has `most`
-// members or no point lies apart from it. O(points * most).
+// Extends a selection by points that lie as far apart as possible. Repeatedly appends the index of the point
+// farthest from all selected ones (T. Gonzalez, 1985), in a tie the first, until the selection has `most`
+// members or every point coincides with a selected one. O(points * most).
 void select_spread_points(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& selected);
 
 // Appends the indices of the points that are extreme along the axes and the space diagonals, each once.

@@ -14,11 +14,12 @@ namespace kerf {
 struct Contact {
   Vec3 at{0};           // in world coordinates, on the first body [m]
   Vec3 normal{0};       // unit, in world coordinates, towards the first body
-  double distance = 0;  // along the normal, less the skins; negative if they overlap [m]
-  // The touching point or pair of chords; constant while they touch.
+  double distance = 0;  // along the normal, minus the skins; negative if these overlap [m]
+  // Identifies the touching point or pair of chords; constant while they touch.
   uint64_t feature = 0;
   std::array<double, 3> impulse{};  // along the normal and across it, of the last tick [N s]
-  // Within an edge of a sheet, which has less friction than a corner, so that cut parts can separate.
+  // True if the contact lies on an edge of a sheet, away from its corners. Edges have less friction than
+  // corners, so that parts that were cut apart can separate.
   bool on_edge = false;
 };
 
@@ -30,40 +31,42 @@ struct TouchingPair {
   PairMemory memory;
 };
 
-// Added to the features of contacts found by points of the second body of a pair.
+// Offset of Contact::feature for contacts of points of the second body of a pair.
 inline constexpr uint64_t kOnSecond = uint64_t{1} << 31;
 
 // Sets the impulses of contacts to those of the last tick, by feature.
 void take_impulses(const PairMemory& memory, std::vector<Contact>& contacts);
 
-// Stores the impulses of contacts for the next tick. Removes the points at rims that were not pressed.
+// Stores the impulses of contacts for the next tick. Removes points at rims whose contacts had no impulse.
 void remember_impulses(const std::vector<Contact>& contacts, PairMemory& memory);
 
 inline constexpr size_t kMaxContacts = 8;  // of a pair of bodies, or of a body with the ground
 
-// Keeps at most kMaxContacts: the deepest and those farthest apart, in their order.
+// Reduces the list to at most kMaxContacts contacts: the deepest one and those farthest apart, in their
+// order.
 void reduce_contacts(std::vector<Contact>& contacts);
 
-// The same for contacts with a plane of unit normal `up`: keeps the deepest near positions on it that lie
-// farthest apart, measured along the longest distance between contacts and across it, relative to their
-// extents. So a body that rests on many points rests on the lowest ones, and a needle on both its sides. A
-// contact that carried load in the last tick counts as deeper by `bonus` (in units of length), so that the
-// selection does not alternate between points of similar depth.
+// Likewise for contacts with a plane with the unit normal `up`: keeps the deepest contacts near those
+// positions on the plane that lie farthest apart, measured along and across the longest distance between
+// contacts and relative to both extents. A body that rests on many points thus rests on the lowest ones, and
+// a needle on both its long sides. A contact that carried load in the last tick counts as deeper by `bonus`
+// (in units of length), so that the selection does not alternate between points of similar depth.
 void reduce_on_plane(std::vector<Contact>& contacts, const Vec3& up, double bonus);
 
 // Finds edge-edge contacts of the chords of two bodies. Appends to `out`, with normals towards `first` and
 // features >= 2^32.
 //
-// Two chords touch if the closest points of their lines lie within both. Since no sheets intersect at the
-// beginning of a tick (see limit_penetration), the side on which they are then is the right one. Nearly
-// parallel chords are covered by points and faces.
+// Two chords touch if the closest points of their lines lie within both chords. Since no sheets intersect at
+// the beginning of a tick (see limit_penetration), each chord is then on its correct side of the other.
+// Contacts of points with faces cover nearly parallel chords.
 void find_chord_contacts(const MovingBody& first, const MovingBody& second, const ContactLengths& lengths,
                          std::vector<Contact>& out);
 
 // Finds the contacts of two bodies, at most 8: the deepest and then those farthest apart. Updates `memory`
 // and applies the impulses of the last tick from it.
 //
-// Sheets that intersect when they meet touch only after they were apart; push_out() separates them.
+// Sheets that already intersect when they become near get no contacts until they have been apart; push_out()
+// separates them.
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
                                    const ContactLengths& lengths, PairMemory& memory);
 

@@ -19,17 +19,16 @@ struct RigidFrame {
 
   // Returns the placement of the principal frame for a placement of the body.
   Placement in_world(const Placement& body) const { return {body.to_world(centre), body.orientation * axes}; }
-  // Returns the placement of the body, with normalised orientation, for one of its principal frame.
+  // Returns the placement of the body, with normalised orientation, for a placement of the principal frame.
   Placement body_at(const Placement& principal) const {
     const glm::dquat turn = glm::normalize(principal.orientation * glm::conjugate(axes));
     return {principal.position - turn * centre, turn};
   }
 };
 
-// Returns the rigid frame of all pieces of a body together: closed pieces of a solid body are solids as of
-// its last mass computation, everything else is a sheet. Constant time in faces, linear in pieces. The
-// inertia about an axis along which a sheet has no extent is raised to a small share of the largest one, to
-// bound the spin of a needle.
+// Returns the rigid frame of all pieces of a body together. Closed pieces of a solid body count as solids, as
+// of the last mass computation; all other pieces are sheets. The inertia about the axis of a needle is raised
+// to a small fraction of the largest moment of inertia, to bound its spin. O(pieces).
 RigidFrame rigid_frame(const Body& body);
 
 // A rigid motion x -> turn * x + shift.
@@ -57,9 +56,9 @@ struct MovingBody {
   bool fixed = false;  // does not move
   bool asleep = false;
   Placement start;     // of the body at the beginning of the tick
-  RigidMap now, next;  // body to world: at the beginning of the tick, and at the end of its way
-  double margin = 0;   // distance around its way within which features matter, in units of length
-  Box bounds;          // in world coordinates, of its way within the tick and the margin
+  RigidMap now, next;  // body to world, at the beginning and at the end of the tick
+  double margin = 0;   // distance from the swept body within which features matter, in units of length
+  Box bounds;          // of the body during the tick, widened by the margin; in world coordinates
   double metre = 1;    // in units of length, see Environment
   double scale = 1;    // factor of all lengths of contact, see ContactLengths; in units of length
   double sunk = 0;     // depth below the ground at the beginning of the tick, in units of length
@@ -73,7 +72,8 @@ struct MovingBody {
   bool moves() const { return !fixed && !asleep; }
 };
 
-// Returns the index of the body in a list sorted by ids, or the length of the list if it is not in it.
+// Returns the index of a body in a list sorted by id, or the length of the list if it does not contain the
+// body.
 inline uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
   const auto at = std::ranges::lower_bound(bodies, id, {}, &MovingBody::id);
   const bool found = at != bodies.end() && at->id == id;
@@ -103,7 +103,7 @@ inline Box box_of(const Cluster& cluster, const RigidMap& map) {
   return Box{at, at}.wider(cluster.radius);
 }
 
-// Lengths of contact, for bodies of about a metre and more. Smaller bodies use proportionally smaller ones.
+// Contact lengths for bodies of about a metre or more; for smaller bodies they shrink in proportion.
 struct ContactLengths {
   double skin = 0.002;         // m, kept between a point and a face
   double chord_skin = 0.001;   // between two chords

@@ -48,7 +48,7 @@ class WallMesh {
     Vec3 at{0};  // m
     ChartVertex chart;
   };
-  // Returns the deviation of an edge from the surface (m); 0 if the edge is exact. The x of the ends may
+  // Returns the deviation of an edge from the surface (m); 0 if the edge may remain. The x of the ends may
   // exceed the width.
   using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
   // Returns the position of a vertex in the middle of an edge, from its place in the chart; nullopt forbids

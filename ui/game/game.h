@@ -30,7 +30,7 @@ struct GameOptions {
 // A suspended match, which can be resumed.
 struct SuspendedMatch {
   std::unique_ptr<Match> match;
-  std::vector<Controls> played;  // in its ticks
+  std::vector<Controls> played;  // by tick of the match
 };
 
 struct GameOutcome {
@@ -50,7 +50,7 @@ class WindowedGame {
   WindowedGame(WindowedGame&&) noexcept;
   WindowedGame& operator=(WindowedGame&&) noexcept;
 
-  // Plays until the player leaves. Another call resumes there, with the menu that was open.
+  // Runs the game until the player leaves. Another call resumes it, with the menu that was open.
   void play(FrameLoop& loop);
 
   bool wants_inspection() const;

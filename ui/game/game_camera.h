@@ -40,16 +40,15 @@ class GameCamera {
   double shake_ = 0, phase_ = 0;
 };
 
-// The camera of a replay: from outside, it keeps the player's vehicle and another one in the frame, and
-// circles slowly around them. Walls, other vehicles and bodies of similar size never block its view of its
-// targets.
+// The camera of a replay: keeps the player's vehicle and another one in the frame from outside, and circles
+// slowly around them. Walls, other vehicles and bodies of similar size never occlude the two.
 class ReplayCamera {
  public:
   // Films the player's vehicle and `other`, an index of Match::vehicles(). `aside`: offset of the target to
   // the right, as a fraction of its distance, because the result of the match is at the left.
   explicit ReplayCamera(size_t other, double aside = 0.2) : other_(other), aside_(aside) {}
 
-  // Advances by a time [s]. Moves to the best visible angle if walls hide the vehicles.
+  // Advances by a time [s]. If walls hide the vehicles, moves to the angle with the best view of them.
   void follow(const Match& match, double seconds);
   // `field_of_view` is vertical, in degrees.
   CameraView view(double aspect, double field_of_view) const;
@@ -68,7 +67,7 @@ class ReplayCamera {
   };
   Aim aim(const Match& match) const;
   static Vec3 eye_at(const Aim& aim, const EyePosition& position);
-  // Returns true if a body occludes and so stops the eye in front of it.
+  // Returns true if a body occludes the vehicles, so that the eye must stay in front of it.
   bool stops(const Match& match, BodyId id) const;
   // Rates the occlusion of the vehicles from a place: 0 if both are visible.
   int hidden_from(const Match& match, const Sight& sight, const Vec3& eye) const;
@@ -80,7 +79,7 @@ class ReplayCamera {
   double aside_;
   bool placed_ = false;
   EyePosition eye_position_;
-  double hidden_s_ = 0;  // how long a vehicle has been hidden
+  double hidden_s_ = 0;  // s, for which a vehicle has been hidden
   Vec3 middle_{0}, eye_{0};
   Vec3 free_eye_{0};  // m, the eye, moved closer to the other vehicle if something is between
 };

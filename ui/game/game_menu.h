@@ -20,8 +20,8 @@ void menu_heading(const char* text, float scale = 1.5f);
 // Draws a button as wide as the menu, with the landmark `landmark`. Returns true if it was pressed.
 bool menu_button(const char* label, const char* landmark);
 
-// Draws a list of scores, best first; `now` is the rank of the finished match, from 1 (0: none). Draws
-// nothing for an empty list. `fights`: such matches are won or lost.
+// Draws a list of scores, best first; nothing for an empty list. `now`: rank of the finished match, from 1;
+// 0: none. `fights`: matches of this mode are won or lost.
 void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights);
 
 enum class MenuChoice {

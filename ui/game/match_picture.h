@@ -22,8 +22,8 @@
 
 namespace kerf {
 
-// Computes the number of ticks that a frame has to advance, at most kMaxTicks: on a machine too slow for
-// more, the match runs in slow motion.
+// Computes the number of ticks that a frame has to advance, at most kMaxTicks: if the machine is too slow,
+// the match runs in slow motion.
 class MatchClock {
  public:
   static constexpr int kMaxTicks = 8;
@@ -144,7 +144,7 @@ class PresetChoice {
 };
 
 // Selects the resolution of frames with the lowest preset, as a fraction of that of the window in each
-// direction: lower if they take too long, higher if there is time left.
+// direction: lowers it if frames take too long, raises it if there is time left.
 class ResolutionChoice {
  public:
   static constexpr double kLeast = 0.5, kFirst = 0.7;

@@ -37,7 +37,7 @@ class PlayerInput {
   void handle_events(std::span<const InputEvent> events, const GameSettings& settings);
   // Reads held keys, buttons and sticks; a held stick turns the aim for a time [s].
   void poll(const Window& window, double seconds, const GameSettings& settings);
-  // Releases all input; the next mouse motion begins at its position then.
+  // Releases all input; mouse motion is then measured from the next reported position.
   void release_all();
   void reset();
   // Turns the aim by these angles [rad], within the limits of the vehicle.

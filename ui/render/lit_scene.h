@@ -14,13 +14,12 @@
 
 namespace kerf {
 
-// The floor: a matt disc with a grid. Surfaces close to it darken it softly, and colour the ground around
-// them.
+// The ground: a matt disc with a grid. Surfaces close to it darken and tint it softly (contact shading).
 class GroundPass {
  public:
   explicit GroundPass(Shaders& shaders);
 
-  // Places the ground under these bounds, at this height [m] along the up axis.
+  // Places the ground below these bounds, at this height [m] along the up axis.
   void place_under(const World::Bounds& world, UpAxis up, double height);
   void fill_in(FrameUniforms& frame, const FrameSpace& space) const;
 
@@ -32,7 +31,7 @@ class GroundPass {
   // Draws the ground without lights, after the bodies and before the sky. `spot`: the spot of the beam
   // lights it. No-op if the eye is below the ground.
   void draw(const FrameSpace& space, bool spot) const;
-  // Draws its shape with the program in use, which contains ground.vert.
+  // Draws the disc with the program in use, which must contain ground.vert.
   void draw_disc(const FrameSpace& space) const;
   // The height in frame coordinates below which the ground hides everything; nullopt if the eye is below
   // it.
@@ -108,7 +107,7 @@ class LitScene {
   BodyPrograms body_;
   std::optional<BodyPrograms> textured_;  // loaded for the first body with maps
   bool draws_maps_ = false;               // in this frame
-  bool lacks_textured_ = false;           // they failed to load, so that maps are left out
+  bool lacks_textured_ = false;           // these programs failed to load: maps are not drawn
   gl::Program sky_, darken_;
   GroundPass ground_;
   ShadowPass shadows_;

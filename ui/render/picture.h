@@ -18,9 +18,9 @@
 
 namespace kerf {
 
-// Cuts the strokes of a scene. Unspecified settings of a stroke follow from the size of the world before
-// the first stroke (see default_settings). Calls `told` after every step. Stops at the first step that
-// fails, and if `progress` stops it; earlier cuts stay.
+// Cuts the strokes of a scene. Unspecified settings of a stroke follow from the size of the world before the
+// first stroke (see default_settings). Calls `told` after every step. Stops at the first step that fails, or
+// if `progress` stops it; earlier cuts remain.
 Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
                    const std::function<void(const StepResult&)>& told, const Progress* progress = nullptr);
 
@@ -97,11 +97,11 @@ struct FilmOptions {
   std::filesystem::path folder;   // existing; receives frame-00000.png and so on
 };
 
-// Films the replay of a document as numbered PNGs. Ticks take their own time. Strokes have a pace of the
-// film: the beam moves at a constant speed of one diagonal of the world in four seconds, measured at its
-// emitter or in the middle of the world, whichever is faster; a stroke during which more time passed by
-// ticks takes that time. The film pauses for half a second before the first stroke and after each stroke or
-// other command except Advance, unless bodies are in motion, and for a second at the end.
+// Renders the replay of a document as a film of numbered PNGs. Ticks are filmed in real time. In strokes the
+// beam moves at a constant speed of one diagonal of the world in four seconds, measured at its emitter or in
+// the middle of the world, whichever is faster; a stroke during which ticks take longer lasts as long as
+// these. The film pauses for half a second before the first stroke and after each stroke or other command
+// except AdvanceTime, unless bodies are in motion, and for a second at the end.
 class Film {
  public:
   // Writes the first frames, of an uncut scene. Fails like OffscreenRenderer::open, or if a frame cannot be
@@ -111,7 +111,7 @@ class Film {
   // Must be called after each step of the document, which contains at most one move of the beam. `step`
   // holds its changes, or is null if they are unknown. Fails if a frame cannot be written.
   Status follow(const Document& document, const StepResult* step);
-  // Follows a step without filming it.
+  // Like follow(), but writes no frames.
   void skip(const Document& document, const StepResult* step);
   Status end(const Document& document);
 
@@ -128,7 +128,7 @@ class Film {
   double speed_;      // m/s
   double clock_ = 0;  // s of the film
   Ticks ticks_ = 0;   // of the world's clock, filmed so far
-  double ahead_ = 0;  // s of ticks in a stroke not yet covered by its moves
+  double ahead_ = 0;  // s of filmed ticks in a stroke that its moves do not cover yet
   Pose beam_;         // last pose
   size_t frames_ = 0;
 };

@@ -31,12 +31,12 @@ class Renderer {
   // Compiles the shaders in assets/shaders. Fails if one of them is missing or does not compile.
   static Result<Renderer> create();
 
-  // Starts to show a world. `prepared` has its bodies as loaded, by Body::loaded_as; the smooth normals of
-  // others are computed from their faces, which should be as loaded.
+  // Starts showing a world. `prepared` holds its bodies as loaded, by Body::loaded_as; for missing bodies,
+  // smooth normals are computed from their faces, which should be as loaded.
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
-  // Follows a change of the shown world; `world` is its state afterwards. Adds, drops and carries over
-  // individual bodies; changed faces are uploaded with the next frame. A body that only moved uploads
-  // nothing. `prepared` may lack created bodies.
+  // Updates the renderer after a change of the shown world; `world` is the state after the change. Adds,
+  // removes and renames individual bodies; uploads changed faces with the next frame. Nothing is uploaded for
+  // a body that only moved. `prepared` may lack created bodies.
   void follow(const World& world, const Delta& delta, PreparedBodies prepared = {});
   // Uploads every face of the world again, in case a Delta was lost. `prepared` may lack bodies, and the
   // bases of bodies that are already shown.
@@ -183,7 +183,7 @@ class Renderer {
   std::optional<HeatMoment> heat_of_;
   uint32_t finest_ = 0;  // maximum halvings of a face
   bool contact_old_ = true;
-  bool shining_ = false;  // the last frame contains something that glows
+  bool shining_ = false;  // the last frame contains glowing pixels
   size_t uploaded_ = 0;
   uint32_t max_faces_sent_ = DirtySlots::kAll;
   size_t differing_ = 0;

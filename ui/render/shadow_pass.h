@@ -51,8 +51,8 @@ class VolumeBuffer {
 
   // Binds the signs of a chunk for `program`, which contains shadow_cap.vert and is in use.
   void bind_signs(const gl::Program& program, size_t chunk) const;
-  // Draws every side once per unit of its multiplicity, with `vertices_of_side` vertices each.
-  // Precondition: `program`, which contains shadow_side.vert, is in use.
+  // Draws every side |multiplicity| times, with `vertices_of_side` vertices each. Precondition: `program`,
+  // which contains shadow_side.vert, is in use.
   void draw_sides(const gl::Program& program, int vertices_of_side) const;
   // Draws one instance of `vertices` vertices per edge, whatever its multiplicity.
   void draw_edges(int vertices) const;
@@ -110,11 +110,13 @@ class ShadowPass {
   // Discards all shadows, for another world or after a lost Delta.
   void forget() { bodies_.clear(); }
   void forget(BodyId id) { bodies_.erase(id); }
-  // Renames the body `from` to `to`, with its shadows.
+  // Moves the shadows of the body `from` to the id `to`.
   void carry_on(BodyId from, BodyId to);
-  // Follows changes of faces. Added or removed bodies must be adopted or forgotten.
+  // Updates the casters after changes of faces. The caller must adopt created bodies and forget destroyed
+  // ones.
   void follow(const Delta& delta);
-  // Takes over a shadow caster of a body, in its drawing frame. Precondition: the caster is not null.
+  // Takes ownership of the shadow caster of a body, in the frame in which the body is drawn. Precondition:
+  // the caster is not null.
   void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) {
     KERF_ASSERT(caster != nullptr);
     bodies_[id].caster = std::move(caster);
@@ -123,9 +125,9 @@ class ShadowPass {
   // Counts the shadow of a light of subject.options into the stencil of the bound framebuffer, within the
   // scissor. Casters must be in the depth buffer, drawn with `clip_from_frame * vec4(placed(...), 1.0)` and
   // an invariant position, with depth func GL_LESS. Afterwards a pixel is lit if its stencil is 0, and with
-  // kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no shadow.
-  // If everything below the height `hidden_below` (frame coordinates) is hidden, volumes of light from
-  // above end there: the area they cover beyond takes most of the time of a software renderer.
+  // kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no shadow. If
+  // everything below the height `hidden_below` (frame coordinates) is hidden, volumes of light from above end
+  // at that height, because a software renderer would spend most of its time on the area below.
   void count(const Subject& subject, size_t light, ShadowMethod method,
              std::optional<float> hidden_below = std::nullopt);
 

@@ -140,7 +140,7 @@ void report_opened(Message& message, const LoadedFiles& loaded) {
   if (!loaded.refused.empty()) report_refused(message, loaded);
 }
 
-// Records how much of the open work is saved, and where.
+// Records which part of the open document is saved, and where.
 void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
                         const std::vector<Light>& lights) {
   const LoadOrder& order = loaded.order;

@@ -17,41 +17,42 @@
 
 namespace kerf {
 
-// Returns true if the file of the open work lacks commands, these lights, or feature entries in its head.
+// Returns true if the file of the open document lacks commands, these lights, or feature entries in its head.
 bool is_unsaved(const DocumentSession& session, const std::vector<Light>& lights);
-// Returns true if anything but cooling happened since the last save: undone changes are not unsaved, but can
-// be redone after a crash.
+// Returns true if the recovery file is needed, i.e. if anything but cooling happened since the last save.
+// Includes undone changes, which is_unsaved() ignores, so that they can be redone after a crash.
 bool is_to_be_kept(const DocumentSession& session, const std::vector<Light>& lights);
 
-// Returns the displayed name of the open work: that of its file, or of the file that it was opened from.
+// Returns the displayed name of the open document: that of its file, or of the file from which it was opened.
 std::string name_of_work(const DocumentSession& session);
 
 // Returns the title of the window: "car.kerf* - Kerf", with the star if something is unsaved.
 std::string window_title(const DocumentSession& session, const std::vector<Light>& lights);
 
-// Suggests a name for a new file of the open work: "car.kerf".
+// Suggests a name for a new file of the open document: "car.kerf".
 std::string suggested_name(const DocumentSession& session);
 
-// Returns the scene of the open work with the current view and lights.
+// Returns the scene of the open document with the current view and lights.
 SceneDescription scene_now(const DocumentSession& session, const ViewState& view);
 
-// Saves the open work: as a journal, which Save writes from then on, or, if the name ends in .json, as a
-// scene without the cuts. A name with neither ending gets .kerf. The previous version is kept with a ~ added
-// to its name. The file becomes the first recent one. Reports the result in the status bar. Returns true if
-// all of the work is saved.
+// Saves the open document: as a journal, which becomes the file of Save, or, if the name ends in .json, as a
+// scene without the cuts. A name with neither extension gets .kerf. The previous version is kept with a ~
+// added to its name. The file becomes the first recent one. Reports the result in the status bar. Returns
+// true if all changes are saved.
 bool save_work(DocumentSession& session, const ViewState& view, std::filesystem::path file,
                Settings& settings, Message& message);
 
-// Keeps unsaved work on disk while the editor runs, so that the next session can recover it; see Autosave.
+// Stores unsaved changes on disk while the editor runs, so that the next session can recover them; see
+// Autosave.
 class Recovery {
  public:
   Recovery() : autosave_(state_folder()) {}
 
-  // Starts again for another open work, or another file of it, once there is something to keep.
+  // Restarts for another document, or another file of the document, once there are unsaved changes.
   void begin(const DocumentSession& session, const ViewState& view);
-  // Called once a frame: passes unsaved changes on to the disk, and discards saved ones. Changes by a drag
-  // of the mouse are kept when it ends. Reports a failure in the status bar, once, and retries every second.
-  // Returns true if the last try succeeded.
+  // Called once per frame: writes unsaved changes to the disk, and discards saved ones. Writes changes by a
+  // drag of the mouse when it ends. Reports a failure in the status bar, once, and retries every second.
+  // Returns true if the last attempt succeeded.
   bool follow(DocumentSession& session, const ViewState& view, bool mouse_moves, Message& message);
   // Finishes writing to the disk; called while the editor waits.
   void flush() { autosave_.flush(); }
@@ -61,63 +62,64 @@ class Recovery {
   using Clock = std::chrono::steady_clock;
 
   Autosave autosave_;
-  std::vector<Light> lights_;  // that are kept
-  std::string head_;           // SceneDescription::others that is kept
-  bool well_ = true;           // the last try succeeded
+  std::vector<Light> lights_;  // as stored
+  std::string head_;           // SceneDescription::others as stored
+  bool well_ = true;           // the last attempt succeeded
   Clock::time_point failed_at_;
 };
 
-// Decisions about unsaved work before closing, and about work left by crashed editors.
+// Decisions of the user about unsaved changes before closing, and about recoverable documents of crashed
+// editors.
 
 struct Decisions {
   Question question;
   enum class About { kUnsaved, kRecovery };
   About about = About::kUnsaved;  // valid while the question is open
-  std::function<void()> leaving;  // waits for the decision about unsaved work
+  std::function<void()> leaving;  // action that waits for the decision about unsaved changes
 };
 
-// Returns true if the open work can be closed at once; otherwise stores `then` in `leaving` and asks the
+// Returns true if the open document can be closed at once; otherwise stores `then` in `leaving` and asks the
 // user. Precondition: no other question is open.
 bool may_leave(Decisions& decisions, const DocumentSession& session, const std::vector<Light>& lights,
                const std::function<void()>& then);
 
-// Asks about the first of the recoverable work, if there is any.
+// Asks about the first recoverable document, if there is one.
 void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocument>& recoverable);
 
 enum class Decision {
   kNone,
   kLeave,      // run `leaving`
-  kSaveFirst,  // save the work, then run it
-  kGoOn,       // open the first of the recoverable work
+  kSaveFirst,  // save the document, then run `leaving`
+  kGoOn,       // open the first recoverable document
 };
 
-// Takes the answer to the question, once, and does everything that needs no frame loop: discards recoverable
-// work, closes the question, asks the next one.
+// Processes the answer to the question, once, as far as that is possible without the frame loop: discards
+// recoverable documents, closes the question, and asks the next one.
 Decision take_decision(Decisions& decisions, std::vector<RecoverableDocument>& recoverable);
 
 // Shows a partially replayed file on the empty stage. The first time, the camera frames it.
 void show_partial_replay(Workspace& workspace, PartialReplay replay);
-// Replaces the open work by files that were read, and frames it with the camera unless it was shown before.
+// Replaces the open document by loaded files, and frames it with the camera unless it was already shown.
 void show_loaded(Workspace& workspace, LoadedFiles loaded);
 
-// Opens files in place of the open work. All but the small default scene are read in the background.
+// Opens files in place of the open document. All except the small default scene are read in the background.
 class FileOpener {
  public:
-  // Both must outlive it.
+  // The arguments must outlive it.
   FileOpener(Workspace& workspace, Recovery& recovery) : workspace_(workspace), recovery_(recovery) {}
 
-  // Opens scenes and meshes, or none, at startup. While they are read, an empty stage is shown, and on it the
-  // partial replay; the default scene if they cannot be read. Fails if there are none and the default scene
-  // cannot be read.
+  // Opens scenes and meshes, or none, at startup. While they are read, shows an empty stage with the partial
+  // replay; if they cannot be read, shows the default scene. Fails if there are no files and the default
+  // scene cannot be read.
   Status open_first(std::filesystem::path default_scene, const std::vector<std::filesystem::path>& files);
-  // Opens files, or the default scene. Precondition: the open work is saved or may be discarded.
+  // Open files, or the default scene. Precondition: the open document is saved or may be discarded.
   void open(std::vector<std::filesystem::path> files);
   void open_fresh();
-  // Opens the first recovered work. Precondition: there is one.
+  // Opens the first recoverable document. Precondition: there is one.
   void open_recovered();
 
-  // Called between two frames: shows files that were read. The default scene replaces an empty stage when no
-  // file is being read for it.
+  // Called between two frames: shows loaded files. If the stage is empty and no file is being read, shows the
+  // default scene.
   void take_loaded();
   // Called after take_loaded(): prepares shadow casters of a large scene in the background, after a frame.
   void make_shadows();
@@ -138,10 +140,10 @@ class FileOpener {
   bool shadows_due_ = false;  // the shadow casters of the opened scene are not prepared yet
 };
 
-// Asks at the right border of the viewport, under the axes gizmo, for the unit and the up axis of an opened
-// mesh file, with the guess preselected, and shows how large the world (of this `size`, in file units) is in
-// that unit and in the one most often confused with it. Not modal: the question disappears when a stroke
-// begins (`cut_once`), and once answered is not asked again for this kind of file.
+// Asks for the unit and the up axis of an opened mesh file, at the right border of the viewport under the
+// axes gizmo. Preselects the guess, and shows the size of the world (`size`, in file units) in that unit and
+// in the one most often confused with it. Not modal: the question disappears when a stroke begins
+// (`cut_once`), and is asked only once per kind of file.
 void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, bool cut_once);
 
 }  // namespace kerf

@@ -247,7 +247,7 @@ class FilesFeature : public Feature {
       workspace_.session.saved_head = workspace_.session.scene.others;
     });
   }
-  // Calls `then`, which closes the open work, once that is saved or may be discarded.
+  // Calls `then`, which closes the open document, once the document is saved or may be discarded.
   void leave_for(std::function<void()> then) {
     workspace_.changes.enqueue(
         {.name = "Leave",

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// The state from which the tour sees that a step is done.
+// The state from which the tour detects that a step is done.
 struct TourMoment {
   size_t position = 0;  // of the history
   bool cuts = false;    // a stroke is drawn or being cut
@@ -20,7 +20,7 @@ struct TourMoment {
 };
 TourMoment tour_moment(const Workspace& workspace);
 
-// A step of the tour: its task, the part of the window that it points at, and when it is done.
+// A step of the tour: its task, the part of the window to which it points, and the condition for its end.
 struct TourStep {
   std::string title, text;
   const char* part = "";  // a landmark; empty: the viewport
@@ -38,9 +38,10 @@ class Tour {
   void end() { steps_.clear(); }
   bool is_on() const { return !steps_.empty(); }
 
-  // Called once a frame while it is on: continues when the step is done.
+  // Called once per frame while the tour is on: continues when the step is done.
   void follow(const TourMoment& now);
-  // Continues regardless, and ends after the last step. Precondition of this and the following: it is on.
+  // Skips to the next step, or ends the tour after the last one. Precondition of this and the following:
+  // is_on().
   void skip(const TourMoment& now);
   void go_back(const TourMoment& now);
   const TourStep& step() const;

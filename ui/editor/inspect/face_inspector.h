@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-// Facts about one face. Edge i goes from corner i to the next one.
+// Properties of one face. Edge i runs from corner i to the next corner.
 struct FaceFacts {
   FaceId face;
   FaceId loaded;     // face of the file that contains it
@@ -22,20 +22,20 @@ struct FaceFacts {
   uint32_t piece = 0;
   double area = 0;                                // m^2
   std::array<double, 3> edges{};                  // m
-  std::array<double, 3> angles{};                 // degrees, at the corners; 0 where an edge has no length
+  std::array<double, 3> angles{};                 // degrees, at the corners; 0 at an edge without length
   TreeSlot slot;                                  // in the tree
   std::array<std::vector<FaceId>, 3> neighbours;  // other faces on each edge: none on a border
   double temperature = kAmbient;                  // K
   double hottest = kAmbient;                      // K, recorded maximum
 };
 
-// Computes the facts. Precondition: the face is live. O(faces on its edges).
+// Computes the properties of a face. Precondition: the face is live. O(faces on its edges).
 FaceFacts face_facts(const Body& body, FaceId face);
 
-// Formats the facts as lines, with lengths in file units.
+// Formats the properties as lines of text, with lengths in file units.
 std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit);
 
-// The temperature over world time of the point that was last clicked with the inspect tool. The curve
+// Records the temperature over world time of the point last clicked with the inspect tool. The curve
 // continues while that tool or the temperature view is active; another click or an undo of time restarts it.
 class HeatProbe {
  public:
@@ -44,7 +44,7 @@ class HeatProbe {
     double temperature = kAmbient;
   };
 
-  // Called once a frame, while the world does not change, with the last clicked point. `inspects`: the
+  // Called once per frame, while the world does not change, with the last clicked point. `inspects`: the
   // inspect tool is active.
   void follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked, bool inspects);
 
@@ -64,7 +64,7 @@ class HeatProbe {
 // Draws the curve in the lower right corner of the viewport, once it has two samples.
 void draw_heat_probe(const HeatProbe& probe, const Area& picture);
 
-// A kept measurement between two points of the world [m].
+// A measurement between two points of the world [m].
 struct RulerMark {
   std::string name;
   Vec3 from{0}, to{0};
@@ -77,10 +77,10 @@ class RulerList {
  public:
   const std::vector<RulerMark>& marks() const { return marks_; }
 
-  // Begins a step of the undo, for the edits until the next call.
+  // Begins an undo step, which contains all edits until the next call.
   void begin_edit();
-  // Edits. Precondition of all: begin_edit() was called, and the list has the mark. add() gives the mark an
-  // unused name: "Distance 1".
+  // Edits. Preconditions: begin_edit() was called, and the index exists. add() assigns an unused name:
+  // "Distance 1".
   void add(const Vec3& from, const Vec3& to);
   void move(size_t mark, bool to_end, const Vec3& at);
   void rename(size_t mark, std::string name);
@@ -91,8 +91,8 @@ class RulerList {
   void undo();
   void redo();
 
-  // Convert the marks to the entry in the head of a document, null without marks, and back: unreadable
-  // entries are left out, and nothing can be undone.
+  // Convert the measurements to the entry in the head of a document (null if there are none), and back.
+  // Reading omits invalid measurements and clears the undo steps.
   nlohmann::json to_json() const;
   void read(const nlohmann::json& entry);
 

@@ -9,8 +9,8 @@ struct ImDrawList;
 
 namespace kerf {
 
-// Pace of pulsed fire. Shots are due at equal intervals; shots not taken in time are dropped, so that slow
-// frames cause gaps rather than bursts.
+// Schedule of pulsed fire. Shots are due at equal intervals; overdue shots are dropped, so that slow frames
+// cause gaps rather than bursts.
 class FirePace {
  public:
   static constexpr double kSlowest = 0.1, kFastest = 60;  // shots/s
@@ -42,7 +42,7 @@ struct EmitterHandle : GizmoHandle {
 class Emitter {
  public:
   bool placed() const { return placed_; }
-  // Places it at a point [m, world], aimed at another one. Precondition: the points differ.
+  // Places the emitter at a point and aims it at another one [m, world]. Precondition: the points differ.
   void place(const Vec3& at, const Vec3& target);
   // Removes it from the scene. The caller ends a stroke in progress.
   void remove() { placed_ = firing = false; }

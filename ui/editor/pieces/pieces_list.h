@@ -36,7 +36,7 @@ void draw_rubber_band(const RubberBand& band, ImDrawList& list);
 // box; Shift adds them to the selection.
 std::unique_ptr<Interaction> press_on_pieces(Workspace& workspace);
 
-// Hides all pieces except the selected ones, and shows again only those that it hid.
+// Isolates pieces: hides all pieces except the selected ones, and later shows only those that it hid.
 class Isolation {
  public:
   // The workspace must outlive it.
@@ -59,8 +59,8 @@ class Isolation {
   std::optional<std::vector<BodyId>> hidden_before_;  // while an isolation is in progress
 };
 
-// Small switches in the rows of a list, drawn as an eye and a pin in a square as high as the text. They
-// return true if clicked.
+// Small switches in the rows of a list, drawn as an eye (open: visible) and a pin, as high as the text.
+// Return true if clicked.
 
 // An open eye: the item is visible.
 bool eye_switch(bool open, const char* meaning);

@@ -25,8 +25,7 @@
 
 namespace kerf {
 
-// Entries of features in the head of a document, in addition to those of every scene
-// (SceneDescription::others).
+// Entries that features store in the head of a document (SceneDescription::others).
 
 // Returns the entry of a key, or null.
 nlohmann::json head_entry(const SceneDescription& scene, const char* key);
@@ -88,7 +87,7 @@ struct LoadedFiles {
   bool shadows_later = false;  // shadow casters of a large world are not prepared yet
   std::vector<StateMark> marks;
   bool damaged = false;                 // part of the journal could not be read
-  Ticks skipped = 0;                    // not simulated: bodies were placed at their recorded poses
+  Ticks skipped = 0;                    // not simulated: bodies were set to their recorded states
   std::string notes;                    // repairs of the first file that needed any
   std::string fault;                    // of the strokes or the journal, a sentence or empty
   std::optional<Error> cannot_be_kept;  // reason why the work cannot be saved
@@ -140,14 +139,14 @@ class FileLoader {
 // The open document, its origin and its saved state.
 struct DocumentSession {
   Document document;
-  std::vector<std::filesystem::path> files;  // that the document was read from
+  std::vector<std::filesystem::path> files;  // files from which the document was read
   std::optional<World> as_loaded;            // a copy; nullopt if the world is too large
   std::map<std::string, Paint> paints;
 
   SceneDescription scene;      // as opened
   std::filesystem::path file;  // the journal that Save writes; empty: none yet
   std::vector<StateMark> marks;
-  size_t saved_commands = 0;        // of the document's journal; kNothing: not even the opened state
+  size_t saved_commands = 0;        // number of journal commands saved; kNothing: not even the opened state
   std::vector<Light> saved_lights;  // in the file
   std::string saved_head = "{}";    // SceneDescription::others in the file
 
@@ -169,7 +168,7 @@ struct Opening {
   std::vector<RecoverableDocument> recoverable;  // of crashed editors, not offered yet
 };
 
-// Cancels reading and reports it; the open work is unchanged. Precondition: the loader is busy.
+// Cancels reading and reports it; the open document is unchanged. Precondition: the loader is busy.
 void cancel_opening(Opening& opening, Message& message);
 
 }  // namespace kerf

@@ -17,57 +17,58 @@ namespace kerf {
 
 struct EditorOptions;
 
-// Content of a panel, or of a part of one. catalogue.h states the panel.
+// The content of a panel, or of a part of one; catalogue.h assigns it to a panel.
 struct PanelPart {
   const char* id;  // "laser.beam"
   std::function<void()> draw;
 };
 
-// A part of the editor with its panels, overlay, actions, keys and mouse input. Features are independent of
-// each other; they share parts of the Workspace. The frame loop calls each function for all features, in
+// A feature of the editor with its panels, overlay, actions, keys and mouse input. Features are independent
+// of each other; they share parts of the Workspace. The frame loop calls each function for all features, in
 // the order of make_features().
 class Feature {
  public:
   virtual ~Feature() = default;
 
-  // Called once, at the start, in any order. The results may refer to the feature.
+  // Called once at startup, in any order. The results may refer to the feature.
   virtual std::vector<PanelPart> panel_parts() { return {}; }
   virtual std::vector<UserAction> actions() { return {}; }
   virtual std::vector<Gesture> gestures() const { return {}; }
 
-  // Input. The first feature that returns true consumes an event: keys before actions, mouse events before
-  // interactions. `in_picture`: the pointer is over the viewport and no panel.
+  // Handles an input event. The first feature that returns true consumes it: keys before actions, mouse
+  // events before interactions. `in_picture`: the pointer is over the viewport and not over a panel.
   virtual bool handle_event(const InputEvent&, bool /*in_picture*/) { return false; }
-  // Begins the interaction of a press; null: not handled by this feature.
+  // Begins the interaction of a press; null if this feature does not handle it.
   virtual std::unique_ptr<Interaction> begin_interaction(const Press&) { return nullptr; }
-  // Esc. All features cancel work in progress; if none did, the first that clears a selection returns true.
+  // Called on Esc: cancel() for all features, to cancel work in progress; if all return false,
+  // clear_selection() until one returns true. Both return true if they had an effect.
   virtual bool cancel() { return false; }
   virtual bool clear_selection() { return false; }
-  // Returns true while a new text field waits for the keyboard focus, which holds back typed keys.
+  // Returns true while a new text field waits for the keyboard focus; typed keys are deferred meanwhile.
   virtual bool awaits_focus() const { return false; }
-  // Action of the left button, for the status bar; null: none.
+  // Returns the action of the left button for the status bar; null if there is none.
   virtual const char* status_hint() const { return nullptr; }
 
-  // Called at the start, before waiting for input, and at the end.
+  // Called at startup, before the frame loop waits for input, and at exit.
   virtual Status on_start(const EditorOptions&) { return Done{}; }
   virtual void on_idle() {}
   virtual void on_exit(bool /*left_by_user*/) {}
 
-  // Once a frame, after the requested changes: advances time [s].
+  // Called once per frame, after requests were processed: advances time by `seconds`.
   virtual void update(double /*seconds*/) {}
-  // Once a frame, after the queue of the document was processed.
+  // Called once per frame, after the queue of the document was processed.
   virtual void after_queue(double /*seconds*/) {}
   // Returns true if the next frame is needed without input.
   virtual bool needs_redraw() const { return false; }
 
   virtual void on_world_changed(const Delta&) {}
-  // Called after another document was opened; resets state of the last one.
+  // Called after another document was opened; resets the state of the previous one.
   virtual void on_document_opened() {}
 
   virtual void draw_overlay(ImDrawList&) {}
-  // Draws windows, and everything above the panels.
+  // Draws windows and other items above the panels.
   virtual void draw_windows() {}
-  // Called when the viewport without panels, or the whole window, is drawn but not displayed yet.
+  // Called when the viewport without panels, or the whole window, has been drawn but is not displayed yet.
   enum class Captured { kPicture, kWindow };
   virtual void on_captured(Captured) {}
   virtual void add_landmarks(Landmarks&) const {}
@@ -83,7 +84,8 @@ std::unique_ptr<Feature> recent_feature(Workspace& workspace);
 std::unique_ptr<Feature> welcome_feature(Workspace& workspace);
 // The steps of the history: undo, redo, and jumps to any step.
 std::unique_ptr<Feature> history_feature(Workspace& workspace);
-// The laser at the pointer: its beam and resolution, the stroke being drawn, and the last one's recut.
+// The laser at the pointer: its beam and resolution, the stroke being drawn, and the recut of the last
+// stroke.
 std::unique_ptr<Feature> laser_feature(Workspace& workspace);
 // The sheet of the pieces, and how the beam heats it.
 std::unique_ptr<Feature> material_feature(Workspace& workspace);
@@ -105,11 +107,11 @@ std::unique_ptr<Feature> transform_feature(Workspace& workspace);
 std::unique_ptr<Feature> prepare_feature(Workspace& workspace);
 // The view: the camera, the axes gizmo, the view options with their legends, and the theme of the panels.
 std::unique_ptr<Feature> view_feature(Workspace& workspace);
-// The lights and their shadows: their panel, and handles of the lights while it is unfolded.
+// The lights and their shadows: their panel and, while it is unfolded, handles of the lights.
 std::unique_ptr<Feature> light_feature(Workspace& workspace);
 // The section plane: its handles in the viewport, its numbers in the View panel, and its actions.
 std::unique_ptr<Feature> section_feature(Workspace& workspace);
-// Facts about a face, the distance between two points, and the temperature of a point over time.
+// Properties of a face, the distance between two points, and the temperature of a point over time.
 std::unique_ptr<Feature> inspect_feature(Workspace& workspace);
 // The component graph of the last stroke or of a piece, with its traversal.
 std::unique_ptr<Feature> graph_feature(Workspace& workspace);
@@ -119,8 +121,8 @@ std::unique_ptr<Feature> tree_feature(Workspace& workspace);
 std::unique_ptr<Feature> statistics_feature(Workspace& workspace);
 // Colours the faces by a quantity, with its histogram and an adjustable range.
 std::unique_ptr<Feature> scalar_map_feature(Workspace& workspace);
-// Kept measurements between two points of surfaces, which can be named, moved, listed, exported as CSV, and
-// are saved in the head of the document.
+// Persistent measurements between two points of surfaces, which can be named, moved, listed and exported as
+// CSV. They are saved in the head of the document.
 std::unique_ptr<Feature> ruler_feature(Workspace& workspace);
 
 }  // namespace kerf

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// A frame is the displayed unit and up axis of the open work. Positions keep the values of the file.
+// Frames: the displayed unit and up axis of the open document. Positions keep the values of the file.
 
 // Returns the format under which frames are remembered, such as "stl", of the mesh file that a scene
 // consists of; empty for a scene of several bodies or of an unknown format.

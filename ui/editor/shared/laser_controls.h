@@ -44,7 +44,7 @@ struct LaserControls {
   double planned_speed = 0;          // m/s, of the next strokes if they are planned; 0: unknown
 
   static constexpr double kMinPower = 1, kMaxPower = 20'000;
-  // The radius ranges from the default over this to the default times this.
+  // Limit of the radius: the default divided or multiplied by this factor.
   static constexpr double kRadiusSpan = 20;
 
   double width_of_heat() const { return heat_width.value_or(default_heat_width(radius)); }
@@ -81,11 +81,11 @@ bool resolution_rows(ResolutionControls& to, const ShownRadius& radius);
 // off the pointer, because the emitter is near the eye.
 class LaserTool {
  public:
-  // x and y of the pointer are as in CameraView::ray; `pixel` is the size of a pixel in y; `time` is the
-  // time of the event [s] on a monotonic clock, which the poses of the stroke store. The document receives a
-  // stroke when its beam meets a body, so that a miss leaves no history step and no command in the journal.
-  // While time passes, bodies may move into the beam: then a stroke begins when the pointer has moved
-  // further than a click allows.
+  // x and y of the pointer are as in CameraView::ray; `pixel` is the size of a pixel in y; `time` is the time
+  // of the event [s] on a monotonic clock, which the poses of the stroke store. The document receives a
+  // stroke once its beam hits a body, so that a miss leaves no history step and no command in the journal.
+  // While time passes, bodies may move into the beam; the document then receives the stroke once the pointer
+  // has moved farther than in a click.
   void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
              double time);
   void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double time);
@@ -94,20 +94,20 @@ class LaserTool {
   // fire() is called while no stroke is drawn, the distance is positive, and directions are unit vectors.
   void fire(Document& document, const Pose& pose, double distance, const CutSettings& settings, double time);
   void carry_to(Document& document, const Pose& pose, double time);
-  // Lets a still beam of the thermal model go on emitting; called once a frame with the present time. No-op
-  // while moves are queued; the next call makes up for the time.
+  // Continues the emission of a stationary beam of the thermal model; called once per frame with the current
+  // time. No-op while moves are queued; the next call then covers the missed time.
   void hold_beam(Document& document, double time);
-  // Returns true if a stroke ended that met nothing.
+  // Ends the stroke. Returns true if its beam hit no body.
   bool release(Document& document);
-  // Sets whether bodies move by themselves; called once a frame.
+  // Sets whether bodies move by themselves; called once per frame.
   void follow_time(Document& document, bool passes);
 
   bool cutting() const { return cutting_; }
   // Returns true if the beam heats its target.
   bool emits() const { return cutting_ && held_.empty() && settings_.model == Model::kThermal; }
 
-  // Shows the beam of a stroke that was drawn earlier, or elsewhere, and is cut again: as in its settings,
-  // from about `emitter` [m] away. No-op while a stroke is drawn.
+  // Shows the beam of a stroke that is cut again, or that was not drawn with this tool: with the given
+  // settings and at a distance of about `emitter` [m]. No-op while a stroke is drawn.
   void take_over(const CutSettings& settings, double emitter);
   // Records the pose that the cut has reached, which may lag behind the pointer. The beam is drawn there.
   void reach(const Pose& pose) { beam_ = pose; }

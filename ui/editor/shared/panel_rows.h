@@ -13,7 +13,7 @@ namespace kerf {
 // Returns the key bound to an action; empty if it has none.
 std::string shortcut_of(const ViewState& view, const std::string& action);
 
-// Returns a sentence with the key of an action, if any, in brackets before its full stop: "Hides it (H)."
+// Inserts the key of an action, if any, in brackets before the full stop of a sentence: "Hides it (H)."
 std::string with_shortcut(const ViewState& view, std::string sentence, const std::string& action);
 
 // Draws a view switch as a check box, or as radio buttons if it has more than two states, with its key and

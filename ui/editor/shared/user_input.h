@@ -15,43 +15,42 @@ struct ImDrawList;
 
 namespace kerf {
 
-// Something that the user can ask for by menu, by key and by name. The menus, the keys, the command palette
-// and the sheet of shortcuts are all made from one list of these.
+// An action of the user, available by menu, by key and in the command palette. Menus, keys, the command
+// palette and the list of shortcuts are all generated from one list of actions.
 struct UserAction {
   std::string id = {};        // "edit.undo"; empty for the items of a submenu
-  std::string name;           // as the user reads it
-  std::string shortcut = {};  // as parse_chord() reads it; empty: none
-  int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
+  std::string name;           // displayed
+  std::string shortcut = {};  // in the syntax of parse_chord(); empty: none
+  int pad_key = 0;            // alternative key, GLFW_KEY_KP_*; 0: none
   std::string tip = {};
   std::function<std::optional<TipPicture>()> tip_picture = {};  // under the tip; empty: none
   std::function<void()> run = {};
-  std::function<bool()> checked = {};  // empty: not a switch
+  std::function<bool()> checked = {};  // state of a switch; empty: not a switch
   std::function<const char*()> disabled_reason =
-      {};  // a sentence where it cannot be done at the moment, or null
-  // Where it is set, the key belongs to the action only while this holds, and then to no other action.
+      {};  // returns why the action is disabled, a sentence, or null
+  // If set, the key triggers this action while this returns true, and then no other action.
   std::function<bool()> has_key_when = {};
-  // The actions of a submenu, as they are at the moment, in place of `run`. They have neither keys nor
-  // submenus.
+  // The current actions of a submenu, instead of `run`. They have neither keys nor submenus.
   std::function<std::vector<UserAction>()> items = {};
-  const char* menu = nullptr;  // set by the layout table, as are the next two
+  const char* menu = nullptr;  // set by the layout table, like the next two
   bool in_menu = true;         // false: only the command palette offers it
   bool ends_group = false;     // a separator follows in the menu
   int key = 0, mods = 0;       // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
 
-  // Why it cannot be done at the moment; null where it can.
+  // Returns why the action is disabled, a sentence, or null.
   const char* objection() const { return disabled_reason ? disabled_reason() : nullptr; }
-  // Gives it the key that a text names; a text that names none takes its key.
+  // Sets the key from a text in the syntax of parse_chord(); removes the key if the text names none.
   void set_shortcut(const std::string& text);
 };
 
-// Whether an action is possible, checked, and has its key at the moment; see UserAction.
+// The current state of an action: enabled, checked, and in possession of its key; see UserAction.
 struct ActionState {
   std::function<const char*()> disabled_reason = {};
   std::function<bool()> checked = {};
   std::function<bool()> has_key_when = {};
 };
 
-// Returns an action; an empty shortcut is none.
+// Returns an action; an empty `shortcut` means none.
 inline UserAction make_action(std::string id, std::string name, std::string shortcut, std::string tip,
                               std::function<void()> run, ActionState state = {}) {
   return {.id = std::move(id),
@@ -74,7 +73,7 @@ UserAction setting_action(
                      {.checked = [&value, set] { return value == set; }});
 }
 
-// Appends the lists to each other.
+// Concatenates lists of actions.
 std::vector<UserAction> joined(std::vector<std::vector<UserAction>> lists);
 
 // A mouse gesture in the viewport, for the list of shortcuts.
@@ -93,7 +92,7 @@ struct Press {
   bool shift = false, control = false;
 };
 
-// A use of the mouse from the press of a button in the viewport until its release. The pointer is at
+// A mouse interaction, from the press of a button in the viewport until its release. The pointer is at
 // PointerInput::pointer; events carry their time and the modifier keys.
 class Interaction {
  public:
@@ -101,12 +100,12 @@ class Interaction {
 
   virtual void move(const InputEvent&) {}
   virtual void release(const InputEvent&) {}
-  // Esc. Returns true if this ends the interaction.
+  // Called on Esc. Returns true if the interaction ends.
   virtual bool cancel() { return false; }
-  // Returns true if it ends before the button is released.
+  // Returns true if the interaction has ended although the button is still held.
   virtual bool over() const { return false; }
 
-  // Returns true if it draws a stroke, which handles must not obstruct.
+  // Returns true if the interaction draws a stroke, which handles must not obstruct.
   virtual bool cuts() const { return false; }
   // Text for the status bar; null: none.
   virtual const char* words() const { return nullptr; }

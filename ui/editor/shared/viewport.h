@@ -13,14 +13,14 @@
 
 namespace kerf {
 
-// The view of the open world, and its area in the window.
+// The view of the open document, and its area in the window.
 struct ViewState {
   Camera camera;
   ViewOptions look;
   PieceNumbers numbers;         // of the pieces in `look`
   FileFrame frame;              // in which the world is shown; its up axis is the camera's
   std::string frame_asked_for;  // mesh format whose frame the user is asked about; empty: none
-  std::optional<View> home;     // requested by the scene
+  std::optional<View> home;     // initial view, from the scene
   double spread = 0;            // displacement of pieces over their distance from the centre of the world
   Layout layout;
   Area legends;                                  // the part of the viewport that legends cover
@@ -28,14 +28,14 @@ struct ViewState {
   const World* second_world = nullptr;           // in the right half of a split view; null: not split
   bool in_second = false;   // the pointer is in the right half of a split view, or its drag began there
   bool picture_old = true;  // the viewport needs a redraw
-  bool heat_old = false;    // its temperatures do, after cooling
+  bool heat_old = false;    // the temperatures in the viewport need a redraw, after cooling
 
   // The half of the viewport under the pointer, or all of it if it is not split.
   const Area& pane() const { return in_second ? layout.second : layout.first; }
   double aspect() const { return pane().size.x / pane().size.y; }
   // The camera with the aspect ratio of that half.
   CameraView seen() const { return camera.view(aspect()); }
-  // The camera with that of the first half, which alone shows the open document.
+  // The camera with the aspect ratio of the first half, which alone shows the open document.
   CameraView seen_first() const { return camera.view(layout.first.size.x / layout.first.size.y); }
   // Convert screen coordinates to those of CameraView::ray, in the pointer's half or in the first.
   Vec2 in_picture(Vec2 at) const;
@@ -61,7 +61,7 @@ class FirstPicture {
   const CameraView& camera() const { return camera_; }
   double em() const { return em_; }  // size of the text
 
-  // Projects a point of the world; nullopt behind the eye.
+  // Projects a point of the world; nullopt if it lies behind the eye.
   std::optional<Vec2> place_of(const Vec3& p) const;
   // Returns the length [m] of a text size (em) at the depth of a point in front of the eye.
   double metres_of_em(const Vec3& p) const;

@@ -25,12 +25,12 @@ namespace kerf {
 inline constexpr const char *kLaserTool = "laser", *kPickTool = "pick", *kInspectTool = "inspect",
                             *kRulerTool = "ruler", *kPathTool = "path";
 
-// The use of the mouse.
+// State of the mouse input.
 struct PointerInput {
   std::string tool = kLaserTool;      // of the left button, by its id
   Vec2 pointer{0};                    // screen coordinates
   bool viewport_hovered = false;      // pointer over the viewport, and no panel or menu uses it
-  std::unique_ptr<Interaction> held;  // the current use of the mouse; null: no button is held
+  std::unique_ptr<Interaction> held;  // the current interaction; null: no button is held
 
   bool picks() const { return tool == kPickTool; }
   // Returns true if no button is held and the pointer is over the viewport.
@@ -57,8 +57,8 @@ struct ScreenContext {
   const WindowClock* clock = nullptr;
   const Landmarks* landmarks = nullptr;  // of the parts of the window drawn in this frame
   std::string title;                     // of the window
-  double background_wait = 0;            // s, that a frame waits for work in the background
-  double cut_until = 0;                  // s of the clock, end of cutting in this frame
+  double background_wait = 0;            // s, maximum time that a frame waits for background work
+  double cut_until = 0;                  // s of the clock, deadline for cutting in this frame
   double cut_seconds = 0;                // spent cutting in this frame
 };
 
@@ -69,18 +69,18 @@ struct FeatureLinks {
   bool cut_once = false;      // hints are no longer needed
   bool plays = false;         // the simulation is running
   bool cools = false;         // hot material cools as time passes
-  bool cools_unseen = false;  // and the queued cooling changes nothing visible
+  bool cools_unseen = false;  // hot material cools, but the queued cooling changes nothing visible
   // Reasons why time cannot pass, a sentence each or null.
   std::vector<std::function<const char*()>> time_holds;
   // Returns true if the next step of the document waits for the user.
   std::function<bool()> holds_back = [] { return false; };
-  // Features that open files of their own take them out of the files to be opened.
+  // Handlers of features for files of their own type; each returns true if it takes a file.
   std::vector<std::function<bool(const std::filesystem::path&)>> file_takers;
-  // Opens files in place of the open work, as bodies of one scene. Set by the feature that opens files.
+  // Opens files in place of the open document, as bodies of one scene. Set by files_feature().
   std::function<void(std::vector<std::filesystem::path>)> open;
   // Called after another document was opened.
   std::function<void()> replaced = [] {};
-  // Ends the editor, once the user has decided about unsaved work. Set by the same feature.
+  // Ends the editor, after the user has decided about unsaved changes. Set by files_feature().
   std::function<void()> quit;
   Leaves leaves = Leaves::kNot;
 
@@ -88,13 +88,13 @@ struct FeatureLinks {
   std::vector<std::filesystem::path> not_taken(std::vector<std::filesystem::path> files) const;
 };
 
-// Returns true if a stroke is drawn by hand, or still being cut.
+// Returns true while a stroke is drawn by hand or is still being cut.
 inline bool is_cutting(const PointerInput& input, const Document& document) {
   return (input.held && input.held->cuts()) || document.queue().pending().holds_beam();
 }
 
-// State shared by all features, by what it serves. A feature takes the parts that it needs. State of a
-// single feature is a member of that feature.
+// State shared by all features, grouped by purpose. A feature uses the parts that it needs. State of a single
+// feature is a member of that feature.
 struct Workspace {
   Workspace() = default;
   Workspace(const Workspace&) = delete;
@@ -126,10 +126,10 @@ struct Workspace {
   const char* why_time_stands_still() const;
 };
 
-// Ends the stroke being drawn, if any; its cut stays. Returns true if there was one.
+// Ends the stroke being drawn, if any; its cut is kept. Returns true if there was one.
 bool cancel_stroke(Workspace& workspace);
 
-// Ends the exploded view, because pieces are cut and moved at their true places.
+// Ends the exploded view, because pieces are cut and moved at their true positions.
 void stand_together(const World& world, ViewState& view);
 
 // Returns the action that activates a tool, "tool.ID", and unfolds the panel of the same id if there is one.

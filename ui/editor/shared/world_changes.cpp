@@ -186,7 +186,7 @@ void WorldChanges::process_requests() {
   for (size_t left = requests_.size(); left > 0 && !requests_.empty() && !pending_; --left) {
     Request next = std::move(requests_.front());
     requests_.pop_front();
-    if (!next.always && workspace_.opening.loader.busy()) continue;  // the open work is about to be replaced
+    if (!next.always && workspace_.opening.loader.busy()) continue;  // the document is about to be replaced
     if (next.is_one && !group_) group_ = {workspace_.session.document.history().position(), next.name};
     if (!next.run()) {
       requests_.push_front(std::move(next));

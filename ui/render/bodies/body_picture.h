@@ -26,8 +26,8 @@
 
 namespace kerf {
 
-// The looks of the groups of one body's faces: a loose part has the look of its own piece, but moves with
-// the piece it is grouped with.
+// The looks of the face groups of one body (see PieceGroups). A loose part has the look of its own piece, but
+// moves with another piece.
 class BodyLooks {
  public:
   BodyLooks(BodyId id, const ViewOptions& options);
@@ -38,7 +38,8 @@ class BodyLooks {
   const PieceLook& of(const Mesh& mesh, FaceId f) const {
     return of(groups_ ? groups_->of(mesh, f) : mesh.data(f).piece);
   }
-  // The groups that a stage of a cut separated (true) from others, and those others (false).
+  // By group: true if a stage of a cut separated it, false if it is the group from which another was
+  // separated.
   const std::map<uint32_t, bool>& came_off() const { return came_off_; }
 
   // Null if the group of each face is the label of its piece.
@@ -58,8 +59,8 @@ std::span<const uint32_t> labels_of(const std::shared_ptr<const PieceGroups>& gr
 // The looks of one body's groups of faces on the GPU, for programs that contain placed.glsl.
 class PieceLooks {
  public:
-  // Applies the looks of the body. A part that no cut separated keeps its paint (see is_loaded_part).
-  // Returns true if anything changed. O(pieces).
+  // Applies the looks of the body. A part that was not separated by a cut keeps its paint (see
+  // is_loaded_part). Returns true if anything changed. O(pieces).
   bool update(const Body& body, const BodyLooks& looks, const FrameSpace& space);
 
   // Binds the looks for `program`. Precondition: it is in use.
@@ -158,8 +159,8 @@ std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
                                    const std::map<std::string, Paint>& paints,
                                    std::span<const std::optional<SurfaceLook>> looks = {});
 
-// While it exists, programs that write gl_ClipDistance[0] draw only the kept side of the options' section
-// plane. Programs that do not write it must not draw meanwhile. No-op without a plane.
+// While an object exists, programs that write gl_ClipDistance[0] draw only the kept side of the section
+// plane, and programs that do not write it must not draw. No-op without a section plane.
 class SectionClip {
  public:
   explicit SectionClip(const ViewOptions& options) : workspace_(shown_section(options) != nullptr) {

@@ -101,8 +101,8 @@ struct RemovedFace {
 // The faces removed from a body.
 //
 // The surface as loaded is drawn slightly behind the remaining surface, so that it is visible exactly in
-// removed areas, however the faces were split before. Individually known are the base faces, and those
-// parts of them that were drawn and are not tiny; at most kMost, which bounds the memory.
+// removed areas, however the faces were split before. Stores the base faces, and those of their parts that
+// were drawn and are not tiny; at most kMost parts, which bounds the memory.
 class RemovedFaces {
  public:
   static constexpr size_t kMost = 20'000;

@@ -19,7 +19,7 @@ namespace kerf {
 // materials have their factors only. An image that is missing or damaged is a checkerboard.
 class SurfaceTextures {
  public:
-  // The most memory of all layers. If images are larger, all are scaled down.
+  // Maximum memory of all layers. If the images need more, all are scaled down.
   static constexpr size_t kMaxBytes = size_t{1} << 30;
 
   // Begins to decode the images.
@@ -32,7 +32,8 @@ class SurfaceTextures {
   // By material number; nullopt if the file only names it.
   const std::vector<std::optional<SurfaceLook>>& looks() const { return looks_; }
 
-  // Uploads the images once they are decoded; waits for that if asked to. Returns true if it uploaded them.
+  // Uploads the images once they are decoded; optionally waits for the decoding. Returns true if it uploaded
+  // them.
   bool update(bool waits);
   bool is_loading() const { return decoding_ != nullptr; }
 

@@ -51,12 +51,12 @@ struct CameraView {
 // lies vertically above or below it. Precondition: aspect > 0.
 CameraView look_at(const Vec3& eye, const Vec3& target, double aspect);
 
-// A turntable camera: the eye moves on a sphere around a pivot and stops before the poles. Movements set a
+// A turntable camera: the eye orbits on a sphere around a pivot and stops short of the poles. Movements set a
 // goal, and advance() eases the view towards it by nine tenths of the distance in 100 ms.
 class Camera {
  public:
-  // Views the box from the front (+Z), from one side and from above, so that it fills the fraction `fill`
-  // of the frame's height. Precondition: aspect and fill are positive.
+  // Frames the box in a three-quarter view: from the front (+Z), turned to the right and slightly from above,
+  // so that it fills the fraction `fill` of the frame's height. Precondition: aspect and fill are positive.
   void frame_default(const World::Bounds& bounds, double aspect, double fill = 0.64);
   // Frames the box without a change of direction.
   void frame(const World::Bounds& bounds, double aspect, double fill = 0.72);
@@ -79,13 +79,13 @@ class Camera {
   bool parallel() const { return goal_.pull > 0; }
 
   void orbit(double right, double up);  // angles in radians around the pivot
-  // Shifts the view so that points at the pivot's depth follow a motion in the frame, in the units of
+  // Shifts the view so that points at the depth of the pivot move by (dx, dy) in the frame, in the units of
   // CameraView::ray.
   void pan(double dx, double dy, double aspect);
   // Multiplies the distance by `factor` and keeps the point at the pivot's depth under x, y in place.
   void zoom(double factor, double x, double y, double aspect);
 
-  // Advances the motion by a time. Returns true if it is still in motion.
+  // Advances the motion by a time [s]. Returns true if the camera is still moving.
   bool advance(double seconds);
   void finish() { now_ = goal_; }
 
@@ -186,11 +186,11 @@ struct FrameUniforms {
   glm::vec4 face_view{0};
 };
 
-// The distance of the near plane along the forward axis of a view [m]: as large as the visible box and the
-// ground (at its height, m) allow, because the resolution of the depth buffer is proportional to it, and at
-// least a fraction of the focus. An orthographic view has the same depth range in front of its focus as
-// behind it: there the plane lies so far before the focus that the box and the ground fit in, even if that
-// is behind the eye.
+// Returns the distance of the near plane along the forward axis of a view [m]. In a perspective view it is as
+// large as the visible box and the ground (at its height, m) allow, because the resolution of the depth
+// buffer is proportional to it, and at least a fraction of the focus. In an orthographic view, whose depth
+// range extends equally in front of and behind the focus, the plane lies in front of the box and the ground,
+// even if that is behind the eye.
 double near_plane(const CameraView& view, const World::Bounds& drawn, double ground);
 
 // The depth-buffer value of a depth along the forward axis [m], from 0 at the near plane to 1.

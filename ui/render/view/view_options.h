@@ -56,7 +56,7 @@ std::string section_text(const SectionPlane& plane);
 // "--section", as on the command line. The error does not name the source of the text.
 Result<SectionPlane> parse_section(std::string_view text);
 
-// A preview of the edges that pieces may get, drawn over their current surface.
+// A preview of the new edges of pieces, drawn over their current surface.
 struct DrawnWire {
   struct Edge {
     glm::vec3 from, to;  // in the float frame
@@ -153,15 +153,16 @@ enum class BoxPalette {
   kOrangeAndBlue,  // for the colour-blind: #e69f00 solid, #56b4e9 dotted
 };
 
-// The drawing of near caps by kRobust. A lit surface must fail the depth test against its own cap, which
-// has the same depth. All values except kExact give wrong shadows, for tests that must detect such errors.
+// Depth test of near caps with ShadowMethod::kRobust. A lit surface must fail the depth test against its own
+// cap, which has the same depth. All values except kExact cause wrong shadows; tests use them to verify that
+// such errors are detected.
 enum class NearCaps {
   kExact,
   kLessOrEqual,  // equal depths pass
   kDisplaced,    // by one unit of depth towards the eye
 };
 
-// The drawing of shadows if ShowOptions enables them.
+// Options of shadows, if ShowOptions enables them.
 struct ShadowOptions {
   ShadowMethod method = ShadowMethod::kRobust;
   NearCaps near_caps = NearCaps::kExact;
@@ -177,7 +178,7 @@ struct ShadowOptions {
   friend bool operator==(const ShadowOptions&, const ShadowOptions&) = default;
 };
 
-// The boxes of the AABB tree to draw if ShowOptions enables them.
+// Selects the boxes of the AABB tree that are drawn if ShowOptions enables them.
 struct TreeOverlay {
   int deepest = 64;  // levels below the root
   bool leaves_only = false;
@@ -187,7 +188,7 @@ struct TreeOverlay {
   friend bool operator==(const TreeOverlay&, const TreeOverlay&) = default;
 };
 
-// How a piece is drawn, without a change of the world.
+// Drawing attributes of a piece; they do not change the world.
 struct PieceLook {
   bool hidden = false;
   bool selected = false;  // drawn with an outline

@@ -62,8 +62,8 @@ struct PictureArguments {
   Result<PictureOptions> parse() const;
 };
 
-// If --show is not given, sets the overlays of the scene or, if it has none, those that the editor starts
-// with. The error names `file`, the scene's file.
+// Sets the overlays if --show is not given: those of the scene or, if it has none, the defaults of the
+// editor. The error names `file`, the file of the scene.
 Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
                      PictureOptions& options);
 

@@ -79,7 +79,6 @@ inline constexpr double kEqualArea = 1e-9;
 // The smooth rim --------------------------------------------------------------------------------------------
 // Lengths are relative to the radius of the beam. Together they keep the rim within 0.005 radii of the exact
 // boundary of the swept volume, as the tests require.
-// boundary of the swept volume, which is what the tests demand.
 
 // Largest distance of a chord of the rim from the boundary: that of a regular polygon with 64 sides.
 inline constexpr double kRimChord = 0.0012;

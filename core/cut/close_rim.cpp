@@ -82,7 +82,8 @@ bool WallClosing::is_at_rim(const Mesh::Side& side) {
   return lies_there(side.from) && lies_there(side.to);
 }
 
-// Returns true if the faces on an edge of several sheets bound no solids: more run one way than the other.
+// Returns true if the faces on an edge of several sheets bound no solids, i.e. do not traverse the edge
+// equally often in both directions.
 bool WallClosing::is_unmatched(const Mesh::Side& side, SidesOfRings& seen) const {
   if (seen.contains({side.face, side.from})) return false;
   std::vector<Mesh::Side> others;
@@ -215,9 +216,9 @@ bool WallClosing::is_ear(std::span<const RimSide> of_face) const {
   return std::abs((*distance_)(middle)) <= kRimNear * rim_->radius();
 }
 
-// Removes ears: faces along the rim that have all corners on the rim and all sides open, or all but one
-// that lies on the boundary too. Without them the rim is as near to the boundary; with them it would turn
-// back on itself. Removes specks too. Returns true if any face was removed.
+// Removes ears and specks. An ear is a face with all corners on the rim whose sides are all open, or all but
+// one that also lies on the boundary. Without ears the rim is as near to the boundary; with them it would
+// fold back on itself. Returns true if any face was removed.
 Task<bool> WallClosing::remove_ears() {
   std::vector<FaceId> ears;
   const SpeckSearch specks(*distance_, sides_);
@@ -460,7 +461,8 @@ class RimBite {
     rim.step.edit.refit_tree();
   }
 
-  // A stage over a list: the function that does its next part (true at the end), and the following stage.
+  // A stage over a list: the function that executes its next part (returns true at the end), and the
+  // following stage.
   struct ListStage {
     Stage stage;
     bool (*do_part)(RimState&);
@@ -477,7 +479,7 @@ class RimBite {
       ListStage{Stage::kChoose, select_within_rim, Stage::kRemove},
       ListStage{Stage::kChooseBesideRim, select_beside_rim, Stage::kFlip}};
 
-  // Does the next part of a stage. Returns true if the body is completed.
+  // Executes the next part of a stage. Returns true if the body is complete.
   Result<bool> close_part(RimState& rim, const Sweep& sweep) {
     switch (work_.stage) {
       case Stage::kSweep:
@@ -569,7 +571,8 @@ class RimBite {
     if (settings_.bite < kAllAtOnce) taken_ = std::max(taken_, settings_.bite);
   }
 
-  // Returns true once the body is closed or stays open. The search that follows is in a separate step.
+  // Returns true once the walls are complete or the body is left open. The following search runs in a
+  // separate step.
   bool close(RimState& rim, const Sweep& sweep) {
     if (!rim.step.body().solid) return true;
     if (!work_.closing)

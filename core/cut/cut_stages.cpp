@@ -150,7 +150,7 @@ std::vector<FaceId> faces_within(const BodyStep& step, const Deposit& deposit,
   return found;
 }
 
-// Raises the energies (J) of faces to at least the given ones, and books the difference.
+// Raises the energies (J) of faces to at least the given ones, and adds the difference to the energy balance.
 void raise(World& world, BodyId id, std::span<const FaceId> faces, std::span<const double> energies) {
   Body& body = world.body(id);
   double added = 0;
@@ -198,7 +198,8 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 }
 
-// Removes a green pair as a whole: if the beam touches either half, or, for a smooth rim, contains both.
+// Removes both halves of a green pair together: if the beam touches either, or, for a smooth rim, if it
+// contains both.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
   std::vector<FaceId> going;
   const size_t end = std::min(move.hit.size(), move.removed + faces_per_batch());
@@ -223,7 +224,7 @@ void remove_faces(BodyStep& step, std::span<const FaceId> faces) {
   update_tree(step);
 }
 
-// The tree is updated even if the work fails half-way.
+// The tree must be updated even if the work fails.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress) {
   if (!progress.report(0)) return cancelled();
   Refinement refinement(step, settings, move.to_split);

@@ -76,7 +76,8 @@ class Bite {
  private:
   using Stage = UnfinishedMove::Stage;
 
-  // Returns the number of faces of the next part, without those that it finds or searches.
+  // Returns the number of faces that the next part processes, except those that it finds or visits in a
+  // search.
   size_t faces_ahead() const {
     const auto clamped = [](size_t faces) { return std::clamp<size_t>(faces, 1, faces_per_batch()); };
     switch (move_.stage) {
@@ -93,12 +94,13 @@ class Bite {
     return 1;
   }
 
-  // Returns true if a body needs no work: the beam has met no face of it, and no search for parts is open.
+  // Returns true if a body needs no work: the beam touches none of its faces, and no search for parts is
+  // unfinished.
   bool is_missed(const BodyStep& step) const {
     return move_.stage == Stage::kRefine && move_.hit.empty() && is_settled(step.body());
   }
 
-  // Does the next part of a move through a body.
+  // Executes the next part of a move through a body.
   Status run_stage(BodyStep& step) {
     switch (move_.stage) {
       case Stage::kFind:
@@ -261,7 +263,7 @@ Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId i
   return cut_one(world, settings, id, moves, false, nullptr);
 }
 
-// Includes hidden bodies: one may have been hidden during a search, for whose end is_settled waits.
+// Includes hidden bodies, because a body may be hidden during a search, and is_settled() requires its end.
 StepResult go_on_separating(World& world, size_t most, JointMode mode) {
   StepResult result;
   for (const BodyId id : world.ids()) {

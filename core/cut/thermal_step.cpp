@@ -152,7 +152,7 @@ class ThermalMoves {
     return Done{};
   }
 
-  // Splits the faces at which rays wait. Returns true if there were any to split.
+  // Splits the faces at which rays wait. Returns true if any face was split.
   Result<bool> refine_coarse(const BeamMove& part) {
     Laser wide = settings_.laser;
     wide.pattern = Pattern::kVolume;
@@ -198,7 +198,8 @@ class ThermalMoves {
     return glm::length(way - glm::dot(way, part.from.direction) * part.from.direction);
   }
 
-  // Removes the faces that have their energy of removal. Returns the depth of the beam, 1 if there were any.
+  // Removes the faces that have reached their energy of removal. Returns the depth of the beam; 1 if a face
+  // was removed.
   double remove_gone() {
     double depth = 0;
     for (size_t b = 0; b < burned_.size(); ++b) {
@@ -306,7 +307,7 @@ void Burn::wait(const Meeting& at, WaitingRay ray) {
   if (std::find(coarse.begin(), coarse.end(), at.face) == coarse.end()) coarse.push_back(at.face);
 }
 
-// Returns the faces of a body that were met and are not removed, each once.
+// Returns the faces of a body that were hit and are not removed, each once.
 std::vector<FaceId> Burn::hit_faces(size_t b) const {
   std::vector<FaceId> met;
   for (const Meeting& at : pose_hits_) {

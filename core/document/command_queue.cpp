@@ -41,7 +41,7 @@ Error over_face_budget(size_t budget) {
 using Images = HistoryStep::Images;
 using Kind = HistoryStep::Kind;
 
-// Queueing --------------------------------------------------------------------------------------------------
+// Queue -----------------------------------------------------------------------------------------------------
 
 void CommandQueue::enqueue(size_t step, const Command& command) {
   const auto move_to = [&](const BeamAt& next) {
@@ -119,7 +119,7 @@ Result<Delta> CommandQueue::run(HistoryStep& step, size_t at, const Progress* pr
   return delta;
 }
 
-// Going back ------------------------------------------------------------------------------------------------
+// Undo and redo ---------------------------------------------------------------------------------------------
 
 Delta CommandQueue::undo(size_t step) {
   if (recorder_.step() == step) close();
@@ -164,7 +164,7 @@ Delta CommandQueue::undo_strokes_of(size_t recut) {
     history_.step(recut).record(back);
     delta.append(back);
   }
-  // Discards details of contacts, as the start of the stroke itself does.
+  // Discards contact details, like the start of the stroke itself.
   if (recorder_.step() == recut) forget_details(world_);
   return delta;
 }

@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// Updates the spring if the piece that it holds became a body of its own.
+// Updates the spring if the piece that it drags was detached as a body of its own.
 void follow_with_spring(World& world, const Delta& delta) {
   if (!world.spring()) return;
   Spring spring = *world.spring();
@@ -60,9 +60,9 @@ Result<StepResult> CommandQueue::step(size_t most, bool one_stage, const Progres
   return recorded(step, run_moves(most, one_stage, progress));
 }
 
-// The pieces that a stroke separates are known before the next stroke or tick begins. While a stroke runs
-// whose moves so far are all executed, the search waits for the next command: which part keeps its label
-// depends on when a search ends, and when the queue is empty depends on the speed of execution.
+// The pieces that a stroke separates are known before the next stroke or tick begins. If all queued moves of
+// a running stroke are executed, the search waits for the next command: the end of a search determines which
+// part keeps its label, and the time at which the queue becomes empty depends on the speed of execution.
 bool CommandQueue::next_searches() const {
   if (is_settled(world_)) return false;
   if (pending_.empty()) return !in_stroke();
@@ -121,8 +121,8 @@ void CommandQueue::pass(Ticks ticks) {
   pending_.pop(ticks);
 }
 
-// Executes one tick. Pieces that came off since the last one, and those that turn on joints, become bodies
-// first.
+// Executes one tick. First detaches pieces that were cut off since the last tick, and parts that turn on
+// joints, as bodies.
 Result<StepResult> CommandQueue::move_bodies(size_t step, const Progress& progress) {
   StepResult all;
   if (world_.clock() % kTicksToForget == 0) forget_details(world_);
@@ -140,8 +140,8 @@ Result<StepResult> CommandQueue::move_bodies(size_t step, const Progress& progre
   return all;
 }
 
-// Moves bodies for a tick, and cuts what moves through the beam if it is on. In the thermal model the beam
-// cuts only during its own moves: the energy of a tick belongs to them.
+// Moves bodies for a tick and, if the beam is on, cuts the bodies that move through it. In the thermal model
+// the beam cuts only during its own moves: the energy of a tick belongs to them.
 Result<StepResult> CommandQueue::move_under_beam(size_t step, const Progress& progress) {
   const std::shared_ptr<Stroke> stroke = pending_.front_in_time().stroke;
   std::map<BodyId, Placement> before;
@@ -186,7 +186,7 @@ void CommandQueue::begin(size_t step) {
   close_and_trim();
   history_.forget_behind(step);
   HistoryStep& begun = history_.step(step);
-  // A step begins with the same state however the world reached its start.
+  // A step begins with the same contact state, whether its start was reached by execution, undo or redo.
   const bool newly_begun = begun.waiting();
   if (newly_begun) {
     for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
@@ -224,7 +224,7 @@ Result<StepResult> CommandQueue::recorded(size_t step, Result<StepResult> some) 
   return some;
 }
 
-// Queues the work of a timed command before everything else.
+// Queues the work of a timed command at the front.
 void CommandQueue::enqueue_in_front(size_t step, const Command& command) {
   std::visit(Overloaded{
                  [&](const AdvanceTime& c) { pending_.push_ticks_in_front(step, c.ticks, c.bodies); },

@@ -94,7 +94,7 @@ std::function<bool(FaceId, FaceId)> seam_test(const Body& body, const PieceCopy&
   };
 }
 
-// Copies the joints; those within the piece are carried by its new faces.
+// Copies the joints; the new faces of the piece carry those within it.
 Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId own, const PieceCopy& copy,
                   const Remeshed& remeshed) {
   Joints all = joints;
@@ -112,7 +112,7 @@ Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId
   return all;
 }
 
-// Returns true if each triangle has the corners of the face it stems from, in the same order.
+// Returns true if each triangle has the corners of the face from which it derives, in the same order.
 bool is_unchanged(const Remeshed& remeshed, const Mesh& mesh) {
   if (remeshed.triangles.size() != mesh.live_faces()) return false;
   for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
@@ -214,7 +214,7 @@ MassProperties shell_of(const Extract& e, const Sheet& sheet) {
   return shell_mass(e.area, moments, e.centroid, sheet.thickness, sheet.density);
 }
 
-// Makes an extract of a solid body a solid if it encloses a volume.
+// Turns an extract of a solid body into a solid if its faces enclose a volume.
 void fill(Extract& out) {
   if (!out.volume || !(*out.volume > 0)) return;
   out.solid = true;

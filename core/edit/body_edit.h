@@ -11,17 +11,17 @@
 namespace kerf {
 
 // All edits of the faces of a body, i.e. splitting, removing, flipping and moving, use this class. It keeps
-// everything that depends on faces consistent: the mesh with its columns, green pairs (OneToFour), the tree,
-// the counts, areas and moments of pieces, the separation state, and the delta.
+// all data that depend on faces consistent: the mesh with its columns, green pairs (OneToFour), the tree, the
+// counts, areas and moments of pieces, the separation state, and the delta.
 //
 // The tree is updated in batches, which is faster for many faces. Call update_tree() after splits and after
-// removals, and refit_tree() after the last vertex move or edge flip. Queries of the tree are allowed in
-// between. The destructor makes pending updates, so that the body is consistent however the edit ended.
+// removals, and refit_tree() after the last vertex move or edge flip. Queries of the tree are allowed between
+// updates. The destructor executes pending updates, so that the body is consistent however the edit ends.
 //
 // Precondition of every function that takes faces: they are live, and given vertices are corners of them.
 class BodyEdit {
  public:
-  // Preconditions: `body` outlives the edit, and no other code edits its faces meanwhile.
+  // Preconditions: `body` outlives the edit, and no other code edits its faces during the edit.
   explicit BodyEdit(Body& body) : body_(&body) {}
   ~BodyEdit();
   BodyEdit(BodyEdit&&) noexcept = default;

@@ -44,8 +44,8 @@ uint32_t estimate_larger_front(const Body& body, uint32_t a, uint32_t b);
 // visited faces advances, so that the smaller of two parts is complete once as many faces of the larger one
 // were visited. An exhausted front is a part. The last front of a component need not be exhausted, because
 // its area is that of the component minus the other parts. Fronts that do not meet are independent of each
-// other; so without edits in between, the likely larger of two large last fronts lags behind, and the result
-// is the same.
+// other. Therefore, if no faces are edited during the search, of the last two fronts the one estimated to
+// become the larger part is held back, which does not change the result.
 //
 // The state is stored in the body, so that the search can stop at any face and continue in a later step.
 class PartSearch {

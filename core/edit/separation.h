@@ -51,9 +51,9 @@ class CutLoops {
 // Faces are connected over shared edges. Only BodyEdit reports edits of the mesh, by the functions below.
 // settle() then decides from the loops closed by the cut whether anything can have been separated (see
 // CutLoops), and only then searches for it, starting from the former neighbours of removed faces (see
-// PartSearch). A search may extend over several calls of settle(); edits in between are reported as usual,
-// and if they close further loops, another search follows. A connected set of removed faces can only separate
-// faces that it touched, so that faces that were never connected do not count as separated.
+// PartSearch). A search may extend over several calls of settle(); edits between the calls are reported as
+// usual, and if they close further loops, another search follows. A connected set of removed faces can only
+// separate faces that it touched, so that faces that were never connected do not count as separated.
 
 // Reports that f is about to be removed. Preconditions: f is live and included in the counts of its piece.
 void record_removed_part(Body& body, FaceId f);

@@ -61,9 +61,9 @@ class Landmarks {
   void mark(const Layout& layout);
   // Returns the area of a part in this frame; nullopt if it was not drawn.
   std::optional<Area> find(const std::string& name) const;
-  // Ends the frame and writes its landmarks if they differ from the file. `busy`: more frames follow
-  // without further input. `pointer`: its position in this frame; a test that finds its own last position
-  // here knows that all earlier input was processed. On failure the file is unchanged.
+  // Ends the frame and writes its landmarks if they differ from the file. `busy`: more frames follow without
+  // further input. `pointer`: its position in this frame; once a test reads the last position that it sent,
+  // all earlier input was processed. On failure the file is unchanged.
   Status finish(bool busy, Vec2 pointer);
   // The content of the file after finish(), in one line.
   std::string text() const;

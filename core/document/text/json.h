@@ -45,7 +45,7 @@ class JsonValue {
     return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)};
   }
 
-  // Bad input: "FILE: POINTER: WHAT".
+  // Returns a bad-input error with the message "FILE: POINTER: WHAT".
   Error wrong(const std::string& what) const {
     return bad_input(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what);
   }

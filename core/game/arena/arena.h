@@ -95,7 +95,7 @@ struct ArenaDescription {
 //    "starts": {"player": {"position": [..], "heading": 90}, "enemies": [{..}, {..}]}}
 //
 // A body may have its placement in an object "pose", and a "heading" in degrees instead of an orientation.
-// Only "starts" is required. Bad input otherwise, with the file and the JSON pointer. Does not read meshes.
+// Only "starts" is required. Fails with bad input, with the file and the JSON pointer. Does not read meshes.
 Result<ArenaDescription> read_arena(const std::filesystem::path& file);
 
 // An arena with its meshes loaded. Cuttable bodies sleep until something touches them; the others are

@@ -37,8 +37,8 @@ class JointFaces {
 // The bodies of a match with outdated colliders, and the ticks at which to rebuild them.
 //
 // Building the collider of a vehicle takes as long as the rest of a tick. The physics therefore uses the old
-// one for a few ticks while a beam removes faces, and for one tick after a piece came off. At most one large
-// collider is built per tick.
+// collider for a few ticks while a beam removes faces, and for one tick after a piece was detached. At most
+// one large collider is built per tick.
 class StaleColliders {
  public:
   // Records the bodies whose faces a change at the time `now` modified. Created bodies have no collider

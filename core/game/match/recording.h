@@ -46,17 +46,18 @@ struct Recording {
 // Returns true if a file begins like a recording.
 bool is_recording(const std::filesystem::path& file);
 
-// Reads a recording up to its first damaged line, stated in `damage`. Bad input if the file or its first
-// line cannot be read.
+// Reads a recording up to its first damaged line, which `damage` describes. Fails with bad input if the file
+// or its first line cannot be read.
 Result<Recording> read_recording(const std::filesystem::path& file);
 
-// The text of a recording for a file in `folder`. Bad input if the path of the rules is not UTF-8.
+// Returns the text of a recording for a file in `folder`. Fails with bad input if the path of the rules is
+// not UTF-8.
 Result<std::string> recording_text(const Recording& recording, const std::filesystem::path& folder);
 
-// The files of a match: the rules and all files that they name. Fails if one cannot be read.
+// Returns the files of a match: the rules and all files that they name. Fails if one cannot be read.
 Result<std::vector<std::filesystem::path>> files_of_match(const std::filesystem::path& rules_file,
                                                           const RulesDescription& rules);
-// The hash of these files.
+// Returns the hash of files_of_match(). Fails likewise.
 Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const RulesDescription& rules);
 
 const char* name_of(Difficulty difficulty);

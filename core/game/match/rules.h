@@ -74,7 +74,7 @@ struct RulesDescription {
 //    "cars": 3, "targets": false, "spawns": ["../vehicles/van.json"]}
 //
 // Aim errors are in degrees. "recharge_per_second_driving", at 8 m/s or more, defaults to
-// "recharge_per_second". Required are "arena", "player" and "waves". Bad input otherwise, with the file and
+// "recharge_per_second". Required are "arena", "player" and "waves". Fails with bad input, with the file and
 // the JSON pointer. Does not read the other files.
 Result<RulesDescription> read_rules(const std::filesystem::path& file);
 
@@ -179,11 +179,11 @@ class Tally {
   void add_event(Event event, double points = 0);
   // Records that the beam of a vehicle cut a body of the vehicle `victim` (Event::kNobody: of none).
   void record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
-  // Records that a piece came off a body of that vehicle (null: of none). `clean`: see is_clean.
+  // Records that a piece was detached from a body of `vehicle` (null: of no vehicle). `clean`: see is_clean.
   void record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
                     bool clean);
-  // Returns true once after a vehicle was cut or a piece came off it, i.e. if its damage must be read from
-  // its meshes.
+  // Returns true, once, after a vehicle was cut or lost a piece, i.e. if its damage must be assessed from its
+  // meshes.
   bool takes_assessment(size_t vehicle);
   void record_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage);
 

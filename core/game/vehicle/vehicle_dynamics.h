@@ -46,7 +46,7 @@ class RigidMotion {
 // brakes until it falls asleep. Changes the motion of the chassis and of the bodies that it stands on, and
 // the state of the wheels; `sight` is of the current world.
 //
-// Where a wheel is lost, the rest of its suspension drags over the ground, lower and without drive.
+// If a wheel is lost, the remaining suspension drags over the ground, lower and without drive.
 //
 // Each wheel is one ray against the ground and the bodies that can carry it: neither the vehicle itself,
 // nor its detached parts, nor light loose bodies (see kLightBody). A spring with a damper acts along the

@@ -133,7 +133,7 @@ struct VehicleDescription {
 //    "joints": as in scenes, "paints": as in scenes}
 //
 // Required are "mesh", "wheels" and "turret", and in these the parts, mounts, hubs, radii, pivots and the
-// muzzle. Bad input otherwise: the message names the file and the JSON pointer of the first wrong value.
+// muzzle. Fails with bad input; the message names the file and the JSON pointer of the first wrong value.
 // Does not read the mesh.
 Result<VehicleDescription> read_vehicle(const std::filesystem::path& file);
 
@@ -163,8 +163,8 @@ struct VehicleModel {
   size_t vital(size_t i) const { return wheels.size() + 1 + i; }
 };
 
-// Loads the mesh of a vehicle. Bad input if a part or a mount has no faces, or a joint does not fit; the
-// message names the mesh or the part. `progress` may be null.
+// Loads the mesh of a vehicle. Fails with bad input if a part or a mount has no faces, or a joint does not
+// fit; the message names the mesh or the part. `progress` may be null.
 Result<std::shared_ptr<const VehicleModel>> load_vehicle(VehicleDescription description,
                                                          const Progress* progress = nullptr);
 

@@ -14,7 +14,7 @@ namespace kerf {
 // the maps of the base colour, the emission and the normals. Colours are converted from linear light to sRGB.
 std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material);
 
-// Materials of a glTF file, with what they refer to.
+// The materials of a glTF file, with their textures, samplers and images.
 struct GltfSurfaces {
   nlohmann::ordered_json materials, textures, samplers, images;  // arrays; images have no data yet
   std::vector<uint32_t> library_images;                          // by image: its index in the library

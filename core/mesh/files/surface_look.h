@@ -15,7 +15,8 @@ namespace kerf {
 enum class SurfaceMap : uint8_t { kBase, kNormal, kMetallicRoughness, kOcclusion, kEmission };
 inline constexpr size_t kSurfaceMaps = 5;
 
-// How a material of a file is drawn, in the terms of glTF 2.0: factors in linear light, times the maps.
+// The appearance of a material of a file, in the terms of glTF 2.0: factors in linear light, multiplied by
+// maps.
 struct SurfaceLook {
   enum class Alpha : uint8_t { kOpaque, kMask, kBlend };
 

@@ -15,13 +15,14 @@
 
 namespace kerf {
 
-// What a mesh tool must preserve: some faces, and the edges between faces with a seam of UVs between them.
+// Constraints on mesh tools: faces, and edges at UV seams, that must be preserved.
 struct RemeshLimits {
   std::span<const FaceId> kept{};
   std::function<bool(FaceId, FaceId)> is_seam{};  // of two faces at an edge; null: there are no seams
 };
 
-// The new place of a face: for each of its quarters the origin of the triangle on which it lies.
+// The position of a followed face after remeshing: for each of its quarters, the origin of the triangle on
+// which it lies.
 struct FollowedFace {
   FaceId face;
   std::array<FaceId, 4> quarters;
@@ -37,8 +38,8 @@ struct Remeshed {
   std::vector<FollowedFace> followed;
 };
 
-// Returns the materials of the triangles, those of their origins. Precondition: `remeshed` was made of
-// `mesh`.
+// Returns the materials of the triangles, i.e. those of the faces from which they derive. Precondition:
+// `remeshed` was computed from `mesh`.
 std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh);
 
 // Returns the colours of the positions: that of the nearest surface point on the face from which a triangle
@@ -56,9 +57,9 @@ Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, con
 // may be null. O(n log n).
 Result<Remeshed> turn_shells(const Mesh& mesh, const Progress* progress);
 
-// When to stop simplifying: once `faces` faces are left, or before any vertex, edge midpoint or face centroid
-// of the mesh gets farther than kShareForSamples of `error` (m) from the new surface. The surfaces are then
-// within about `error` of each other.
+// The end of a simplification: either `faces` faces are left, or the next collapse would move the new surface
+// farther than kShareForSamples * `error` (m) from a vertex, edge midpoint or face centroid of the mesh. Both
+// surfaces are then within about `error` of each other.
 struct SimplifyTarget {
   size_t faces = 0;
   double error = std::numeric_limits<double>::infinity();

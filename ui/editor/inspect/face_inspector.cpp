@@ -542,7 +542,7 @@ void HeatProbe::follow(const World& world, const ViewState& view, const std::opt
   if (const auto now = temperature_at(world, view, ray_)) add({seconds, *now});
 }
 
-// If there are too many, every second one is dropped.
+// Drops every second sample if there are too many.
 void HeatProbe::add(const Sample& sample) {
   if (samples_.size() >= kMaxSamples) {
     size_t kept = 0;

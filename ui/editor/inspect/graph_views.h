@@ -184,7 +184,7 @@ struct PieceTreeRow {
   int depth = 0;  // 0 for the remainder of a body
 };
 
-// Builds the tree of pieces: under each piece those that came off it, in the order of their steps.
+// Builds the tree of pieces. The children of a piece are the pieces cut off it, in the order of their steps.
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins);
 
 // Describes a piece: its origin, its holder, and pieces still in place. Precondition: its body exists.

@@ -40,8 +40,9 @@ class Feature {
   virtual bool handle_event(const InputEvent&, bool /*in_picture*/) { return false; }
   // Begins the interaction of a press; null if this feature does not handle it.
   virtual std::unique_ptr<Interaction> begin_interaction(const Press&) { return nullptr; }
-  // Called on Esc: cancel() for all features, to cancel work in progress; if all return false,
-  // clear_selection() until one returns true. Both return true if they had an effect.
+  // Called on Esc: cancel() for all features, to cancel work in progress; if all return false and no
+  // interaction is cancelled, clear_selection() until one returns true. Both return true if they had an
+  // effect.
   virtual bool cancel() { return false; }
   virtual bool clear_selection() { return false; }
   // Returns true while a new text field waits for the keyboard focus; typed keys are deferred meanwhile.

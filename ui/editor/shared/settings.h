@@ -17,7 +17,7 @@ namespace kerf {
 
 // Tasks of the user; each is a tab of the sidebar.
 enum class Tab { kCut, kView, kPhysics, kThermal, kMesh };
-// Where a panel is drawn: behind its tab in the sidebar (right), in a second column (left), in a strip below
+// The place of a panel: behind its tab in the sidebar (right), in a second column (left), in a strip below
 // the viewport, or in a floating window.
 enum class Dock { kColumn, kSecondColumn, kStrip, kWindow };
 
@@ -81,14 +81,13 @@ struct LoadedSettings {
 };
 
 // Reads the settings. A missing file and invalid values give defaults. Labels in a file of version 1 become
-// ids. A file that is not JSON is renamed with ".bad" appended, so that it is not
-// overwritten.
+// ids. A file that is not JSON is renamed with ".bad" appended, so that it is not overwritten.
 LoadedSettings read_settings(const std::filesystem::path& file);
 
 // Writes the settings atomically, and creates missing folders.
 Status write_settings(const Settings& settings, const std::filesystem::path& file);
 
-// Which panels are unfolded, and where: behind their tab in the sidebar, or docked elsewhere. Panels are
+// The state of the panels: unfolded or not, and their places, in the sidebar or docked elsewhere. Panels are
 // identified by their ids.
 class PanelPlaces {
  public:

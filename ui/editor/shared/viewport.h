@@ -81,7 +81,7 @@ class Badges {
  public:
   enum class Sign { kPlaying, kPaused, kMode };
 
-  // Called once a frame, before any is drawn.
+  // Called once per frame, before any is drawn.
   void begin_frame() { drawn_ = 0; }
   // Draws the next badge, at least `min_ems` wide, so that its width does not change with its text. The
   // landmark is its name in tests.

@@ -46,7 +46,7 @@ std::optional<Vec3> point_under_pointer(const Workspace& workspace);
 // Rotates a direction by the shortest rotation from one unit vector to another.
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);
 
-// Whether a press selects pieces: with Ctrl, every tool does.
+// Returns true if a press selects pieces: with the Select tool, or with Ctrl and any tool.
 inline bool picks(const PointerInput& input, const Press& press) { return input.picks() || press.control; }
 
 // Selects the piece under the pointer; `add` keeps the rest of the selection.

@@ -77,7 +77,7 @@ class StepGroups {
     bool is_one_row = false;  // in the list of the history
   };
 
-  // Drops groups with steps that are no longer in the history. Called at least once a frame. O(new
+  // Drops groups with steps that are no longer in the history. Called at least once per frame. O(new
   // commands). Precondition: it is always the same document.
   void follow(const Document& document);
   // Groups the steps from a position up to that of the document, if there is more than one.
@@ -122,7 +122,7 @@ class WorldChanges {
   // Enqueues a command, which replaces no other request.
   void enqueue(const Command& command);
   bool has_requests() const { return !requests_.empty(); }
-  // Called once a frame: executes requests until a change becomes pending.
+  // Called once per frame: executes requests until a change becomes pending.
   void process_requests();
 
   bool is_pending() const { return pending_.has_value(); }
@@ -161,7 +161,7 @@ class WorldChanges {
   // Returns true if moves are queued that cut() may execute.
   bool can_cut() const;
 
-  // Called once a frame: shows the message of a completed change.
+  // Called once per frame: shows the message of a completed change.
   void report_done();
 
   // Makes a renderer show a world derived from the open document, with the smooth normals as loaded.

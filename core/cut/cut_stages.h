@@ -36,7 +36,7 @@ Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings,
 // Returns true if a face need not be split under the beam of the move. Precondition: the face is live.
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f);
 // Removes the next faces_per_batch() faces of move.hit; with `only_within`, only faces entirely within the
-// beam of the move. With `keeps_beside`, also appends the neighbours of removed faces to move.beside.
+// beam of the move. With `keeps_beside`, also records the neighbours of removed faces in the move.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside);
 // Removes faces. If only one half of a green pair is removed, the other becomes an ordinary face.
 void remove_faces(BodyStep& step, std::span<const FaceId> faces);
@@ -67,9 +67,9 @@ Error too_many_faces(const CutSettings& settings);
 // area, from samples finer than the width; no face is split for it. A hotter face keeps its heat, so
 // overlapping moves do not add up. Adds the energy to the world's energy balance as emitted and absorbed.
 //
-// Heats only faces that are connected to those in `beside` by faces within that distance. `beside`: live
-// faces that the beam touched, or that are adjacent to removed faces. Preconditions: step.beam is that of the
-// move, and heat_width > 0. O(faces within the width).
+// Heats only faces that are connected to the given ones by faces within that distance. The given faces are
+// live faces that the beam touched, or that are adjacent to removed faces. Preconditions: step.beam is that
+// of the move, and heat_width > 0. O(faces within the width).
 void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside);
 
 // Heats walls, which lie on the boundary of the beam, to the transition of their material. Adds the energy to

@@ -75,10 +75,10 @@ struct LeftOpen {
 struct Delta {
   std::vector<BodyDelta> bodies;  // bodies with changed faces, except created ones
   std::vector<BodyId> created,
-      destroyed;                     // an id in both lists refers to another body after the step
-  std::vector<Detached> detached;    // in order
-  std::vector<BodyId> moved;         // with changed placement
-  std::vector<BodyId> mass_changed;  // with changed mass but unchanged faces
+      destroyed;                           // an id in both lists refers to another body after the step
+  std::vector<Detached> detached;          // in order
+  std::vector<BodyId> moved;               // with changed placement
+  std::vector<BodyId> mass_changed;        // with changed mass but unchanged faces
   std::vector<BodyId> visibility_changed;  // with changed Body::hidden
   std::vector<BodyId> renamed;
   std::vector<BodyId> pinned;  // with changed Body::pinned

@@ -115,10 +115,10 @@ std::vector<UserAction> RecentFeature::files() {
     actions.back().tip_picture = [this, file] { return workspace_.services.thumbnails.find(file); };
   }
   if (!actions.empty()) actions.back().ends_group = true;
-  actions.push_back({.name = "Clear Recent Files", .tip = "Empties this list; the files stay."});
+  actions.push_back({.name = "Clear Recent Files", .tip = "Removes all entries; the files are kept."});
   actions.back().run = [this] { workspace_.settings.recent.clear(); };
   actions.back().disabled_reason = [this] {
-    return workspace_.settings.recent.empty() ? "Nothing was opened yet." : nullptr;
+    return workspace_.settings.recent.empty() ? "No recent files." : nullptr;
   };
   return actions;
 }
@@ -168,40 +168,37 @@ std::vector<TourStep> first_five_minutes(const ViewState& view) {
   using M = TourMoment;
   return {
       {"Cut",
-       "JointMode the left button to the left of the windscreen, drag through the windows past the back of "
-       "the "
-       "car, "
-       "and release.",
+       "Hold the left button to the left of the windscreen, drag through the windows past the back of the "
+       "car, and release.",
        "", [](const M& begin, const M& now) { return now.position > begin.position && !now.cuts; }},
-      {"Undo", by_key(view, "edit.undo", "Undo", " undoes the stroke: the car is whole again."),
-       "panel history", [](const M& begin, const M& now) { return now.position < begin.position; }},
-      {"Redo", by_key(view, "edit.redo", "Redo", " cuts it again. The History panel goes to any step."),
+      {"Undo", by_key(view, "edit.undo", "Undo", " undoes the stroke and restores the car."), "panel history",
+       [](const M& begin, const M& now) { return now.position < begin.position; }},
+      {"Redo", by_key(view, "edit.redo", "Redo", " redoes the stroke. The History panel goes to any step."),
        "panel history", [](const M& begin, const M& now) { return now.position > begin.position; }},
       {"Orbit", "Drag with the middle button, or with Alt and the left one, to orbit; scroll to zoom.", "",
        [](const M& begin, const M& now) { return now.eye != begin.eye; }},
-      {"Let it fall",
+      {"Play",
        by_key(view, "physics.play", "Play",
-              " lets time pass: what is cut off falls. The Physics tab sets how fast."),
+              " starts the simulation: separated pieces fall. The Physics tab sets the speed."),
        "tab physics",
        [](const M& begin, const M& now) { return now.plays && now.clock >= begin.clock + kSeenFalling; }},
-      {"Stop time",
-       by_key(view, "physics.play", "Play", " again stops it; ") +
-           by_key(view, "edit.undo", "Undo", " puts all back."),
+      {"Pause",
+       by_key(view, "physics.play", "Play", " again pauses it; ") +
+           by_key(view, "edit.undo", "Undo", " restores the car."),
        "", [](const M&, const M& now) { return !now.plays; }},
-      {"See the faces",
-       by_key(view, "view.wire", "Wireframe",
-              " shows the edges: Kerf refines where the beam bites, and nowhere else."),
+      {"Wireframe",
+       by_key(view, "view.wire", "Wireframe", " shows the edges: only faces under the beam are refined."),
        "tab view", [](const M& begin, const M& now) { return now.shows_edges != begin.shows_edges; }},
-      {"Refine", "Drag the slider Edge in the Resolution panel: the last stroke is cut again while it moves.",
+      {"Refine", "Drag the slider Edge in the Resolution panel: the last stroke is recut while it moves.",
        "resolution size", [](const M& begin, const M& now) { return now.edge != begin.edge; }},
-      {"Look into the tree",
+      {"AABB Tree",
        by_key(view, "view.boxes", "AABB Tree",
-              " shows the boxes of the AABB tree that finds the faces: red where the beam was."),
+              " shows the boxes of the tree that finds the faces: red if the beam hit them."),
        "tab view", [](const M& begin, const M& now) { return now.shows_boxes != begin.shows_boxes; }},
-      {"Keep it",
-       by_key(view, "file.save", "Save",
-              " writes all of it, with everything that can be undone. This was the tour; Help has it "
-              "and all keys."),
+      {"Save",
+       by_key(
+           view, "file.save", "Save",
+           " writes the document with its history. The tour ends here; Help has the tour and all shortcuts."),
        "", [](const M& begin, const M& now) { return now.saved && !begin.saved; }},
   };
 }
@@ -296,10 +293,12 @@ class WelcomeFeature : public Feature {
   explicit WelcomeFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<UserAction> actions() override {
-    return {make_action("help.welcome", "Welcome", "", "Recent files, scenes, and the tour.",
-                        [this] { shown_ = true; }),
-            make_action("help.tour", "Guided Tour", "", "A tour of the car that goes on when a step is done.",
-                        [this] { begin_tour(); }, {.checked = [this] { return tour_.is_on(); }})};
+    return {
+        make_action("help.welcome", "Welcome", "", "Opens the start page: recent files, scenes and the tour.",
+                    [this] { shown_ = true; }),
+        make_action("help.tour", "Guided Tour", "",
+                    "Explains the editor with the car; each step waits for you.", [this] { begin_tour(); },
+                    {.checked = [this] { return tour_.is_on(); }})};
   }
 
   Status on_start(const EditorOptions& options) override {

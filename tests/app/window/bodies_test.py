@@ -96,7 +96,7 @@ class Bodies(WindowTest):
         editor = self.open_again(SPHERE)
         editor.click("gravity on", 0.5, 0.5)
         editor.click("gravity on", 0.5, 0.5)
-        for name, value in (("Its value", "1.62"), ("Ground", "-20")):
+        for name, value in (("Acceleration", "1.62"), ("Ground", "-20")):
             editor.click(name, 0.3, 0.5)
             editor.press("ctrl", "a")
             editor.type(value)

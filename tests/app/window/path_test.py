@@ -136,7 +136,7 @@ class Path(WindowTest):
         editor.do("ctrl", "z")
         editor.do("ctrl", "shift", "z")
         report = editor.quit()
-        self.assertEqual(report["messages"][-2:], ["Undo: Run of the path", "Redo: Run of the path"])
+        self.assertEqual(report["messages"][-2:], ["Undo: Run path", "Redo: Run path"])
         self.assertEqual((report["path"]["strokes"], report["strokes"]), (12, 12))
         self.assertEqual(report["pieces"], 1 + 2 * 12)  # of each hole a disc of the front and one of the back
 
@@ -204,7 +204,7 @@ class Path(WindowTest):
         editor.do("shift", "u")
         editor.click("emitter fires", 0.5, 0.5)
         editor.click("emitter fires 1", 0.5, 0.5)
-        editor.click("Pace", 0.5, 0.5)
+        editor.click("Shot Rate", 0.5, 0.5)
         editor.press("ctrl", "a")
         editor.type("2")
         editor.do("Return")

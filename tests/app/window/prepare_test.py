@@ -33,7 +33,7 @@ class Prepare(WindowTest):
     def test_subdividing_makes_four_faces_of_each_and_one_undo_takes_both_times_back(self):
         editor, faces = self.open_panel()
         self.choose(editor, "preparation", 2)
-        self.type_number(editor, "Times", "2")
+        self.type_number(editor, "Iterations", "2")
         editor.click("prepare", 0.5, 0.5)
         editor.point_at(0.9, 0.9)
         editor.do("ctrl", "z")

@@ -12,7 +12,7 @@ class ScalarMap(WindowTest):
         self.folder = folder.name
         self.only_panel("scalar_map")
         editor = self.open_again(SPHERE)
-        self.ask_palette(editor, f"Colour by: {quantity}")
+        self.ask_palette(editor, f"Colour by {quantity}")
         return editor
 
     def ask_palette(self, editor, name):
@@ -29,7 +29,7 @@ class ScalarMap(WindowTest):
         place = editor.place((0.5, 0.5))
         mapped = editor.pixels()(*place)
         self.assertGreater(self.map_of(editor)["faces"], 0)
-        self.ask_palette(editor, "Colour by: Paint")
+        self.ask_palette(editor, "Colour by Paint")
         painted = editor.pixels()(*place)
         self.assertGreater(sum(abs(a - b) for a, b in zip(mapped, painted)), 40)
         self.assertIsNone(editor.quit()["scalar_map"]["quantity"])

@@ -127,7 +127,7 @@ void report_refused(Message& message, const LoadedFiles& loaded) {
 
 std::string words_on_skip(Ticks skipped) {
   return "Skipped " + grouped(skipped / kTicksPerSecond) +
-         " s of simulation: bodies are at their saved positions.";
+         " s of simulation; bodies are at their saved positions.";
 }
 
 void report_opened(Message& message, const LoadedFiles& loaded) {
@@ -227,14 +227,14 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
     view.frame_asked_for.clear();
   }
   mark_last_item("frame for all");
-  tooltip("Remember for these files. Change it later in the File panel.");
+  tooltip("Uses these for all files of this kind. The File panel changes them.");
   ImGui::SameLine();
   if (ImGui::Button("Use for this file only")) {
     settings.frames[kind].reset();
     view.frame_asked_for.clear();
   }
   mark_last_item("frame for this");
-  tooltip("Detect other files by their size. Change it later in the File panel.");
+  tooltip("Other files of this kind are detected by size. The File panel changes them.");
 }
 
 }  // namespace
@@ -511,7 +511,8 @@ void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
     cancel_stroke(workspace_);
     show(std::move(*loaded));
   } else {
-    workspace_.message.error((left ? "Recovery failed, its file is kept: " : "") + loaded.error().message);
+    workspace_.message.error((left ? "Recovery failed; the recovery file was kept: " : "") +
+                             loaded.error().message);
   }
   if (left) {
     if (opened && recovery_.follow(workspace_.session, workspace_.view, false, workspace_.message))

@@ -30,14 +30,14 @@ std::string counted(size_t count, const char* what) { return grouped(count) + " 
 
 void draw_body(const Body& body, FileUnit unit) {
   const MeshReport& r = body.loaded;
-  row("Format", r.format, "Format of the content of the file.");
+  row("Format", r.format, "File format, detected from the content.");
   row("Faces",
       counted(r.faces, "triangles") + (r.components > 1 ? " in " + counted(r.components, "parts") : ""),
-      "Loaded triangles, and the parts that they form by shared edges.");
-  row("Vertices", grouped(r.vertices), "Distinct positions.");
-  row("Border", counted(r.boundary_edges, r.boundary_edges == 1 ? "edge" : "edges"),
-      "Edges with one face: none where the surface is closed.");
-  row("Area", area_label(r.area, unit), "Of all faces, on one side.");
+      "Loaded triangles, and the parts connected by shared edges.");
+  row("Vertices", grouped(r.vertices), "Number of distinct positions.");
+  row("Boundary", counted(r.boundary_edges, r.boundary_edges == 1 ? "edge" : "edges"),
+      "Edges with one face; a closed surface has none.");
+  row("Area", area_label(r.area, unit), "Total area of all faces, counted on one side.");
   const std::vector<std::string> notes = load_notes(r);
   for (size_t i = 0; i < notes.size(); ++i) {
     row(i == 0 ? "Notes" : "", notes[i], "Problems found and repaired on import.");
@@ -166,11 +166,11 @@ class FilesFeature : public Feature {
  private:
   std::vector<UserAction> open_actions() {
     return {
-        make_action("file.new", "New", "Ctrl+N", "The first scene again, uncut.",
+        make_action("file.new", "New", "Ctrl+N", "Closes the document and opens the default scene.",
                     [this] { leave_for([this] { opener_.open_fresh(); }); }),
         make_action("file.open", "Open...", "Ctrl+O",
-                    "A scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
-                        "). Files can also be dropped on the window.",
+                    "Opens a scene (.json), a journal (.kerf) or a mesh (" + list_mesh_endings(".", ", ") +
+                        "); you can also drop files on the window.",
                     [this] { select_file_to_open(); }),
     };
   }
@@ -189,7 +189,7 @@ class FilesFeature : public Feature {
     return {
         make_action(
             "file.save", "Save", "Ctrl+S",
-            "Saves everything, with its history, as a journal (.kerf). The last version becomes .kerf~.",
+            "Saves the document with its history as a journal (.kerf). The last version becomes .kerf~.",
             [this] { save(); }),
         make_action("file.save_as", "Save As...", "Ctrl+Shift+S",
                     "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
@@ -199,18 +199,19 @@ class FilesFeature : public Feature {
   std::vector<UserAction> picture_actions() {
     return {
         make_action("file.save_viewport_image", "Save Viewport Image", "F12",
-                    "A PNG of the viewport without panels, named by date, in the current folder.",
+                    "Saves the viewport without panels as a PNG in the current folder, named by date.",
                     [this] { screenshot_ = Captured::kPicture; }),
         make_action("file.save_screenshot", "Save Screenshot", "Shift+F12",
-                    "A PNG of the window with its panels.", [this] { screenshot_ = Captured::kWindow; }),
+                    "Saves the window with its panels as a PNG in the current folder, named by date.",
+                    [this] { screenshot_ = Captured::kWindow; }),
     };
   }
   std::vector<UserAction> leave_actions() {
     return {
         make_action("file.play_game", "Play Game", "F5",
-                    "Car combat with roof-mounted lasers. The open work stays unchanged.",
+                    "Starts the car combat game; the document stays open.",
                     [this] { workspace_.links.leaves = Leaves::kForTheGame; }),
-        make_action("file.quit", "Quit", "Ctrl+Q", "Ends the editor. The settings are kept.",
+        make_action("file.quit", "Quit", "Ctrl+Q", "Closes the editor and saves the settings.",
                     [this] { quit(); }),
     };
   }

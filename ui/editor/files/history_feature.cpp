@@ -73,7 +73,7 @@ bool draw_row(size_t now, size_t position, const Row& row) {
   tooltip("Area removed by this step.");
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.weight.c_str());
-  tooltip("Memory for undoing this step at once.");
+  tooltip("Memory for undoing this step without replay.");
   if (undone) ImGui::PopStyleColor();
   if (position == now) {
     ImGui::PopStyleColor();
@@ -96,7 +96,7 @@ void draw_window(Document& document, Settings& settings) {
   property("Memory");
   int megabytes = settings.history_megabytes;
   constexpr const char* kMeaning =
-      "Memory limit for undoing at once. Older steps are restored by replay, which takes longer.";
+      "Memory limit for undo without replay. Older steps are replayed, which takes longer.";
   if (whole_slider({"Memory", "##window", kMeaning, true}, megabytes, Settings::kMinHistory,
                    Settings::kMaxHistory, grouped(static_cast<size_t>(megabytes)) + " MB",
                    {Quantity::kPlain, 1, " MB"})) {

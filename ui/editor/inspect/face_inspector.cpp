@@ -38,9 +38,9 @@ std::string joined(const std::array<double, 3>& values, const char* between, con
   return text(values[0]) + between + text(values[1]) + between + text(values[2]);
 }
 
-// "12", "border", "12 + 40 + 41 (ring of 4)".
+// "12", "boundary", "12 + 40 + 41 (ring of 4)".
 std::string across(const std::vector<FaceId>& faces) {
-  if (faces.empty()) return "border";
+  if (faces.empty()) return "boundary";
   std::string text;
   for (const FaceId f : faces) text += (text.empty() ? "" : " + ") + std::to_string(f.index);
   if (faces.size() > 1) text += " (ring of " + std::to_string(faces.size() + 1) + ")";
@@ -134,9 +134,9 @@ class InspectFeature : public Feature {
   explicit InspectFeature(Workspace& workspace) : workspace_(workspace) {}
 
   std::vector<UserAction> actions() override {
-    UserAction action = tool_action(workspace_, kInspectTool, "Inspect and Measure", "M",
-                                    "Shows facts about the face under the pointer; two clicks measure a "
-                                    "distance.");
+    UserAction action =
+        tool_action(workspace_, kInspectTool, "Inspect and Measure", "M",
+                    "Shows data of the face under the pointer; two clicks measure a distance.");
     action.run = [this, take = action.run] {
       take();
       measured_.clear();
@@ -201,6 +201,10 @@ constexpr const char* kName = "name";
 constexpr const char* kFrom = "from";
 constexpr const char* kTo = "to";
 
+constexpr const char* kNothingToUndo = "No measurement edit to undo.";
+constexpr const char* kNothingToRedo = "No measurement edit to redo.";
+constexpr const char* kNoMeasurements = "There are no measurements.";
+
 std::optional<Vec3> point_of(const nlohmann::json& json) {
   if (!json.is_array() || json.size() != 3) return std::nullopt;
   Vec3 point(0);
@@ -259,20 +263,18 @@ class RulerFeature : public Feature {
                            std::function<const char*()> disabled_reason) {
       return make_action(id, name, "", tip, std::move(run), {.disabled_reason = std::move(disabled_reason)});
     };
-    return {
-        take,
-        action(
-            "ruler.undo", "Undo Measurement Edit", "Of the distances that the ruler keeps.",
-            [this] { step(true); },
-            [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
-        action(
-            "ruler.redo", "Redo Measurement Edit", "Edits them again as before the undo.",
-            [this] { step(false); },
-            [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
-        action(
-            "ruler.export", "Export Measurements...",
-            "As a table (.csv) with the ends and the length of each.", [this] { select_file_to_export(); },
-            [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })};
+    return {take,
+            action(
+                "ruler.undo", "Undo Measurement Edit", "Reverts the last edit of a measurement.",
+                [this] { step(true); }, [this] { return list_.can_undo() ? nullptr : kNothingToUndo; }),
+            action(
+                "ruler.redo", "Redo Measurement Edit", "Repeats the undone edit of a measurement.",
+                [this] { step(false); }, [this] { return list_.can_redo() ? nullptr : kNothingToRedo; }),
+            action(
+                "ruler.export", "Export Measurements...",
+                "Writes the end points and lengths of all measurements to a table (.csv).",
+                [this] { select_file_to_export(); },
+                [this] { return list_.marks().empty() ? kNoMeasurements : nullptr; })};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
@@ -375,7 +377,7 @@ class RulerFeature : public Feature {
   }
 
   void draw_panel() {
-    if (list_.marks().empty()) ImGui::TextWrapped("Select the tool Ruler and click two points on surfaces.");
+    if (list_.marks().empty()) ImGui::TextWrapped("Click two points on surfaces with the Ruler tool.");
     if (!list_.marks().empty() && ImGui::BeginTable("distances", 3, ImGuiTableFlags_RowBg)) {
       const float em = ImGui::GetFontSize();
       ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
@@ -384,15 +386,16 @@ class RulerFeature : public Feature {
       for (size_t i = 0; i < list_.marks().size(); ++i) draw_row(i);
       ImGui::EndTable();
     }
-    if (row_button("Undo", 3, list_.can_undo() ? nullptr : "No distance was edited yet.",
-                   "Reverts the last edit of a distance."))
+    if (row_button("Undo", 3, list_.can_undo() ? nullptr : kNothingToUndo,
+                   "Reverts the last edit of a measurement."))
       step(true);
     ImGui::SameLine();
-    if (row_button("Redo", 3, list_.can_redo() ? nullptr : "No edit was undone.", "Repeats the undone edit."))
+    if (row_button("Redo", 3, list_.can_redo() ? nullptr : kNothingToRedo,
+                   "Repeats the undone edit of a measurement."))
       step(false);
     ImGui::SameLine();
-    if (row_button("Export", 3, list_.marks().empty() ? "No distance is kept." : nullptr,
-                   "Writes the distances to a table (.csv)."))
+    if (row_button("Export", 3, list_.marks().empty() ? kNoMeasurements : nullptr,
+                   "Writes the measurements to a table (.csv)."))
       select_file_to_export();
   }
   void draw_row(size_t mark) {
@@ -443,7 +446,7 @@ class RulerFeature : public Feature {
   }
   void select_file_to_export() {
     browse(workspace_.services.browser,
-           {.title = "Export the distances",
+           {.title = "Export Measurements",
             .verb = "Export",
             .hint = "File name (.csv)",
             .endings = {".csv"},
@@ -508,16 +511,16 @@ FaceFacts face_facts(const Body& body, FaceId face) {
 
 std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit) {
   const auto length = [&](double metres) { return length_label(metres, unit); };
-  const auto angle = [](double degrees) { return text_of("%.1f", degrees); };
+  const auto angle = [](double degrees) { return text_of("%.1f\u00b0", degrees); };
   const std::string level = facts.halvings == 0
                                 ? "as loaded"
-                                : "halved " + std::to_string(facts.halvings) + " times, of loaded face " +
+                                : "halved " + std::to_string(facts.halvings) + " times from loaded face " +
                                       std::to_string(facts.loaded.index);
   return {"Face " + std::to_string(facts.face.index) + ", " + level,
           "Piece   " + body.name_of(facts.piece),
           "Area   " + area_label(facts.area, unit),
           "Edges   " + joined(facts.edges, ", ", length),
-          "Angles   " + joined(facts.angles, ", ", angle) + " degrees",
+          "Angles   " + joined(facts.angles, ", ", angle),
           "Neighbours   " + across(facts.neighbours[0]) + ", " + across(facts.neighbours[1]) + ", " +
               across(facts.neighbours[2]),
           temperature_text(facts),

@@ -77,8 +77,7 @@ void placing_row(GraphState& graph) {
   }
   mark_last_item("graph placing");
   tooltip(
-      "Unrolled: along the cut from left to right, its sides above and below. By position: seen along the "
-      "thinnest direction. By force: linked nodes attract, near ones repel.");
+      "Unrolled along a closed cut; by position along the thinnest direction; or by forces between nodes.");
 }
 
 // Draws the slider of the traversal, which the button plays.
@@ -125,9 +124,7 @@ void removals_row(GraphState& graph, const ViewState& view) {
   const std::string shown =
       grouped(graph.removals()) + ", " + count_text(static_cast<size_t>(closed), "loop");
   const std::string meaning = with_shortcut(
-      view,
-      "Removed faces. A tick marks a removal that closed a loop of removed faces, when Kerf searches. The "
-      "viewport shows the loops with the component graph.",
+      view, "Removed faces. Ticks mark removals that closed a loop, which the viewport can show.",
       action_id(view_switch(SwitchId::kGraph)));
   if (whole_slider({"Removals", "##removals", meaning.c_str()}, removals, 0,
                    static_cast<int>(graph.removed()), shown))
@@ -139,7 +136,7 @@ void removals_row(GraphState& graph, const ViewState& view) {
 std::string verdict(const GraphState& graph) {
   if (graph.marked() < graph.reached()) return "Searching...";
   if (graph.shows_piece()) return "The search reached every face connected to the first.";
-  if (graph.removed() == 0) return "Nothing is cut yet.";
+  if (graph.removed() == 0) return "No cut yet.";
   const size_t rest = graph.total() - graph.reached();
   if (!graph.separated()) return "Not separated: the search reached every face that was connected before.";
   const size_t others = graph.sets() - 1;
@@ -266,10 +263,8 @@ class GraphFeature : public Feature {
 
 void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> selected) {
   int view = pieces_shown_ ? 3 : graph.shows_piece() ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
-  if (marked_choice_row(
-          "Nodes", "##nodes", view, kNodes, "graph nodes",
-          "Faces around the last stroke, of the cut bodies or of one piece, or the tree of pieces. More than "
-          "2,000 faces are drawn as clusters."))
+  if (marked_choice_row("Nodes", "##nodes", view, kNodes, "graph nodes",
+                        "Nodes of the graph: faces, or pieces. More than 2,000 faces are drawn as clusters."))
     show_nodes(graph, view, selected);
   if (graph.shows_piece()) graph.show_piece(selected);
 }
@@ -339,11 +334,11 @@ static void draw_absence(GraphState& graph) {
 void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
   if (ImGui::Button("Fit")) canvas_.fit();
   mark_last_item("graph fit");
-  tooltip("Shows the whole graph (F while the pointer is over it). Scroll to zoom, drag to pan.");
+  tooltip("Fits the whole graph (F while the pointer is over it). Scroll to zoom, drag to pan.");
   ImGui::SameLine();
   if (ImGui::Button("Near the Cut")) canvas_.show_start();
   mark_last_item("graph near");
-  tooltip("Shows the faces around the ringed one, next to the cut, large enough to tell them apart.");
+  tooltip("Zooms to the faces around the ringed one, next to the cut.");
   if (graph.any_open()) {
     ImGui::SameLine();
     if (ImGui::Button("Close Clusters")) graph.close_all();

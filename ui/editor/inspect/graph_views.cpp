@@ -600,8 +600,8 @@ void draw_piece_tree(const std::vector<PieceTreeRow>& rows, const Document& docu
   const float height = lines * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y);
   if (!ImGui::BeginTable("piece nodes", 4, kList, {0, height})) return;
   ImGui::TableSetupColumn("Piece", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("Came off", ImGuiTableColumnFlags_WidthFixed);
-  ImGui::TableSetupColumn("Held by", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("Came Off", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("Held By", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableHeadersRow();

@@ -177,7 +177,7 @@ bool drag(const Frame& frame, ScalarRange& range) {
 }  // namespace
 
 const char* name_of(FaceQuantity quantity) {
-  constexpr std::array<const char*, kFaceQuantities> kNames{"level", "longest edge", "least angle",
+  constexpr std::array<const char*, kFaceQuantities> kNames{"level", "longest edge", "min. angle",
                                                             "temperature", "distance to the rim"};
   return kNames[static_cast<size_t>(quantity)];
 }
@@ -481,7 +481,7 @@ class ScalarMapFeature : public Feature {
       names += std::string(label_of(static_cast<FaceQuantity>(i))) + '\0';
     }
     int choice = map_.shown() ? 1 + static_cast<int>(*map_.shown()) : 0;
-    if (choice_row("Colour by", "##quantity", choice, names.c_str(), "Colour by", kTip))
+    if (choice_row("Colour By", "##quantity", choice, names.c_str(), "Colour by", kTip))
       show(choice > 0 ? std::optional(static_cast<FaceQuantity>(choice - 1)) : std::nullopt);
     end_properties();
   }
@@ -491,14 +491,14 @@ class ScalarMapFeature : public Feature {
     if (begin_properties("range")) {
       changed = draw_end("From", range.low, "Value of the first colour; lower values share it.") || changed;
       changed = draw_end("To", range.high, "Value of the last colour; higher values share it.") || changed;
-      figure_row("Faces", grouped(map_.histogram().faces), "Faces with a value.");
+      figure_row("Faces", grouped(map_.histogram().faces), "Number of faces with a value.");
       end_properties();
     }
     if (changed && range.low < range.high) map_.set_range(range), hand_over();
     for (const auto& [name, share, tip] :
          {std::tuple("Fit", 0.0, "Fits the colours to the minimum and maximum, also after cuts."),
           std::tuple("Fit 1-99 %", kOutermost,
-                     "The same without the hundredth of the faces at either end.")}) {
+                     "Fits the colours to the values without the lowest and the highest 1 % of faces.")}) {
       if (share > 0) ImGui::SameLine();
       if (ImGui::Button(name)) map_.fit(share), hand_over();
       mark_last_item((std::string("scalar ") + name).c_str());
@@ -520,7 +520,7 @@ class ScalarMapFeature : public Feature {
     return fields_.number(name, end, "%.3g", meaning);
   }
   UserAction action(std::optional<FaceQuantity> quantity) {
-    const std::string name = std::string("Colour by: ") + label_of(quantity);
+    const std::string name = std::string("Colour by ") + label_of(quantity);
     UserAction action = picture_action(view_, action_id(quantity), name.c_str(), kTip, [this, quantity] {
       show(quantity);
       if (quantity) services_.panels.show(kScalarPanel);

@@ -22,11 +22,11 @@ struct ChartRow {
 };
 
 constexpr std::array kStages{
-    ChartRow{StepChart::kFind, "Find", "Querying the tree for the faces under the beam."},
-    ChartRow{StepChart::kRefine, "Refine", "Splitting them until they are fine enough."},
-    ChartRow{StepChart::kRemove, "Remove", "Removing them from the mesh."},
-    ChartRow{StepChart::kTree, "Tree", "Updating the tree."},
-    ChartRow{StepChart::kSeparate, "Separate", "Finding separated parts, and reporting changes."}};
+    ChartRow{StepChart::kFind, "Find", "Time for querying the tree for the faces under the beam."},
+    ChartRow{StepChart::kRefine, "Refine", "Time for splitting these faces until they are fine enough."},
+    ChartRow{StepChart::kRemove, "Remove", "Time for removing faces from the mesh."},
+    ChartRow{StepChart::kTree, "Tree", "Time for updating the tree."},
+    ChartRow{StepChart::kSeparate, "Separate", "Time for finding separated parts and reporting changes."}};
 
 // Draws the line of a row up to `top`, with its last number next to it.
 void plot_row(const StepChart& chart, const ChartRow& row, float top, const std::string& last) {
@@ -60,7 +60,7 @@ void change_rows(const StepChart& chart) {
   plot_row(chart, {StepChart::kAdded, "Created", "Faces that are new or have new corners."}, top,
            faces(StepChart::kAdded));
   plot_row(chart, {StepChart::kDead, "Removed", "Faces that no longer exist."}, top, faces(StepChart::kDead));
-  plot_row(chart, {StepChart::kSent, "Sent", "Data uploaded to the GPU for a frame."},
+  plot_row(chart, {StepChart::kSent, "Uploaded", "Data sent to the GPU for a frame."},
            chart.largest(StepChart::kSent), text_of("%.0f kB", chart.last(StepChart::kSent)));
 }
 
@@ -68,29 +68,26 @@ void memory_row(const char* name, size_t bytes, size_t faces, const char* meanin
   property(name);
   std::string text = text_of("%.0f MB", static_cast<double>(bytes) / (1 << 20));
   if (faces >= kManyFaces)
-    text += text_of(", %.0f bytes a face", static_cast<double>(bytes) / static_cast<double>(faces));
+    text += text_of(", %.0f bytes/face", static_cast<double>(bytes) / static_cast<double>(faces));
   ImGui::TextUnformatted(text.c_str());
   tooltip(meaning);
 }
 
 void memory_rows(const MemoryStatistics& memory, size_t faces) {
-  memory_row("Process", memory.process, faces, "All that the program holds, drivers included.");
+  memory_row("Process", memory.process, faces, "Memory of the whole process, including drivers.");
   memory_row("Meshes", memory.meshes, faces,
-             "Faces, edges and corners of all bodies, of the right half, and of the loaded scene if kept for "
-             "a recut.");
-  memory_row("Trees", memory.trees, faces, "The trees of these.");
-  memory_row("Shading", memory.pictures.shading, faces,
-             "Smooth normals of the faces as they were loaded, from which parts of them are shaded.");
+             "Faces, edges and corners of all bodies, of the right view, and of the loaded scene if kept for "
+             "recuts.");
+  memory_row("Trees", memory.trees, faces, "AABB trees of these meshes.");
+  memory_row("Shading", memory.pictures.shading, faces, "Smooth normals of the loaded faces.");
   memory_row("Shadows", memory.pictures.shadows, faces,
-             "Shadow casters, and their shadow volumes for each light.");
+             "Shadow casters and their shadow volumes for each light.");
   memory_row(
       "Graphics", memory.pictures.graphics, faces,
-      "Buffers and lists of faces and volumes for the graphics card. One with its own memory holds the "
-      "buffers there, outside the process.");
+      "Buffers of faces and volumes; a graphics card with its own memory holds them outside the process.");
   memory_row("History", memory.history, faces, "Changes made by steps, for undo.");
   memory_row("Other", memory.other(), faces,
-             "The rest of the process: the program, drivers and images. A software renderer keeps a copy of "
-             "everything drawn here.");
+             "The rest of the process: program, drivers and images, and the copies of a software renderer.");
 }
 
 void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown) {

@@ -172,8 +172,9 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
 }
 
 void pattern_row(LaserControls& laser) {
-  choice_row("Pattern", "##pattern", laser.pattern, "Volume\0Four rays\0", "pattern",
-             "Volume removes everything in the beam, Four rays only what four parallel rays on its rim hit.");
+  choice_row(
+      "Pattern", "##pattern", laser.pattern, "Volume\0Four Rays\0", "pattern",
+      "Volume removes all faces in the beam, Four Rays only those hit by four parallel rays on its rim.");
 }
 
 // Draws radius and pattern of the beam. Returns true if the radius was changed.
@@ -219,7 +220,7 @@ const char* recut_disabled_reason(const Document& document) {
 
 std::string smallest_angle_text(double largest_cosine) {
   if (largest_cosine < 0) return "none remain";
-  return text_of("%.1f degrees", std::acos(largest_cosine) * 180 / kPi);
+  return text_of("%.1f\u00b0", std::acos(largest_cosine) * 180 / kPi);
 }
 
 void stroke_rows(const std::optional<ShownStatistics::Stroke>& stroke, FileUnit unit) {
@@ -244,11 +245,13 @@ class LaserFeature : public Feature {
             {"resolution.cut", [this] { draw_resolution(); }}};
   }
   std::vector<UserAction> actions() override {
-    return joined({{tool_action(workspace_, kLaserTool, "Laser", "L", "Left-drag to cut."), recut_action()},
+    return joined({{tool_action(workspace_, kLaserTool, "Laser", "L",
+                                "Cuts the mesh where you drag with the left button."),
+                    recut_action()},
                    laser_actions()});
   }
   std::vector<Gesture> gestures() const override {
-    return {{"cut", "Left drag", "Cut where the pointer goes"}};
+    return {{"cut", "Left drag", "Cut under the pointer"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
@@ -373,10 +376,10 @@ class LaserFeature : public Feature {
     return {
         radius_action("laser.wider", "Wider Beam", kRadiusStep),
         radius_action("laser.narrower", "Narrower Beam", 1 / kRadiusStep),
-        setting_action("laser.pattern_volume", "Pattern: Volume", "Removes everything in the beam.", pattern,
+        setting_action("laser.pattern_volume", "Pattern: Volume", "Removes all faces in the beam.", pattern,
                        Pattern::kVolume),
         setting_action("laser.pattern_rays", "Pattern: Four Rays",
-                       "Removes only what four parallel rays on the rim of the beam hit.", pattern,
+                       "Removes only faces hit by four parallel rays on the rim of the beam.", pattern,
                        Pattern::kRays4),
         finer_action("resolution.finer", "Finer Cut", 1),
         finer_action("resolution.coarser", "Coarser Cut", -1),
@@ -424,7 +427,7 @@ class LaserFeature : public Feature {
   }
   void request_recut(bool radius) {
     recut_radius_ = recut_radius_ || radius;
-    workspace_.changes.enqueue("Cut again", [this] { recut(std::exchange(recut_radius_, false)); });
+    workspace_.changes.enqueue("Recut", [this] { recut(std::exchange(recut_radius_, false)); });
   }
   // Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
   // radius; its other settings stay. Consecutive recuts share one history entry.
@@ -441,7 +444,7 @@ class LaserFeature : public Feature {
     commands.emplace_back(Recut{settings});
     // Queue the time again that had passed after the undone recut.
     if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
-    workspace_.changes.change("Cut again", true, apply_all(std::move(commands)));
+    workspace_.changes.change("Recut", true, apply_all(std::move(commands)));
     ++workspace_.services.statistics.recuts;
   }
   // Ends the current stroke at the beam, and drops the strokes queued after it.

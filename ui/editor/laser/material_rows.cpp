@@ -82,10 +82,10 @@ void model_row(LaserControls& laser) {
 }
 
 void hold_row(bool& held) {
-  property("Freeze Temperature");
+  property("Freeze Temp.");
   ImGui::Checkbox("##hold", &held);
   mark_last_item("hold heat");
-  tooltip("Freezes all temperatures; otherwise hot faces cool in real time.");
+  tooltip("Freezes the temperature of all faces; otherwise hot faces cool in real time.");
 }
 
 // A row of the panel, in units of `scale`.
@@ -108,25 +108,25 @@ struct ConstantRow {
 
 constexpr std::array kConstantRows{
     ConstantRow{&Substance::heat_solid,
-                {"Heat, solid", 1, "%.4g J/(kg K)", "Specific heat below the transition."}},
+                {"Heat (Solid)", 1, "%.4g J/(kg K)", "Specific heat below the transition."}},
     ConstantRow{&Substance::heat_liquid,
-                {"Heat, liquid", 1, "%.4g J/(kg K)", "Specific heat above the transition."}},
+                {"Heat (Liquid)", 1, "%.4g J/(kg K)", "Specific heat above the transition."}},
     ConstantRow{&Substance::conductivity,
                 {"Conductivity", 1, "%.4g W/(m K)", "Thermal conductivity, a mean over temperature."}},
     ConstantRow{&Substance::transition,
-                {"Melts at", 1, "%.4g K",
-                 "Temperature of melting or decomposition; removal takes the latent heat in addition."}},
+                {"Melting Point", 1, "%.4g K",
+                 "Temperature of melting or decomposition; removal also needs the latent heat."}},
     ConstantRow{&Substance::latent,
-                {"Latent heat", 1000, "%.4g kJ/kg", "Heat of fusion, or the remaining heat of ablation."}},
+                {"Latent Heat", 1000, "%.4g kJ/kg", "Heat of fusion, or the remaining heat of ablation."}},
     ConstantRow{&Substance::emissivity,
-                {"Emissivity", 1, "%.3g", "0 to 1: radiation of both sides relative to a black body."}},
+                {"Emissivity", 1, "%.3g", "Radiation of both sides relative to a black body, 0 to 1."}},
     ConstantRow{&Substance::absorptivity_fibre,
-                {"Absorbs, fibre", 1, "%.3g", "0 to 1: the absorbed share of a beam of 1.07 \xc2\xb5m."}},
+                {"Fibre Absorp.", 1, "%.3g", "Absorptivity for a fibre laser (1.07 \xc2\xb5m), 0 to 1."}},
     ConstantRow{&Substance::absorptivity_co2,
-                {"Absorbs, CO2", 1, "%.3g", "0 to 1: the absorbed share of a beam of 10.6 \xc2\xb5m."}},
+                {"CO2 Absorp.", 1, "%.3g", "Absorptivity for a CO2 laser (10.6 \xc2\xb5m), 0 to 1."}},
     ConstantRow{
         &Substance::burnt_share,
-        {"Burns", 1, "%.3g", "0 to 1: the share of the kerf that burns with oxygen as the assist gas."}}};
+        {"Burn Fraction", 1, "%.3g", "Share of the kerf that burns with oxygen as the assist gas, 0 to 1."}}};
 static_assert(kConstantRows.size() + 2 == std::size(kSubstanceFields),
               "the density and the wavelength have no row here");
 
@@ -187,7 +187,7 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
   const auto own = std::find_if(materials->begin(), materials->end(),
                                 [&](const Material& m) { return is_of(sheet.substance, m.substance); });
   bool changed = false;
-  if (begin_fitted_combo("##material", own != materials->end() ? own->title : "Of its own")) {
+  if (begin_fitted_combo("##material", own != materials->end() ? own->title : "Custom")) {
     for (const Material& material : *materials) {
       if (!ImGui::Selectable(material.title.c_str(), material.substance == sheet.substance)) continue;
       changed = material.substance != sheet.substance;
@@ -214,7 +214,7 @@ bool MaterialPanel::draw_numbers(Sheet& sheet) {
     sheet.density = sheet.substance.density;
     changed = true;
   }
-  if (ImGui::TreeNode("Constants of the material")) {
+  if (ImGui::TreeNode("Material Constants")) {
     if (begin_properties("constants")) {
       changed |= draw_constants(sheet.substance);
       end_properties();
@@ -291,15 +291,14 @@ class MaterialFeature : public Feature {
   void draw_material() {
     const MaterialChange change = panel_.draw(workspace_);
     if (change.sheet) {
-      request_for_all("Set the material", [sheet = *change.sheet](const PieceId& p) {
+      request_for_all("Set material", [sheet = *change.sheet](const PieceId& p) {
         return SetSheetProperties{p, sheet};
       });
     }
     if (change.solid) {
-      request_for_all(*change.solid ? "Make solid" : "Make a sheet",
-                      [solid = *change.solid](const PieceId& p) {
-                        return SetSolid{p, solid};
-                      });
+      request_for_all(*change.solid ? "Make solid" : "Make sheet", [solid = *change.solid](const PieceId& p) {
+        return SetSolid{p, solid};
+      });
     }
   }
   using CommandFor = std::function<Command(const PieceId&)>;
@@ -497,8 +496,8 @@ std::string energy_text(const World& world) {
 void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
   double width = laser.width_of_heat();
   const LengthUnit in = label_unit(default_heat_width(laser.radius), unit);
-  if (length_field(fields_, "Heat-affected zone", width, in,
-                   "Width of the heated zone: from the melting point at the rim down to ambient. 0: none, "
+  if (length_field(fields_, "HAZ Width", width, in,
+                   "Width of the heat-affected zone, from the melting point at the rim to ambient. 0: none, "
                    "-1: automatic.",
                    "", {std::numeric_limits<double>::lowest(), kMaxRadii * laser.radius}))
     laser.heat_width = width >= 0 ? std::optional(width) : std::nullopt;
@@ -559,12 +558,13 @@ void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::op
 }
 
 const char* solid_disabled_reason(bool closed, const LaserControls& laser) {
-  if (!closed) return "A solid must be closed, but this piece has open edges.";
+  if (!closed) return "A solid must be closed, but this piece has boundary edges.";
   if (laser.model == Model::kThermal)
-    return "The thermal model leaves no walls: select the model Geometric in the Laser panel.";
+    return "The thermal model leaves no walls: select Geometric in the Laser panel.";
   if (laser.pattern == Pattern::kRays4)
-    return "Four rays leave no walls: select the pattern Volume in the Laser panel.";
-  if (laser.resolution.rim != Rim::kSmooth) return "Walls need a smooth rim: select it in the Laser panel.";
+    return "Pattern Four Rays leaves no walls: select Volume in the Laser panel.";
+  if (laser.resolution.rim != Rim::kSmooth)
+    return "Walls need a smooth rim: select it in the Resolution panel.";
   return nullptr;
 }
 

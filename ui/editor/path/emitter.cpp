@@ -75,7 +75,7 @@ class EmitterFeature : public Feature {
   }
   std::vector<UserAction> actions() override { return emitter_actions(); }
   std::vector<Gesture> gestures() const override {
-    return {{"move_emitter", "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
+    return {{"move_emitter", "Left drag on the emitter", "Move it; drag the ring at its target to aim it"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {
@@ -104,7 +104,7 @@ class EmitterFeature : public Feature {
     list.PopClipRect();
     if (!emitter_.firing) return;
     workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode,
-                                    with_shortcut(workspace_.view, "The emitter fires.", "emitter.fire"),
+                                    with_shortcut(workspace_.view, "The emitter is firing.", "emitter.fire"),
                                     "emitter badge");
   }
   void add_landmarks(Landmarks& landmarks) const override {
@@ -184,8 +184,8 @@ class EmitterFeature : public Feature {
     emitter_.in_shots = kind == 1;
     if (!emitter_.in_shots) return;
     double pace = emitter_.pace.per_second();
-    if (fields_.number("Pace", pace, "%.3g shots/s",
-                       "Shots per second, 0.1 to 60. A shot waits until the last one is cut.", {},
+    if (fields_.number("Shot Rate", pace, "%.3g shots/s",
+                       "Shots per second, 0.1 to 60. A shot waits until the previous one is cut.", {},
                        {FirePace::kSlowest, FirePace::kFastest}))
       emitter_.pace.set(pace);
   }

@@ -174,7 +174,7 @@ class PathFeature : public Feature {
     return {{"add_point", "Click on a surface",
              "Add a point to the path, with the tool Path; Shift begins another stroke"},
             {"move_point", "Left drag on a point or its knob",
-             "Move a point of the path over the surface, turn its beam"}};
+             "Move a point of the path over the surface, or turn its beam"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
@@ -356,8 +356,7 @@ class PathFeature : public Feature {
   }
 
   void request_run() {
-    workspace_.changes.enqueue(
-        {.name = "Run of the path", .run = [this] { return run(), true; }, .is_one = true});
+    workspace_.changes.enqueue({.name = "Run path", .run = [this] { return run(), true; }, .is_one = true});
   }
   // Cuts all strokes on another thread, or none if the user stops it.
   void run() {
@@ -422,7 +421,7 @@ void HoleForm::draw_grid(FileUnit unit) {
 
 void HoleForm::draw_circle(FileUnit unit) {
   number_row(fields_, "Holes", pattern_.count, "Number of holes on the circle.");
-  length_row(fields_, "Circle radius", pattern_.circle_radius, unit,
+  length_row(fields_, "Circle Radius", pattern_.circle_radius, unit,
              "Radius of the circle through the centres of the holes.");
 }
 
@@ -451,13 +450,13 @@ void HoleForm::draw(PathWork& path, const World& world, double radius, double sp
   const bool grid = pattern_.kind == HolePattern::Kind::kGrid;
   if (grid) draw_grid(unit);
   if (!grid) draw_circle(unit);
-  length_row(fields_, "Hole radius", pattern_.hole_radius, unit,
+  length_row(fields_, "Hole Radius", pattern_.hole_radius, unit,
              "Holes no wider than the beam are cut by a single burst.");
   end_properties();
   const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
   const std::string label = "Add " + count_text(static_cast<size_t>(count), "hole");
   if (row_button((label + "###add holes").c_str(), 1,
-                 path.selected() ? nullptr : "Select a point of the path first: the centre of the holes.",
+                 path.selected() ? nullptr : "Select a point of the path first; the holes are centred on it.",
                  "Adds a stroke for each hole around the selected point, along its beam."))
     add_holes(path, world, radius, speed);
   mark_last_item("add holes");
@@ -484,8 +483,8 @@ void PathPanel::draw_speed(PathWork& path, FileUnit unit) {
   double speed = path.speed();
   const char* meaning =
       path.has_times_of_file()
-          ? "Mean speed of the beam origin by the times in the file. Typing a speed replaces these times."
-          : "Speed of the beam origin.";
+          ? "Mean speed of the beam origin by the times in the file; typing a speed replaces these times."
+          : "Speed of the origin of the beam.";
   if (!length_field(fields_, "Speed", speed, label_unit(speed, unit), meaning, "/s", kPositive)) return;
   path.begin_edit();
   path.set_speed(speed);
@@ -495,10 +494,10 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
   const size_t stroke = path.selected()->stroke;
   const StrokePath& drawn = path.strokes()[stroke];
   double radius = default_settings(drawn, world.bounds().diagonal()).laser.radius;
-  if (!length_field(fields_, "Beam radius", radius, label_unit(radius, unit),
-                    drawn.radius ? "Beam radius of the stroke with the selected point."
-                                 : "Beam radius of the stroke with the selected point. By default 1/400 of "
-                                   "the diagonal of all meshes.",
+  if (!length_field(fields_, "Beam Radius", radius, label_unit(radius, unit),
+                    drawn.radius ? "Radius of the stroke with the selected point."
+                                 : "Radius of the stroke with the selected point; by default 1/400 of the "
+                                   "diagonal of all meshes.",
                     "", kPositive))
     return;
   path.begin_edit();
@@ -508,9 +507,9 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
 void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit) {
   if (path.empty() || !begin_properties("beam")) return;
   draw_speed(path, unit);
-  choice_row("Cut", "##cut", at_panel_resolution, "As kerf cut does\0As in the Resolution panel\0",
+  choice_row("Resolution", "##cut", at_panel_resolution, "As kerf cut\0As Resolution Panel\0",
              "path resolution",
-             "Resolution and rim of the cut: those of kerf cut --path, or those of the Resolution panel.");
+             "Cuts with the resolution and rim of kerf cut --path, or of the Resolution panel.");
   if (path.selected()) draw_radius(path, world, unit);
   end_properties();
 }
@@ -560,7 +559,7 @@ void PathPanel::draw_selected(PathWork& path, const World& world, FileUnit unit)
   double distance = path.distance(point);
   bool edited =
       fields_.vector("Target", target, "%.5g",
-                     "Position of the selected point, in the unit of the file. Its beam moves along.",
+                     "Position of the selected point, in the unit of the file; its beam moves with it.",
                      file_unit(unit), world.loaded_bounds().diagonal());
   edited = fields_.vector("Direction", direction, "%.4g", "Direction of the beam, of any length.") || edited;
   edited =

@@ -217,9 +217,9 @@ std::string PieceMove::words(const char* unit) const {
   std::string text = (moves ? "Move" : "Rotate");
   if (!axis.empty()) text += (moves ? " along" : " about") + axis;
   text += ": ";
-  if (!typed_.empty()) return text + typed_ + (moves ? std::string(" ") + unit : " degrees");
+  if (!typed_.empty()) return text + typed_ + (moves ? std::string(" ") + unit : "\u00b0");
   constexpr double kHalfTurn = 180;
-  if (!moves) return text + number_text(angle() / kDegree, "%.4g", kHalfTurn) + " degrees";
+  if (!moves) return text + number_text(angle() / kDegree, "%.4g", kHalfTurn) + "\u00b0";
   const Vec3 by = shift();
   const auto shown = [&](double way) { return number_text(way, "%.4g", glm::length(by)); };
   const std::string end = std::string(" ") + unit + (snap_ && snap_->vertex ? ", to a vertex" : "");

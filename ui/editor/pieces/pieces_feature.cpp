@@ -164,10 +164,10 @@ class PiecesFeature : public Feature {
          shown_actions()});
   }
   std::vector<Gesture> gestures() const override {
-    return {{"select", "Ctrl+click", "Select a piece; with Shift one more"},
-            {"select_box", "Ctrl+left drag",
-             "Select the pieces in a box; from right to left those that it touches"},
-            {"rename", "Double click on a name in the list", "Rename the piece"}};
+    return {
+        {"select", "Ctrl+click", "Select a piece; Shift adds to the selection"},
+        {"select_box", "Ctrl+left drag", "Select pieces inside a box; right to left also those it touches"},
+        {"rename", "Double click on a name in the list", "Rename the piece"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
@@ -215,7 +215,7 @@ class PiecesFeature : public Feature {
         make_action("pieces.hide", "Hide Selected", "H",
                     "Hides the selected pieces; the beam does not cut them.", [this] { request_hide(); },
                     {.disabled_reason = no_emitter_reason}),
-        make_action("pieces.show_all", "Show All", "Shift+H", "Shows the hidden pieces again.",
+        make_action("pieces.show_all", "Show All", "Shift+H", "Shows all hidden pieces.",
                     [this] { request_show(); }, {.disabled_reason = [this] { return none_hidden_reason(); }}),
         UserAction{.id = "pieces.isolate",
                    .name = "Isolate Selected",
@@ -301,7 +301,7 @@ class PiecesFeature : public Feature {
       request_hide();
     ImGui::SameLine();
     if (row_button("Show All", 3, none_hidden_reason(),
-                   told("Shows the hidden pieces again.", "pieces.show_all").c_str()))
+                   told("Shows all hidden pieces.", "pieces.show_all").c_str()))
       request_show();
     ImGui::SameLine();
     if (row_button("Export", 3, no_emitter_reason,
@@ -423,7 +423,7 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
 Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks,
                                        const std::map<std::string, Paint>& paints, const fs::path& file) {
   const auto format = mesh_format(file.extension().string());
-  if (!format) return bad_input("The name must end in " + list_mesh_endings());
+  if (!format) return bad_input("The file name must end in " + list_mesh_endings());
   std::vector<PieceFile> files = files_to_export(world, looks, file);
   if (files.empty()) return bad_input("No piece is selected");
   PieceWriter writer(world, paints, *format);
@@ -470,8 +470,8 @@ std::string PieceExport::export_to(const std::filesystem::path& file) {
   if (!written) return written.error().message;
   const std::string first = written->files.front().mesh.string();
   const std::string done = written->files.size() == 1 ? "Exported " + first
-                                                      : std::to_string(written->files.size()) +
-                                                            " pieces exported, the first: " + first;
+                                                      : "Exported " + std::to_string(written->files.size()) +
+                                                            " pieces; the first is " + first;
   workspace_.message.show(written->note ? done + ". " + *written->note + "." : done,
                           written->note.has_value());
   return "";

@@ -127,7 +127,7 @@ class PressOnPieces : public Interaction {
   }
   bool cancel() override { return boxes_; }
   const char* words() const override {
-    return boxes_ ? "Select pieces inside the box; drag right to left for pieces it touches" : nullptr;
+    return boxes_ ? "Select pieces inside the box; drag right to left to include pieces it touches" : nullptr;
   }
   void draw(ImDrawList& list) const override {
     if (boxes_) draw_rubber_band({pressed_at_, workspace_.input.pointer}, list);
@@ -358,7 +358,7 @@ void Isolation::change() {
     hidden_before_ = hidden_bodies(workspace_.world());
   }
   cancel_stroke(workspace_);
-  workspace_.changes.change(hide ? "Isolate pieces" : "Show the other pieces",
+  workspace_.changes.change(hide ? "Isolate pieces" : "Show other pieces",
                             is_small(workspace_.session.document),
                             edit_all(std::move(pieces), [hide](const PieceId& piece) {
                               return HidePiece{piece, hide};

@@ -140,7 +140,7 @@ void draw_row(const PreviewRow& row) {
   }
 }
 
-std::string angle_text(double degrees) { return text_of("%.3g degrees", degrees); }
+std::string angle_text(double degrees) { return text_of("%.3g\u00b0", degrees); }
 
 void draw_statistics(const Preview& preview, FileUnit unit) {
   if (!ImGui::BeginTable("preview", 3, ImGuiTableFlags_SizingStretchProp)) return;
@@ -152,7 +152,7 @@ void draw_statistics(const Preview& preview, FileUnit unit) {
   }
   const Preview::Statistics &before = preview.before, &after = preview.after;
   draw_row({"Faces", grouped(before.faces), grouped(after.faces), "Number of faces of the pieces."});
-  draw_row({"Min. angle", angle_text(before.min_angle), angle_text(after.min_angle),
+  draw_row({"Min. Angle", angle_text(before.min_angle), angle_text(after.min_angle),
             "Smallest angle of all these faces."});
   draw_row({"Distance", "", preview.distance > 0 ? length_label(preview.distance, unit) : "none",
             "Maximum distance between the old and the new surface, measured both ways."});
@@ -170,7 +170,7 @@ constexpr double kUsualError = 0.001;            // of the world size
 constexpr std::array kTools{"Simplify to Face Count", "Simplify by Tolerance", "Subdivide", "Smooth",
                             "Turn Inner Shells"};
 
-constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
+constexpr std::array kSchemes{"Loop", "Square Root of 3", "Midpoint"};
 
 const char* button_name(PrepareTool tool) {
   if (tool == PrepareTool::kSubdivide) return "Subdivide###prepare";
@@ -397,7 +397,7 @@ Preparation with_numbers(const Preparation& preparation, std::span<const PieceRo
 
 void PreparePanel::draw_times(Preparation& preparation, const char* meaning, size_t most) {
   size_t times = std::min(preparation.times, most);
-  if (fields_.count("Times", times, meaning, 1, most)) preparation.times = times;
+  if (fields_.count("Iterations", times, meaning, 1, most)) preparation.times = times;
 }
 
 void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& shown, const World& world,
@@ -405,7 +405,7 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
   switch (shown.tool) {
     case PrepareTool::kSimplifyToFaces: {
       size_t faces = shown.faces;
-      if (fields_.count("Faces", faces, "Target number of faces of all these pieces together.", 1, kMaxTyped))
+      if (fields_.count("Faces", faces, "Target number of faces of all these pieces in total.", 1, kMaxTyped))
         preparation.faces = faces;
       break;
     }
@@ -413,14 +413,14 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
       double error = shown.error;
       const LengthUnit shown_unit = label_unit(kUsualError * world.loaded_bounds().diagonal(), unit);
       const char* meaning = "Maximum distance between the new and the old surface.";
-      if (length_field(fields_, "Error", error, shown_unit, meaning, "", kPositive))
+      if (length_field(fields_, "Max. Error", error, shown_unit, meaning, "", kPositive))
         preparation.error = error;
       break;
     }
     case PrepareTool::kSubdivide:
-      marked_choice_row(
-          "Scheme", "##scheme", preparation.scheme, kSchemes, "scheme",
-          "Loop and square root of 3 round the surface; midpoints keep it. Each face becomes four or three.");
+      marked_choice_row("Scheme", "##scheme", preparation.scheme, kSchemes, "scheme",
+                        "Loop and Square Root of 3 round the surface; Midpoint keeps it. Faces become four "
+                        "(Square Root of 3: three).");
       draw_times(preparation, "Number of times that each face is subdivided.", kMaxSubdivisions);
       break;
     case PrepareTool::kSmooth:
@@ -445,7 +445,7 @@ bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
   ImGui::PopStyleColor();
   if (begin_properties("preparation")) {
     const char* meaning =
-        "Mesh operation. Keeps boundaries, edges of three or more faces, and edges between materials.";
+        "Operation on the mesh. Keeps boundaries, edges of three or more faces, and edges between materials.";
     if (marked_choice_row("Tool", "##preparation", preparation.tool, kTools, "preparation", meaning))
       preparation.times = 1;
     draw_numbers(preparation, with_numbers(preparation, pieces, world), world, view.frame.unit);
@@ -488,7 +488,8 @@ class PrepareFeature : public Feature {
         tool_action("prepare.smooth", "Smooth", "Moves vertices towards the mean of their neighbours.",
                     Kind::kSmooth),
         tool_action("prepare.turn_shells", "Turn Inner Shells",
-                    "Closed parts inside others that face the same way become cavities.", Kind::kTurnShells),
+                    "Makes cavities of closed parts inside others that face the same way.",
+                    Kind::kTurnShells),
         make_action("prepare.apply", "Prepare Mesh", "",
                     "Applies the Prepare panel to the selected pieces, or to all.",
                     [this] { request_preparation(); },

@@ -59,7 +59,7 @@ struct CommandLabel {
   std::string operator()(const EndStroke&) const { return "End the stroke"; }
   std::string operator()(const StopStroke&) const { return "Stop the stroke"; }
   std::string operator()(const Recut& c) const {
-    return "Cut the stroke again, " + resolution_label(c.settings.resolution, unit);
+    return "Recut the stroke, " + resolution_label(c.settings.resolution, unit);
   }
   std::string operator()(const AdvanceTime& c) const { return c.bodies ? "Time with moving bodies" : "Time"; }
   std::string operator()(const DragBody&) const { return "Drag " + piece; }

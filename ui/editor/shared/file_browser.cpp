@@ -113,7 +113,7 @@ void select_file(FileBrowser& b, const fs::path& file) {
     b.fault = there.front().filename().string() +
               (there.size() == 1 ? " already exists"
                                  : " and " + std::to_string(there.size() - 1) + " more already exist") +
-              ": click Replace or press Enter again";
+              ": click Replace, or press Enter again";
     return;
   }
   b.fault = b.wish.take(file);
@@ -309,7 +309,7 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault)
       entries.push_back({name, false, unknown ? 0 : bytes});
     }
   }
-  if (error) fault = folder.string() + ": cannot read this folder";
+  if (error) fault = folder.string() + ": cannot read this folder: " + error.message();
   std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     if (a.folder != b.folder) return a.folder;
     const std::string low_a = lower(a.name), low_b = lower(b.name);

@@ -102,11 +102,11 @@ std::string step_words(const UndoStack& history, size_t step, FileUnit unit) {
   KERF_ASSERT(step < history.size());
   const HistoryStep& of = history.step(step);
   if (!history.cuts(step)) return command_label(of.commands().front(), unit, of.piece_name);
-  const std::string cut = "Cut " + std::to_string(number_of(history, history.base_of(step)));
+  const std::string number = std::to_string(number_of(history, history.base_of(step)));
   const CutSettings& settings = history.settings_of(step);
   if (of.kind() == HistoryStep::Kind::kStroke)
-    return cut + ": " + names_of(of) + beam_label(settings.laser, unit);
-  return cut + " again: " + names_of(of) + resolution_label(settings.resolution, unit);
+    return "Cut " + number + ": " + names_of(of) + beam_label(settings.laser, unit);
+  return "Recut " + number + ": " + names_of(of) + resolution_label(settings.resolution, unit);
 }
 
 }  // namespace kerf

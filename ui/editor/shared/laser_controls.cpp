@@ -75,23 +75,21 @@ CutSettings LaserControls::settings(double diagonal) const {
 namespace {
 
 bool rule_row(ResolutionControls& to) {
-  return choice_row(
-      "Refine by", "##rule", to.rule, "Edge length\0Tolerance\0Depth\0", nullptr,
-      "When faces under the beam are small enough: by edge length, by overshoot of the removed area, or by "
-      "number of splits.");
+  return choice_row("Refine By", "##rule", to.rule, "Edge Length\0Tolerance\0Depth\0", nullptr,
+                    "Splits faces under the beam up to an edge length, an overshoot of the removed area, or "
+                    "a number of splits.");
 }
 
 bool scheme_row(ResolutionControls& to) {
   return choice_row(
-      "Scheme", "##scheme", to.scheme, "One to four\0Longest edge\0", nullptr,
-      "Split faces in four, as in the paper, or in two at the longest edge: far fewer faces from thin ones.");
+      "Scheme", "##scheme", to.scheme, "One to Four\0Longest Edge\0", nullptr,
+      "Splits faces in four, as in the paper, or in two at the longest edge, which creates far fewer faces.");
 }
 
 bool rim_row(ResolutionControls& to) {
   return choice_row(
       "Rim", "##rim", to.rim, "Faces\0Smooth\0", nullptr,
-      "Faces: removes every face the beam touches; the edge is jagged. Smooth: cuts faces along the beam's "
-      "boundary when the stroke ends.");
+      "Faces removes every face the beam touches (jagged edge); Smooth cuts faces along the beam.");
 }
 
 // A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
@@ -113,15 +111,13 @@ bool fraction_row(const char* name, double& fraction, double standard, const Sho
 bool edge_row(ResolutionControls& to, const ShownRadius& radius) {
   return fraction_row(
       "Edge", to.edge_fraction, ResolutionControls().edge_fraction, radius,
-      "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right. "
-      "Right click for the default.");
+      "Longest edge under the beam, 2 to 1/32 radii; finer to the right. Right-click for the default.");
 }
 
 bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
-  return fraction_row(
-      "Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
-      "How far what is removed may overshoot the beam, from twice the radius to a 32nd of it. "
-      "Finer to the right. Right click for the default.");
+  return fraction_row("Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
+                      "Maximum overshoot of removed faces, 2 to 1/32 radii; finer to the right. Right-click "
+                      "for the default.");
 }
 
 bool depth_row(ResolutionControls& to) {
@@ -129,8 +125,7 @@ bool depth_row(ResolutionControls& to) {
   const int before = to.depth;
   const std::string text = to.depth == 0 ? "whole faces" : count_text(static_cast<size_t>(to.depth), "split");
   constexpr const char* kMeaning =
-      "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "
-      "as in the paper's figure 3.";
+      "Number of splits of a face under the beam. 0: no refinement, faces are removed whole.";
   whole_slider({"Depth", "##depth", kMeaning}, to.depth, 0, ResolutionControls::kMaxDepth, text);
   return to.depth != before;
 }

@@ -11,7 +11,7 @@ const char* Workspace::why_time_stands_still() const {
   for (const auto& disabled_reason : links.time_holds) {
     if (const char* why = disabled_reason()) return why;
   }
-  return world().live_faces() == 0 ? "The scene is empty: nothing can move." : nullptr;
+  return world().live_faces() == 0 ? "The scene is empty: open a file, or undo." : nullptr;
 }
 
 std::vector<std::filesystem::path> FeatureLinks::not_taken(std::vector<std::filesystem::path> files) const {

@@ -120,9 +120,7 @@ constexpr const char* kGestures[] = {
 const std::array<BindingPreset, 2> kPresets{{
     {"Kerf", "Default keys.", {}},
     {"Blender",
-     "Keys that Blender users know, where Kerf has the same action: Home frames all, A selects all, X "
-     "deletes, "
-     "Alt+H shows, N hides the panels, F3 finds actions, Shift+Z shows edges.",
+     "Keys of Blender where Kerf has the same action, such as A, X, N, F3, Home, Alt+H and Shift+Z.",
      {{"view.frame_all", "Home"},
       {"view.reset", "Ctrl+Home"},
       {"pieces.select_all", "A"},

@@ -225,8 +225,7 @@ class Dialogs : public Feature {
             {"pan", "Shift+middle drag, right drag", "Pan"},
             {"zoom", "Wheel", "Zoom to the pointer"},
             {"escape", "Esc",
-             "Close a menu; end the cut, also one that is still at work; stop opening a file; clear the "
-             "selection"}};
+             "Close a menu; end the cut, even after release; stop opening a file; clear the selection"}};
   }
 
   bool handle_event(const InputEvent& event, bool) override {
@@ -279,16 +278,16 @@ class Dialogs : public Feature {
   std::vector<UserAction> help_actions() {
     return {
         make_action("help.palette", "Command Palette", "Ctrl+P",
-                    "Finds any action by parts of its name, and shows its key.",
+                    "Finds any action by parts of its name and shows its shortcut.",
                     [this] { open_palette(palette_); }),
         make_action("help.settings", "Settings", "Ctrl+,",
-                    "The speed of the mouse, and the keys of all actions.",
+                    "Sets mouse speed, threads, and the shortcuts of all actions.",
                     [this] { page_.shown = !page_.shown; }, {.checked = [this] { return page_.shown; }}),
-        make_action("help.shortcuts", "Shortcuts", "F1", "All keys, and what the mouse does.",
+        make_action("help.shortcuts", "Shortcuts", "F1", "Lists all keys and mouse gestures.",
                     [this] { shortcuts_shown_ = !shortcuts_shown_; },
                     {.checked = [this] { return shortcuts_shown_; }}),
         make_action("help.messages", "Messages", "",
-                    "All messages of the status bar, in full. A click on its message shows them too.",
+                    "Lists all messages of the status bar in full; a click on the status bar does the same.",
                     [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
                     {.checked = [this] { return workspace_.services.messages_shown; }}),
     };

@@ -90,8 +90,7 @@ struct TabLook {
   Draw draw;
 };
 constexpr std::array kTabs{
-    TabLook{Tab::kCut, "cut", "Cut", "The laser, the resolution, the pieces and the history.", "Alt+1",
-            draw_cut},
+    TabLook{Tab::kCut, "cut", "Cut", "Laser, resolution, path, pieces and history.", "Alt+1", draw_cut},
     TabLook{Tab::kView, "view", "View", "View, lights, AABB tree, component graph and statistics.", "Alt+2",
             draw_eye},
     TabLook{Tab::kPhysics, "physics", "Physics", "Falling bodies and time.", "Alt+3", draw_arrows},
@@ -326,7 +325,7 @@ std::vector<UserAction> panel_actions(std::span<const Panel> panels, PanelPlaces
   std::vector<UserAction> actions;
   for (const Panel& panel : panels) {
     const std::string id = panel.id;
-    actions.push_back({.name = panel.title, .tip = "Shows or folds this panel."});
+    actions.push_back({.name = panel.title, .tip = "Shows or hides this panel."});
     actions.back().run = [&places, id] {
       if (places.shows(id)) return places.fold(id);
       places.show(id);

@@ -46,12 +46,12 @@ const char* next_stage_disabled_reason(const StageState& stages, const Document&
   if (document.waiting() > 0 && stages.runs_on)
     return "This stroke is cut to its end, because its undo data were discarded.";
   return document.waiting() > 0 ? nullptr
-                                : "The stroke is finished: go back, start again, or draw another one.";
+                                : "The stroke is finished: step back, restart, or draw another one.";
 }
 
 const char* stage_back_disabled_reason(const StageState& stages, const Document& document) {
   if (!stages.requests.on) return kOff;
-  return stages.log.done() > 0 ? restart_disabled_reason(document) : "No stage was executed yet.";
+  return stages.log.done() > 0 ? restart_disabled_reason(document) : "No stage to undo.";
 }
 
 StageCut::Key StageCut::key_now() const {
@@ -331,7 +331,7 @@ void SingleStepPanel::draw(StageState& stages, const Document& document, const V
   draw_speed(stages.requests);
   const std::string place = place_text(stages, document);
   if (place.empty()) {
-    return secondary_text("Draw a stroke, or step through the last one again.");
+    return secondary_text("Draw a stroke, or step through the last cut.");
   }
   ImGui::TextWrapped("%s", place.c_str());
   if (!stages.log.told().empty()) draw_list(stages, document);
@@ -368,19 +368,20 @@ using Kind = StageMarks::Kind;
 
 void visited_row(StageLog& stages) {
   const QueryWalk& query = stages.query();
-  property("Tested");
+  property("Boxes Tested");
   int visited = static_cast<int>(query.visited());
   const std::string shown = grouped(query.visited()) + " of " + grouped(query.size());
-  if (whole_slider({"Tested", "##visited", "Boxes in the order of their tests; step with the keys [ and ]."},
-                   visited, 1, static_cast<int>(query.size()), shown))
+  if (whole_slider(
+          {"Boxes Tested", "##visited", "Boxes in the order of testing; step with the keys [ and ]."},
+          visited, 1, static_cast<int>(query.size()), shown))
     stages.visit(static_cast<size_t>(visited));
   mark_last_item("query slider");
 }
 
 void drawn_row(StageLog& stages) {
-  property("Last Tree Query");
+  property("Last Query");
   bool drawn = stages.query().drawn;
-  if (ImGui::Checkbox("shown", &drawn)) stages.draw_query(drawn);
+  if (ImGui::Checkbox("Show", &drawn)) stages.draw_query(drawn);
   mark_last_item("query shown");
   tooltip("Draws the boxes tested by the last tree query, coloured by outcome.");
 }
@@ -474,7 +475,7 @@ class SingleStepFeature : public Feature {
   // Describes what single steps do or wait for.
   std::string state_text() const {
     if (cut_.waits_for_earlier())
-      return cut_.needs_more() ? "an earlier stroke is cut first, then the next stage"
+      return cut_.needs_more() ? "cutting an earlier stroke first, then the next stage"
                                : "an earlier stroke is cut first";
     const size_t waiting = workspace_.session.document.waiting();
     if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";
@@ -536,16 +537,14 @@ class SingleStepFeature : public Feature {
     };
   }
   std::vector<UserAction> view_actions() {
-    return {
-        speed_action("stages.faster", "Faster Stages", kSpeedStep),
-        speed_action("stages.slower", "Slower Stages", 1 / kSpeedStep),
-        visit_action("tree.next_node", "Next Node", "]", 1),
-        visit_action("tree.previous_node", "Previous Node", "[", -1),
-        make_action(
-            "tree.show_query", "Show Last Tree Query", "",
-            "Draws the boxes that the last query of the tree has tested, with one colour for each outcome.",
-            [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
-            {.checked = [this] { return stages_.log.query().drawn; }})};
+    return {speed_action("stages.faster", "Faster Stages", kSpeedStep),
+            speed_action("stages.slower", "Slower Stages", 1 / kSpeedStep),
+            visit_action("tree.next_node", "Next Node", "]", 1),
+            visit_action("tree.previous_node", "Previous Node", "[", -1),
+            make_action("tree.show_query", "Show Last Tree Query", "",
+                        "Draws the boxes tested by the last tree query, coloured by outcome.",
+                        [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
+                        {.checked = [this] { return stages_.log.query().drawn; }})};
   }
   UserAction speed_action(const char* id, const char* name, double factor) {
     return make_action(id, name, "", "Speed of playback in stages per second.", [this, factor] {

@@ -387,7 +387,7 @@ void draw_statistics(const TickStatistics& statistics) {
   const std::string text = grouped(statistics.bodies) + " bodies, " + grouped(statistics.awake) + " awake, " +
                            grouped(statistics.contacts) + " contacts";
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  draw_fitted_text(text, "Numbers of the last tick in which bodies moved.");
+  draw_fitted_text(text, "Counts in the last tick in which bodies moved.");
   ImGui::PopStyleColor();
 }
 
@@ -405,8 +405,9 @@ void BodiesPanel::draw_environment(Workspace& workspace) {
   around.metre = 1 / metres;
   double value = metres * glm::length(around.gravity);
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
-  if (gravity && fields_.number("Its value", value, "%.3g m/s\xc2\xb2",
-                                "Gravity: 9.81 on Earth, 1.62 on the Moon.", {}, kPositive)) {
+  if (gravity &&
+      fields_.number("Acceleration", value, "%.3g m/s\xc2\xb2",
+                     "Acceleration of free fall: 9.81 on Earth, 1.62 on the Moon.", {}, kPositive)) {
     around.gravity = value / metres * down;
     workspace.changes.enqueue(SetEnvironment{around});
   }

@@ -35,7 +35,7 @@ Legend legend_of_boxes(const ViewOptions& look) {
   const BoxColours colours = colours_of(look.tree.palette);
   const bool hit_only = look.show.aabb_hit || look.tree.hit_only;
   Legend legend;
-  legend.title = look.tree.leaves_only ? "Boxes of single faces" : "AABB Tree";
+  legend.title = look.tree.leaves_only ? "Leaf Nodes" : "AABB Tree";
   legend.rows.push_back({colours.hit, "visited by the beam"});
   if (!hit_only) legend.rows.push_back({colours.untouched, "not visited", true, true});
   if (!look.tree.leaves_only && look.tree.deepest < TreeOverlay().deepest)
@@ -44,14 +44,14 @@ Legend legend_of_boxes(const ViewOptions& look) {
 }
 
 Legend legend_of_counts() {
-  Legend legend{"Occluders (Shadow Count)", {{kLit, "none"}}};
+  Legend legend{"Occluders (Stencil Count)", {{kLit, "none"}}};
   for (size_t i = 0; i < kCounts.size(); ++i)
     legend.rows.push_back({kCounts[i], std::to_string(i + 1) + (i + 1 == kCounts.size() ? " or more" : "")});
   return legend;
 }
 
 Legend legend_of_comparison(const ViewOptions& look, const ShadowStatistics& shadows) {
-  return {"Two shadow methods",
+  return {"Shadow Methods",
           {sentence("left: " + std::string(method_name(look.shadow.method))),
            sentence("right: " + std::string(method_name(look.shadow.beside))),
            sentence((shadows.differing ? grouped(*shadows.differing) + " pixels" : "counting pixels that") +
@@ -60,7 +60,7 @@ Legend legend_of_comparison(const ViewOptions& look, const ShadowStatistics& sha
 }
 
 Legend legend_of_rays(const ShadowStatistics& shadows) {
-  return {"Shadow rays",
+  return {"Ray-Traced Shadows",
           {{kTracedLit, "lit"},
            {kTracedShadow, "in shadow"},
            {kWrong, "viewport differs: " +
@@ -71,7 +71,7 @@ Legend legend_of_rays(const ShadowStatistics& shadows) {
 Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics& shadows) {
   switch (view) {
     case SwitchId::kSilhouette:
-      return {"Silhouette: sides of the volume on an edge",
+      return {"Silhouette: Volume Sides per Edge",
               {{kOneSide, "one"}, {kTwoSides, "two"}, {kMoreSides, "three or more"}}};
     case SwitchId::kShadowVolumes:
       return {"Shadow Volumes", {{kVolumeFront, "front faces"}, {kVolumeBack, "back faces"}}};
@@ -84,14 +84,13 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
     case SwitchId::kTrace:
       return legend_of_rays(shadows);
     case SwitchId::kSizes:
-      return {"Size of faces",
+      return {"Refinement Level",
               {{0xf5e3a0, "split most often"},
                {0xee8f2e, "split less"},
                {0xa23a36, "split least"},
                {0x48535f, "as loaded"}}};
     case SwitchId::kHeat:
-      return {"Temperature in K",
-              {sentence("scale at the lower left,"), sentence("up to the melting point")}};
+      return {"Temperature (K)", {sentence("scale at the lower left,"), sentence("up to the melting point")}};
     case SwitchId::kBoxes:
       return legend_of_boxes(look);
     case SwitchId::kBoxesHit:
@@ -100,9 +99,9 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
       return {"Pieces",
               {{0x6f7174, "part of the body"}, sentence("other colours: one separated piece each")}};
     case SwitchId::kFaceNumbers:
-      return {"Numbers of faces", {{0xf2f5f7, "there"}, {0xff8a78, "removed"}}};
+      return {"Face Numbers", {{0xf2f5f7, "present"}, {0xff8a78, "removed"}}};
     case SwitchId::kGraph:
-      return {"Component graph around the last cut",
+      return {"Component Graph, Last Cut",
               {{kReached, "connected faces"},
                {kApart, "faces that the cut separated"},
                {kRemoved, "removed faces"},
@@ -161,7 +160,7 @@ Legend legend_of_stage(const StageMarks& marks) {
   for (const StageMarks::OfBody& body : marks.bodies) {
     for (const StageMarks::Line& line : body.lines) kinds.insert(line.kind);
   }
-  Legend legend{"Single step", {}};
+  Legend legend{"Step Mode", {}};
   for (const StageMarks::Kind kind : kinds) legend.rows.push_back({colour_of(kind), meaning_of(kind)});
   if (!marks.came_off.empty()) legend.rows.push_back({kApart, "separated piece"});
   if (!marks.stayed.empty()) legend.rows.push_back({kReached, "remainder"});
@@ -277,7 +276,7 @@ class PressOnAxes : public Interaction {
 
 void copy_view(const ViewState& view, Message& message) {
   ImGui::SetClipboardText(view_text({view.seen().near().eye, view.camera.pivot()}).c_str());
-  message.info("Copied the camera as text");
+  message.info("Copied the camera as text.");
 }
 
 void paste_view(ViewState& view, Message& message) {
@@ -304,7 +303,7 @@ UserAction look_action(ViewState& view, size_t which) {
                     .name = looked.name,
                     .shortcut = std::string(opposite ? "Ctrl+" : "") + kKeys.at(which / 2),
                     .pad_key = kPadKeys.at(which / 2),
-                    .tip = "Also on the number pad, and by clicking the axes in the corner."};
+                    .tip = "Looks along an axis; the number pad and the axes in the corner do the same."};
   action.run = [&view, &looked] { view.camera.turn_to(looked.yaw, looked.pitch); };
   return action;
 }
@@ -408,7 +407,7 @@ class ViewFeature : public Feature {
                    .name = "Orthographic",
                    .shortcut = "5",
                    .pad_key = GLFW_KEY_KP_5,
-                   .tip = "Projection without perspective: sizes do not depend on the distance.",
+                   .tip = "Switches to a projection without perspective.",
                    .run = [this] { workspace_.view.camera.set_parallel(!workspace_.view.camera.parallel()); },
                    .checked = [this] { return workspace_.view.camera.parallel(); }});
     return actions;
@@ -430,14 +429,14 @@ class ViewFeature : public Feature {
   std::vector<UserAction> scale_actions() {
     Settings& settings = workspace_.settings;
     return {
-        make_action("view.scale_up", "Increase UI Scale", "Ctrl+=", "Size of panels and menus.",
+        make_action("view.scale_up", "Increase UI Scale", "Ctrl+=", "Changes the size of panels and menus.",
                     [&settings] { change_scale(settings, kScaleStep); },
                     {.disabled_reason =
                          [&settings] {
                            return settings.ui_scale >= Settings::kMaxScale ? "Already at the maximum size."
                                                                            : nullptr;
                          }}),
-        make_action("view.scale_down", "Decrease UI Scale", "Ctrl+-", "Size of panels and menus.",
+        make_action("view.scale_down", "Decrease UI Scale", "Ctrl+-", "Changes the size of panels and menus.",
                     [&settings] { change_scale(settings, -kScaleStep); },
                     {.disabled_reason =
                          [&settings] {

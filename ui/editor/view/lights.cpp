@@ -89,14 +89,12 @@ struct ShadowMethodRow {
 };
 
 constexpr std::array kShadowMethods{
-    ShadowMethodRow{
-        ShadowMethod::kRobust, "Robust",
-        "Each polygon spans a closed infinite volume, counted from behind. Correct for any mesh and "
-        "any eye."},
-    ShadowMethodRow{
-        ShadowMethod::kPaperOneVolume, "Paper, one volume",
-        "Extrudes the silhouette of light-facing polygons, without caps. Correct for closed meshes "
-        "while the eye is lit."},
+    ShadowMethodRow{ShadowMethod::kRobust, "Robust",
+                    "Each polygon spans a closed infinite volume, counted from behind. Correct for any mesh "
+                    "and viewpoint."},
+    ShadowMethodRow{ShadowMethod::kPaperOneVolume, "Paper, one volume",
+                    "Extrudes the silhouette of light-facing polygons, without caps. Correct for closed "
+                    "meshes and lit viewpoints."},
     ShadowMethodRow{ShadowMethod::kPaperTwoVolumes, "Paper, two volumes",
                     "Adds a volume for the back-facing polygons: the paper's solution for hollow meshes."},
 };
@@ -137,10 +135,10 @@ bool shadow_rows(ViewState& view) {
   draw_switch(view, SwitchId::kShadows, "");
   changed |= method_row("Method", "##method", shadow.method);
   if (shadow.method != ShadowMethod::kRobust) {
-    changed |=
-        slider_row({"Reach", "##reach",
-                    "Length of the paper's volumes in world sizes; objects beyond are not shadowed.", true},
-                   shadow.extrusion, kMinReach, kMaxReach, "%.2g sizes");
+    changed |= slider_row(
+        {"Reach", "##reach",
+         "Length of the paper's volumes in world sizes; objects beyond it receive no shadow.", true},
+        shadow.extrusion, kMinReach, kMaxReach, "%.2g sizes");
   }
   property("");
   changed |= ImGui::Checkbox("Paper Style", &shadow.paper_look);
@@ -153,25 +151,25 @@ bool shadow_rows(ViewState& view) {
 bool compare_rows(ViewState& view, const ShadowStatistics& statistics) {
   ShadowOptions& shadow = view.look.shadow;
   property("Compare");
-  draw_switch(view, SwitchId::kCompare, "two methods");
+  draw_switch(view, SwitchId::kCompare, "Two Methods");
   if (!view.look.show.shadow_compare) return false;
-  bool changed = method_row("with", "##second", shadow.beside);
+  bool changed = method_row("With", "##second", shadow.beside);
   changed |= slider_row({"Split", "##split", "Position of the boundary between the two methods."},
                         shadow.split, 0, 1, "%.2f");
   property("");
   ImGui::TextUnformatted(statistics.differing ? text_of("%zu pixels differ", *statistics.differing).c_str()
-                                              : "counting the pixels that differ");
+                                              : "counting pixels...");
   tooltip("Pixels of the viewport in shadow with one method and lit with the other.");
   return changed;
 }
 
 void trace_rows(ViewState& view, const ShadowStatistics& statistics) {
   property("Rays");
-  draw_switch(view, SwitchId::kTrace, "trace");
+  draw_switch(view, SwitchId::kTrace, "Trace");
   if (!view.look.show.shadow_reference) return;
   property("");
   ImGui::TextUnformatted(
-      (statistics.wrong ? text_of("%zu wrong", *statistics.wrong) : tracing_text(statistics)).c_str());
+      (statistics.wrong ? text_of("%zu pixels wrong", *statistics.wrong) : tracing_text(statistics)).c_str());
 }
 
 void select_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
@@ -187,7 +185,7 @@ void select_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
 bool light_rows(Light& light, const World::Bounds& bounds) {
   bool changed = false;
   Light::Kind kind = light.kind;
-  if (choice_row("Kind", "##kind", kind, "Directional\0Point\0", nullptr,
+  if (choice_row("Type", "##kind", kind, "Directional\0Point\0", nullptr,
                  "Drag the handle in the viewport to move the light.")) {
     select_kind(light, kind, bounds);
     changed = true;
@@ -208,7 +206,7 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
 bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
   property("Preset");
   bool changed = false;
-  if (begin_fitted_combo("##preset", "Select a preset")) {
+  if (begin_fitted_combo("##preset", "Select Preset")) {
     for (const LightPreset& preset : light_presets()) {
       if (ImGui::Selectable(preset.name)) {
         look.lights = lights_of(preset, bounds, up);

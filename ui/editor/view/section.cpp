@@ -100,7 +100,7 @@ void turn_section_to_view(ViewState& view) {
 void copy_section(const ViewState& view, Message& message) {
   KERF_ASSERT(view.look.section);
   ImGui::SetClipboardText(section_text(*view.look.section).c_str());
-  message.info("Copied the section plane as text for kerf render --section");
+  message.info("Copied the section plane as text for kerf render --section.");
 }
 
 void paste_section(ViewState& view, Message& message) {
@@ -123,16 +123,17 @@ bool button(const char* name, const char* landmark, const char* meaning, bool fi
 }
 
 void draw_turns(ViewState& view) {
-  property("Turn");
-  if (button("X", "section X", "Perpendicular to the X axis.", true)) turn_section_across(view, 0);
-  if (button("Y", "section Y", "Perpendicular to the Y axis.")) turn_section_across(view, 1);
-  if (button("Z", "section Z", "Perpendicular to the Z axis.")) turn_section_across(view, 2);
-  if (button("View", "section view", "Parallel to the screen.")) turn_section_to_view(view);
+  property("Align");
+  if (button("X", "section X", "Turns the plane perpendicular to the X axis.", true))
+    turn_section_across(view, 0);
+  if (button("Y", "section Y", "Turns the plane perpendicular to the Y axis.")) turn_section_across(view, 1);
+  if (button("Z", "section Z", "Turns the plane perpendicular to the Z axis.")) turn_section_across(view, 2);
+  if (button("View", "section view", "Turns the plane parallel to the screen.")) turn_section_to_view(view);
   if (button("Flip", "section flip", "Swaps the visible and the hidden side.")) flip_section(view);
 }
 
 void draw_text(ViewState& view, Message& message) {
-  property("View as Text");
+  property("Plane as Text");
   if (button("Copy", "section copy", "Copies the plane as text for kerf render --section.", true))
     copy_section(view, message);
   if (button("Paste", "section paste", "Sets the plane from the clipboard.")) paste_section(view, message);

@@ -56,7 +56,7 @@ TEST(FaceFacts, are_told_in_lines_with_borders_and_rings_named) {
   for (const std::string& line : lines) all += line + "\n";
   EXPECT_NE(all.find("Face 0, as loaded"), std::string::npos) << all;
   EXPECT_NE(all.find("(ring of 3)"), std::string::npos) << all;
-  EXPECT_NE(all.find("border"), std::string::npos) << all;
+  EXPECT_NE(all.find("boundary"), std::string::npos) << all;
   EXPECT_NE(all.find("fan"), std::string::npos) << all;
   EXPECT_NE(all.find("90.0"), std::string::npos) << all;
 }

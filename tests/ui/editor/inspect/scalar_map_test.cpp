@@ -104,7 +104,7 @@ TEST(ScalarMap, the_field_has_labels_from_one_end_to_the_other) {
   map.update(world, {});
   map.set_range({20, 60});
   const auto field = map.field(FileUnit::kMetre);
-  EXPECT_EQ(field->name, "Least angle");
+  EXPECT_EQ(field->name, "Min. angle");
   EXPECT_EQ(field->labels.front(), "20.0\u00b0");
   EXPECT_EQ(field->labels[2], "40.0\u00b0");
   EXPECT_EQ(field->labels.back(), "60.0\u00b0");

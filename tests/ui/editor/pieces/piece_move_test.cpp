@@ -143,7 +143,7 @@ TEST(PieceMove, a_turn_follows_the_pointer_round_the_pivot_and_counts_whole_turn
     const double angle = 1.25 * 2 * 3.14159265358979 * i / 40;
     move.point(view, {0.5 * std::cos(angle), 0.5 * view.aspect * std::sin(angle)});
   }
-  EXPECT_EQ(move.words("m"), "Rotate: 450 degrees");
+  EXPECT_EQ(move.words("m"), "Rotate: 450\u00b0");
   const Vec3 turned = move.placement().to_world({1, 0, 0});
   EXPECT_LT(glm::length(turned - Vec3(0, 1, 0)), 1e-9);
 }

@@ -21,7 +21,7 @@ TEST(CommandLabels, show_lengths_in_the_unit_of_the_document) {
   EXPECT_EQ(command_label(BeginStroke{settings, {}}, FileUnit::kMillimetre), "Stroke, radius 10 \xc2\xb5m");
   EXPECT_EQ(command_label(BeginStroke{settings, {}}, FileUnit::kInch), "Stroke, radius 0.01 in");
   EXPECT_EQ(command_label(Recut{settings}, FileUnit::kMillimetre),
-            "Cut the stroke again, edges of 500 \xc2\xb5m");
+            "Recut the stroke, edges of 500 \xc2\xb5m");
 }
 
 TEST(StageLabels, count_one_face_several_and_none) {

@@ -73,7 +73,7 @@ TEST(StepWords, of_a_recut_tell_of_the_stroke_that_is_cut_again) {
   document.apply(Recut{finer});
   ASSERT_TRUE(test::run_all(document).ok());
   const std::string words = step_words(document.history(), 1, FileUnit::kMetre);
-  EXPECT_TRUE(words.starts_with("Cut 1 again: ")) << words;
+  EXPECT_TRUE(words.starts_with("Recut 1: ")) << words;
   EXPECT_TRUE(words.ends_with("edges of 50 mm")) << words;
 }
 

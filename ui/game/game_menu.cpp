@@ -145,8 +145,9 @@ void draw_scores(const std::vector<HighScore>& scores, const std::string& title,
     const HighScore& s = scores[i];
     const bool is_now = i + 1 == now;
     ImGui::PushStyleColor(ImGuiCol_Text, is_now ? colours::accent() : colours::text());
-    const std::string outcome =
-        std::string(s.won ? "won   " : "lost  ") + std::to_string(s.enemies_destroyed) + " wrecks  ";
+    const std::string outcome = std::string(s.won ? "won   " : "lost  ") +
+                                std::to_string(s.enemies_destroyed) +
+                                (s.enemies_destroyed == 1 ? " wreck   " : " wrecks  ");
     ImGui::Text("%2zu  %6.0f  %s%s%s", i + 1, s.score, fights ? outcome.c_str() : "",
                 clock_text(s.seconds).c_str(), is_now ? "  (this match)" : "");
     ImGui::PopStyleColor();

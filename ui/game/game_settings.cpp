@@ -134,7 +134,9 @@ Result<size_t> add_high_score(const HighScore& score, const fs::path& file) {
                               {"seconds", s.seconds}});
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  if (error) return failed(file.parent_path().string() + ": cannot create the folder for the scores");
+  if (error)
+    return failed(file.parent_path().string() +
+                  ": cannot create the folder for the scores: " + error.message());
   if (const Status written = write_file_atomically(file, json.dump(2) + "\n"); !written)
     return written.error();
   return rank;

@@ -24,7 +24,7 @@ std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
 
 std::string end_reason(const Match& match, size_t killer) {
   KERF_ASSERT(match.standing().over());
-  if (match.standing().phase == Standing::Phase::kWon) return "All enemies are wrecked";
+  if (match.standing().phase == Standing::Phase::kWon) return "All enemies wrecked";
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   if (own.alive) return match.seconds_left() > 0 ? "You gave up" : "Time is up";
   const bool known = killer != Match::kPlayer && killer < match.vehicles().size();
@@ -219,9 +219,9 @@ void draw_own_vehicle(const HudView& view, const HudPaint& paint) {
 
 std::string words_on_wave(const Match& match) {
   const Standing& standing = match.standing();
-  if (match.rules().description.targets) return "dismantle the target";
+  if (match.rules().description.targets) return "Dismantle the target";
   std::string words =
-      "wave " + std::to_string(standing.wave + 1) + "/" + std::to_string(match.rules().waves.size());
+      "Wave " + std::to_string(standing.wave + 1) + "/" + std::to_string(match.rules().waves.size());
   if (standing.cars_left == 0) return words + ", last car";
   return words + ", " + std::to_string(standing.cars_left) +
          (standing.cars_left == 1 ? " car left" : " cars left");
@@ -248,7 +248,7 @@ void draw_state(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
   if (!view.machine.empty()) paint.text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
   if (view.match.is_disabled())
-    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "Laser lost. Press G to take your next car",
+    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "Laser lost: press G to take your next car",
                kBad, 1.4f, Align::kMiddle);
 }
 

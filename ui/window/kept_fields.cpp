@@ -46,7 +46,9 @@ Json read_kept(const fs::path& file, std::string& fault) {
 Status write_kept(const Json& settings, const fs::path& file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  if (error) return failed(file.parent_path().string() + ": cannot create the folder for the settings");
+  if (error)
+    return failed(file.parent_path().string() +
+                  ": cannot create the folder for the settings: " + error.message());
   return write_file_atomically(file, settings.dump(2) + "\n");
 }
 

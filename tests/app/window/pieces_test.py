@@ -162,7 +162,7 @@ class Pieces(WindowTest):
         editor.press("ctrl", "z")
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["placements"][0]["solid"]), (1, True))
-        self.assertEqual(report["messages"][-1], "Undo: sphere as a sheet")
+        self.assertEqual(report["messages"][-1], "Undo: Make sphere a sheet")
 
     def test_a_stroke_through_a_solid_with_a_hole_says_why_it_stays_a_sheet(self):
         with open(os.path.join(ASSETS, "meshes", "sphere.obj")) as file:

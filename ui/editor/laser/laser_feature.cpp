@@ -250,9 +250,7 @@ class LaserFeature : public Feature {
                     recut_action()},
                    laser_actions()});
   }
-  std::vector<Gesture> gestures() const override {
-    return {{"cut", "Left drag", "Cut under the pointer"}};
-  }
+  std::vector<Gesture> gestures() const override { return {{"cut", "Left drag", "Cut under the pointer"}}; }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
     if (workspace_.opening.loader.busy()) {

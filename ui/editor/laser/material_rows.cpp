@@ -274,7 +274,7 @@ class MaterialFeature : public Feature {
     const bool through = watch_.now()->through;
     const float size = ImGui::GetFontSize();
     const ImVec2 at = to_im(workspace_.input.pointer + Vec2(1.2 * size, 0.8 * size));
-    const char* text = through ? "through" : "not through";
+    const char* text = through ? "cuts through" : "does not cut through";
     const ImVec2 extent = ImGui::CalcTextSize(text);
     const float margin = 0.25f * size;
     list.AddRectFilled({at.x - margin, at.y - margin}, {at.x + extent.x + margin, at.y + extent.y + margin},

@@ -380,7 +380,9 @@ std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& p
   if (preparation.tool == PrepareTool::kTurnShells)
     return "Closed parts inside others that face the same way become cavities.";
   const std::string become = now + (faces.before == 1 ? " becomes " : " become ");
-  if (!faces.after) return become + "as few as stay within " + length_label(preparation.error, unit) + ".";
+  if (!faces.after)
+    return now + (faces.before == 1 ? " is" : " are") + " simplified to a tolerance of " +
+           length_label(preparation.error, unit) + ".";
   if (*faces.after == faces.before) return now + (faces.before == 1 ? " moves." : " move.");
   return become + "about " + grouped(*faces.after) + ".";
 }

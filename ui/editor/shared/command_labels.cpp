@@ -29,8 +29,8 @@ size_t count_new_pieces(const Delta& delta) {
 
 std::string sweep_sentence(const StageRecord& record, FileUnit unit) {
   const double way = glm::length(record.move->to.origin - record.move->from.origin);
-  const std::string moves = way > 0 ? "moves by " + length_label(way, unit) : "stays";
-  return "Sweep: the origin of the beam " + moves + ", which sweeps " +
+  const std::string moves = way > 0 ? "moves by " + length_label(way, unit) : "stays in place";
+  return "Sweep: the origin of the beam " + moves + "; the beam sweeps " +
          count_text(record.beam.size(), "volume") + " of radius " +
          length_label(record.beam.front().radius(), unit) + ".";
 }
@@ -72,9 +72,9 @@ struct CommandLabel {
   std::string operator()(const DeletePiece&) const { return "Delete " + piece; }
   std::string operator()(const RenamePiece& c) const { return "Rename " + piece + " to " + c.name; }
   std::string operator()(const PinPiece& c) const { return (c.pinned ? "Pin " : "Unpin ") + piece; }
-  std::string operator()(const SetSheetProperties&) const { return "Material of " + piece; }
+  std::string operator()(const SetSheetProperties&) const { return "Set material of " + piece; }
   std::string operator()(const SetSolid& c) const {
-    return piece + (c.solid ? " as a solid" : " as a sheet");
+    return "Make " + piece + (c.solid ? " a solid" : " a sheet");
   }
   std::string operator()(const SimplifyPiece&) const { return "Simplify " + piece; }
   std::string operator()(const SubdividePiece&) const { return "Subdivide " + piece; }
@@ -82,7 +82,7 @@ struct CommandLabel {
     return "Smooth " + piece + (c.times == 1 ? "" : ", " + std::to_string(c.times) + " times");
   }
   std::string operator()(const TurnShells&) const { return "Turn inner shells of " + piece; }
-  std::string operator()(const SetEnvironment&) const { return "Gravity and ground"; }
+  std::string operator()(const SetEnvironment&) const { return "Set gravity and ground"; }
   std::string operator()(const Undo&) const { return "Undo"; }
   std::string operator()(const Redo&) const { return "Redo"; }
 };
@@ -133,12 +133,12 @@ std::string stage_label(const StageRecord& record, FileUnit unit) {
       return sweep_sentence(record, unit);
     case StageRecord::Kind::kHit:
     case StageRecord::Kind::kHitAgain:
-      return std::string(record.kind == StageRecord::Kind::kHit ? "Hit" : "Hit again, after the splits") +
+      return std::string(record.kind == StageRecord::Kind::kHit ? "Hit" : "Hit again, after refinement") +
              ": the beam touches " + count_text(record.hit.size(), "face") + "; the tree tested " +
              count_text(statistics.tested.boxes, "box slot") + " and " +
              count_text(statistics.tested.faces, "face") + ".";
     case StageRecord::Kind::kRefine:
-      return "Refine: " + faces_were(statistics.faces_made) + " made by splits." + left_sentence(record);
+      return "Refine: " + faces_were(statistics.faces_made) + " created by splits." + left_sentence(record);
     case StageRecord::Kind::kRemove:
       return "Remove: " + faces_were(record.done.delta.removed_faces) + " removed." + left_sentence(record);
     case StageRecord::Kind::kSeparate:

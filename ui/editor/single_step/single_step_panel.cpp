@@ -475,7 +475,7 @@ class SingleStepFeature : public Feature {
   // Describes what single steps do or wait for.
   std::string state_text() const {
     if (cut_.waits_for_earlier())
-      return cut_.needs_more() ? "cutting an earlier stroke first, then the next stage"
+      return cut_.needs_more() ? "an earlier stroke is cut first, then the next stage"
                                : "an earlier stroke is cut first";
     const size_t waiting = workspace_.session.document.waiting();
     if (waiting > 0 && stages_.runs_on) return "this stroke is cut to its end";

@@ -14,8 +14,9 @@ using Tool = Preparation::Tool;
 TEST(PreparePanel, tells_the_numbers_in_the_unit_of_the_file) {
   const std::vector<PieceRow> pieces{{.id = {}, .name = "bunny", .faces = 69'666}};
   EXPECT_EQ(forecast_text(pieces, {.faces = 7000}, FileUnit::kMetre), "69 666 faces become about 7 000.");
-  EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSimplifyToError, .error = 0.25}, FileUnit::kMillimetre),
-            "69 666 faces become as few as stay within " + length_label(0.25, FileUnit::kMillimetre) + ".");
+  EXPECT_EQ(
+      forecast_text(pieces, {.tool = Tool::kSimplifyToError, .error = 0.25}, FileUnit::kMillimetre),
+      "69 666 faces are simplified to a tolerance of " + length_label(0.25, FileUnit::kMillimetre) + ".");
   EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSubdivide}, FileUnit::kMetre),
             "69 666 faces become about 278 664.");
   EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSmooth}, FileUnit::kMetre), "69 666 faces move.");

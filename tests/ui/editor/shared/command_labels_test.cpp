@@ -45,8 +45,8 @@ TEST(StageLabels, count_one_face_several_and_none) {
 }
 
 TEST(CommandLabels, name_a_piece_by_its_name_or_number) {
-  EXPECT_EQ(command_label(SetSolid{{{0, 0}, 0}, true}, FileUnit::kMetre, "box"), "box as a solid");
-  EXPECT_EQ(command_label(SetSolid{{{0, 0}, 0}, false}, FileUnit::kMetre, "box"), "box as a sheet");
+  EXPECT_EQ(command_label(SetSolid{{{0, 0}, 0}, true}, FileUnit::kMetre, "box"), "Make box a solid");
+  EXPECT_EQ(command_label(SetSolid{{{0, 0}, 0}, false}, FileUnit::kMetre, "box"), "Make box a sheet");
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ void PictureArguments::add_to(CLI::App& command) {
   command.add_option("--eye", eye, "Camera position, x,y,z in metres");
   command.add_option("--target", target, "Point at the centre of the view, x,y,z in metres");
   command.add_option("--section", section,
-                     "Hides everything above a plane: its point and its normal, \"x,y,z x,y,z\", as the "
-                     "editor copies them");
+                     "Section plane, \"x,y,z x,y,z\": point and normal, as copied in the editor; hides the "
+                     "side of the normal");
   command.add_option(
       "--show", show,
       "Overlays, separated by commas (those of the scene, or shadows): " + offered_show_names());

@@ -74,7 +74,7 @@ kerf::Status rewrite_help(const CLI::App& app, std::vector<std::string>& argumen
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
+  CLI::App app("Kerf: cut triangle meshes with a laser, live.", "kerf");
   app.set_version_flag("-V,--version", kerf::version_text());
   app.set_help_flag("-h,--help", "Show this help");
   app.footer("kerf help COMMAND shows the options of a command.");

@@ -45,7 +45,7 @@ Status check(const PrepareOptions& o) {
   if (o.faces && o.error) return bad_input("--simplify-error: cannot be given together with --simplify");
   if (!o.faces && !o.error && !o.subdivide && !o.smooth && !o.turn_shells) {
     return bad_input(
-        "nothing is to be done; give --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
+        "nothing to do; give --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
   }
   if (o.subdivide && !subdivision_named(*o.subdivide)) {
     return bad_input("--subdivide: \"" + *o.subdivide +
@@ -170,9 +170,7 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       "prepare", "Turn inner shells of a mesh, simplify, subdivide or smooth it, in this order");
   auto o = std::make_shared<PrepareOptions>();
   command->footer(
-      "Boundaries, edges of three faces or more and edges between materials are features: they stay where "
-      "they "
-      "are.");
+      "Boundaries, edges of three faces or more and edges between materials are features and are kept.");
   command->add_option("MESH", o->mesh, "A mesh file, or - for standard input: " + list_mesh_titles())
       ->required();
   command
@@ -185,11 +183,10 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
                     "Turn closed parts inside others that face the same way, which makes them cavities");
   add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "Simplify to at most this many faces");
   add_number(*command, "--simplify-error", o->error, kPositive,
-             "Instead: as few as keep the old and the new surface within about this distance of each other, "
-             "in metres");
+             "Instead: maximum approximate distance between the old and the new surface, in metres");
   command->add_option(
       "--subdivide", o->subdivide,
-      "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
+      "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four (sqrt3: three)");
   add_number(*command, "--smooth", o->smooth, {1, kMaxSmoothing},
              "Number of passes that move each vertex halfway to the mean of its neighbours");
   on_call(

@@ -126,7 +126,7 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
   command->add_option("-o,--out", a->out, "The PNG to write")->required();
   a->picture.add_to(*command);
   add_number(*command, "--spread", a->spread, kSpread,
-             "Explosion of the pieces, in distances from the centre (0)");
+             "Explode the pieces by this factor of their distance from the centre (0)");
   on_call(
       *command, invocation, [a] { return render(*a); },
       "kerf render assets/scenes/sphere.json --out ball.png --size 640x360");

@@ -49,13 +49,12 @@ Status play(Match& match, const Recording& recording, const std::optional<MatchF
 Status judge(const std::string& file, uint64_t hash, const Recording& recording,
              const std::optional<uint64_t>& expected) {
   const auto differs = [&](uint64_t wanted, const std::string& why) {
-    return failed(file + ": the state at the end is " + hash_text(hash) + " and not " + hash_text(wanted) +
-                  why);
+    return failed(file + ": the final state is " + hash_text(hash) + ", expected " + hash_text(wanted) + why);
   };
-  if (expected && *expected != hash) return differs(*expected, ", as --expect says");
+  if (expected && *expected != hash) return differs(*expected, " (--expect)");
   if (!recording.hash || *recording.hash == hash) return Done{};
   if (recording.machine == machine_kind())
-    return differs(*recording.hash, ": the match differs from the recorded one");
+    return differs(*recording.hash, " (recorded): the match differs from the recording");
   warn(file + ": bodies moved on another kind of machine (" + recording.machine +
        "), so the match ended differently here");
   return Done{};
@@ -243,12 +242,12 @@ class ReplayRun {
     if (!work_.journal.damage.empty() && !work_.journal.torn) return failed(work_.journal.damage);
     if (const auto& d = replay.difference()) {
       return failed(arguments_.journal + ": line " + std::to_string(d->mark.line) + ": " + place_of(d->mark) +
-                    " the state is " + hash_text(d->hash) + " and not " + hash_text(d->mark.hash) +
-                    ": it differs from the one that the journal recorded");
+                    " the state is " + hash_text(d->hash) + ", but the journal recorded " +
+                    hash_text(d->mark.hash));
     }
     if (expected_ && *expected_ != hash) {
-      return failed(arguments_.journal + ": the state at the end is " + hash_text(hash) + " and not " +
-                    hash_text(*expected_) + ", as --expect says");
+      return failed(arguments_.journal + ": the final state is " + hash_text(hash) + ", expected " +
+                    hash_text(*expected_) + " (--expect)");
     }
     return Done{};
   }

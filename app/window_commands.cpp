@@ -274,8 +274,9 @@ void add_editor(CLI::App& app, Invocation& invocation) {
   app.add_option("--report", a->report, "The file for the JSON report of the session");
   app.add_option("--size", a->size, "Size of the editor's window, WxH");
   constexpr auto kHidden = "";  // from the help: these are for the tests of the window
-  app.add_option("--landmarks", a->landmarks, "The file for the places of widgets, as JSON")->group(kHidden);
-  app.add_option("--events", a->events, "A script of input that drives the editor without a screen")
+  app.add_option("--landmarks", a->landmarks, "The file for the positions of widgets, as JSON")
+      ->group(kHidden);
+  app.add_option("--events", a->events, "A script of input events that drives the editor without a screen")
       ->group(kHidden);
   app.add_flag("--own-font", a->own_font, "Draw the panels without an installed font")->group(kHidden);
   invocation = [a] { return edit(*a); };
@@ -295,8 +296,9 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--report", a->report, "The file for the JSON report of the match");
   command->add_option("--record", a->record, "The file for the recording (.kerf), for kerf replay");
   command->add_option("--size", a->size, "Size of the window, WxH");
-  command->add_option("--landmarks", a->landmarks, "The file for the places of widgets, as JSON")->group("");
-  command->add_option("--events", a->events, "A script of input that drives the game without a screen")
+  command->add_option("--landmarks", a->landmarks, "The file for the positions of widgets, as JSON")
+      ->group("");
+  command->add_option("--events", a->events, "A script of input events that drives the game without a screen")
       ->group("");
   on_call(
       *command, invocation, [a] { return PlayRun(*a).run(); },

@@ -259,8 +259,8 @@ void add_mesh(py::module_& m) {
             const kerf_mesh_info info = mesh.info();
             return py::make_tuple(numbers(info.position), numbers(info.orientation));
           },
-          "(position, orientation) of the body: metres, and a quaternion w, x, y, z. The vertices are "
-          "already in world coordinates.")
+          "Placement of the body: (position in metres, unit quaternion w, x, y, z). The vertices are in "
+          "world coordinates.")
       .def(
           "write",
           [](const kerf::Mesh& mesh, const py::object& path) {
@@ -393,10 +393,11 @@ void add_world(py::module_& m) {
            "max_level: instead, the maximum refinement level, 0 to 24.\n"
            "rim: \"faces\" removes every face that the beam touches, \"smooth\" cuts faces along the beam.\n"
            "scheme: \"longest-edge\" or \"one-to-four\", the subdivision of faces.\n"
-           "model: \"geometric\" removes faces at once, \"thermal\" when they have absorbed enough energy.\n"
+           "model: \"geometric\" removes faces immediately, \"thermal\" when they have absorbed enough "
+           "energy.\n"
            "material: new material of all bodies, a name from `kerf materials`; None: unchanged.\n"
-           "progress: called with the completed part, 0 to 1, at most fifty times a second; returns False "
-           "to stop.\n"
+           "progress: called with the completed fraction, 0 to 1, at most fifty times a second; returns "
+           "False to stop.\n"
            "threads: maximum number of threads, 0 to 1024; 0: one per processor.\n\n"
            "Returns a dict of removed_faces, removed_area (m^2) and seconds.\n\n"
            "Raises TypeError or ValueError for a wrong argument, ValueError if the world has no mesh, "

@@ -365,7 +365,7 @@ class CommandLine(unittest.TestCase):
         self.assertIn("note: 2 faces are left", done.stderr)
 
     def test_prepare_refuses_what_makes_no_sense(self):
-        for options, word in ((["--out", "a.obj"], "nothing is to be done"), (["--out", "a.txt", "--smooth", "1"], "--out"),
+        for options, word in ((["--out", "a.obj"], "nothing to do"), (["--out", "a.txt", "--smooth", "1"], "--out"),
                               (["--out", "a.obj", "--simplify", "0"], "--simplify"),
                               (["--out", "a.obj", "--simplify-error", "nan"], "--simplify-error"),
                               (["--out", "a.obj", "--simplify", "9", "--simplify-error", "1"], "together"),
@@ -660,7 +660,7 @@ class CommandLine(unittest.TestCase):
         self.write("plate.obj", PLATE + "v 1 2 3\n")
         self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: the mesh differs")
         os.remove(os.path.join(self.folder.name, "plate.obj"))
-        self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: there is no such file")
+        self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: no such file")
 
     def test_a_film_is_numbered_pictures_at_the_pace_that_was_asked_for(self):
         self.journal()

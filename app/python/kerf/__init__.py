@@ -10,7 +10,7 @@ Lengths are in metres, +Y points up, faces are counter-clockwise seen from outsi
 
 A failed call has changed nothing and raises
     TypeError          for an argument of the wrong type,
-    ValueError         for bad input, with a sentence that says what failed and where,
+    ValueError         for bad input; the message states what failed and where,
     FileNotFoundError  for a path without a file,
     kerf.Cancelled     if the progress callback cancelled the call,
     kerf.Busy          if another thread uses the world,

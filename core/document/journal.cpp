@@ -298,7 +298,7 @@ Result<Command> parse_command(const JsonValue& value, const std::filesystem::pat
   if (!name) return name.error();
   const auto read = reader_of(static_cast<Command*>(nullptr), *name);
   if (read == nullptr)
-    return value["do"].wrong("\"" + *name + "\" is no command of this version" +
+    return value["do"].wrong("\"" + *name + "\" is not a command of this version" +
                              nearest_name_hint(*name, names_of(static_cast<Command*>(nullptr))));
   return read(value, folder, beam);
 }

@@ -9,8 +9,8 @@ static void describe(Fields& f, MaterialNumber& number) {
   f.interval("range", number.range);
   f.text("source", number.source);
   f.check(number.value >= number.range.low && number.value <= number.range.high, "value",
-          "is outside of its range");
-  f.check(!number.source.empty(), "source", "must say where the value is from");
+          "is outside its range");
+  f.check(!number.source.empty(), "source", "must state the source of the value");
 }
 
 namespace {

@@ -172,7 +172,7 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
                                                   const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return failed(folder.string() + ": cannot create the folder");
+  if (error) return failed(folder.string() + ": cannot create the folder: " + error.message());
   description.bodies.clear();
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);

@@ -362,8 +362,7 @@ void describe(Fields& f, Light& light) {
 
 void lights_field(Fields& f, const char* key, std::vector<Light>& lights) {
   f.list(key, "lights", lights, kOptional);
-  f.check(lights.size() <= kMaxLights, key,
-          "must hold no more than " + std::to_string(kMaxLights) + " lights");
+  f.check(lights.size() <= kMaxLights, key, "must contain at most " + std::to_string(kMaxLights) + " lights");
 }
 
 void describe(Fields& f, SceneBody& body) {
@@ -384,7 +383,7 @@ void describe(Fields& f, SceneDescription& scene) {
   uint64_t version = kSceneVersion;
   f.version("version", version, kSceneVersion, kOptional);
   f.list("bodies", "bodies", scene.bodies);
-  f.check(!scene.bodies.empty(), "bodies", "must hold one body or more");
+  f.check(!scene.bodies.empty(), "bodies", "must contain at least one body");
   f.by_name("paints", scene.paints);
   f.object("view", scene.view);
   lights_field(f, "lights", scene.lights);

@@ -110,7 +110,7 @@ void describe(Fields& f, StrokePath& stroke) {
   f.member("laser", kOptional, [&](Fields& laser) { laser_fields(laser, stroke); });
   f.elements("keys", "keys", kNeeded, stroke.keys,
              [&](size_t k, Fields& key) { key_fields(key, stroke, k); });
-  f.check(!stroke.keys.empty(), "keys", "must hold one key or more");
+  f.check(!stroke.keys.empty(), "keys", "must contain at least one key");
 }
 
 std::string path_file_text(std::span<const StrokePath> strokes) {

@@ -374,7 +374,7 @@ void Fields::end() {
   for (const auto& item : in_->json().items()) {
     if (std::find(keys_.begin(), keys_.end(), item.key()) != keys_.end()) continue;
     return note(
-        (*in_)[item.key()].wrong("is no key of this version here" + nearest_name_hint(item.key(), keys_)));
+        (*in_)[item.key()].wrong("is not a key of this version here" + nearest_name_hint(item.key(), keys_)));
   }
 }
 

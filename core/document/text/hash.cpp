@@ -32,7 +32,7 @@ constexpr int kLength = 16;
 Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* progress) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) return bad_input(file.string() + ": there is no such file");
+  if (!std::filesystem::exists(status)) return bad_input(file.string() + ": no such file");
   if (!std::filesystem::is_regular_file(status)) {
     return bad_input(file.string() + ": not a regular file, which a journal needs to read it again");
   }

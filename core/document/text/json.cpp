@@ -67,7 +67,7 @@ Result<std::string> utf8_text(ToText to_text) {
   try {
     return to_text();
   } catch (const Json::exception&) {
-    return bad_input("a name in it is not UTF-8, which JSON cannot hold: rename that file or piece");
+    return bad_input("a name is not UTF-8, which JSON requires: rename that file or piece");
   }
 }
 
@@ -142,7 +142,7 @@ Result<Interval> JsonValue::interval() const {
 }
 
 Result<std::string> JsonValue::text() const {
-  if (!value_->is_string()) return wrong("must be a text");
+  if (!value_->is_string()) return wrong("must be a string");
   return value_->get<std::string>();
 }
 
@@ -163,7 +163,7 @@ std::optional<std::vector<uint32_t>> JsonValue::whole_numbers(std::initializer_l
 }
 
 Status JsonValue::array(const char* of_what) const {
-  if (!value_->is_array()) return wrong(std::string("must be a list of ") + of_what);
+  if (!value_->is_array()) return wrong(std::string("must be an array of ") + of_what);
   return Done{};
 }
 
@@ -191,8 +191,9 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
 Result<std::string> read_text_file(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) return bad_input(file.string() + ": there is no such file");
-  if (!std::filesystem::is_regular_file(status)) return bad_input(file.string() + ": this is not a file");
+  if (!std::filesystem::exists(status)) return bad_input(file.string() + ": no such file");
+  if (!std::filesystem::is_regular_file(status))
+    return bad_input(file.string() + ": this is not a regular file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return bad_input(file.string() + ": cannot be opened for reading");
   std::ostringstream text;

@@ -158,7 +158,7 @@ static void describe(Fields& f, ArenaDescription& arena) {
   f.member("starts", kNeeded, [&](Fields& starts) {
     starts.object("player", arena.player);
     starts.list("enemies", "starts", arena.enemies);
-    starts.check(!arena.enemies.empty(), "enemies", "must hold one start or more");
+    starts.check(!arena.enemies.empty(), "enemies", "must contain at least one start");
   });
   const auto inside = [&](const Start& start) { return is_inside(start, arena.size); };
   f.check(inside(arena.player) && std::all_of(arena.enemies.begin(), arena.enemies.end(), inside), "starts",

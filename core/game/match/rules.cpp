@@ -36,7 +36,7 @@ Status read_waves(const JsonValue& value, const std::filesystem::path& folder, R
     if (const Status wave = read_vehicles(value[i], folder, rules.waves.emplace_back()); !wave) return wave;
   }
   if (rules.waves.size() <= kMaxWaves) return Done{};
-  return value.wrong("must hold no more than " + std::to_string(kMaxWaves) + " waves");
+  return value.wrong("must contain at most " + std::to_string(kMaxWaves) + " waves");
 }
 
 Status check_starts(const std::filesystem::path& file, const RulesDescription& rules,

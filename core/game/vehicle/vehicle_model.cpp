@@ -320,13 +320,13 @@ static void describe(Fields& f, VehicleDescription& vehicle) {
   f.filled_text("name", vehicle.name, kOptional);
   f.number("mass", vehicle.mass, {1, 1e6, "kg"}, kOptional);
   f.list("wheels", "wheels", vehicle.wheels);
-  f.check(!vehicle.wheels.empty() && vehicle.wheels.size() <= 12, "wheels", "must hold 1 to 12 wheels");
+  f.check(!vehicle.wheels.empty() && vehicle.wheels.size() <= 12, "wheels", "must contain 1 to 12 wheels");
   f.object("turret", vehicle.turret);
   f.list("vital", "parts", vehicle.vitals, kOptional);
   const bool may_lack_vitals = !f.present("vital", false);
-  f.check(vehicle.vitals.size() <= 8, "vital", "must hold no more than 8 parts");
+  f.check(vehicle.vitals.size() <= 8, "vital", "must contain at most 8 parts");
   f.check(may_lack_vitals || !vehicle.vitals.empty(), "vital",
-          "must hold one part or more; without the key a vehicle is out when little of it is left");
+          "must contain at least one part; without the key a vehicle is wrecked when little of it is left");
   f.vector("driver_eye", vehicle.driver_eye, VectorRule::kNearby, kOptional);
   f.object("engine", vehicle.engine, kOptional);
 }

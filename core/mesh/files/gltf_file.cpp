@@ -173,7 +173,7 @@ std::optional<Error> GltfFile::check_lists() const {
     const nlohmann::json& elements = json_[list];
     const auto is_object = [](const nlohmann::json& e) { return e.is_object(); };
     if (!elements.is_array() || !std::all_of(elements.begin(), elements.end(), is_object))
-      return wrong(std::string("/") + list, "must be a list of objects");
+      return wrong(std::string("/") + list, "must be an array of objects");
   }
   return std::nullopt;
 }
@@ -206,9 +206,9 @@ std::optional<Error> GltfFile::check_version() const {
 std::optional<Error> GltfFile::check_extensions() const {
   const auto required = json_.find("extensionsRequired");
   if (required == json_.end()) return std::nullopt;
-  if (!required->is_array()) return wrong("/extensionsRequired", "must be a list");
+  if (!required->is_array()) return wrong("/extensionsRequired", "must be an array");
   for (const nlohmann::json& extension : *required) {
-    if (!extension.is_string()) return wrong("/extensionsRequired", "must be a list of names");
+    if (!extension.is_string()) return wrong("/extensionsRequired", "must be an array of strings");
     const auto name = extension.get<std::string>();
     if (changes_looks_only(name) || name == "KHR_mesh_quantization" || name == kGltfInstancing) continue;
     return wrong("/extensionsRequired", in_quotes(name) + " is not supported; export the file without it");

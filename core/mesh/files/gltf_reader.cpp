@@ -62,7 +62,7 @@ class GltfReader {
                      const Matrix& to_scene) {
     const auto list = of.find(key);
     if (list == of.end()) return std::nullopt;
-    if (!list->is_array()) return file_.wrong(where + "/" + key, "must be a list of nodes");
+    if (!list->is_array()) return file_.wrong(where + "/" + key, "must be an array of nodes");
     const size_t first = open_.size();
     for (const nlohmann::json& item : *list) {
       if (!item.is_number_unsigned() || item.get<uint64_t>() >= seen_.size())
@@ -141,7 +141,7 @@ class GltfReader {
     const nlohmann::json& json = file_.element("meshes", mesh);
     const std::string where = "/meshes/" + std::to_string(mesh) + "/primitives";
     const auto primitives = json.find("primitives");
-    if (primitives == json.end() || !primitives->is_array()) return file_.wrong(where, "must be a list");
+    if (primitives == json.end() || !primitives->is_array()) return file_.wrong(where, "must be an array");
     placed_.clear();
     for (size_t i = 0; i < primitives->size(); ++i) {
       if (auto problem = read_primitive((*primitives)[i], where + "/" + std::to_string(i), to_scene))

@@ -145,7 +145,7 @@ class TextReader {
     const bool split_end = equal_ignoring_case(word, "end");
     if (starts_ignoring_case(word, "endsolid") || (split_end && next_is("solid"))) {
       if (split_end || word.size() > std::string_view("endsolid").size())
-        stray("expected 'endsolid', a blank and the name");
+        stray("expected 'endsolid', a space and the name");
       if (!std::exchange(in_solid_, false)) stray("'endsolid' without 'solid'");
     } else if (starts_ignoring_case(word, "solid")) {
       if (std::exchange(in_solid_, true)) stray("'solid' before the 'endsolid' of the last one");

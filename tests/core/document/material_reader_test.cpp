@@ -47,7 +47,7 @@ TEST(MaterialReader, what_is_wrong_is_said_with_its_place) {
   EXPECT_EQ(error_of(good), "");
   auto bad = good;
   bad["materials"][2]["density"]["value"] = 1;
-  EXPECT_EQ(error_of(bad), "table.json: /materials/2/density/value: is outside of its range");
+  EXPECT_EQ(error_of(bad), "table.json: /materials/2/density/value: is outside its range");
   bad = good;
   bad["materials"][3]["emissivity"] = {{"value", 2}, {"range", {1, 3}}, {"source", "none"}};
   EXPECT_EQ(error_of(bad), "table.json: /materials/3/emissivity/value: is not possible for \"emissivity\"");
@@ -59,7 +59,7 @@ TEST(MaterialReader, what_is_wrong_is_said_with_its_place) {
   EXPECT_EQ(error_of(bad), "table.json: /materials/0: needs \"latent\"");
   bad = good;
   bad["materials"][0]["latent"]["source"] = "";
-  EXPECT_EQ(error_of(bad), "table.json: /materials/0/latent/source: must say where the value is from");
+  EXPECT_EQ(error_of(bad), "table.json: /materials/0/latent/source: must state the source of the value");
   bad = good;
   bad["materials"][5]["heat_of_ablation"] = {{"value", 100}, {"range", {1, 200}}, {"source", "none"}};
   EXPECT_EQ(

@@ -99,7 +99,7 @@ TEST(Fields, say_the_file_the_place_and_what_was_expected) {
   EXPECT_EQ(error_of(R"({"power": 5, "name": ""})"), "lamp.json: /name: must not be empty");
   EXPECT_EQ(error_of(R"({"power": 5, "at": [1, 2]})"), "lamp.json: /at: must be three numbers");
   EXPECT_EQ(error_of(R"({"power": 5, "at": [1, 2, 1e6]})"), "lamp.json: /at: is farther than 100000 m away");
-  EXPECT_EQ(error_of(R"({"power": 5, "parts": {}})"), "lamp.json: /parts: must be a list of lamps");
+  EXPECT_EQ(error_of(R"({"power": 5, "parts": {}})"), "lamp.json: /parts: must be an array of lamps");
   EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 5}, 7]})"),
             "lamp.json: /parts/1: must be an object");
   EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 0}, 7]})"),
@@ -108,7 +108,7 @@ TEST(Fields, say_the_file_the_place_and_what_was_expected) {
 
 TEST(Fields, that_do_not_exist_are_refused_wherever_they_are_and_the_nearest_is_named) {
   const auto unknown = [](const std::string& pointer, const std::string& nearest) {
-    return "lamp.json: " + pointer + ": is no key of this version here; the nearest name is \"" + nearest +
+    return "lamp.json: " + pointer + ": is not a key of this version here; the nearest name is \"" + nearest +
            '"';
   };
   EXPECT_EQ(error_of(R"({"power": 5, "hieght": 1})"), unknown("/hieght", "height"));

@@ -51,7 +51,7 @@ TEST(ArenaFile, names_the_first_thing_that_is_wrong) {
        {test::Wrong{"[50, 50]", "[50]", "/size: must be two numbers"},
         test::Wrong{"[50, 50]", "[5, 50]", "/size: must be from 10"},
         test::Wrong{"\"mesh\": \"a.obj\"", "", "/bodies/0"},
-        test::Wrong{"[{\"position\": [0, 0, 1]}]", "[]", "/starts/enemies: must hold one"},
+        test::Wrong{"[{\"position\": [0, 0, 1]}]", "[]", "/starts/enemies: must contain at least one"},
         test::Wrong{"\"player\"", "\"nobody\"", "needs \"player\""},
         test::Wrong{"[0, 0, 0]}", "[0, 0, 0], \"heading\": 400}", "/starts/player/heading"}}) {
     test::write_text(file, test::with(good, w.part, w.other));

@@ -72,7 +72,7 @@ TEST_F(RulesOfAssets, with_a_key_that_does_not_exist_are_refused_and_so_is_their
   EXPECT_EQ(error_with("", ""), "");
   const std::string file = (folder_ / "rules.json").string();
   EXPECT_EQ(error_with("", R"(, "times": {"macth": 3})"),
-            file + ": /times/macth: is no key of this version here; the nearest name is \"match\"");
+            file + ": /times/macth: is not a key of this version here; the nearest name is \"match\"");
   EXPECT_NE(error_with("", R"(, "naem": "x")").find("/naem"), std::string::npos);
   EXPECT_NE(error_with(R"(, "haeding": 3)", "").find("/starts/player/haeding"), std::string::npos);
 }

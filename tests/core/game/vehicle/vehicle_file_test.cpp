@@ -29,7 +29,7 @@ TEST(VehicleFile, names_the_first_thing_that_is_wrong) {
         test::Wrong{"\"muzzle\": [0, 1, 1]", "\"muzzle\": [0, 1, 0]", "/turret/barrel/muzzle: must differ"},
         test::Wrong{"\"kind\": \"engine\"", "\"kind\": \"radio\"", "/vital/0/kind: must be \"engine\""},
         test::Wrong{"[{\"kind\": \"engine\", \"part\": \"engine\"}]", "[]",
-                    "/vital: must hold one part or more"},
+                    "/vital: must contain at least one part"},
         test::Wrong{"}]})", "}]", "this is not JSON"}}) {
     test::write_text(file, std::string(w.part) == "}]})" ? good.substr(0, good.size() - 1)
                                                          : test::with(good, w.part, w.other));

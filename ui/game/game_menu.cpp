@@ -49,7 +49,7 @@ void draw_settings(const MenuView& view) {
   slider("Volume", percent, 0, 100, "%.0f %%");
   s.volume = percent / 100;
   combo("Graphics Quality", s.preset, std::array{"Automatic", "Low", "Medium", "High"});
-  combo("Colours", view.look.palette, std::array{"Red and green", "Orange and blue"});
+  combo("Colours", view.look.palette, std::array{"Red and Green", "Orange and Blue"});
   ImGui::PopItemWidth();
   ImGui::Checkbox("Invert Vertical Aim", &s.invert);
   ImGui::Checkbox("Aim Assist", &s.aim_help);

@@ -17,7 +17,7 @@ enum class GameMode {
   kSandbox,  // no enemies; vehicles to cut appear on request
 };
 inline constexpr std::array kModeNames{"waves", "trial", "sandbox"};
-inline constexpr std::array kModeTitles{"Waves", "Time trial", "Sandbox"};
+inline constexpr std::array kModeTitles{"Waves", "Time Trial", "Sandbox"};
 
 enum class OwnVehicle { kHatchback, kBuggy, kPickup, kVan };
 inline constexpr std::array kVehicleNames{"hatchback", "buggy", "pickup", "van"};

@@ -39,7 +39,7 @@ Json read_kept(const fs::path& file, std::string& fault) {
   bad += ".bad";
   fs::rename(file, bad, error);
   fault = error ? file.string() + ": cannot be read or set aside; the defaults are used"
-                : "The settings could not be read; the file was set aside as " + bad.string();
+                : "The settings could not be read; their file was set aside as " + bad.string();
   return Json::object();
 }
 

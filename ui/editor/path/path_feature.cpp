@@ -413,7 +413,7 @@ std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& bea
 }
 
 void HoleForm::draw_grid(FileUnit unit) {
-  number_row(fields_, "Rows", pattern_.rows, "Number of rows.");
+  number_row(fields_, "Rows", pattern_.rows, "Number of rows of holes.");
   number_row(fields_, "Columns", pattern_.columns, "Number of holes in each row.");
   length_row(fields_, "Spacing", pattern_.spacing, unit,
              "Distance between the centres of neighbouring holes.");

@@ -106,36 +106,37 @@ constexpr std::array kShadowStates{"none", "ground", "all"};
 constexpr std::array kShadingStates{"by angle", "smooth", "flat"};
 
 constexpr std::array kSwitches{
-    of<&ShowOptions::shadows>(
-        {.id = SwitchId::kShadows,
-         .show = "shadows",
-         .report = "shadows",
-         .label = "Shadows",
-         .key = 'D',
-         .tip =
-             "Shadows on nothing, on the ground only, or on all surfaces. The Light panel sets the method.",
-         .states = kShadowStates}),
-    of<&ShowOptions::silhouette>({.id = SwitchId::kSilhouette,
-                                  .show = "silhouette",
-                                  .report = "silhouette",
-                                  .label = "Silhouette",
-                                  .key = 'E',
-                                  .tip = "Edges that bound the shadow of a light: pale with one volume side, "
-                                         "blue with two, violet with more."}),
+    of<&ShowOptions::shadows>({.id = SwitchId::kShadows,
+                               .show = "shadows",
+                               .report = "shadows",
+                               .label = "Shadows",
+                               .key = 'D',
+                               .tip = "Draws shadows on nothing, on the ground only, or on all surfaces. The "
+                                      "Light panel sets the method.",
+                               .states = kShadowStates}),
+    of<&ShowOptions::silhouette>(
+        {.id = SwitchId::kSilhouette,
+         .show = "silhouette",
+         .report = "silhouette",
+         .label = "Silhouette",
+         .key = 'E',
+         .tip = "Draws the edges that bound the shadow of a light: pale with one volume side, "
+                "blue with two, violet with more."}),
     of<&ShowOptions::shadow_volumes>(
         {.id = SwitchId::kShadowVolumes,
          .show = "shadow-volumes",
          .report = "shadow_volumes",
          .label = "Shadow Volumes",
          .key = 'V',
-         .tip = "Volumes extruded from the silhouette: blue seen from outside, orange from inside."}),
+         .tip =
+             "Draws the volumes extruded from the silhouette: blue seen from outside, orange from inside."}),
     of<&ShowOptions::shadow_stencil>(
         {.id = SwitchId::kShadowCounts,
          .show = "shadow-stencil",
          .report = "shadow_counts",
          .label = "Stencil Count",
          .key = 'C',
-         .tip = "Number of surfaces that occlude the light, in the colours of the legend."}),
+         .tip = "Shows the number of surfaces that occlude the light, in the colours of the legend."}),
     of<&ShowOptions::shadow_facing>({.id = SwitchId::kFacing,
                                      .show = "shadow-facing",
                                      .report = "shadow_facing",
@@ -192,7 +193,7 @@ constexpr std::array kSwitches{
                             .report = "boxes",
                             .label = "AABB Tree",
                             .key = 'B',
-                            .tip = "Bounding boxes of the AABB tree: solid if hit by the beam, dotted if "
+                            .tip = "Draws the boxes of the AABB tree: solid if hit by the beam, dotted if "
                                    "not, as in figure 2 of the paper.",
                             .in_view_panel = false}),
     ViewSwitch{.id = SwitchId::kBoxesHit,
@@ -237,31 +238,33 @@ constexpr std::array kSwitches{
                              .report = "graph",
                              .label = "Component Graph",
                              .key = 'J',
-                             .tip = "Nodes on the faces around the last cut, links over shared edges; "
-                                    "removed faces red. Graph panel: flat layout."}),
-    of<&ShowOptions::contacts>({.id = SwitchId::kContacts,
-                                .show = "contacts",
-                                .report = "contacts",
-                                .label = "Contacts",
-                                .tip = "Contact normals of the last tick, redder for larger impulses."}),
+                             .tip = "Draws faces around the last cut as nodes, and shared edges as links. "
+                                    "The Graph panel has a flat layout."}),
+    of<&ShowOptions::contacts>(
+        {.id = SwitchId::kContacts,
+         .show = "contacts",
+         .report = "contacts",
+         .label = "Contacts",
+         .tip = "Draws the contact normals of the last tick, redder for larger impulses."}),
     of<&ShowOptions::colliders>(
         {.id = SwitchId::kColliders,
          .show = "colliders",
          .report = "colliders",
          .label = "Colliders",
-         .tip = "Points and chords of collision shapes, which are created when bodies begin to move."}),
+         .tip = "Draws points and chords of collision shapes, which are created when bodies begin to move."}),
     of<&ShowOptions::centres>(
         {.id = SwitchId::kCentres,
          .show = "centres",
          .report = "centres",
          .label = "Centres of Mass",
          .tip = "Marks the centre of mass of each body, coloured by awake, asleep or pinned."}),
-    of<&ShowOptions::joints>({.id = SwitchId::kJoints,
-                              .show = "joints",
-                              .report = "joints",
-                              .label = "Joints",
-                              .tip = "Axes of hinges and hubs, and crosses at welds. A joint is removed with "
-                                     "the faces that carry it."}),
+    of<&ShowOptions::joints>(
+        {.id = SwitchId::kJoints,
+         .show = "joints",
+         .report = "joints",
+         .label = "Joints",
+         .tip = "Draws axes of hinges and hubs, and crosses at welds. A joint is removed with "
+                "the faces that carry it."}),
     of<&ViewOptions::ghost>({.id = SwitchId::kGhost,
                              .report = "ghost",
                              .label = "Removed Faces",
@@ -274,7 +277,7 @@ constexpr std::array kSwitches{
     of<&ViewOptions::cull_backs>({.id = SwitchId::kCullBacks,
                                   .report = "cull_backs",
                                   .label = "Backface Culling",
-                                  .tip = "Skips back faces: faster, but holes then show nothing inside. Off "
+                                  .tip = "Skips back faces: faster, but nothing is visible inside holes. Off "
                                          "in the paper for this reason."}),
     of<&ViewOptions::sparks>({.id = SwitchId::kSparks,
                               .report = "sparks",

@@ -53,10 +53,10 @@ class GraphPanel {
 
 namespace {
 
-constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the selected piece",
+constexpr std::array kNodes{"Faces Around the Cut", "Faces of Whole Bodies", "Faces of Selected Piece",
                             "Pieces"};
 
-constexpr std::array kPlacings{"Unrolled along the cut", "By position", "By force"};
+constexpr std::array kPlacings{"Unrolled Along the Cut", "By Position", "By Force"};
 constexpr float kMinGap = 3;            // pixels, between two marks of loops
 constexpr float kHeightOfWidth = 0.8f;  // of the canvas below the rows
 // Sizes of the text: the width of a panel from which on its rows are next to the canvas, and their width.
@@ -66,7 +66,7 @@ void placing_row(GraphState& graph) {
   property("Layout");
   const bool positioned = graph.cannot_unroll() && graph.removed() > 0;
   const char* shown =
-      positioned ? "By position (cut is not a loop)" : kPlacings.at(static_cast<size_t>(graph.placing()));
+      positioned ? "By Position (Cut Is Not a Loop)" : kPlacings.at(static_cast<size_t>(graph.placing()));
   if (begin_fitted_combo("##placing", shown)) {
     for (size_t i = 0; i < kPlacings.size(); ++i) {
       const auto placing = static_cast<GraphState::Placing>(i);

@@ -92,10 +92,10 @@ constexpr std::array kShadowMethods{
     ShadowMethodRow{ShadowMethod::kRobust, "Robust",
                     "Each polygon spans a closed infinite volume, counted from behind. Correct for any mesh "
                     "and viewpoint."},
-    ShadowMethodRow{ShadowMethod::kPaperOneVolume, "Paper, one volume",
+    ShadowMethodRow{ShadowMethod::kPaperOneVolume, "Paper, One Volume",
                     "Extrudes the silhouette of light-facing polygons, without caps. Correct for closed "
                     "meshes and lit viewpoints."},
-    ShadowMethodRow{ShadowMethod::kPaperTwoVolumes, "Paper, two volumes",
+    ShadowMethodRow{ShadowMethod::kPaperTwoVolumes, "Paper, Two Volumes",
                     "Adds a volume for the back-facing polygons: the paper's solution for hollow meshes."},
 };
 

@@ -546,9 +546,9 @@ class CutRun {
     how.moves_a_step = moves;
     how.leave = document_.waiting() - moves;
     how.progress = &progress;
-    how.told = [&](const Result<StepResult>& bite) -> Status {
-      if (!bite) return bite.error();
-      job_.record_bite(*bite, document_.world(), std::chrono::duration<double>(Clock::now() - began).count());
+    how.told = [&](const Result<StepResult>& step) -> Status {
+      if (!step) return step.error();
+      job_.record_step(*step, document_.world(), std::chrono::duration<double>(Clock::now() - began).count());
       began = Clock::now();
       return Done{};
     };

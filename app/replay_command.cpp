@@ -202,7 +202,7 @@ class ReplayRun {
       const size_t stroke = replay.applied() > 0 ? strokes_[replay.applied() - 1] : 0;
       if (stroke > 0 && (step->delta.removed_faces > 0 || step->statistics.met_s > 0))
         met_[stroke - 1] = true;
-      job_.record_bite(*step, document.world(),
+      job_.record_step(*step, document.world(),
                        std::chrono::duration<double>(Clock::now() - step_began_).count());
     } else {
       warn(step.error().message);

@@ -173,7 +173,7 @@ Status cut_one(Document& document, std::span<const Command> stroke, const Progre
   how.progress = &progress;
   how.told = [&](const Result<StepResult>& step) -> Status {
     if (!step) return step.error();
-    job.record_bite(*step, document.world(), std::chrono::duration<double>(Clock::now() - began).count());
+    job.record_step(*step, document.world(), std::chrono::duration<double>(Clock::now() - began).count());
     began = Clock::now();
     return Done{};
   };

@@ -327,7 +327,7 @@ Task<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
     walls.insert(walls.end(), added.begin(), added.end());
     co_await yield_after(4 * added.size());
   }
-  while (!rim_->step.edit.part_fans(addition, kTogether)) co_await yield_after(kTogether / 2);
+  while (!rim_->step.edit.split_fans(addition, kTogether)) co_await yield_after(kTogether / 2);
   for (size_t i = 0; i < patch.sides.size(); ++i) {
     co_await yield_after(1);
     rim_->step.edit.join_parts(patch.sides[i].face, patch.beside_wall[patch.wall_of_side[i]]);
@@ -340,8 +340,8 @@ namespace {
 
 using Stage = UnfinishedRim::Stage;
 
-constexpr size_t kAllAtOnce = std::numeric_limits<size_t>::max();  // an unlimited bite
-// Cost of a part of a stage, in faces of a bite; cost of a face found near the boundary.
+constexpr size_t kAllAtOnce = std::numeric_limits<size_t>::max();  // an unlimited step
+// Cost of a part of a stage, in faces of a step; cost of a face found near the boundary.
 constexpr size_t kLightPart = 200, kHeavyPart = 2000, kHeaviestPart = 3000, kNearFace = 2;
 
 // Moves that swept the body: those of the stroke, or, if the body has moved, those in its frame.
@@ -406,7 +406,7 @@ bool measure(RimState& rim) {
   });
 }
 
-// One step, which ends after about settings.bite faces.
+// One step, which ends after about settings.faces_per_step faces.
 class RimBite {
  public:
   RimBite(World& world, const CutSettings& settings, UnfinishedRim& unfinished, const Progress& progress)
@@ -429,7 +429,7 @@ class RimBite {
         work_ = UnfinishedRim{};
         work_.bodies = bodies;
       }
-      if (taken_ >= settings_.bite && work_.bodies < ids.size()) {
+      if (taken_ >= settings_.faces_per_step && work_.bodies < ids.size()) {
         result.delta.left_open = std::move(left_open_);
         return false;
       }
@@ -451,7 +451,7 @@ class RimBite {
       if (*over) return Reached::kEndOfBody;
       follow_with_tree(rim);
       if (work_.stage == Stage::kMeasure && before != Stage::kMeasure) return Reached::kEndOfEdits;
-    } while (taken_ < settings_.bite);
+    } while (taken_ < settings_.faces_per_step);
     return Reached::kEndOfBite;
   }
 
@@ -568,7 +568,7 @@ class RimBite {
   }
 
   void end_bite() {
-    if (settings_.bite < kAllAtOnce) taken_ = std::max(taken_, settings_.bite);
+    if (settings_.faces_per_step < kAllAtOnce) taken_ = std::max(taken_, settings_.faces_per_step);
   }
 
   // Returns true once the walls are complete or the body is left open. The following search runs in a
@@ -659,7 +659,7 @@ Result<StepResult> rim_step(World& world, const CutSettings& settings, std::span
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const SweptByBody& swept, const Progress* progress) {
   CutSettings at_once = settings;
-  at_once.bite = kAllAtOnce;
+  at_once.faces_per_step = kAllAtOnce;
   UnfinishedRim whole;
   return rim_step(world, at_once, path, swept, whole, progress);
 }

@@ -33,22 +33,23 @@ double reach(const World& world, const Laser& laser, const Vec3& origin) {
   return std::min(laser.range.high, glm::length(far));
 }
 
-// One step, which ends after settings.bite faces.
-class Bite {
+// One step, which ends after settings.faces_per_step faces.
+class StepRun {
  public:
-  Bite(World& world, const CutSettings& settings, UnfinishedMove& unfinished, const Progress& progress)
+  StepRun(World& world, const CutSettings& settings, UnfinishedMove& unfinished, const Progress& progress)
       : world_(world), settings_(settings), move_(unfinished), progress_(progress) {
     for (const BodyId id : cuttable(world)) bodies_.emplace_back(id, world.body(id));
   }
 
   // For moves through one body, in its frame.
-  Bite(World& world, BodyId id, const CutSettings& settings, UnfinishedMove& unfinished,
-       const Progress& progress)
+  StepRun(World& world, BodyId id, const CutSettings& settings, UnfinishedMove& unfinished,
+          const Progress& progress)
       : world_(world), settings_(settings), move_(unfinished), progress_(progress), in_body_frame_(true) {
     bodies_.emplace_back(id, world.body(id));
   }
 
-  // Executes at most `max_parts` parts of a move within the bite. Returns true if the move is finished.
+  // Executes at most `max_parts` parts of a move within faces_per_step faces. Returns true if the move is
+  // finished.
   Result<bool> take(const BeamMove& move, size_t max_parts = kNoLimit) {
     const bool stage_by_stage = max_parts != kNoLimit;
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
@@ -56,7 +57,7 @@ class Bite {
       sweep(step, settings_.laser, move, in_body_frame_);
       do {
         const size_t faces = faces_ahead();
-        if (max_parts-- == 0 || (taken_ > 0 && taken_ + faces > settings_.bite)) return false;
+        if (max_parts-- == 0 || (taken_ > 0 && taken_ + faces > settings_.faces_per_step)) return false;
         taken_ += faces;
         if (const Status done = run_stage(step); !done) return done.error();
         if (!stage_by_stage && is_missed(step)) move_.stage = Stage::kFind;
@@ -174,9 +175,9 @@ Result<StepResult> cut(World& world, const CutSettings& settings, std::span<cons
   if (settings.model == Model::kThermal) return thermal_step(world, settings, moves, progress);
   StepResult result;
   const Progress asked = share_of(progress, 0, 1);
-  Bite bite(world, settings, unfinished, asked);
+  StepRun run(world, settings, unfinished, asked);
   for (const BeamMove& move : moves) {
-    const Result<bool> through = bite.take(move, max_parts);
+    const Result<bool> through = run.take(move, max_parts);
     if (!through) {
       unfinished = UnfinishedMove{};
       return through.error();
@@ -185,7 +186,7 @@ Result<StepResult> cut(World& world, const CutSettings& settings, std::span<cons
     ++result.moves;
     result.last = move;
   }
-  bite.end(result);
+  run.end(result);
   return result;
 }
 
@@ -195,14 +196,14 @@ Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
   StepResult result;
   UnfinishedMove whole;
   CutSettings at_once = settings;
-  at_once.bite = std::numeric_limits<size_t>::max();
+  at_once.faces_per_step = std::numeric_limits<size_t>::max();
   const Progress asked = share_of(progress, 0, 1);
-  Bite bite(world, id, at_once, whole, asked);
-  if (!applies_joints) bite.skip_joints();
+  StepRun run(world, id, at_once, whole, asked);
+  if (!applies_joints) run.skip_joints();
   for (const BeamMove& move : moves) {
-    if (const Result<bool> through = bite.take(move); !through) return through.error();
+    if (const Result<bool> through = run.take(move); !through) return through.error();
   }
-  bite.end(result);
+  run.end(result);
   return result;
 }
 
@@ -258,13 +259,13 @@ Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id
   return cut_one(world, settings, id, moves, true, progress);
 }
 
-Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId id,
-                             std::span<const BeamMove> moves) {
+Result<StepResult> cut_without_separation(World& world, const CutSettings& settings, BodyId id,
+                                          std::span<const BeamMove> moves) {
   return cut_one(world, settings, id, moves, false, nullptr);
 }
 
 // Includes hidden bodies, because a body may be hidden during a search, and is_settled() requires its end.
-StepResult go_on_separating(World& world, size_t most, JointMode mode) {
+StepResult continue_separation(World& world, size_t most, JointMode mode) {
   StepResult result;
   for (const BodyId id : world.ids()) {
     BodyStep step(id, world.body(id));

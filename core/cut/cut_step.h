@@ -146,7 +146,7 @@ struct CutSettings {
   size_t search_a_move = 1'000;
   // Approximate number of faces that a step finds, examines and removes; about a millisecond of work. The
   // result of the cut does not depend on it.
-  size_t bite = 3'000;
+  size_t faces_per_step = 3'000;
 };
 
 // Counts of the work done in a step, and the durations of its stages [s].
@@ -191,12 +191,12 @@ struct StepResult {
 // inside the beam (refine), removes them (remove), and labels separated pieces (separate). Faces are split
 // and removed nowhere else. Moves are in world coordinates.
 //
-// The step resumes the first move from `unfinished`, and ends with the last move or after settings.bite
-// faces. If it ends within a move, `unfinished` holds the progress, and the caller must pass the moves from
-// that one on to the next step. The result does not depend on the division into steps or on the bite: slots
-// and labels of faces and boxes of the tree are the same. The world is consistent between steps; pieces that
-// a move separates have their labels when the move is finished. A step never ends within a query of the tree
-// or within the separation after a move.
+// The step resumes the first move from `unfinished`, and ends with the last move or after
+// settings.faces_per_step faces. If it ends within a move, `unfinished` holds the progress, and the caller
+// must pass the moves from that one on to the next step. The result does not depend on the division into
+// steps or on faces_per_step: slots and labels of faces and boxes of the tree are the same. The world is
+// consistent between steps; pieces that a move separates have their labels when the move is finished. A step
+// never ends within a query of the tree or within the separation after a move.
 //
 // Fails if settings.max_faces is reached, or with cancelled() if `progress` stops the step. The completed
 // part of the cut then remains, its delta is lost, so that caches of the world must be rebuilt, and
@@ -224,11 +224,12 @@ using SweptByBody = std::map<BodyId, std::vector<BeamMove>>;
 // `path` holds all moves of the stroke in world coordinates; a body listed in `swept` uses its list there
 // instead.
 //
-// The step resumes from `unfinished`, and ends after work worth about settings.bite faces. The rim is closed
-// if unfinished.begun() is false afterwards; until then no other code may change the world, and the next step
-// takes the same arguments. The result does not depend on the division into steps. The world is consistent
-// between them, except for a body to which walls are being added (see UnfinishedRim::is_uninterruptible):
-// neither `progress` nor a budget may stop it then. The last steps search for pieces.
+// The step resumes from `unfinished`, and ends after work worth about settings.faces_per_step faces. The rim
+// is closed if unfinished.begun() is false afterwards; until then no other code may change the world, and the
+// next step takes the same arguments. The result does not depend on the division into steps. The world is
+// consistent between them, except for a body to which walls are being added (see
+// UnfinishedRim::is_uninterruptible): neither `progress` nor a budget may stop it then. The last steps search
+// for pieces.
 //
 // Faces in which a chord would deviate from the boundary by more than kRimChord are first split by the
 // scheme. A vertex near the boundary is moved onto it along an edge if that does not change the surface;
@@ -248,12 +249,12 @@ bool is_settled(const World& world);
 // Continues the searches for separated pieces in all bodies, including hidden ones, and visits at most `most`
 // faces in each. Once all searches are complete, applies the joints in this mode. Precondition with
 // JointMode::kRigid: no other code edits the bodies until is_settled().
-StepResult go_on_separating(World& world, size_t most, JointMode mode = JointMode::kRigid);
+StepResult continue_separation(World& world, size_t most, JointMode mode = JointMode::kRigid);
 
 // Like cut_body, but leaves the separation of parts that joints no longer hold to the next call of
-// go_on_separating(). For callers that cut many bodies between two ticks. Fails like cut_step. Precondition:
-// the body is visible.
-Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId id,
-                             std::span<const BeamMove> moves);
+// continue_separation(). For callers that cut many bodies between two ticks. Fails like cut_step.
+// Precondition: the body is visible.
+Result<StepResult> cut_without_separation(World& world, const CutSettings& settings, BodyId id,
+                                          std::span<const BeamMove> moves);
 
 }  // namespace kerf

@@ -79,8 +79,6 @@ bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
   return true;
 }
 
-struct RimState;
-
 // Finds specks: connected parts of a few faces that lie entirely along the boundary of the swept volume.
 // Walls would turn them into solids of almost no volume.
 class SpeckSearch {

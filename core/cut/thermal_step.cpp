@@ -411,7 +411,7 @@ Result<StepResult> thermal_step(World& world, const CutSettings& settings, std::
   const Progress asked = share_of(progress, 0, 1);
   ThermalMoves thermal(world, settings, asked);
   for (const BeamMove& move : moves) {
-    if (result.moves > 0 && thermal.taken() >= settings.bite) break;
+    if (result.moves > 0 && thermal.taken() >= settings.faces_per_step) break;
     if (const Status done = thermal.take(move); !done) return done.error();
     ++result.moves;
     result.last = move;

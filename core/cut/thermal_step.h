@@ -90,7 +90,7 @@ class Burn {
 };
 
 // Executes one step of a cut by the thermal model, for cut_step: moves the beam through all cuttable bodies,
-// in order, until settings.bite faces are processed.
+// in order, until settings.faces_per_step faces are processed.
 //
 // In each move, the faces that the beam reaches are split until they are fine enough (refine), except those
 // that remaining material shields from the beam. The move is divided into parts in which the beam advances by

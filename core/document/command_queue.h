@@ -90,7 +90,7 @@ class CommandQueue {
   // The number of faces that the next step prepares for motion: those of bodies with pieces to detach, and of
   // bodies that have changed since bodies last moved. The cost of the step is proportional to it. 0 if no
   // bodies move in the step.
-  size_t next_makes_ready() const;
+  size_t next_prepared_faces() const;
   // Returns true if the next step executes work of the last history step, not of an earlier one.
   bool next_is_of_last_step() const;
 

@@ -24,7 +24,7 @@ void follow_with_spring(World& world, const Delta& delta) {
 
 size_t CommandQueue::waiting() const { return pending_.empty() && next_searches() ? 1 : pending_.size(); }
 
-size_t CommandQueue::next_makes_ready() const {
+size_t CommandQueue::next_prepared_faces() const {
   const bool tick = !next_searches() && !pending_.empty() && pending_.front_kind() == BeamQueue::Kind::kTicks;
   if (!tick || !pending_.front_in_time().bodies) return 0;
   const bool beam = pending_.front_in_time().stroke != nullptr;
@@ -71,7 +71,7 @@ bool CommandQueue::next_searches() const {
 
 StepResult CommandQueue::separate_more() {
   const size_t most = walked_ ? walked_->settings.search_a_move : CutSettings{}.search_a_move;
-  StepResult some = go_on_separating(world_, most);
+  StepResult some = continue_separation(world_, most);
   if (recorder_.step()) {
     record_cut(*recorder_.step(), some);
     finish(*recorder_.step());
@@ -80,7 +80,7 @@ StepResult CommandQueue::separate_more() {
 }
 
 Result<StepResult> CommandQueue::run_moves(size_t most, bool one_stage, const Progress& progress) {
-  constexpr size_t kMaxAtOnce = 64;  // entries of a queue that may be long: a bite covers a few of them
+  constexpr size_t kMaxAtOnce = 64;  // entries of a queue that may be long: a step covers a few of them
   if (is_over_budget()) return over_face_budget(face_budget_);
   begin(pending_.front_step());
   walked_ = pending_.front_stroke();

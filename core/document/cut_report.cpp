@@ -130,17 +130,17 @@ void CutJob::record_loaded(const MeshReport& mesh) {
   input_components += mesh.components;
 }
 
-void CutJob::record_bite(const StepResult& bite, const World& world, double seconds) {
-  statistics.add(bite.statistics);
-  removed_faces += bite.delta.removed_faces;
-  removed_area += bite.delta.removed_area;
-  solid += bite.delta.solid;
-  for (const LeftOpen& open : bite.delta.left_open) {
+void CutJob::record_step(const StepResult& step, const World& world, double seconds) {
+  statistics.add(step.statistics);
+  removed_faces += step.delta.removed_faces;
+  removed_area += step.delta.removed_area;
+  solid += step.delta.solid;
+  for (const LeftOpen& open : step.delta.left_open) {
     left_open = true;
     const std::string note = left_open_text(open, world);
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
   }
-  if (bite.delta.removed_faces > 0) step_s.push_back(seconds);
+  if (step.delta.removed_faces > 0) step_s.push_back(seconds);
 }
 
 void CutJob::begin_stroke() {

@@ -16,7 +16,7 @@ namespace kerf {
 struct CutJob {
   void record_loaded(const MeshReport& mesh);
   // Adds the result of one call of Document::step, which took `seconds` and produced this world.
-  void record_bite(const StepResult& bite, const World& world, double seconds);
+  void record_step(const StepResult& step, const World& world, double seconds);
   // Call these around each stroke, to detect strokes that hit nothing.
   void begin_stroke();
   void end_stroke();

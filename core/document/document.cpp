@@ -179,14 +179,13 @@ Outcome Document::run_whole(std::span<const Command> commands, const Progress* p
   const bool done = own.ok();
   all.append(std::move(own));
   if (done) return all;
-  if (const Status back = take_back_to(position, journal_size, std::move(undone)); !back)
-    all.fail(back.error());
+  if (const Status back = undo_to(position, journal_size, std::move(undone)); !back) all.fail(back.error());
   return all;
 }
 
 // Undone steps are executed again on redo: their images belong to a world that no other step has changed
 // since.
-Status Document::take_back_to(size_t position, size_t journal_size, UndoStack::Steps undone) {
+Status Document::undo_to(size_t position, size_t journal_size, UndoStack::Steps undone) {
   for (const auto& step : undone) step->forget();
   const Outcome back = travel(position);
   if (!back.ok()) return back.error();
@@ -285,7 +284,7 @@ Outcome Document::undo(const Progress* progress) {
   HistoryStep& step = steps.step(at);
   // A recut may have undone the step before it without keeping its images.
   const bool again = at > 0 && steps.step(at - 1).waiting() && !queue_.pending().holds(at - 1);
-  if (step.images() == Images::kLetGo || (again && !can_run_again(steps, at - 1)))
+  if (step.images() == Images::kDiscarded || (again && !can_run_again(steps, at - 1)))
     return replay(at, progress);
   Delta delta = std::move(passed.delta);
   delta.append(queue_.undo(at));

@@ -94,8 +94,8 @@ class Document {
   size_t waiting() const { return queue_.waiting(); }
 
   // Executes a bounded part of the queue, one of:
-  // - up to `most` moves of one stroke, limited to CutSettings::bite faces, so that the last move may be
-  //   left unfinished for the next step
+  // - up to `most` moves of one stroke, limited to CutSettings::faces_per_step faces, so the last move may
+  //   be left unfinished for the next step
   // - a part of the end of a stroke with a smooth rim, limited in the same way
   // - a part of the search for separated pieces, which must finish before the next stroke or tick
   // - up to `most` ticks, or one tick in which bodies move
@@ -166,7 +166,7 @@ class Document {
   Outcome redo(const Progress* progress);
   Outcome replay(size_t position, const Progress* progress);
   Status replay_steps(size_t position, const Progress* progress);
-  Status take_back_to(size_t position, size_t journal_size, UndoStack::Steps undone);
+  Status undo_to(size_t position, size_t journal_size, UndoStack::Steps undone);
   HistoryStep& last() { return queue_.history().last(); }
 
   CommandQueue queue_;

@@ -82,7 +82,7 @@ void HistoryStep::add(const Command& command) {
 void HistoryStep::begin(bool record) {
   if (!waiting()) return;
   state_ = State::kBegun;
-  images_ = record ? Images::kHeld : Images::kLetGo;
+  images_ = record ? Images::kHeld : Images::kDiscarded;
 }
 
 void HistoryStep::finish() {
@@ -194,7 +194,7 @@ void HistoryStep::forget() {
 }
 
 void HistoryStep::drop_before_images() {
-  if (images_ == Images::kHeld) images_ = Images::kLetGo;
+  if (images_ == Images::kHeld) images_ = Images::kDiscarded;
   changes_.clear();
   totals_.bytes = 0;
 }

@@ -29,9 +29,9 @@ class HistoryStep {
     kDone,
   };
   enum class Images {
-    kNone,   // the step is waiting
-    kHeld,   // all images are kept or being recorded
-    kLetGo,  // some images were discarded: the step can be undone only by a replay
+    kNone,       // the step is waiting
+    kHeld,       // all images are kept or being recorded
+    kDiscarded,  // some images were discarded: the step can be undone only by a replay
   };
   // Sums over the parts of the step that have been executed.
   struct Totals {

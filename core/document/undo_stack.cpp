@@ -83,7 +83,7 @@ UndoStack::Totals UndoStack::totals() const {
 
 bool UndoStack::holds_images(size_t first, size_t end) const {
   for (size_t i = first; i < end; ++i) {
-    if (step(i).images() == HistoryStep::Images::kLetGo) return false;
+    if (step(i).images() == HistoryStep::Images::kDiscarded) return false;
   }
   return true;
 }

@@ -184,8 +184,8 @@ std::vector<FaceId> BodyEdit::add_walls(FaceAddition& addition, std::span<const 
 }
 
 // The tree stores the vertices of faces, so that the changed faces must be refitted.
-bool BodyEdit::part_fans(FaceAddition& addition, size_t most) {
-  return addition.part_fans(body_->mesh, most, moved_);
+bool BodyEdit::split_fans(FaceAddition& addition, size_t most) {
+  return addition.split_fans(body_->mesh, most, moved_);
 }
 
 // Turning and moving ----------------------------------------------------------------------------------------

@@ -48,7 +48,7 @@ class BodyEdit {
   // its adjacent face in the list, and returns them. Their material is cut_material(), or that of this face
   // if the body has none. Precondition: the body is settled.
   std::vector<FaceId> add_walls(FaceAddition& addition, std::span<const FaceId> beside);
-  bool part_fans(FaceAddition& addition, size_t most);
+  bool split_fans(FaceAddition& addition, size_t most);
   VertexId add_vertex(const Vec3& position) { return body_->mesh.add_vertex(position); }
   // Merges the connected parts of two faces that a wall has joined. Precondition: their labels are equal.
   void join_parts(FaceId a, FaceId b) { kerf::join_parts(*body_, a, b); }

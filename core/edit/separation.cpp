@@ -137,7 +137,7 @@ void CutLoops::remove(FaceId f) {
   assert(mesh_.is_live(f));
   const Edges edges = edges_of(f);
   state_.over_rings |= edges.others;
-  state_.cannot_know |= edges.others && state_.neighbours.size() > 1;
+  state_.is_inconclusive |= edges.others && state_.neighbours.size() > 1;
   const auto c = mesh_.corners(f);
   for (const VertexId v : c) meet(v);
   const int joined = int{unite(c[0], c[1])} + int{unite(c[1], c[2])} + int{unite(c[2], c[0])};
@@ -221,7 +221,7 @@ int64_t vanished_components(const Mesh& mesh, SeparationState& state) {
 }
 
 bool may_be_separated(const Mesh& mesh, SeparationState& state) {
-  if (state.cannot_know || (state.over_rings && state.any_closed)) return true;
+  if (state.is_inconclusive || (state.over_rings && state.any_closed)) return true;
   // A face without neighbours was the last one of a component, or of a few faces that earlier removals had
   // enclosed; that loop is included in the sum.
   if (state.loops + state.alone <= 0) return false;
@@ -231,7 +231,7 @@ bool may_be_separated(const Mesh& mesh, SeparationState& state) {
 void start_step(SeparationState& state) {
   state.first_tie = state.ties.size();
   state.loops = state.alone = 0;
-  state.any_closed = state.over_rings = state.cannot_know = false;
+  state.any_closed = state.over_rings = state.is_inconclusive = false;
 }
 
 }  // namespace
@@ -263,7 +263,7 @@ SettleResult settle(Body& body, size_t most, EditPolicy policy) {
   SeparationState& state = body.separation;
   SettleResult result;
   PartSearch search(body, policy);
-  bool& again = state.search.asked_again;
+  bool& again = state.search.restart_requested;
   if (may_be_separated(body.mesh, state)) {
     if (is_settled(body)) {
       search.start(PartSearch::Scope::kClusters);
@@ -312,13 +312,13 @@ void search_from(Body& body, std::span<const FaceId> faces) {
   fresh.ties = std::move(body.separation.ties);
   fresh.cavities_requested = true;
   for (const FaceId f : faces) fresh.ties.emplace_back(f, f);
-  fresh.search.asked_again = true;
+  fresh.search.restart_requested = true;
   body.separation = std::move(fresh);
 }
 
 bool is_settled(const Body& body) {
   const OpenSearch& search = body.separation.search;
-  return search.stage == OpenSearch::Stage::kNone && !search.asked_again;
+  return search.stage == OpenSearch::Stage::kNone && !search.restart_requested;
 }
 
 void forget_removals(Body& body) { body.separation = SeparationState{}; }

@@ -22,7 +22,8 @@ namespace kerf {
 //
 // A boundary is treated as filled by a disc that was removed before: the vertices of a boundary loop are
 // united when one of them is met first, and so are the vertices at which a boundary edge is split later. No
-// disc describes surfaces that meet at an edge of three or more faces; the state is set to cannot_know there.
+// disc describes surfaces that meet at an edge of three or more faces; the state is set to is_inconclusive
+// there.
 class CutLoops {
  public:
   CutLoops(const Mesh& mesh, SeparationState& state) : mesh_(mesh), state_(state) {}

@@ -260,7 +260,7 @@ void FaceAddition::part_fans_at(Mesh::Kernel& kernel, uint32_t v, std::vector<Fa
   });
 }
 
-bool FaceAddition::part_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed) {
+bool FaceAddition::split_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed) {
   KERF_ASSERT(added_ == faces());
   Mesh::Kernel& k = *mesh.kernel_;
   const size_t end = std::min(parted_ + most, vertices_.size());
@@ -293,7 +293,7 @@ std::vector<FaceId> Mesh::add_faces(std::span<const std::array<VertexId, 3>> cor
   FaceAddition addition(vertices, std::move(local));
   const std::vector<FaceId> added = addition.add(*this, data);
   std::vector<FaceId> changed;
-  addition.part_fans(*this, vertices.size(), changed);
+  addition.split_fans(*this, vertices.size(), changed);
   return added;
 }
 

@@ -407,7 +407,7 @@ class FaceAddition {
   // Processes the next `most` vertices: splits a vertex into one per fan if its faces are not connected over
   // edges. Appends the faces whose corners change. Returns true if the addition is complete. Precondition:
   // all faces were added.
-  bool part_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed);
+  bool split_fans(Mesh& mesh, size_t most, std::vector<FaceId>& changed);
 
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
@@ -437,7 +437,7 @@ class FaceAddition {
   std::vector<bool> is_noted_;  // by vertex: true if its half-edges are listed
   std::vector<Chain> chains_;   // by vertex
   std::vector<Entry> entries_;
-  size_t added_ = 0, parted_ = 0;  // faces added, vertices processed by part_fans()
+  size_t added_ = 0, parted_ = 0;  // faces added, vertices processed by split_fans()
 };
 
 // Copies some faces of a mesh into a new mesh. Positions, orientation, the order of faces around vertices,

@@ -77,7 +77,7 @@ class Ways {
 
   // Returns true if two bodies intersect or pass through each other on the shares of their ways.
   bool cross(uint32_t i, uint32_t j) const {
-    return (goes(i) || goes(j)) && get_through(bodies_[i], bodies_[j]);
+    return (goes(i) || goes(j)) && pass_through(bodies_[i], bodies_[j]);
   }
   bool shorten(uint32_t i) {
     MovingBody& b = bodies_[i];

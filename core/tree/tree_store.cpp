@@ -163,8 +163,7 @@ FloatBox TreeStore::block_box(const FaceBlock& b) const {
     low[k] = _mm_blendv_ps(_mm_min_ps(_mm_min_ps(p, q), r), none.low, empty);
     high[k] = _mm_blendv_ps(_mm_max_ps(_mm_max_ps(p, q), r), none.high, empty);
   }
-  return {round_down(least_of_rows(low[0], low[1], low[2])),
-          round_up(most_of_rows(high[0], high[1], high[2]))};
+  return {round_down(min_of_rows(low[0], low[1], low[2])), round_up(max_of_rows(high[0], high[1], high[2]))};
 }
 
 FloatBox TreeStore::node_box(const WideNode& node) const {
@@ -173,7 +172,7 @@ FloatBox TreeStore::node_box(const WideNode& node) const {
     const __m128 a = _mm_load_ps(node.plane[k]), b = _mm_load_ps(node.plane[k] + 4);
     p[k] = k < 3 ? _mm_min_ps(a, b) : _mm_max_ps(a, b);
   }
-  return {least_of_rows(p[0], p[1], p[2]), most_of_rows(p[3], p[4], p[5])};
+  return {min_of_rows(p[0], p[1], p[2]), max_of_rows(p[3], p[4], p[5])};
 }
 
 FloatBox TreeStore::slot_box(uint32_t node, uint32_t slot) const {

@@ -49,12 +49,12 @@ inline __m128 round_down(__m128 x) { return _mm_sub_ps(x, float_slack(x)); }
 inline __m128 round_up(__m128 x) { return _mm_add_ps(x, float_slack(x)); }
 
 // Return the minimum and the maximum of each of three rows of four floats, in lanes 0 to 2.
-inline __m128 least_of_rows(__m128 x, __m128 y, __m128 z) {
+inline __m128 min_of_rows(__m128 x, __m128 y, __m128 z) {
   __m128 w = z;
   _MM_TRANSPOSE4_PS(x, y, z, w);
   return _mm_min_ps(_mm_min_ps(x, y), _mm_min_ps(z, w));
 }
-inline __m128 most_of_rows(__m128 x, __m128 y, __m128 z) {
+inline __m128 max_of_rows(__m128 x, __m128 y, __m128 z) {
   __m128 w = z;
   _MM_TRANSPOSE4_PS(x, y, z, w);
   return _mm_max_ps(_mm_max_ps(x, y), _mm_max_ps(z, w));

@@ -138,7 +138,7 @@ struct OpenSearch {
   static constexpr uint32_t kVisited = 0x80000000u;
 
   Stage stage = Stage::kNone;
-  bool asked_again = false;  // true if faces removed during this search require another search
+  bool restart_requested = false;  // true if faces removed during this search require another search
   PagedArray<uint32_t>
       mark;  // by face slot: the front that reached it plus one, or 0; plus kVisited once visited
   std::vector<SearchFront> fronts;
@@ -188,11 +188,11 @@ struct SeparationState {
 
   // Removals since the last call of settle().
   size_t first_tie = 0;
-  int64_t loops = 0;         // number of loops closed by the cut, minus `alone`
-  int64_t alone = 0;         // number of removed faces without a neighbour
-  bool any_closed = false;   // true if any loop was closed, regardless of `alone`
-  bool over_rings = false;   // a removed face was connected over a ring: `loops` is inconclusive
-  bool cannot_know = false;  // true if such a face had more than one neighbour
+  int64_t loops = 0;             // number of loops closed by the cut, minus `alone`
+  int64_t alone = 0;             // number of removed faces without a neighbour
+  bool any_closed = false;       // true if any loop was closed, regardless of `alone`
+  bool over_rings = false;       // a removed face was connected over a ring: `loops` is inconclusive
+  bool is_inconclusive = false;  // true if such a face had more than one neighbour
 
   // True to check joints (see separate_by_joints): faces that carry joints were removed, or parts separated.
   bool joints_requested = false;

@@ -320,8 +320,8 @@ World::Change World::end_change() {
 
 void World::exchange(Change& change) {
   change.situation_.exchange(situation_);
-  change.taken_back_ ? redo(change) : undo(change);
-  change.taken_back_ = !change.taken_back_;
+  change.is_undone_ ? redo(change) : undo(change);
+  change.is_undone_ = !change.is_undone_;
 }
 
 void World::undo(Change& change) {
@@ -349,7 +349,7 @@ void World::redo(Change& change) {
 
 // The slot of a removed body temporarily holds the image of another if the two were exchanged.
 void World::restore(const Change& change, size_t slots) {
-  KERF_ASSERT(!change.taken_back_ && slots <= change.slots_);
+  KERF_ASSERT(!change.is_undone_ && slots <= change.slots_);
   KERF_ASSERT(change.died_.empty() || *std::min_element(change.died_.begin(), change.died_.end()) >= slots);
   change.situation_.restore(situation_);
   for (const BodyChange& c : change.edited_) c.restore(slots_[c.slot].body);

@@ -287,7 +287,7 @@ class World::Change {
 
   ChangeOf<Situation> situation_;
   size_t slots_ = 0, slots_end_ = 0;  // their number before and after the change
-  bool taken_back_ = false;           // true while the world is in the state before the change
+  bool is_undone_ = false;            // true while the world is in the state before the change
   std::vector<BodyChange> edited_;
   std::vector<std::pair<uint32_t, uint32_t>> exchanged_;  // slots whose bodies were exchanged, in order
   std::vector<std::pair<uint32_t, Body>> removed_;        // removed bodies, by slot before the change

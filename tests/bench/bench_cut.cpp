@@ -135,7 +135,7 @@ Walked walk_slot(World& world, const Slot& slot, const CutSettings& settings, in
   }
   while (!is_settled(world)) {
     StepResult result;
-    const double seconds = seconds_of([&] { result = go_on_separating(world, settings.search_a_move); });
+    const double seconds = seconds_of([&] { result = continue_separation(world, settings.search_a_move); });
     note(result, seconds);
   }
   return walked;

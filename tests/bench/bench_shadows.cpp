@@ -47,7 +47,7 @@ void bench_shadows(const Subject& subject, const Effort& effort, const Report& r
   report({"shadow volume / plain pass", subject.name, "ms", kMilli * whole.ours, kMilli * whole.peer,
           many ? std::optional(kRebuildBar) : std::nullopt});
 
-  std::vector<double> bites;
+  std::vector<double> times;
   for (int i = 0; i < effort.build_times; ++i) {
     std::vector<uint32_t> slots;
     const uint32_t first =
@@ -56,9 +56,9 @@ void bench_shadows(const Subject& subject, const Effort& effort, const Report& r
       if (mesh.is_live(FaceId(f))) slots.push_back(f);
     }
     for (const uint32_t f : slots) mesh.remove_face(FaceId(f));
-    bites.push_back(seconds_of([&] { volume.follow(caster, caster.update(mesh, slots)); }));
+    times.push_back(seconds_of([&] { volume.follow(caster, caster.update(mesh, slots)); }));
   }
-  report({"bite of 50 / shadow volume", subject.name, "ms", kMilli * median(bites), kMilli * whole.ours,
+  report({"step of 50 faces / shadow volume", subject.name, "ms", kMilli * median(times), kMilli * whole.ours,
           many ? std::optional(kBiteBar) : std::nullopt});
 }
 

@@ -54,10 +54,10 @@ void LoneVehicle::cut(const Pose& from, const Pose& to, double radius, double ra
   settings.resolution.tolerance = 0.01;
   const BeamMove move{from, to, 0};
   for (const BodyId id : world.ids()) {
-    if (!cut_apart(world, settings, id, {&move, 1})) std::abort();
+    if (!cut_without_separation(world, settings, id, {&move, 1})) std::abort();
   }
-  while (!is_settled(world)) go_on_separating(world, 100'000);
-  go_on_separating(world, 1);
+  while (!is_settled(world)) continue_separation(world, 100'000);
+  continue_separation(world, 1);
   Delta released;
   release_pieces(world, 0, released);
 }

@@ -42,7 +42,7 @@ World cross(const LaserStrip& strip, double speed) {
     UnfinishedMove unfinished;
     if (!cut_step(world, settings, {&move, 1}, unfinished)) throw std::runtime_error("the strip was not cut");
   }
-  while (!is_settled(world)) go_on_separating(world, 1000);
+  while (!is_settled(world)) continue_separation(world, 1000);
   return world;
 }
 

@@ -24,7 +24,7 @@ std::vector<Command> random_stroke_commands(Random& random, Beam beam) {
   s.resolution.scheme = random.below(2) == 0 ? Scheme::kOneToFour : Scheme::kLongestEdge;
   s.resolution.rim = beam == Beam::kStraight || random.below(3) == 0 ? Rim::kSmooth : Rim::kFaces;
   s.resolution.target_edge = s.laser.radius * random.uniform(0.5, 2);
-  if (random.below(2) == 0) s.bite = 1 + random.below(200);
+  if (random.below(2) == 0) s.faces_per_step = 1 + random.below(200);
   if (random.below(2) == 0) s.heat_width = 2 * s.laser.radius;
   const auto ahead = [&] {
     return glm::normalize(Vec3(random.uniform(-0.2, 0.2), -1, random.uniform(-0.2, 0.2)));

@@ -85,7 +85,7 @@ World cut_at_random(const Soup& soup, uint64_t seed) {
   Random random(seed);
   const RandomStroke stroke = random_stroke(world, random, 0.05, true);
   EXPECT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
-  while (!is_settled(world)) go_on_separating(world, 100'000);
+  while (!is_settled(world)) continue_separation(world, 100'000);
   return world;
 }
 

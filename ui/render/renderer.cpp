@@ -435,14 +435,14 @@ void Renderer::drop(BodyId id) {
   passes_.scene.shadows().forget(id);
 }
 
-void Renderer::carry_on(BodyId from, BodyId to) {
+void Renderer::rename_body(BodyId from, BodyId to) {
   const auto found = bodies_.find(from);
   if (found == bodies_.end()) return;  // the body was created later in the same delta
   bodies_.insert_or_assign(to, std::move(found->second));
   bodies_.erase(found);
   passes_.lines.forget(from);
   passes_.lines.forget(to);
-  passes_.scene.shadows().carry_on(from, to);
+  passes_.scene.shadows().rename_body(from, to);
 }
 
 void Renderer::follow(const World& world, const Delta& delta, PreparedBodies prepared) {
@@ -450,7 +450,7 @@ void Renderer::follow(const World& world, const Delta& delta, PreparedBodies pre
   if (delta.empty()) return;
   for (const BodyId id : delta.destroyed) drop(id);
   for (const Detached& d : delta.detached) {
-    if (d.keeps_slots) carry_on(d.from, d.to);
+    if (d.keeps_slots) rename_body(d.from, d.to);
   }
   for (const BodyId id : delta.created) add(id, world.body(id), prepared);
   for (const BodyDelta& d : delta.bodies) {

@@ -136,7 +136,7 @@ class Renderer {
   void add(BodyId id, const Body& body, PreparedBodies& prepared);
   std::shared_ptr<const SurfaceTextures> textures_of(const Body& body);
   void drop(BodyId id);
-  void carry_on(BodyId from, BodyId to);
+  void rename_body(BodyId from, BodyId to);
   void look_from(const World& world, const CameraView& view);
   void update_looks(const World& world, const ViewOptions& options);
   void update_scalars(const ViewOptions& options);

@@ -235,7 +235,7 @@ ShadowPass::ShadowPass(Shaders& shaders)
       side_(shaders.load(
           {{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_side.vert"}, {"empty.frag"}})) {}
 
-void ShadowPass::carry_on(BodyId from, BodyId to) {
+void ShadowPass::rename_body(BodyId from, BodyId to) {
   const auto found = bodies_.find(from);
   if (found == bodies_.end()) return;
   bodies_.insert_or_assign(to, std::move(found->second));

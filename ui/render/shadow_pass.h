@@ -111,7 +111,7 @@ class ShadowPass {
   void forget() { bodies_.clear(); }
   void forget(BodyId id) { bodies_.erase(id); }
   // Moves the shadows of the body `from` to the id `to`.
-  void carry_on(BodyId from, BodyId to);
+  void rename_body(BodyId from, BodyId to);
   // Updates the casters after changes of faces. The caller must adopt created bodies and forget destroyed
   // ones.
   void follow(const Delta& delta);

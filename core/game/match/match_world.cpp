@@ -195,7 +195,7 @@ void MatchWorld::remove(const std::vector<BodyId>& bodies) {
 
 std::vector<Detached> MatchWorld::separate() {
   if (!is_settled(world_) || joints_requested(world_))
-    follow(go_on_separating(world_, kSearch, JointMode::kArticulated).delta);
+    follow(continue_separation(world_, kSearch, JointMode::kArticulated).delta);
   if (!is_settled(world_)) return {};
   Delta released;
   release_pieces(world_, kGeneration, released);

@@ -311,7 +311,7 @@ std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& s
     const Placement& was = gun.last && then != before.end() ? then->second : near.body->placement;
     const std::vector<BeamMove> moves = moves_through(near, last, was, now, settings);
     if (moves.empty()) continue;
-    Result<StepResult> done = cut_apart(world, settings, near.id, moves);
+    Result<StepResult> done = cut_without_separation(world, settings, near.id, moves);
     if (!done) done = unknown_change(near.id);
     if (!done->delta.empty()) cut.emplace(near.id, std::move(*done));
   }

@@ -125,14 +125,14 @@ class Lines {
     for (const FeatureLine& line : joined(edges)) {
       Line& own = lines_.emplace_back();
       for (VertexId v : line) own.places.push_back(at[v]);
-      own.left_out_from = left_out_from(own.places, least_error);
+      own.omission_errors = omission_errors(own.places, least_error);
     }
   }
 
   size_t count_chords(double error) const {
     size_t count = 0;
     for (const Line& line : lines_) {
-      for (const double from : line.left_out_from) count += from > error * error;
+      for (const double from : line.omission_errors) count += from > error * error;
     }
     return count - lines_.size();
   }
@@ -142,7 +142,7 @@ class Lines {
     for (const Line& line : lines_) {
       Vec3 from = line.places.front();
       for (size_t i = 1; i < line.places.size(); ++i) {
-        if (!(line.left_out_from[i] > error * error)) continue;
+        if (!(line.omission_errors[i] > error * error)) continue;
         chords.push_back({from, line.places[i]});
         from = line.places[i];
       }
@@ -153,7 +153,7 @@ class Lines {
  private:
   struct Line {
     std::vector<Vec3> places;
-    std::vector<double> left_out_from;
+    std::vector<double> omission_errors;
   };
   std::vector<Line> lines_;
 };
@@ -460,7 +460,7 @@ std::vector<FeatureLine> joined(const std::vector<FeatureEdge>& edges) {
   return lines;
 }
 
-std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_error) {
+std::vector<double> omission_errors(const std::vector<Vec3>& line, double least_error) {
   KERF_ASSERT(least_error >= 0);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (line.size() < 3) return std::vector<double>(line.size(), kInfinity);
@@ -495,7 +495,7 @@ std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_er
 }
 
 std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error) {
-  const std::vector<double> from = left_out_from(line, error);
+  const std::vector<double> from = omission_errors(line, error);
   std::vector<Vec3> few;
   for (size_t i = 0; i < line.size(); ++i) {
     if (from[i] > error * error) few.push_back(line[i]);

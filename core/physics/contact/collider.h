@@ -237,7 +237,7 @@ std::vector<FeatureLine> joined(const std::vector<FeatureEdge>& edges);
 // distance exceeds the error (D. Douglas, T. Peucker: Algorithms for the reduction of the number of points
 // required to represent a digitized line, 1973). A closed line, whose first and last points are equal, always
 // keeps the point farthest from these. O(n^2) at worst, usually O(n log n).
-std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_error);
+std::vector<double> omission_errors(const std::vector<Vec3>& line, double least_error);
 
 // Returns the simplified line for an error (m).
 std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error);

@@ -325,7 +325,7 @@ bool sheets_cross(const MovingBody& a, const MovingBody& b) {
   return chords_pierce(a, b, into(b.now, a.now)) || chords_pierce(b, a, into(a.now, b.now));
 }
 
-bool get_through(const MovingBody& a, const MovingBody& b) {
+bool pass_through(const MovingBody& a, const MovingBody& b) {
   const RigidMap ab = into(b.next, a.next), ba = into(a.next, b.next);
   return chords_pierce(a, b, ab) || chords_pierce(b, a, ba) || points_pass(a, b, into(b.now, a.now), ab) ||
          points_pass(b, a, into(a.now, b.now), ba);

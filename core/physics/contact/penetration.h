@@ -69,7 +69,7 @@ bool sheets_cross(const MovingBody& a, const MovingBody& b);
 // Returns true if two bodies that were apart at the beginning of a tick intersect, or have passed through
 // each other, at MovingBody::next: if a chord of one passes through a face of the other, or a point of one
 // hits a face of the other during the tick.
-bool get_through(const MovingBody& a, const MovingBody& b);
+bool pass_through(const MovingBody& a, const MovingBody& b);
 
 // Returns the contact that separates two bodies whose sheets intersect, or nullopt if that would take too
 // long. It lies in the middle of the places where chords pass through faces. It pushes along the shortest

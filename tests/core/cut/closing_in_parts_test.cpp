@@ -31,7 +31,7 @@ struct SolidBeforeClosing {
     for (size_t i = 0; i + 1 < stroke.poses.size(); ++i)
       path.push_back({stroke.poses[i], stroke.poses[i + 1]});
     if (path.empty()) path.push_back({stroke.poses[0], stroke.poses[0]});
-    settings.bite = 1;
+    settings.faces_per_step = 1;
     for (const BeamMove& move : path) {
       UnfinishedMove unfinished;
       while (cut_step(world, settings, {&move, 1}, unfinished)->moves == 0) {
@@ -50,7 +50,7 @@ struct SolidBeforeClosing {
     return rim_step(world, settings, path, {}, rim, progress);
   }
   void settle() {
-    while (!is_settled(world)) go_on_separating(world, settings.search_a_move);
+    while (!is_settled(world)) continue_separation(world, settings.search_a_move);
   }
   // Does steps until walls are being added. Returns whether they ever are.
   bool begin_to_add() {
@@ -90,7 +90,7 @@ TEST(ClosingInParts, leaves_the_same_world_to_the_bit_as_at_once) {
     const NamedSoup& solid = solids[random.below(solids.size())];
     const SolidStroke stroke = random_solid_stroke(world_of(solid.soup), random);
     SolidBeforeClosing in_parts(solid.soup, stroke), at_once(solid.soup, stroke);
-    at_once.settings.bite = std::numeric_limits<size_t>::max();
+    at_once.settings.faces_per_step = std::numeric_limits<size_t>::max();
     ASSERT_TRUE(at_once.step());
     size_t steps = 0;
     do {

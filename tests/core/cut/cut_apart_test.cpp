@@ -36,11 +36,11 @@ TEST(CutApart, leaves_what_joints_do_not_hold_any_more_for_the_next_search) {
     ASSERT_EQ(world.live_pieces(), 1u);
     const BodyId body = world.ids().front();
     const auto done = holds ? cut_body(world, narrow(), body, {&kBurn, 1}, nullptr)
-                            : cut_apart(world, narrow(), body, {&kBurn, 1});
+                            : cut_without_separation(world, narrow(), body, {&kBurn, 1});
     ASSERT_TRUE(done.ok());
     EXPECT_GT(done->delta.removed_faces, 0u);
     EXPECT_EQ(world.live_pieces(), holds ? 2u : 1u);
-    go_on_separating(world, 100'000);
+    continue_separation(world, 100'000);
     EXPECT_EQ(world.live_pieces(), 2u);
   }
 }

@@ -96,7 +96,7 @@ void cut_and_check(World& world, const RandomStroke& stroke, bool made) {
     if (made || i % 16 == 0) expect_nothing_left_under(body, stroke.settings, stroke.moves[i]);
     if (::testing::Test::HasFailure()) return;
   }
-  go_on_separating(world, kNoLimit);
+  continue_separation(world, kNoLimit);
   EXPECT_EQ(find_fault(body.mesh, !made), "");
   EXPECT_EQ(body.tree.leaf_count(), body.mesh.live_faces());
   expect_tree_answers_as_brute_force(body, beams);

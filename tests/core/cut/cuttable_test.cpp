@@ -89,7 +89,7 @@ TEST(CutStep, ends_a_search_for_what_came_apart_in_a_body_that_was_hidden_meanwh
   ASSERT_TRUE(cut_whole(world, settings, moves).ok());
   ASSERT_FALSE(is_settled(world));
   only_body(world).hidden = true;
-  go_on_separating(world, kNoLimit);
+  continue_separation(world, kNoLimit);
   EXPECT_TRUE(is_settled(world));
   EXPECT_EQ(world.live_pieces(), 2u);
 }

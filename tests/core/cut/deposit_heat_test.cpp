@@ -116,7 +116,7 @@ TEST(DepositHeat, brings_the_walls_of_a_solid_to_the_melting_point_however_the_s
     make_solid(world.body(id), true);
     SolidStroke stroke = straight_stroke({0.1, 0.1, -0.1}, {0.1, 0.1, 0.3}, {0, -1, 0}, kRadius, {0, 1});
     stroke.settings.heat_width = kWidth;
-    stroke.settings.bite = 1;
+    stroke.settings.faces_per_step = 1;
     const std::vector<BeamMove> moves = subdivide({stroke.poses[0], stroke.poses[1], 1}, kRadius, 0.2);
     ASSERT_TRUE(cut_whole(world, stroke.settings, moves).ok());
     if (at_once) ASSERT_TRUE(close_rim(world, stroke.settings, moves).ok());
@@ -137,11 +137,11 @@ TEST(DepositHeat, brings_the_walls_of_a_solid_to_the_melting_point_however_the_s
 
 TEST(DepositHeat, does_not_depend_on_the_division_into_steps) {
   for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
-    Slot whole(0.002, rim), bitten(0.002, rim);
-    bitten.settings.bite = 1;
+    Slot whole(0.002, rim), stepped(0.002, rim);
+    stepped.settings.faces_per_step = 1;
     whole.cut();
-    bitten.cut();
-    EXPECT_EQ(state_hash(whole.world), state_hash(bitten.world));
+    stepped.cut();
+    EXPECT_EQ(state_hash(whole.world), state_hash(stepped.world));
   }
 }
 

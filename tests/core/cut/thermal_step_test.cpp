@@ -66,7 +66,7 @@ TEST(ThermalStep, closes_the_ledger_over_random_strokes_with_splits_removals_and
         drawn.settings.heat_width = random.uniform(0.5, 3) * drawn.settings.laser.radius;
       }
       ASSERT_TRUE(cut_whole(world, drawn.settings, drawn.moves).ok());
-      while (!is_settled(world)) go_on_separating(world, 1000);
+      while (!is_settled(world)) continue_separation(world, 1000);
       cool(world, random.uniform(0, 3));
       expect_closed_ledger(world, 1e-9);
     }
@@ -78,13 +78,13 @@ TEST(ThermalStep, does_not_depend_on_the_division_into_steps) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    World whole = world_of(sphere(12, 16, 0.5)), bitten = whole;
+    World whole = world_of(sphere(12, 16, 0.5)), stepped = whole;
     RandomStroke stroke = random_thermal_stroke(whole, random);
     ASSERT_TRUE(cut_whole(whole, stroke.settings, stroke.moves).ok());
-    stroke.settings.bite = 1;
-    ASSERT_TRUE(cut_whole(bitten, stroke.settings, stroke.moves).ok());
-    EXPECT_EQ(state_hash(whole), state_hash(bitten));
-    EXPECT_TRUE(whole.energy() == bitten.energy());
+    stroke.settings.faces_per_step = 1;
+    ASSERT_TRUE(cut_whole(stepped, stroke.settings, stroke.moves).ok());
+    EXPECT_EQ(state_hash(whole), state_hash(stepped));
+    EXPECT_TRUE(whole.energy() == stepped.energy());
   }
 }
 

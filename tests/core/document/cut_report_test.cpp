@@ -39,11 +39,11 @@ TEST(SmallestAngle, is_that_of_the_sharpest_face_wherever_it_is) {
   }
 }
 
-StepResult bite_of_solid(double volume, BodyId left_open) {
-  StepResult bite;
-  bite.delta.solid = {10, 0.5, volume};
-  bite.delta.left_open = {{left_open, "the walls meet nowhere."}};
-  return bite;
+StepResult step_of_solid(double volume, BodyId left_open) {
+  StepResult step;
+  step.delta.solid = {10, 0.5, volume};
+  step.delta.left_open = {{left_open, "the walls meet nowhere."}};
+  return step;
 }
 
 TEST(CutReport, sums_up_the_volume_that_was_removed_where_all_is_closed) {
@@ -51,9 +51,9 @@ TEST(CutReport, sums_up_the_volume_that_was_removed_where_all_is_closed) {
   only_body(world).solid = true;
   CutJob job;
   for (const double volume : {0.125, 0.25}) {
-    StepResult bite = bite_of_solid(volume, world.ids().front());
-    bite.delta.left_open.clear();
-    job.record_bite(bite, world, 0);
+    StepResult step = step_of_solid(volume, world.ids().front());
+    step.delta.left_open.clear();
+    job.record_step(step, world, 0);
   }
   EXPECT_EQ(cut_report(job, world, {}, {})["removed"]["volume"], 0.375);
 }
@@ -65,7 +65,7 @@ TEST(CutReport, sums_up_walls_and_says_each_reason_once) {
   body.solid = true;
   CutJob job;
   for (const double volume : {0.125, 0.25})
-    job.record_bite(bite_of_solid(volume, world.ids().front()), world, 0);
+    job.record_step(step_of_solid(volume, world.ids().front()), world, 0);
   const auto report = cut_report(job, world, {}, {});
   EXPECT_FALSE(report["removed"].contains("volume")) << "which is not known of what stays open";
   EXPECT_EQ(report["walls"]["faces"], 20);
@@ -92,9 +92,9 @@ TEST(CutReport, sums_up_what_was_loaded_and_what_steps_took) {
     step.statistics.remove_s = 1;
     step.statistics.update_tree_s = 2;
     step.statistics.separate_s = 4;
-    job.record_bite(step, world, i * 37 % 101 / 1000.0);
+    job.record_step(step, world, i * 37 % 101 / 1000.0);
   }
-  job.record_bite({}, world, 7);
+  job.record_step({}, world, 7);
   const auto report = cut_report(job, world, {}, {});
   EXPECT_EQ(report["input"]["faces"], 24);
   EXPECT_EQ(report["input"]["vertices"], 16);

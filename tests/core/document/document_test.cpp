@@ -157,7 +157,7 @@ TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
 TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   CutSettings too_fine = settings_of(0.02);
   too_fine.max_faces = 40;
-  too_fine.bite = 1;
+  too_fine.faces_per_step = 1;
   const auto strokes = [&](Document& document, bool step_between) {
     for (const double z : {0.2, -0.2}) {
       document.apply(BeginStroke{z > 0 ? too_fine : settings_of(0.02), {{-0.7, 1, z}, {0, -1, 0}}});

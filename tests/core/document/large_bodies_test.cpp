@@ -34,7 +34,7 @@ TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_
     for (Ticks t = 0; t < ticks; ++t) {
       document.apply(AdvanceTime{1, true});
       while (document.waiting() > 0) {
-        large_colliders += document.queue().next_makes_ready() > Physics::kMaxUnderBeam;
+        large_colliders += document.queue().next_prepared_faces() > Physics::kMaxUnderBeam;
         ASSERT_TRUE(document.step(64).ok());
       }
     }

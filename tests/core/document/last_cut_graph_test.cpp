@@ -45,7 +45,7 @@ TEST(LastCutGraph, keeps_the_removed_faces_when_undo_has_let_go_of_them) {
   Document document(world_of(grid(8, 2)));
   document.set_window(0);
   stroke_across(document, -0.4);
-  EXPECT_EQ(document.history().last().images(), HistoryStep::Images::kLetGo);
+  EXPECT_EQ(document.history().last().images(), HistoryStep::Images::kDiscarded);
   EXPECT_EQ(removed_nodes(document), document.history().totals().removed_faces);
   EXPECT_GT(document.history().totals().removed_faces, 0u);
 }

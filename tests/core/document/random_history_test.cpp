@@ -41,7 +41,7 @@ void expect_whole(const World& world) {
 // The command with steps of whole moves.
 Command with_one_bite(Command command) {
   if (auto* begin = std::get_if<BeginStroke>(&command))
-    begin->settings.bite = std::numeric_limits<size_t>::max();
+    begin->settings.faces_per_step = std::numeric_limits<size_t>::max();
   return command;
 }
 

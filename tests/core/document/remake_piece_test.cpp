@@ -56,7 +56,7 @@ World cut_torus() {
   EXPECT_TRUE(
       cut_whole(world, settings, subdivide({{{-2, 3, 0}, {0, -1, 0}}, {{2, 3, 0}, {0, -1, 0}}}, 0.05, 5))
           .ok());
-  while (!is_settled(world)) go_on_separating(world, 100'000);
+  while (!is_settled(world)) continue_separation(world, 100'000);
   EXPECT_GE(world.live_pieces(), 2u);
   return world;
 }
@@ -149,7 +149,7 @@ TEST(PrepareCommands, what_they_make_can_be_cut) {
       World world = document.world();
       const RandomStroke stroke = random_stroke(world, random, 0.03, true);
       ASSERT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
-      while (!is_settled(world)) go_on_separating(world, 100'000);
+      while (!is_settled(world)) continue_separation(world, 100'000);
       expect_sound(world);
     }
   }

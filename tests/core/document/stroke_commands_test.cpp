@@ -25,7 +25,7 @@ CutSettings random_cut_settings(Random& random) {
   s.laser.range = {0, 5};
   s.resolution.rim = random.below(2) == 0 ? Rim::kSmooth : Rim::kFaces;
   s.resolution.target_edge = s.laser.radius * random.uniform(0.7, 2);
-  s.bite = 1 + random.below(200);
+  s.faces_per_step = 1 + random.below(200);
   return s;
 }
 

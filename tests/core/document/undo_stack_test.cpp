@@ -42,13 +42,13 @@ TEST(UndoStack, keeps_within_its_window_right_after_a_command_that_happens_at_on
 }
 
 TEST(UndoStack, a_stroke_that_is_stopped_is_taken_back) {
-  for (const size_t bite : {size_t{1}, size_t{30}, CutSettings{}.bite}) {
-    SCOPED_TRACE("bite " + std::to_string(bite));
+  for (const size_t faces_per_step : {size_t{1}, size_t{30}, CutSettings{}.faces_per_step}) {
+    SCOPED_TRACE("faces_per_step " + std::to_string(faces_per_step));
     Random random(3);
     Document document(ring_and_book());
     auto first = random_stroke_commands(random);
     auto second = random_stroke_commands(random);
-    std::get<BeginStroke>(second.front()).settings.bite = bite;
+    std::get<BeginStroke>(second.front()).settings.faces_per_step = faces_per_step;
     for (const Command& c : first) ASSERT_TRUE(document.apply(c).ok());
     finish(document);
     const World before = document.world();
@@ -85,7 +85,7 @@ TEST(UndoStack, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
       const World before = asked.world();
       auto commands = random_stroke_commands(random);
       CutSettings& settings = std::get<BeginStroke>(commands.front()).settings;
-      settings.bite = 1 + random.below(100);
+      settings.faces_per_step = 1 + random.below(100);
       settings.search_a_move = 1 + random.below(100);
       for (const Command& c : commands) {
         ASSERT_TRUE(asked.apply(c).ok());
@@ -159,7 +159,7 @@ TEST(UndoStack, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_
   CutSettings settings;
   settings.laser.radius = 0.1;
   settings.resolution.target_edge = 0.1;
-  settings.bite = 1;
+  settings.faces_per_step = 1;
   CutSettings finer = settings;
   finer.resolution.target_edge = 0.05;
   const auto draw = [](Document& document, const CutSettings& s, double x) {

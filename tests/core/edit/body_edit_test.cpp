@@ -20,7 +20,7 @@ void draw(World& world, Random& random, Scheme scheme, Rim rim) {
   stroke.settings.resolution.rim = rim;
   ASSERT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
   if (rim == Rim::kSmooth) ASSERT_TRUE(close_rim(world, stroke.settings, stroke.moves).ok());
-  while (!is_settled(world)) go_on_separating(world, 200);
+  while (!is_settled(world)) continue_separation(world, 200);
 }
 
 void detach_all(World& world) {

@@ -49,7 +49,7 @@ World cut_world(const Soup& soup, uint64_t seed) {
   for (int i = 0; i < 3; ++i) {
     const RandomStroke stroke = random_stroke(world, random, 0.02, i == 1);
     EXPECT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
-    go_on_separating(world, kNoLimit);
+    continue_separation(world, kNoLimit);
   }
   return world;
 }
@@ -110,7 +110,7 @@ TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
     stroke.settings.resolution.scheme = Scheme::kLongestEdge;  // green pairs were forgotten
     for (World* world : {&together, &apart}) {
       ASSERT_TRUE(cut_whole(*world, stroke.settings, stroke.moves).ok());
-      go_on_separating(*world, kNoLimit);
+      continue_separation(*world, kNoLimit);
     }
     EXPECT_NEAR(area_of(together), area_of(apart), 1e-3 * area_of(together));
     EXPECT_EQ(together.live_pieces(), apart.live_pieces());
@@ -218,7 +218,7 @@ World plate_in_two(double x) {
   settings.resolution.target_edge = 0.05;
   const BeamMove across{{{x, 1, -0.7}, {0, -1, 0}}, {{x, 1, 0.7}, {0, -1, 0}}};
   EXPECT_TRUE(cut_whole(world, settings, {&across, 1}).ok());
-  go_on_separating(world, kNoLimit);
+  continue_separation(world, kNoLimit);
   EXPECT_EQ(world.live_pieces(), 2u);
   return world;
 }

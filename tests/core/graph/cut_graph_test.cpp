@@ -30,7 +30,7 @@ RandomCut graph_of_random_cut(const Soup& soup, uint64_t seed) {
   auto done = cut_whole(cut.world, stroke.settings, stroke.moves);
   EXPECT_TRUE(done.ok());
   if (done) cut.done = std::move(*done);
-  while (!is_settled(cut.world)) cut.done.delta.append(go_on_separating(cut.world, 100'000).delta);
+  while (!is_settled(cut.world)) cut.done.delta.append(continue_separation(cut.world, 100'000).delta);
   for (const BodyDelta& b : cut.done.delta.bodies) {
     if (!b.removed.empty()) cut.removed[b.body] = b.removed;
   }

@@ -200,7 +200,7 @@ TEST(AddFaces, in_parts_leads_to_the_same_mesh_to_the_bit_as_at_once) {
       }
     }
     std::vector<FaceId> changed;
-    while (!addition.part_fans(mesh, 1 + random.below(5), changed)) {
+    while (!addition.split_fans(mesh, 1 + random.below(5), changed)) {
     }
     ASSERT_NO_FATAL_FAILURE(expect_same_mesh(mesh, at_once));
     ASSERT_EQ(find_fault(mesh), "");

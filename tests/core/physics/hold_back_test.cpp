@@ -27,7 +27,7 @@ class PlateOverSheet : public testing::Test {
     search.find();
     sheets_.move_on();
     const size_t held = limit_penetration(bodies, search);
-    if (ignored_mass == 0) EXPECT_FALSE(get_through(bodies[0], bodies[1]));
+    if (ignored_mass == 0) EXPECT_FALSE(pass_through(bodies[0], bodies[1]));
     return held;
   }
   double height() { return sheets_.body(0).placement.position.y; }

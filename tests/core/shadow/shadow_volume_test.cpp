@@ -153,7 +153,7 @@ TEST(ShadowVolume, a_piece_that_is_not_drawn_casts_nothing) {
   EXPECT_TRUE(volume.silhouette().empty());
 }
 
-// Counted, not timed: what a bite of fifty faces of a hundred thousand looks at.
+// Counted, not timed: what a removed of fifty faces of a hundred thousand looks at.
 TEST(ShadowVolume, a_bite_looks_at_its_own_faces_and_edges_alone) {
   BuiltMesh built = test::build(test::torus(250, 200, 1, 0.4));
   ShadowCaster caster(built.mesh, frame_of(built.mesh));
@@ -161,10 +161,10 @@ TEST(ShadowVolume, a_bite_looks_at_its_own_faces_and_edges_alone) {
   const ShadowVolume::Effort whole = volume.effort();
   EXPECT_EQ(whole.faces, built.mesh.face_slots());
   EXPECT_EQ(whole.edges, caster.edge_slots());
-  std::vector<uint32_t> bite;
-  for (uint32_t f = 700; f < 750; ++f) bite.push_back(f);
-  for (const uint32_t f : bite) built.mesh.remove_face(FaceId(f));
-  volume.follow(caster, caster.update(built.mesh, bite));
+  std::vector<uint32_t> removed;
+  for (uint32_t f = 700; f < 750; ++f) removed.push_back(f);
+  for (const uint32_t f : removed) built.mesh.remove_face(FaceId(f));
+  volume.follow(caster, caster.update(built.mesh, removed));
   EXPECT_LE(volume.effort().faces - whole.faces, 50u);
   EXPECT_LE(volume.effort().edges - whole.edges, 150u);
 }

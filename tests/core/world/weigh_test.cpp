@@ -102,7 +102,7 @@ TEST(Weigh, leaves_a_search_that_is_open_alone) {
     Body& body = only_body(world);
     while (!is_settled(body)) {
       update_mass_properties(body);
-      go_on_separating(world, 1 + random.below(40));
+      continue_separation(world, 1 + random.below(40));
     }
     expect_piece_sums(body);
   }

@@ -123,7 +123,7 @@ CutSettings Scenario::settings() {
     s.resolution.rule = Resolution::Rule::kTargetEdge;
     s.resolution.target_edge = 2 * s.laser.radius;
   }
-  s.bite = 1 + bytes_.below(50);
+  s.faces_per_step = 1 + bytes_.below(50);
   s.search_a_move = 1 + 8 * bytes_.below(50);
   return s;
 }

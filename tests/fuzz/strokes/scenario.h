@@ -15,7 +15,7 @@ struct FuzzedMesh {
 FuzzedMesh mesh_from(ByteSource& bytes);
 
 // What somebody does at a document: strokes of one to six poses with both rims, schemes, patterns and models
-// and bites of 1 to 50 faces, time, undo, redo, other settings for the last stroke, and edits of pieces.
+// and steps of 1 to 50 faces, time, undo, redo, other settings for the last stroke, and edits of pieces.
 // After each command the queue may be executed not at all, in part or whole. A solid world is cut by strokes
 // that close it.
 class Scenario {

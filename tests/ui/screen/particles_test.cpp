@@ -16,7 +16,7 @@ Effects effects_of(const Particles& particles) {
 }
 
 // A beam that points at the ground, 1 m above it, and has removed some mass (kg).
-Particles bitten(double mass, double size = 1) {
+Particles emitted(double mass, double size = 1) {
   Particles particles;
   particles.add({{0, 1, 0}, {0, -1, 0}, size, mass}, kUp);
   return particles;
@@ -25,7 +25,7 @@ Particles bitten(double mass, double size = 1) {
 TEST(Particles, are_as_many_for_one_large_bite_as_for_many_small_ones) {
   Particles short_ones;
   for (int i = 0; i < 1000; ++i) short_ones.add({{0, 1, 0}, {0, -1, 0}, 1, 0.001}, kUp);
-  const Effects once = effects_of(bitten(1)), often = effects_of(short_ones);
+  const Effects once = effects_of(emitted(1)), often = effects_of(short_ones);
   EXPECT_NEAR(static_cast<double>(once.sparks.size()), static_cast<double>(often.sparks.size()), 1);
   EXPECT_NEAR(static_cast<double>(once.puffs.size()), static_cast<double>(often.puffs.size()), 1);
   EXPECT_GT(once.sparks.size(), once.puffs.size());
@@ -33,7 +33,7 @@ TEST(Particles, are_as_many_for_one_large_bite_as_for_many_small_ones) {
 
 TEST(Particles, are_twice_as_many_of_twice_the_mass_and_as_many_of_a_sheet_of_half_the_size) {
   const auto sparks = [](double mass, double size) {
-    return static_cast<double>(effects_of(bitten(mass, size)).sparks.size());
+    return static_cast<double>(effects_of(emitted(mass, size)).sparks.size());
   };
   EXPECT_NEAR(sparks(1, 1), 2 * sparks(0.5, 1), 2);
   EXPECT_NEAR(sparks(1, 1), sparks(0.25, 0.5), 1);
@@ -41,13 +41,13 @@ TEST(Particles, are_twice_as_many_of_twice_the_mass_and_as_many_of_a_sheet_of_ha
 }
 
 TEST(Particles, are_bounded_in_number_however_much_a_beam_removes) {
-  const Effects effects = effects_of(bitten(1000));
+  const Effects effects = effects_of(emitted(1000));
   EXPECT_LE(effects.sparks.size(), 1200u);
   EXPECT_LE(effects.puffs.size(), 160u);
 }
 
 TEST(Particles, sparks_stay_above_the_ground_and_cool_while_smoke_thins_out) {
-  Particles particles = bitten(1);
+  Particles particles = emitted(1);
   for (int frame = 0; frame < 30; ++frame) {
     particles.advance(1 / 60.0, kUp, 0.5);
     for (const Spark& s : effects_of(particles).sparks) EXPECT_GE(glm::dot(s.at, kUp), 0.5 - 1e-12);
@@ -59,7 +59,7 @@ TEST(Particles, sparks_stay_above_the_ground_and_cool_while_smoke_thins_out) {
 }
 
 TEST(Particles, are_gone_two_seconds_after_the_last_bite) {
-  Particles particles = bitten(1);
+  Particles particles = emitted(1);
   EXPECT_FALSE(particles.empty());
   for (int frame = 0; frame < 120; ++frame) particles.advance(1 / 60.0, kUp, 0);
   EXPECT_TRUE(particles.empty());
@@ -67,7 +67,7 @@ TEST(Particles, are_gone_two_seconds_after_the_last_bite) {
 
 TEST(Particles, of_a_small_thing_stay_near_it) {
   const auto farthest = [](double size) {
-    Particles particles = bitten(0.5 * size * size, size);
+    Particles particles = emitted(0.5 * size * size, size);
     for (int frame = 0; frame < 12; ++frame) particles.advance(1 / 60.0, kUp, -10);
     double most = 0;
     for (const Spark& s : effects_of(particles).sparks)

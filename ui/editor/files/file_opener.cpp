@@ -91,7 +91,7 @@ Decision decide_on_unsaved(Decisions& decisions, size_t answer) {
 Decision decide_on_recovery(Decisions& decisions, std::vector<RecoverableDocument>& recoverable,
                             size_t answer) {
   KERF_ASSERT(!recoverable.empty());
-  if (answer == 0) return Decision::kGoOn;
+  if (answer == 0) return Decision::kRecover;
   if (answer == 2) {
     recoverable.clear();
     return Decision::kNone;
@@ -143,7 +143,7 @@ void report_opened(Message& message, const LoadedFiles& loaded) {
 // Records which part of the open document is saved, and where.
 void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
                         const std::vector<Light>& lights) {
-  const LoadOrder& order = loaded.order;
+  const LoadRequest& order = loaded.order;
   KERF_ASSERT(order.left || !order.files.empty());
   session.files = order.files;
   session.file.clear();
@@ -239,7 +239,7 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
 
 }  // namespace
 
-bool is_to_be_kept(const DocumentSession& session, const std::vector<Light>& lights) {
+bool needs_recovery_file(const DocumentSession& session, const std::vector<Light>& lights) {
   const std::vector<Command>& journal = session.document.journal();
   if (session.saved_commands > journal.size() || lights != session.saved_lights) return true;
   if (session.scene.others != session.saved_head) return true;
@@ -248,7 +248,7 @@ bool is_to_be_kept(const DocumentSession& session, const std::vector<Light>& lig
 }
 
 bool is_unsaved(const DocumentSession& session, const std::vector<Light>& lights) {
-  if (!is_to_be_kept(session, lights)) return false;
+  if (!needs_recovery_file(session, lights)) return false;
   const bool dressed_as_saved = lights == session.saved_lights && session.scene.others == session.saved_head;
   const std::vector<Command>& journal = session.document.journal();
   return !dressed_as_saved || session.saved_commands > journal.size() ||
@@ -309,7 +309,7 @@ void Recovery::begin(const DocumentSession& session, const ViewState& view) {
 }
 
 bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mouse_moves, Message& message) {
-  if (!is_to_be_kept(session, view.look.lights)) {
+  if (!needs_recovery_file(session, view.look.lights)) {
     if (autosave_.keeps()) autosave_.drop();
     return true;
   }
@@ -422,7 +422,7 @@ void FileOpener::show_empty_stage() {
   workspace_.view.camera.finish();
 }
 
-LoadOrder FileOpener::order_of(std::vector<std::filesystem::path> files) const {
+LoadRequest FileOpener::order_of(std::vector<std::filesystem::path> files) const {
   return {std::move(files), {}, workspace_.settings.history_bytes()};
 }
 
@@ -482,7 +482,7 @@ void FileOpener::open_fresh() {
 
 void FileOpener::open_recovered() {
   KERF_ASSERT(!workspace_.opening.recoverable.empty());
-  LoadOrder order = order_of({});
+  LoadRequest order = order_of({});
   order.left = workspace_.opening.recoverable.front().journal;
   workspace_.opening.loader.start(std::move(order));
 }

@@ -21,7 +21,7 @@ namespace kerf {
 bool is_unsaved(const DocumentSession& session, const std::vector<Light>& lights);
 // Returns true if the recovery file is needed, i.e. if anything but cooling happened since the last save.
 // Includes undone changes, which is_unsaved() ignores, so that they can be redone after a crash.
-bool is_to_be_kept(const DocumentSession& session, const std::vector<Light>& lights);
+bool needs_recovery_file(const DocumentSession& session, const std::vector<Light>& lights);
 
 // Returns the displayed name of the open document: that of its file, or of the file from which it was opened.
 std::string name_of_work(const DocumentSession& session);
@@ -90,7 +90,7 @@ enum class Decision {
   kNone,
   kLeave,      // run `leaving`
   kSaveFirst,  // save the document, then run `leaving`
-  kGoOn,       // open the first recoverable document
+  kRecover,    // open the first recoverable document
 };
 
 // Processes the answer to the question, once, as far as that is possible without the frame loop: discards
@@ -127,7 +127,7 @@ class FileOpener {
   bool moving() const { return shadows_due_ && workspace_.screen.window->draws(); }
 
  private:
-  LoadOrder order_of(std::vector<std::filesystem::path> files) const;
+  LoadRequest order_of(std::vector<std::filesystem::path> files) const;
   Status open_default_scene();
   void show_empty_stage();
   void take(Result<LoadedFiles> loaded, bool left);

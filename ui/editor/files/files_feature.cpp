@@ -281,7 +281,7 @@ class FilesFeature : public Feature {
           save_to(workspace_.session.file);
         }
         break;
-      case Decision::kGoOn:
+      case Decision::kRecover:
         opener_.open_recovered();
         break;
     }

@@ -31,7 +31,7 @@ constexpr size_t kMaxRows = 10;
 // Formats the memory of the before-images, by which a step is undone at once.
 std::string weight_text(const HistoryStep& step) {
   if (step.images() == HistoryStep::Images::kNone) return "pending";
-  if (step.images() == HistoryStep::Images::kLetGo) return "by replay";
+  if (step.images() == HistoryStep::Images::kDiscarded) return "by replay";
   const double kilobytes = static_cast<double>(step.totals().bytes) / 1024;
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
 }

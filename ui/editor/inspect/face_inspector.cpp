@@ -85,7 +85,7 @@ void draw_edges(const ViewState& view, const Body& body, const Pick& pick, ImDra
   const Triangle t = body.mesh.triangle(pick.face);
   const auto look = view.look.pieces.find({pick.body, body.mesh.data(pick.face).piece});
   const Vec3 offset = look != view.look.pieces.end() ? look->second.offset : Vec3(0);
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   std::array<ImVec2, 3> corners;
   for (size_t i = 0; i < 3; ++i) {
     const auto at = picture.place_of(body.placement.to_world(t[i]) + offset);
@@ -306,7 +306,7 @@ class RulerFeature : public Feature {
     if (!std::exchange(field_drawn_, false)) renamed_.reset();
   }
   void add_landmarks(Landmarks& landmarks) const override {
-    const FirstPicture picture(workspace_.view);
+    const PrimaryViewport picture(workspace_.view);
     for (size_t i = 0; i < list_.marks().size() && shown(); ++i) {
       const RulerMark& m = list_.marks()[i];
       if (const auto at = picture.place_of(m.from))
@@ -343,7 +343,7 @@ class RulerFeature : public Feature {
   bool shown() const { return is_active() || workspace_.services.panels.shows(kRulerPanel); }
   void keep() { set_head_entry(workspace_.session.scene, kRulerKey, list_.to_json()); }
   std::optional<EndOfMark> end_under_pointer() const {
-    const FirstPicture picture(workspace_.view);
+    const PrimaryViewport picture(workspace_.view);
     for (size_t i = 0; i < list_.marks().size(); ++i) {
       for (const bool to : {false, true}) {
         const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);

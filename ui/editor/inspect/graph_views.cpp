@@ -437,7 +437,7 @@ double GraphCanvas::radius_of(const DrawnGraph::Node& node) const {
 }
 
 void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
-  if (framing_ == Wish::kNone || drawn.places.empty()) return;
+  if (framing_ == Framing::kNone || drawn.places.empty()) return;
   Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const Vec2& p : drawn.places) {
     low = glm::min(low, p);
@@ -448,13 +448,13 @@ void GraphCanvas::execute_requests(const Drawn& drawn, double link) {
   const double all = std::clamp(std::min(fitting.x, fitting.y), kMinZoom, kMaxZoom);
   middle_ = 0.5 * (low + high);
   zoom_ = all;
-  if (framing_ == Wish::kStart && drawn.start && link > 0) {
+  if (framing_ == Framing::kStart && drawn.start && link > 0) {
     zoom_ = std::clamp(kTellApart / (link * half_), all, kMaxZoom);
     // A start at the border of the graph is a little off the middle, so that less of the field is empty.
     const Vec2 reach = kOffMiddle * glm::min(0.5 * size_ / (half_ * zoom_), 0.5 * extent);
     middle_ = glm::clamp(drawn.places[*drawn.start], low + reach, high - reach);
   }
-  framing_ = Wish::kNone;
+  framing_ = Framing::kNone;
 }
 
 // The child window of the canvas scrolls by an invisible pixel, to keep the wheel from the sidebar.

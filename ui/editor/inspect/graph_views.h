@@ -154,13 +154,13 @@ class GraphCanvas {
   Pointer draw(const Drawn& drawn, float height);
 
   // From the next draw() on, shows the whole graph, or the neighbourhood of its `start`.
-  void fit() { framing_ = Wish::kAll; }
-  void show_start() { framing_ = Wish::kStart; }
+  void fit() { framing_ = Framing::kAll; }
+  void show_start() { framing_ = Framing::kStart; }
   // Returns true if the pointer was over it at the last draw().
   bool hovered() const { return hovered_; }
 
  private:
-  enum class Wish { kNone, kAll, kStart };
+  enum class Framing { kNone, kAll, kStart };
   void execute_requests(const Drawn& drawn, double link);
   void listen();
   void draw_links(const DrawnGraph& graph, const GraphLayout& places, double link) const;
@@ -176,7 +176,7 @@ class GraphCanvas {
   double half_ = 1;           // pixels per unit of the layout before zooming
   double radius_ = 1;         // of a node that is a single face, pixels
   bool dragged_ = false, hovered_ = false;
-  Wish framing_ = Wish::kStart;
+  Framing framing_ = Framing::kStart;
 };
 
 struct PieceTreeRow {

@@ -257,7 +257,7 @@ class LaserFeature : public Feature {
       workspace_.message.info("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
       return nullptr;
     }
-    stand_together(workspace_.world(), workspace_.view);
+    end_exploded_view(workspace_.world(), workspace_.view);
     cancel_stroke(workspace_);
     workspace_.view.camera.finish();
     auto stroke = std::make_unique<DrawnStroke>(workspace_, press.event.seconds);
@@ -492,7 +492,7 @@ void WaitingStrokes::draw(const ViewState& view, ImDrawList& list) const {
   const float em = ImGui::GetFontSize();
   for (size_t i = 0; i < strokes_.size(); ++i) {
     const BeamPicture& beam = strokes_[i].beam;
-    const auto at = FirstPicture(view).place_of(beam.strike.value_or(beam.to));
+    const auto at = PrimaryViewport(view).place_of(beam.strike.value_or(beam.to));
     if (!at) continue;
     const ImVec2 text = ImGui::CalcTextSize(strokes_[i].waits_for.c_str());
     const ImVec2 place{static_cast<float>(at->x) + em, static_cast<float>(at->y) - 0.5f * em};

@@ -80,7 +80,7 @@ class EmitterFeature : public Feature {
 
   std::unique_ptr<Interaction> begin_interaction(const Press&) override {
     const auto handle =
-        handle_under(emitter_handles(emitter_, FirstPicture(workspace_.view)), workspace_.input.pointer);
+        handle_under(emitter_handles(emitter_, PrimaryViewport(workspace_.view)), workspace_.input.pointer);
     if (!handle || workspace_.view.in_second) return nullptr;
     emitter_.take(handle->part, workspace_.input.pointer);
     return std::make_unique<PlainDrag>("Moving the emitter",
@@ -100,7 +100,7 @@ class EmitterFeature : public Feature {
   void draw_overlay(ImDrawList& list) override {
     const Area& first = workspace_.view.layout.first;
     list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
-    draw_emitter(emitter_, FirstPicture(workspace_.view), workspace_.input.pointer_in_viewport(), list);
+    draw_emitter(emitter_, PrimaryViewport(workspace_.view), workspace_.input.pointer_in_viewport(), list);
     list.PopClipRect();
     if (!emitter_.firing) return;
     workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode,
@@ -108,7 +108,7 @@ class EmitterFeature : public Feature {
                                     "emitter badge");
   }
   void add_landmarks(Landmarks& landmarks) const override {
-    mark_handles(emitter_handles(emitter_, FirstPicture(workspace_.view)), landmarks);
+    mark_handles(emitter_handles(emitter_, PrimaryViewport(workspace_.view)), landmarks);
   }
   void write_session_log(nlohmann::ordered_json& report) const override {
     report["emitter"] = {{"placed", emitter_.placed()},
@@ -142,7 +142,8 @@ class EmitterFeature : public Feature {
   }
   // Moves or aims the emitter. If it fires, its beam follows each move of the pointer.
   void drag(double now) {
-    emitter_.drag(FirstPicture(workspace_.view), workspace_.input.pointer, point_under_pointer(workspace_));
+    emitter_.drag(PrimaryViewport(workspace_.view), workspace_.input.pointer,
+                  point_under_pointer(workspace_));
     if (emitter_.drawing) workspace_.beam.carry_to(workspace_.session.document, emitter_.pose(), now);
   }
   // Draws buttons that place, switch and remove the emitter, and its pace, position and target.
@@ -216,7 +217,7 @@ class EmitterFeature : public Feature {
   }
   void begin_fire(double now) {
     cancel_stroke(workspace_);
-    stand_together(workspace_.world(), workspace_.view);
+    end_exploded_view(workspace_.world(), workspace_.view);
     KERF_ASSERT(emitter_.placed());
     workspace_.beam.fire(workspace_.session.document, emitter_.pose(), emitter_.distance(),
                          workspace_.laser.settings(workspace_.world().bounds().diagonal()), now);
@@ -266,7 +267,7 @@ void Emitter::take(Part part, Vec2 pointer) {
 }
 
 // Moving the emitter keeps its target.
-void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface) {
+void Emitter::drag(const PrimaryViewport& picture, Vec2 pointer, const std::optional<Vec3>& surface) {
   if (held_ == Part::kTarget) return aim_at(surface ? *surface : picture.at_depth_of(target_, pointer));
   Vec3 to = held_at_;
   if (held_ == Part::kBody) {
@@ -284,7 +285,7 @@ void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target,
   emitter.place(target + towards * distance, target);
 }
 
-std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture) {
+std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const PrimaryViewport& picture) {
   std::vector<EmitterHandle> handles;
   if (!emitter.placed()) return handles;
   handles.push_back({{picture, "emitter target", {emitter.target()}}, Part::kTarget});
@@ -300,7 +301,7 @@ std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPi
   return handles;
 }
 
-void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list) {
+void draw_emitter(const Emitter& emitter, const PrimaryViewport& picture, Vec2 pointer, ImDrawList& list) {
   const std::vector<EmitterHandle> handles = emitter_handles(emitter, picture);
   const auto under = handle_under(handles, pointer);
   const auto at = picture.place_of(emitter.at()), target = picture.place_of(emitter.target());

@@ -66,7 +66,7 @@ class Emitter {
 
   // Drag of a handle. Precondition of drag(): take() was called.
   void take(EmitterHandle::Part part, Vec2 pointer);
-  void drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface);
+  void drag(const PrimaryViewport& picture, Vec2 pointer, const std::optional<Vec3>& surface);
 
  private:
   bool placed_ = false;
@@ -81,10 +81,10 @@ class Emitter {
 void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance);
 
 // Returns the handles, or none if the emitter is not placed or lies behind the eye.
-std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture);
+std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const PrimaryViewport& picture);
 
 // Draws the emitter, its line of aim and its handles, with the handle at `pointer` highlighted.
-void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list);
+void draw_emitter(const Emitter& emitter, const PrimaryViewport& picture, Vec2 pointer, ImDrawList& list);
 
 inline constexpr const char* kEmitterKey = "emitter";
 

@@ -184,7 +184,7 @@ class PathFeature : public Feature {
       workspace_.message.error("Edit the path in the left half.");
       return drag;
     }
-    stand_together(workspace_.world(), workspace_.view);
+    end_exploded_view(workspace_.world(), workspace_.view);
     workspace_.message.clear();
     const std::string why = drag->press(press.shift);
     if (!why.empty()) workspace_.message.error(why);
@@ -208,7 +208,7 @@ class PathFeature : public Feature {
   // Draws the path while its tool is active or its panel is unfolded.
   void draw_overlay(ImDrawList& list) override {
     if (!shows_path() || workspace_.cutting()) return;
-    const FirstPicture picture(workspace_.view);
+    const PrimaryViewport picture(workspace_.view);
     const Area& first = workspace_.view.layout.first;
     list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
     draw_path(path_, workspace_.world(), picture, list);
@@ -216,7 +216,7 @@ class PathFeature : public Feature {
   }
   void add_landmarks(Landmarks& landmarks) const override {
     if (!shows_path()) return;
-    const FirstPicture picture(workspace_.view);
+    const PrimaryViewport picture(workspace_.view);
     for (const PathMark& mark : path_marks(path_, workspace_.world(), picture))
       landmarks.mark("path point " + std::to_string(mark.number), {mark.target, Vec2(0)});
     if (const auto knob = path_knob(path_, picture)) landmarks.mark("path knob", {knob->place, Vec2(0)});

@@ -67,7 +67,7 @@ ImU32 faded(ImU32 colour, bool hidden) {
   return hidden ? (colour & ~IM_COL32_A_MASK) | (IM_COL32_A_MASK & IM_COL32(0, 0, 0, 80)) : colour;
 }
 
-bool is_hidden(const World& world, const FirstPicture& picture, const Vec3& p, Vec2 place) {
+bool is_hidden(const World& world, const PrimaryViewport& picture, const Vec3& p, Vec2 place) {
   const Pose ray = picture.ray(place);
   const auto hit = first_hit(world, ray);
   return hit && *hit < kNearEnough * glm::dot(p - ray.origin, ray.direction);
@@ -93,7 +93,7 @@ void line_twice(ImDrawList& list, Vec2 from, Vec2 to, ImU32 colour, float width)
 }
 
 void draw_segment(const PathWork& path, const World& world, PathPoint a, PathPoint b,
-                  const FirstPicture& picture, ImU32 colour, ImDrawList& list) {
+                  const PrimaryViewport& picture, ImU32 colour, ImDrawList& list) {
   const int parts = path.points() <= kMaxFollowed ? kParts : 1;
   std::vector<ImVec2> line;
   for (int i = 0; i <= parts; ++i) {
@@ -108,7 +108,7 @@ void draw_segment(const PathWork& path, const World& world, PathPoint a, PathPoi
   list.AddPolyline(line.data(), count, colour, 0, 1.6f);
 }
 
-void draw_lines(const PathWork& path, const World& world, const FirstPicture& picture, ImDrawList& list) {
+void draw_lines(const PathWork& path, const World& world, const PrimaryViewport& picture, ImDrawList& list) {
   for (size_t i = 0; i < path.strokes().size(); ++i) {
     const bool selected = path.selected() && path.selected()->stroke == i;
     const ImU32 colour = selected ? colours::kPictureText : colours::kPictureSecondary;
@@ -118,7 +118,7 @@ void draw_lines(const PathWork& path, const World& world, const FirstPicture& pi
 }
 
 // Draws the end of the beam of a point, with an arrowhead at its target.
-void draw_arrow(const PathWork& path, const PathMark& mark, const FirstPicture& picture, double ems,
+void draw_arrow(const PathWork& path, const PathMark& mark, const PrimaryViewport& picture, double ems,
                 ImU32 colour, ImDrawList& list) {
   const Vec3 target = path.target(mark.point);
   const double length = std::min(path.distance(mark.point), ems * picture.metres_of_em(target));
@@ -131,7 +131,7 @@ void draw_arrow(const PathWork& path, const PathMark& mark, const FirstPicture& 
 }
 
 // Draws one arrow for several points that are close together and have parallel beams.
-void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const FirstPicture& picture,
+void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const PrimaryViewport& picture,
                  ImDrawList& list) {
   const PathMark* before = nullptr;
   for (const PathMark& mark : marks) {
@@ -327,7 +327,7 @@ PathWork path_of_entry(const nlohmann::json& entry, const World& world) {
   return path;
 }
 
-std::vector<PathMark> path_marks(const PathWork& path, const World& world, const FirstPicture& picture) {
+std::vector<PathMark> path_marks(const PathWork& path, const World& world, const PrimaryViewport& picture) {
   std::vector<PathMark> marks;
   const bool look_for_surfaces = path.points() <= kMaxLookedFor;
   size_t number = 0;
@@ -346,7 +346,7 @@ std::vector<PathMark> path_marks(const PathWork& path, const World& world, const
   return marks;
 }
 
-std::optional<PathKnob> path_knob(const PathWork& path, const FirstPicture& picture) {
+std::optional<PathKnob> path_knob(const PathWork& path, const PrimaryViewport& picture) {
   if (!path.selected()) return std::nullopt;
   const Vec3 target = path.target(*path.selected());
   const double distance = std::min(path.distance(*path.selected()), kKnobEms * picture.metres_of_em(target));
@@ -356,7 +356,7 @@ std::optional<PathKnob> path_knob(const PathWork& path, const FirstPicture& pict
   return PathKnob{at, distance, *place};
 }
 
-std::optional<PathGrip> path_grip(const PathWork& path, const World& world, const FirstPicture& picture,
+std::optional<PathGrip> path_grip(const PathWork& path, const World& world, const PrimaryViewport& picture,
                                   Vec2 at) {
   std::optional<PathGrip> found;
   double least = kMarkReach;
@@ -371,7 +371,7 @@ std::optional<PathGrip> path_grip(const PathWork& path, const World& world, cons
   return found;
 }
 
-void draw_path(const PathWork& path, const World& world, const FirstPicture& picture, ImDrawList& list) {
+void draw_path(const PathWork& path, const World& world, const PrimaryViewport& picture, ImDrawList& list) {
   draw_lines(path, world, picture, list);
   const std::vector<PathMark> marks = path_marks(path, world, picture);
   draw_arrows(path, marks, picture, list);
@@ -388,7 +388,7 @@ PathTool::Beam PathTool::beam_for(const World& world, double radius) {
 
 std::string PathTool::press(PathWork& path, const World& world, const ViewState& view, Vec2 pointer,
                             bool new_stroke, const Beam& beam) {
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   if (const auto grip = path_grip(path, world, picture, pointer); grip && !new_stroke) {
     path.select(grip->point);
     take(grip->is_knob ? Grip::kKnob : Grip::kTarget, false, pointer);
@@ -424,7 +424,7 @@ void PathTool::move(PathWork& path, const World& world, const ViewState& view, V
 
 void PathTool::drag_target(PathWork& path, const World& world, const ViewState& view, Vec2 pointer) const {
   const PathPoint point = *path.selected();
-  const auto surface = surface_point(world, view.look, FirstPicture(view).ray(pointer));
+  const auto surface = surface_point(world, view.look, PrimaryViewport(view).ray(pointer));
   if (!surface) return;
   const Vec3 before = normal_under(path, world, view, point);
   const Vec3 direction = beam_direction(turned_with(path.pose(point).direction, before, surface->normal));
@@ -433,7 +433,7 @@ void PathTool::drag_target(PathWork& path, const World& world, const ViewState& 
 }
 
 void PathTool::drag_knob(PathWork& path, const ViewState& view, Vec2 pointer) const {
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   const auto knob = path_knob(path, picture);
   if (!knob) return;
   const PathPoint point = *path.selected();

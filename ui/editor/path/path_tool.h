@@ -133,7 +133,7 @@ struct PathMark {
 
 // Returns the points to draw: those in front of the eye, except those whose dot would cover that of the
 // previous one.
-std::vector<PathMark> path_marks(const PathWork& path, const World& world, const FirstPicture& picture);
+std::vector<PathMark> path_marks(const PathWork& path, const World& world, const PrimaryViewport& picture);
 
 // Handle that turns the beam of the selected point: a knob on its beam, towards its origin.
 struct PathKnob {
@@ -141,19 +141,19 @@ struct PathKnob {
   double distance = 0;  // from the target [m]
   Vec2 place{0};
 };
-std::optional<PathKnob> path_knob(const PathWork& path, const FirstPicture& picture);
+std::optional<PathKnob> path_knob(const PathWork& path, const PrimaryViewport& picture);
 
 // Hit test at a place: the dot of a point, or the knob of the selected one if that is nearer.
 struct PathGrip {
   PathPoint point;
   bool is_knob = false;
 };
-std::optional<PathGrip> path_grip(const PathWork& path, const World& world, const FirstPicture& picture,
+std::optional<PathGrip> path_grip(const PathWork& path, const World& world, const PrimaryViewport& picture,
                                   Vec2 at);
 
 // Draws the path: lines and dots on the surface, an arrow for the beam of each point, and the knob of the
 // selected one. Parts behind a surface are drawn faintly.
-void draw_path(const PathWork& path, const World& world, const FirstPicture& picture, ImDrawList& list);
+void draw_path(const PathWork& path, const World& world, const PrimaryViewport& picture, ImDrawList& list);
 
 // Left button of the Path tool. A press on a surface adds a point there, which the drag moves; its beam is
 // perpendicular to the surface. Dragging a dot moves its point over the surfaces and keeps the angle of its

@@ -35,7 +35,7 @@ double snap_step(FileUnit unit) {
 
 std::optional<Vec3> vertex_near(const World& world, const ViewState& view, Vec2 pointer,
                                 const PieceId& moved) {
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   ViewOptions others = view.look;
   others.pieces[moved].hidden = true;
   const std::optional<Pick> seen = pick(world, others, picture.ray(pointer));
@@ -135,14 +135,14 @@ PieceMove::PieceMove(Kind kind, const PieceId& piece, const Placement& from, con
                      const CameraView& view, Vec2 pointer)
     : kind_(kind), piece_(piece), from_(from), pivot_(pivot), view_(view), began_(pointer), now_(pointer) {}
 
-void PieceMove::go_on_from(const CameraView& view, Vec2 pointer) {
+void PieceMove::resume_from(const CameraView& view, Vec2 pointer) {
   carried_ = pointed_shift();
   view_ = view;
   began_ = now_ = pointer;
 }
 
 void PieceMove::point(const CameraView& view, Vec2 pointer) {
-  if (!(view == view_)) return go_on_from(view, pointer);
+  if (!(view == view_)) return resume_from(view, pointer);
   const double before = direction_in_picture(view_, pivot_, now_);
   turned_ += std::remainder(direction_in_picture(view, pivot_, pointer) - before, kTurn);
   now_ = pointer;
@@ -296,7 +296,7 @@ constexpr std::array kAxes{PieceMove::Axis::kX, PieceMove::Axis::kY, PieceMove::
 
 char letter_of(PieceMove::Axis axis) { return static_cast<char>('X' + static_cast<int>(axis)); }
 
-PieceHandle arrow(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis axis) {
+PieceHandle arrow(const PrimaryViewport& picture, const Vec3& pivot, PieceMove::Axis axis) {
   PieceHandle handle{{picture, std::string("move ") + letter_of(axis),
                       gizmo_arrow(picture, pivot, direction_of(axis), kArrowEms), 1},
                      PieceMove::Kind::kMove,
@@ -305,7 +305,7 @@ PieceHandle arrow(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axi
   return handle;
 }
 
-PieceHandle ring(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis axis) {
+PieceHandle ring(const PrimaryViewport& picture, const Vec3& pivot, PieceMove::Axis axis) {
   const auto i = static_cast<size_t>(axis);
   const Vec3 u = direction_of(kAxes.at((i + 1) % 3)), v = direction_of(kAxes.at((i + 2) % 3));
   return {{picture, std::string("turn ") + letter_of(axis), gizmo_ring(picture, pivot, u, v, kRingEms),
@@ -315,7 +315,7 @@ PieceHandle ring(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis
 }
 
 // Draws a long line through the pivot along the axis of the move.
-void draw_axis(const FirstPicture& picture, const Vec3& pivot, PieceMove::Axis axis, ImDrawList& list) {
+void draw_axis(const PrimaryViewport& picture, const Vec3& pivot, PieceMove::Axis axis, ImDrawList& list) {
   const Vec3 way = direction_of(axis) * (60 * picture.metres_of_em(pivot));
   Vec3 ends[2] = {pivot - way, pivot + way};
   for (Vec3& end : ends) {
@@ -356,13 +356,13 @@ std::optional<Vec3> rotated_about(const PieceMap& looks, const std::optional<Pie
 std::optional<Vec3> pivot_shown(const ViewState& view, const std::optional<PieceMove>& move, bool picks,
                                 const World& world) {
   const auto pivot = rotated_about(view.look.pieces, move, picks, world);
-  return pivot && FirstPicture(view).place_of(*pivot) ? pivot : std::nullopt;
+  return pivot && PrimaryViewport(view).place_of(*pivot) ? pivot : std::nullopt;
 }
 
 std::vector<PieceHandle> piece_handles(const ViewState& view, const std::optional<Vec3>& pivot) {
   std::vector<PieceHandle> handles;
   if (!pivot) return handles;
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   for (const PieceMove::Axis axis : kAxes) handles.push_back(ring(picture, *pivot, axis));
   for (const PieceMove::Axis axis : kAxes) handles.push_back(arrow(picture, *pivot, axis));
   return handles;
@@ -372,7 +372,7 @@ void draw_piece_handles(const ViewState& view, const std::optional<Vec3>& pivot,
                         const std::optional<PieceMove>& move, Vec2 pointer, ImDrawList& list) {
   if (!pivot) return;
   if (move) {
-    if (move->axis()) draw_axis(FirstPicture(view), *pivot, *move->axis(), list);
+    if (move->axis()) draw_axis(PrimaryViewport(view), *pivot, *move->axis(), list);
     draw_words(view.layout.first, move->words(std::string(unit_symbol(view.frame.unit)).c_str()), list);
     return;
   }

@@ -71,7 +71,7 @@ class PieceMove {
   std::string words(const char* unit) const;
 
  private:
-  void go_on_from(const CameraView& view, Vec2 pointer);
+  void resume_from(const CameraView& view, Vec2 pointer);
   Vec3 pointed_shift() const;
   Vec3 snapped_shift() const;
   Vec3 shift() const;

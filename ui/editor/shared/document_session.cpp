@@ -87,7 +87,8 @@ Result<OpenedFile> read_together(std::vector<std::filesystem::path>& files, std:
   return all;
 }
 
-Result<OpenedFile> read_order(LoadOrder& order, std::vector<std::string>& refused, const Progress* progress) {
+Result<OpenedFile> read_order(LoadRequest& order, std::vector<std::string>& refused,
+                              const Progress* progress) {
   if (!order.left && order.files.size() == 1) return open_file(order.files.front(), progress);
   if (!order.left) return read_together(order.files, refused, progress);
   Result<Scene> scene = load_scene(order.left->scene, progress);
@@ -116,7 +117,7 @@ Document document_of(World world, const SceneDescription& scene, size_t history_
 using AfterStep = std::function<void()>;
 
 // Publishes the progress of the replay.
-AfterStep shown_by(LoadNews* news, const LoadedFiles& loaded) {
+AfterStep shown_by(LoadProgress* news, const LoadedFiles& loaded) {
   if (news == nullptr) return [] {};
   LoadedShadings shadings;
   for (const auto& [id, body] : loaded.prepared) shadings.emplace(id, LoadedShading{body.frame, body.bases});
@@ -192,7 +193,7 @@ void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::js
   scene.others = head.dump();
 }
 
-void LoadNews::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
+void LoadProgress::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
   const Clock::time_point began = Clock::now();
   if (!watched_ || began < next_ || world.live_faces() > Document::kMaxFacesToCopy) return;
   {
@@ -206,19 +207,19 @@ void LoadNews::show(const SceneDescription& scene, const World& world, const Loa
   partial_replay_ = std::move(copy);
 }
 
-std::optional<PartialReplay> LoadNews::take() {
+std::optional<PartialReplay> LoadProgress::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(partial_replay_, std::nullopt);
 }
 
-std::string LoadOrder::name() const {
+std::string LoadRequest::name() const {
   if (left) return "recovered work";
   std::string name = files.front().filename().string();
   if (files.size() > 1) name += " and " + std::to_string(files.size() - 1) + " more";
   return name;
 }
 
-Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNews* news) {
+Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, LoadProgress* news) {
   KERF_ASSERT(order.left || !order.files.empty());
   const auto set_task = [news](const char* what) {
     if (news != nullptr) news->set_task(what);
@@ -264,7 +265,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
   return loaded;
 }
 
-void FileLoader::start(LoadOrder order, bool watched) {
+void FileLoader::start(LoadRequest order, bool watched) {
   cancel();
   job_ = std::make_unique<Job>();
   job_->order = std::move(order);

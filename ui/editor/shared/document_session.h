@@ -40,7 +40,7 @@ struct PartialReplay {
 };
 
 // Status of a thread that reads files, for the thread that waits for it.
-class LoadNews {
+class LoadProgress {
  public:
   // Reader: sets the current task, a word or two.
   void set_task(const char* what) { doing_ = what; }
@@ -65,7 +65,7 @@ class LoadNews {
   std::optional<PartialReplay> partial_replay_;  // guarded by mutex_
 };
 
-struct LoadOrder {
+struct LoadRequest {
   // Scenes and meshes that form one scene, or a single journal. Unreadable ones of several are left out.
   std::vector<std::filesystem::path> files;
   // Recoverable work of a crashed editor, instead of files.
@@ -78,7 +78,7 @@ struct LoadOrder {
 
 // Files that were read: the document in its saved state, and its render data.
 struct LoadedFiles {
-  LoadOrder order;                   // with the files that were read
+  LoadRequest order;                 // with the files that were read
   std::vector<std::string> refused;  // reasons for files left out, a sentence each
   SceneDescription scene;
   Document document;               // the strokes of the scene are cut, the journal is replayed
@@ -96,13 +96,13 @@ struct LoadedFiles {
 // Reads the files and applies their strokes or commands. Keeps the view of a single file. Fails if no file
 // can be read. `progress` may be null. `news`, unless null, receives the current task and copies of the
 // world during a replay. Precondition: there are files or recoverable work.
-Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNews* news = nullptr);
+Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, LoadProgress* news = nullptr);
 
 // Reads files on a background thread into a separate world.
 class FileLoader {
  public:
   // Cancels the current job and starts to read files. `watched`: take_partial_replay() will be called.
-  void start(LoadOrder order, bool watched = false);
+  void start(LoadRequest order, bool watched = false);
   // Cancels the current job; its thread ends at its next report of progress.
   void cancel();
   bool busy() const { return job_ != nullptr; }
@@ -110,7 +110,7 @@ class FileLoader {
   bool is_over(double seconds) const;
 
   // The request being read. Precondition: busy().
-  const LoadOrder& order() const {
+  const LoadRequest& order() const {
     KERF_ASSERT(busy());
     return job_->order;
   }
@@ -126,9 +126,9 @@ class FileLoader {
 
  private:
   struct Job {
-    LoadOrder order;
+    LoadRequest order;
     std::atomic<double> fraction = 0;
-    LoadNews news;
+    LoadProgress news;
     std::atomic<bool> cancelled = false;
     std::future<Result<LoadedFiles>> result;
   };

@@ -44,13 +44,13 @@ constexpr std::array kChoices{
 
 constexpr int kPage = 10;
 
-bool exports(const FileBrowser& b) { return b.wish.writes != nullptr; }
-bool opens(const FileBrowser& b) { return b.wish.endings.empty() && !exports(b); }
+bool exports(const FileBrowser& b) { return b.request.writes != nullptr; }
+bool opens(const FileBrowser& b) { return b.request.endings.empty() && !exports(b); }
 
 bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
   if (entry.folder) return true;
   if (exports(b)) return mesh_format(fs::path(entry.name).extension().string()).has_value();
-  return entry.name.ends_with(b.wish.listed);
+  return entry.name.ends_with(b.request.listed);
 }
 
 void set_name(FileBrowser& b, const std::string& text) {
@@ -93,7 +93,7 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
 // Returns those of the files to be written that exist.
 std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file) {
   if (opens(b)) return {};
-  std::vector<fs::path> files = exports(b) ? b.wish.writes(file) : std::vector{file};
+  std::vector<fs::path> files = exports(b) ? b.request.writes(file) : std::vector{file};
   std::error_code error;
   std::erase_if(files, [&](const fs::path& f) { return !fs::exists(f, error); });
   return files;
@@ -102,8 +102,8 @@ std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file)
 void select_file(FileBrowser& b, const fs::path& file) {
   const std::vector<fs::path> there = to_be_replaced(b, file);
   for (const fs::path& replaced : there) {
-    if (!b.wish.inputs) break;
-    const Status free = b.wish.inputs().check(b.wish.verb, replaced);
+    if (!b.request.inputs) break;
+    const Status free = b.request.inputs().check(b.request.verb, replaced);
     if (free) continue;
     b.fault = free.error().message;
     return;
@@ -116,7 +116,7 @@ void select_file(FileBrowser& b, const fs::path& file) {
               ": click Replace, or press Enter again";
     return;
   }
-  b.fault = b.wish.take(file);
+  b.fault = b.request.take(file);
   b.open = !b.fault.empty();
 }
 
@@ -133,7 +133,7 @@ void select_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
 
 fs::path with_ending(fs::path file, const FileBrowser& b) {
   const std::string ending = file.extension().string();
-  const std::vector<std::string>& endings = b.wish.endings;
+  const std::vector<std::string>& endings = b.request.endings;
   if (exports(b) && !mesh_format(ending)) file += "." + std::string(format_row(b.format).ending);
   if (!endings.empty() && std::find(endings.begin(), endings.end(), ending) == endings.end())
     file += endings.front();
@@ -238,7 +238,7 @@ void draw_name(FileBrowser& b) {
   if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   b.take_focus = false;
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##name", b.wish.hint, b.name.data(), b.name.size(),
+  if (ImGui::InputTextWithHint("##name", b.request.hint, b.name.data(), b.name.size(),
                                ImGuiInputTextFlags_AutoSelectAll)) {
     b.cursor = 0;
     b.is_selected = b.name.front() != '\0';
@@ -274,7 +274,7 @@ void draw_export(FileBrowser& b) {
     b.fault.clear();
     b.take_focus = true;
   }
-  draw_file_names(b.wish.writes(with_ending(b.folder / b.name.data(), b)));
+  draw_file_names(b.request.writes(with_ending(b.folder / b.name.data(), b)));
 }
 
 void draw_buttons(FileBrowser& b) {
@@ -285,7 +285,7 @@ void draw_buttons(FileBrowser& b) {
     ImGui::TextUnformatted(b.fault.c_str());
   }
   ImGui::PopTextWrapPos();
-  const char* verb = b.replace.empty() ? b.wish.verb : "Replace";
+  const char* verb = b.replace.empty() ? b.request.verb : "Replace";
   if (ImGui::Button(verb, {7 * ImGui::GetFontSize(), 0})) accept(b);
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {7 * ImGui::GetFontSize(), 0})) b.open = false;
@@ -347,11 +347,11 @@ void draw_file_names(std::span<const std::filesystem::path> files) {
   ImGui::TextDisabled("%s", text.c_str());
 }
 
-void browse(FileBrowser& b, FileRequest wish, fs::path folder, const std::string& name) {
+void browse(FileBrowser& b, FileRequest request, fs::path folder, const std::string& name) {
   const MeshFormat format = b.format;
   b = FileBrowser();
   b.format = format;
-  b.wish = std::move(wish);
+  b.request = std::move(request);
   b.open = true;
   std::error_code error;
   if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
@@ -397,8 +397,8 @@ void browser_key(FileBrowser& browser, int key) {
 
 void draw_file_browser(FileBrowser& b) {
   if (!b.open) return;
-  KERF_ASSERT(b.wish.take);
-  const char* title = b.wish.title;
+  KERF_ASSERT(b.request.take);
+  const char* title = b.request.title;
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();
   const ImVec2 window = ImGui::GetIO().DisplaySize;

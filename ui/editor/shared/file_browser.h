@@ -52,7 +52,7 @@ struct FileRequest {
 struct FileBrowser {
   using Entry = FolderEntry;
 
-  FileRequest wish = {};
+  FileRequest request = {};
   MeshFormat format = MeshFormat::kObj;  // of an export; the last one selected
   bool open = false;
   std::filesystem::path folder;
@@ -72,7 +72,7 @@ struct FileBrowser {
 };
 
 // Opens the window in a folder (the current one if it does not exist) with a name. Keeps `format`.
-void browse(FileBrowser& browser, FileRequest wish, std::filesystem::path folder, const std::string& name);
+void browse(FileBrowser& browser, FileRequest request, std::filesystem::path folder, const std::string& name);
 
 // Processes a key (GLFW_KEY_*) while the browser is open.
 void browser_key(FileBrowser& browser, int key);

@@ -85,7 +85,7 @@ constexpr ImU32 kMeasureShade = IM_COL32(10, 12, 16, 190);
 
 }  // namespace
 
-GizmoHandle::GizmoHandle(const FirstPicture& picture, std::string its_name, std::vector<Vec3> its_points,
+GizmoHandle::GizmoHandle(const PrimaryViewport& picture, std::string its_name, std::vector<Vec3> its_points,
                          size_t its_grip)
     : name(std::move(its_name)), points(std::move(its_points)), grip(its_grip) {
   KERF_ASSERT(grip < points.size());
@@ -95,13 +95,13 @@ GizmoHandle::GizmoHandle(const FirstPicture& picture, std::string its_name, std:
   if (places.size() < points.size()) places.clear();
 }
 
-std::vector<Vec3> gizmo_arrow(const FirstPicture& picture, const Vec3& from, const Vec3& direction,
+std::vector<Vec3> gizmo_arrow(const PrimaryViewport& picture, const Vec3& from, const Vec3& direction,
                               double ems) {
   return {from, from + direction * (ems * picture.metres_of_em(from))};
 }
 
 // The front half is one run of points, which begins where the ring is in front of its middle.
-std::vector<Vec3> gizmo_ring(const FirstPicture& picture, const Vec3& middle, const Vec3& u, const Vec3& v,
+std::vector<Vec3> gizmo_ring(const PrimaryViewport& picture, const Vec3& middle, const Vec3& u, const Vec3& v,
                              double ems) {
   const double radius = ems * picture.metres_of_em(middle);
   const Vec3 towards = picture.camera().eye - middle;
@@ -132,7 +132,7 @@ GizmoPoint nearest_point(const GizmoHandle& handle, Vec2 at) {
   return nearest;
 }
 
-Vec3 dragged_around(const FirstPicture& picture, const Vec3& pivot, double distance, const Vec3& now,
+Vec3 dragged_around(const PrimaryViewport& picture, const Vec3& pivot, double distance, const Vec3& now,
                     Vec2 place) {
   KERF_ASSERT(distance > 0);
   const Pose ray = picture.ray(place);
@@ -233,7 +233,7 @@ std::optional<StandardView> standard_view_of(const Camera& camera) {
 }
 
 void draw_measured_point(const ViewState& view, const Vec3& point, ImDrawList& list) {
-  const auto at = FirstPicture(view).place_of(point);
+  const auto at = PrimaryViewport(view).place_of(point);
   if (!at) return;
   list.AddCircleFilled(to_im(*at), 5, kMeasureShade);
   list.AddCircleFilled(to_im(*at), 3.2f, colours::accent());
@@ -241,7 +241,7 @@ void draw_measured_point(const ViewState& view, const Vec3& point, ImDrawList& l
 
 void draw_distance(const ViewState& view, const Vec3& from, const Vec3& to, const std::string& text,
                    ImDrawList& list) {
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   const auto begin = picture.place_of(from), end = picture.place_of(to);
   if (!begin || !end) return;
   list.AddLine(to_im(*begin), to_im(*end), kMeasureShade, 4);

@@ -18,7 +18,7 @@ namespace kerf {
 // ring, or a point. Places are in the window, screen coordinates.
 struct GizmoHandle {
   // `points` are in world space [m]. With one behind the eye, a handle has no places: it is inactive.
-  GizmoHandle(const FirstPicture& picture, std::string its_name, std::vector<Vec3> its_points,
+  GizmoHandle(const PrimaryViewport& picture, std::string its_name, std::vector<Vec3> its_points,
               size_t its_grip = 0);
 
   std::string name;  // landmark of tests, unique among the handles of one object
@@ -32,9 +32,9 @@ struct GizmoHandle {
 // Compute the points of an arrow, and of the front half of a ring. `ems` is the length or the radius in
 // sizes of the text, so that handles look equally large at every distance. `u` and `v` are perpendicular
 // unit vectors in the plane of the ring. Precondition: the first point or the middle is in front of the eye.
-std::vector<Vec3> gizmo_arrow(const FirstPicture& picture, const Vec3& from, const Vec3& direction,
+std::vector<Vec3> gizmo_arrow(const PrimaryViewport& picture, const Vec3& from, const Vec3& direction,
                               double ems);
-std::vector<Vec3> gizmo_ring(const FirstPicture& picture, const Vec3& middle, const Vec3& u, const Vec3& v,
+std::vector<Vec3> gizmo_ring(const PrimaryViewport& picture, const Vec3& middle, const Vec3& u, const Vec3& v,
                              double ems);
 // Number of points of a ring. The middle one is the nearest to the eye.
 inline constexpr size_t kGizmoRing = 65;
@@ -71,7 +71,7 @@ void mark_handles(const std::vector<Handle>& handles, Landmarks& landmarks) {
 
 // Drags a handle around `pivot`: returns the point at this distance [m, > 0] from the pivot that appears at
 // `place`, or nearest to it, on the same side of the pivot, towards the eye or away from it, as `now`.
-Vec3 dragged_around(const FirstPicture& picture, const Vec3& pivot, double distance, const Vec3& now,
+Vec3 dragged_around(const PrimaryViewport& picture, const Vec3& pivot, double distance, const Vec3& now,
                     Vec2 place);
 
 // Returns how far [m] a point on the line through `at` along the unit vector `axis` moves with the pointer,

@@ -53,9 +53,9 @@ Result<View> parse_view_text(const std::string& text);
 
 // The projection of the first half of the viewport, which shows the open document, between points of the
 // world and places of the window (screen coordinates).
-class FirstPicture {
+class PrimaryViewport {
  public:
-  explicit FirstPicture(const ViewState& view)
+  explicit PrimaryViewport(const ViewState& view)
       : camera_(view.seen_first()), area_(view.layout.first), em_(view.layout.em) {}
 
   const CameraView& camera() const { return camera_; }

@@ -54,7 +54,7 @@ std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions&
 
 std::optional<Vec3> point_under_pointer(const Workspace& workspace) {
   const auto surface = surface_point(workspace.world(), workspace.view.look,
-                                     FirstPicture(workspace.view).ray(workspace.input.pointer));
+                                     PrimaryViewport(workspace.view).ray(workspace.input.pointer));
   return surface ? std::optional(surface->at) : std::nullopt;
 }
 

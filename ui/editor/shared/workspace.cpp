@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-const char* Workspace::why_time_stands_still() const {
+const char* Workspace::time_disabled_reason() const {
   if (opening.loader.busy()) return "A file is being opened.";
   for (const auto& disabled_reason : links.time_holds) {
     if (const char* why = disabled_reason()) return why;
@@ -29,7 +29,7 @@ bool cancel_stroke(Workspace& workspace) {
   return true;
 }
 
-void stand_together(const World& world, ViewState& view) {
+void end_exploded_view(const World& world, ViewState& view) {
   if (view.spread == 0) return;
   view.spread = 0;
   spread_pieces(world, 0, view.look);

@@ -123,14 +123,14 @@ struct Workspace {
   }
   bool cutting() const { return is_cutting(input, session.document); }
   // Returns the reason why time cannot pass, or null.
-  const char* why_time_stands_still() const;
+  const char* time_disabled_reason() const;
 };
 
 // Ends the stroke being drawn, if any; its cut is kept. Returns true if there was one.
 bool cancel_stroke(Workspace& workspace);
 
 // Ends the exploded view, because pieces are cut and moved at their true positions.
-void stand_together(const World& world, ViewState& view);
+void end_exploded_view(const World& world, ViewState& view);
 
 // Returns the action that activates a tool, "tool.ID", and unfolds the panel of the same id if there is one.
 // Ends a stroke drawn by hand.

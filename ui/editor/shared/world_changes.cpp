@@ -92,7 +92,7 @@ bool is_quick(const Document& document, const Command& command) {
 }
 
 const char* background_reason(const Document& document) {
-  return document.queue().next_makes_ready() > kManyFaces ? "Creating bodies of the pieces" : nullptr;
+  return document.queue().next_prepared_faces() > kManyFaces ? "Creating bodies of the pieces" : nullptr;
 }
 
 // Any command other than Undo and Redo may replace the steps that are undone at that time; `position` is

@@ -59,12 +59,12 @@ StageCut::Key StageCut::key_now() const {
   return {document.revision(), document.history().position(), stages_.log.forgotten()};
 }
 
-bool StageCut::can_go_on() const {
+bool StageCut::can_continue() const {
   const Document& document = workspace_.session.document;
   return document.waiting() > 0 && document.queue().next_is_of_last_step();
 }
 
-bool StageCut::holds_back() const { return stages_.requests.on && from_its_start_ && can_go_on(); }
+bool StageCut::holds_back() const { return stages_.requests.on && from_its_start_ && can_continue(); }
 
 bool StageCut::waits_for_earlier() const {
   const Document& document = workspace_.session.document;
@@ -84,7 +84,7 @@ bool StageCut::needs_more() const {
 
 bool StageCut::waits() const {
   return stages_.requests.on && !workspace_.changes.is_pending() &&
-         (needs_step_back() || (needs_more() && can_go_on()));
+         (needs_step_back() || (needs_more() && can_continue()));
 }
 
 void StageCut::advance(double seconds) {
@@ -113,7 +113,7 @@ void StageCut::begin() {
   StageRequests& requests = stages_.requests;
   if (!requests.start_again) requests.stop();
   const Document& document = workspace_.session.document;
-  from_its_start_ = !can_go_on() || document.history().last().waiting();
+  from_its_start_ = !can_continue() || document.history().last().waiting();
   if (!from_its_start_ && can_restart_stroke(document)) requests.start_again = true;
   stages_.runs_on = !from_its_start_ && !requests.start_again;
 }

@@ -89,7 +89,7 @@ class StageCut {
   void begin();
   void go_back(size_t stages);
   bool needs_step_back() const;
-  bool can_go_on() const;
+  bool can_continue() const;
   void advance();
   void drop_fulfilled();
   bool next();

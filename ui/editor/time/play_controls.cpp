@@ -69,7 +69,7 @@ UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
 }
 
 std::vector<UserAction> time_actions(Workspace& workspace, PlayState& play) {
-  const auto play_disabled_reason = [&workspace] { return workspace.why_time_stands_still(); };
+  const auto play_disabled_reason = [&workspace] { return workspace.time_disabled_reason(); };
   return {
       make_action(
           "physics.play", "Play", "Space",
@@ -116,7 +116,7 @@ void draw_coil(Vec2 from, Vec2 to, float em, ImDrawList& list) {
 }  // namespace
 
 void TimeFlow::advance(double seconds) {
-  if (!may_go_on()) return end();
+  if (!may_continue()) return end();
   const Document& document = workspace_.session.document;
   pace_.due += std::min(seconds, kMaxLag) * play_.speed().of_real_time * kTicksPerSecond;
   if (workspace_.changes.is_pending() || document.waiting() > 0) {
@@ -140,12 +140,12 @@ void TimeFlow::end() {
 }
 
 // Ends playback if required.
-bool TimeFlow::may_go_on() {
+bool TimeFlow::may_continue() {
   const size_t position = workspace_.session.document.history().position();
   const bool undone = position < std::exchange(position_, position);
   if (!play_.playing && !play_.one_tick) return false;
   if (workspace_.changes.is_pending()) return true;
-  const char* disabled_reason = workspace_.why_time_stands_still();
+  const char* disabled_reason = workspace_.time_disabled_reason();
   if (disabled_reason != nullptr) workspace_.message.info(disabled_reason);
   if (disabled_reason != nullptr || (undone && begun_)) play_.stop();
   return play_.playing || play_.one_tick;
@@ -155,7 +155,7 @@ bool TimeFlow::may_go_on() {
 bool TimeFlow::begin() {
   if (begun_) return true;
   Document& document = workspace_.session.document;
-  stand_together(workspace_.world(), workspace_.view);
+  end_exploded_view(workspace_.world(), workspace_.view);
   const Environment fitting = fitting_environment(document.world(), workspace_.view.frame);
   if (fitting != document.world().environment()) {
     if (document.queue().in_stroke()) return false;
@@ -196,7 +196,7 @@ void TimeFlow::queue_ticks(Ticks ticks) {
 bool Cooling::flows() const {
   const UndoStack& history = workspace_.session.document.history();
   const bool stands = play_.playing || play_.one_tick || workspace_.settings.heat_held ||
-                      workspace_.changes.is_pending() || workspace_.why_time_stands_still() != nullptr;
+                      workspace_.changes.is_pending() || workspace_.time_disabled_reason() != nullptr;
   return !stands && history.position() == history.size() && is_hot(workspace_.world());
 }
 
@@ -300,7 +300,7 @@ void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const W
 void draw_spring(const Spring& spring, const World& world, const ViewState& view) {
   if (!world.contains(spring.piece.body)) return;
   const Placement& placement = world.body(spring.piece.body).placement;
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   const auto from = picture.place_of(placement.to_world(spring.at));
   const auto to = picture.place_of(spring.to);
   if (!from || !to) return;
@@ -318,7 +318,7 @@ namespace {
 // Returns a relaxed spring at the point of a visible piece under a place in the first half (screen
 // coordinates); nullopt on a miss, or if the body is pinned.
 std::optional<Spring> spring_at(const World& world, const ViewState& view, Vec2 place) {
-  const Pose ray = FirstPicture(view).ray(place);
+  const Pose ray = PrimaryViewport(view).ray(place);
   const std::optional<Pick> seen = pick(world, view.look, ray);
   if (!seen || world.body(seen->body).pinned) return std::nullopt;
   const Body& body = world.body(seen->body);
@@ -329,7 +329,7 @@ std::optional<Spring> spring_at(const World& world, const ViewState& view, Vec2 
 // Moves the far end of the spring under a place of the first half, in the plane through the end that faces
 // the camera.
 void stretch(Spring& spring, const ViewState& view, Vec2 place) {
-  spring.to = FirstPicture(view).at_depth_of(spring.to, place);
+  spring.to = PrimaryViewport(view).at_depth_of(spring.to, place);
 }
 
 // Panel for play, pause and speed, gravity and ground, pins, display of contacts, and numbers of the last
@@ -345,7 +345,7 @@ class BodiesPanel {
 };
 
 void draw_time(Workspace& workspace, PlayState& play) {
-  const char* disabled_reason = workspace.why_time_stands_still();
+  const char* disabled_reason = workspace.time_disabled_reason();
   const auto told = [&](const char* meaning, const char* action) {
     return with_shortcut(workspace.view, meaning, action);
   };

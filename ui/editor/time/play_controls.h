@@ -87,7 +87,7 @@ class TimeFlow {
   void advance(double seconds);
 
  private:
-  bool may_go_on();
+  bool may_continue();
   bool begin();
   void end();
   void queue_spring();

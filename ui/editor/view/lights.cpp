@@ -395,7 +395,7 @@ void remove_light(ViewOptions& look) {
 
 std::optional<Vec2> light_handle(const ViewState& view, size_t light) {
   if (light >= view.look.lights.size()) return std::nullopt;
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   const auto at = picture.place_of(place_of(view.look.lights[light], picture.camera()));
   return at && view.layout.first.contains(*at) ? at : std::nullopt;
 }
@@ -411,7 +411,7 @@ std::optional<size_t> light_under(const ViewState& view, Vec2 at) {
 void drag_light(ViewState& view, size_t light, Vec2 to) {
   if (light >= view.look.lights.size()) return;
   Light& dragged = view.look.lights[light];
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   if (dragged.kind == Light::Kind::kPoint) {
     dragged.at = picture.at_depth_of(dragged.at, to);
   } else {

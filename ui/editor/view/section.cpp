@@ -36,7 +36,7 @@ double half_size(const World::Bounds& bounds, const Vec3& along) {
 }
 
 // Draws the rectangle in the plane that encloses the bounds of the world.
-void draw_frame(const FirstPicture& picture, const SectionPlane& plane, const World::Bounds& bounds,
+void draw_frame(const PrimaryViewport& picture, const SectionPlane& plane, const World::Bounds& bounds,
                 ImDrawList& list) {
   const PlaneAxes axes = axes_of(plane, picture.camera().up_axis);
   const Vec3 box = bounds.min + 0.5 * (bounds.max - bounds.min);
@@ -56,8 +56,8 @@ void draw_frame(const FirstPicture& picture, const SectionPlane& plane, const Wo
 
 // A half ring about an axis in the plane. The rings of both axes cross in their middles, so their landmarks
 // are at other points.
-SectionHandle ring(const FirstPicture& picture, const SectionPlane& plane, const Vec3& axis, const char* name,
-                   SectionDrag::Kind kind) {
+SectionHandle ring(const PrimaryViewport& picture, const SectionPlane& plane, const Vec3& axis,
+                   const char* name, SectionDrag::Kind kind) {
   const Vec3 v = glm::cross(axis, plane.normal);
   return {{picture, name, gizmo_ring(picture, plane.point, plane.normal, v, kTiltEms), kGizmoRing / 4}, kind};
 }
@@ -299,7 +299,7 @@ SectionPlane SectionDrag::turned(Vec2 pointer) const {
 
 std::vector<SectionHandle> section_handles(const ViewState& view) {
   const SectionPlane* plane = shown_section(view.look);
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   if (plane == nullptr || !picture.place_of(plane->point)) return {};
   const PlaneAxes axes = axes_of(*plane, picture.camera().up_axis);
   return {ring(picture, *plane, axes.level, "section tilt", SectionDrag::Kind::kTilt),
@@ -320,7 +320,7 @@ void draw_section(const ViewState& view, const World::Bounds& bounds, std::optio
                   const std::optional<SectionDrag>& dragged, ImDrawList& list) {
   const std::vector<SectionHandle> handles = section_handles(view);
   if (handles.empty()) return;
-  draw_frame(FirstPicture(view), *view.look.section, bounds, list);
+  draw_frame(PrimaryViewport(view), *view.look.section, bounds, list);
   const auto under = pointer && !dragged ? handle_under(handles, *pointer) : std::nullopt;
   for (const SectionHandle& handle : handles) {
     const bool held = dragged ? dragged->kind() == handle.kind : under && under->kind == handle.kind;

@@ -163,17 +163,17 @@ std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
 // plane, and programs that do not write it must not draw. No-op without a section plane.
 class SectionClip {
  public:
-  explicit SectionClip(const ViewOptions& options) : workspace_(shown_section(options) != nullptr) {
-    if (workspace_) glEnable(GL_CLIP_DISTANCE0);
+  explicit SectionClip(const ViewOptions& options) : enabled_(shown_section(options) != nullptr) {
+    if (enabled_) glEnable(GL_CLIP_DISTANCE0);
   }
   ~SectionClip() {
-    if (workspace_) glDisable(GL_CLIP_DISTANCE0);
+    if (enabled_) glDisable(GL_CLIP_DISTANCE0);
   }
   SectionClip(const SectionClip&) = delete;
   SectionClip& operator=(const SectionClip&) = delete;
 
  private:
-  bool workspace_;
+  bool enabled_;
 };
 
 // The input of a pass: what to draw, and with which options.

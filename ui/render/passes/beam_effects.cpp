@@ -180,27 +180,27 @@ Vec3 Particles::direction_in_ball() {
   }
 }
 
-void Particles::add(const Bite& bite, const Vec3& up) {
-  KERF_ASSERT(bite.mass >= 0 && bite.size > 0 && is_unit(up));
-  const double mass = bite.mass / (bite.size * bite.size);
+void Particles::add(const Removal& removal, const Vec3& up) {
+  KERF_ASSERT(removal.mass >= 0 && removal.size > 0 && is_unit(up));
+  const double mass = removal.mass / (removal.size * removal.size);
   for (add_owed(owed_sparks_, kSparksPerKilogram * mass, kMaxSparks); owed_sparks_ >= 1; --owed_sparks_)
-    throw_spark(bite, up);
+    throw_spark(removal, up);
   for (add_owed(owed_puffs_, kPuffsPerKilogram * mass, kMaxPuffs); owed_puffs_ >= 1; --owed_puffs_)
-    raise_puff(bite, up);
+    raise_puff(removal, up);
 }
 
-void Particles::throw_spark(const Bite& bite, const Vec3& up) {
+void Particles::throw_spark(const Removal& removal, const Vec3& up) {
   if (sparks_.size() >= kMaxSparks) return;
-  const Vec3 towards = direction_in_ball() * 1.1 - bite.direction * 0.75 + up * 0.35;
-  const double speed = bite.size * mixed(1.2, 4.2, random_.unit() * random_.unit());
+  const Vec3 towards = direction_in_ball() * 1.1 - removal.direction * 0.75 + up * 0.35;
+  const double speed = removal.size * mixed(1.2, 4.2, random_.unit() * random_.unit());
   const double life = mixed(0.25, 0.9, random_.unit());
-  sparks_.push_back({bite.at, towards * speed, bite.size, 0, life});
+  sparks_.push_back({removal.at, towards * speed, removal.size, 0, life});
 }
 
-void Particles::raise_puff(const Bite& bite, const Vec3& up) {
+void Particles::raise_puff(const Removal& removal, const Vec3& up) {
   if (puffs_.size() >= kMaxPuffs) return;
-  const Vec3 velocity = (up * 0.55 - bite.direction * 0.35 + direction_in_ball() * 0.22) * bite.size;
-  puffs_.push_back({bite.at, velocity, bite.size, 0, mixed(0.7, 1.5, random_.unit())});
+  const Vec3 velocity = (up * 0.55 - removal.direction * 0.35 + direction_in_ball() * 0.22) * removal.size;
+  puffs_.push_back({removal.at, velocity, removal.size, 0, mixed(0.7, 1.5, random_.unit())});
 }
 
 void Particles::advance(double seconds, const Vec3& up, double ground) {

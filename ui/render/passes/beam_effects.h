@@ -98,7 +98,7 @@ struct Effects {
 // world depends on them.
 class Particles {
  public:
-  struct Bite {
+  struct Removal {
     Vec3 at;          // m, world
     Vec3 direction;   // of the beam, unit
     double size = 1;  // size of the cut body relative to a car (> 0); scales lengths and speeds
@@ -108,7 +108,7 @@ class Particles {
   // Adds sparks, which fly mostly back along the beam, and smoke, which rises along `up`, a unit vector.
   // Sheet thickness hardly depends on the size of a body, so the same number of particles represents a mass
   // smaller by the square of the size.
-  void add(const Bite& bite, const Vec3& up);
+  void add(const Removal& removal, const Vec3& up);
   // Advances by a time [s], >= 0. Sparks bounce off the ground, a plane at a height [m] along `up`, a unit
   // vector.
   void advance(double seconds, const Vec3& up, double ground);
@@ -128,11 +128,11 @@ class Particles {
   };
 
   Vec3 direction_in_ball();
-  void throw_spark(const Bite& bite, const Vec3& up);
-  void raise_puff(const Bite& bite, const Vec3& up);
+  void throw_spark(const Removal& removal, const Vec3& up);
+  void raise_puff(const Removal& removal, const Vec3& up);
 
   Random random_{0x5eed};
-  double owed_sparks_ = 0, owed_puffs_ = 0;  // fractions of particles carried over to the next bite
+  double owed_sparks_ = 0, owed_puffs_ = 0;  // fractions of particles carried over to the next removal
   std::vector<MovingSpark> sparks_;
   std::vector<RisingPuff> puffs_;
 };

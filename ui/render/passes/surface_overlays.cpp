@@ -503,7 +503,7 @@ VeilPass::VeilPass(Shaders& shaders)
       faces_(shaders.load({{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}})) {}
 
 // Writes only depth: hidden or displaced pieces are not removed, so no veil replaces them.
-void VeilPass::draw_what_is_away(const Subject& subject) const {
+void VeilPass::draw_removed_faces(const Subject& subject) const {
   const gl::ScopedState state({.writes_colour = false, .writes_alpha = false});
   faces_.use();
   faces_.set("only", 2);
@@ -514,7 +514,7 @@ void VeilPass::draw_what_is_away(const Subject& subject) const {
 }
 
 void VeilPass::draw(const Subject& subject, Style style) const {
-  draw_what_is_away(subject);
+  draw_removed_faces(subject);
   const bool opaque = style == Style::kRed;
   const Look look = look_of(style);
   veil_.use();

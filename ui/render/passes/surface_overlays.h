@@ -170,7 +170,7 @@ class VeilPass {
   void draw(const Subject& subject, Style style) const;
 
  private:
-  void draw_what_is_away(const Subject& subject) const;
+  void draw_removed_faces(const Subject& subject) const;
 
   gl::Program veil_, faces_;
 };

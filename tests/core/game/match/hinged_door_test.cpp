@@ -40,7 +40,7 @@ class Van : public testing::Test {
     settings.resolution.rule = Resolution::Rule::kTolerance;
     settings.resolution.tolerance = 0.01;
     const BeamMove move{pose(from), pose(to), 0};
-    auto cut = cut_apart(world_.world(), settings, van_.chassis, {&move, 1});
+    auto cut = cut_without_separation(world_.world(), settings, van_.chassis, {&move, 1});
     ASSERT_TRUE(cut);
     ASSERT_GT(cut->delta.removed_faces, 0u);
     world_.follow(std::move(cut->delta));

@@ -191,7 +191,7 @@ void cut_and_count(World world, uint64_t seed, bool chance_allowed) {
     RandomStroke stroke = random_stroke(world, random, 0.03, true);
     if (random.below(2) == 0) stroke.settings.resolution.rim = Rim::kSmooth;
     ASSERT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
-    while (!is_settled(world)) go_on_separating(world, 100'000);
+    while (!is_settled(world)) continue_separation(world, 100'000);
     if (world.live_faces() == 0) return;
     expect_same_counts(only_body(world).mesh, chance_allowed);
   }

@@ -42,7 +42,7 @@ bool falls_through(double way) {
   sheets.body(0).motion.velocity = {0, -way / kTick, 0};
   const std::vector<MovingBody>& bodies = sheets.bodies();
   EXPECT_FALSE(sheets_cross(bodies[0], bodies[1]));
-  return get_through(bodies[0], bodies[1]);
+  return pass_through(bodies[0], bodies[1]);
 }
 
 TEST(CrossingSheets, that_pass_each_other_within_a_tick_got_through) {

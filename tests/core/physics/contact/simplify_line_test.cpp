@@ -32,7 +32,7 @@ TEST(SimplifiedLine, of_every_error_follows_from_those_of_the_least) {
     std::vector<Vec3> line(2 + random.below(60));
     for (Vec3& p : line) p = {random.unit(), random.unit(), random.unit()};
     if (seed % 2 == 0) line.back() = line.front();
-    const std::vector<double> from = left_out_from(line, 0.01);
+    const std::vector<double> from = omission_errors(line, 0.01);
     for (const double error : {0.01, 0.05, 0.2, 0.4, 2.0}) {
       std::vector<Vec3> kept;
       for (size_t i = 0; i < line.size(); ++i) {

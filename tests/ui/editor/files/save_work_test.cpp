@@ -167,7 +167,7 @@ TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor
   question_key(decisions_.question, GLFW_KEY_D);
   EXPECT_FALSE(decisions_.question.answer.has_value());
   question_key(decisions_.question, GLFW_KEY_R);
-  EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kGoOn);
+  EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kRecover);
   ask_about_recovery(decisions_, left_work_);
   decisions_.question.answer = 1;
   EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);

@@ -23,7 +23,7 @@ struct RulerBench {
     workspace.view.camera.finish();
     workspace.input.tool = kRulerTool;
   }
-  Vec2 seen(const Vec3& p) const { return FirstPicture(workspace.view).place_of(p).value(); }
+  Vec2 seen(const Vec3& p) const { return PrimaryViewport(workspace.view).place_of(p).value(); }
   void handle(InputEvent::Kind kind, Vec2 at) {
     handle_mouse(workspace, editor.features, {kind, at, GLFW_MOUSE_BUTTON_LEFT}, true);
   }

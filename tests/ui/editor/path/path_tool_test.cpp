@@ -26,7 +26,7 @@ class PathToolTest : public testing::Test {
     for (int i = 1; i <= 10; ++i) tool.move(path, world, view, glm::mix(from, to, 0.1 * i));
     tool.release();
   }
-  Vec2 place(PathPoint p) const { return *FirstPicture(view).place_of(path.target(p)); }
+  Vec2 place(PathPoint p) const { return *PrimaryViewport(view).place_of(path.target(p)); }
 
   World world;
   ViewState view;
@@ -80,7 +80,7 @@ TEST_F(PathToolTest, the_knob_turns_the_beam_about_the_place_that_it_aims_at) {
   press(middle() + Vec2(120, 0));
   tool.release();
   const Vec3 target = path.target({0, 0}), direction = path.pose({0, 0}).direction;
-  const auto knob = path_knob(path, FirstPicture(view));
+  const auto knob = path_knob(path, PrimaryViewport(view));
   ASSERT_TRUE(knob.has_value());
   drag(knob->place, knob->place + Vec2(0, -30));
   EXPECT_LT(glm::length(path.target({0, 0}) - target), 1e-12);
@@ -91,7 +91,7 @@ TEST_F(PathToolTest, the_knob_turns_the_beam_about_the_place_that_it_aims_at) {
 TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims_it) {
   Emitter emitter;
   place_in_view(emitter, view.seen_first(), {0, 0, 1}, 1);
-  const FirstPicture picture(view);
+  const PrimaryViewport picture(view);
   for (const EmitterHandle& handle : emitter_handles(emitter, picture)) {
     if (handle.part == EmitterHandle::Part::kTarget || handle.part == EmitterHandle::Part::kBody) continue;
     const Vec2 from = handle.places[0], tip = handle.places[1];

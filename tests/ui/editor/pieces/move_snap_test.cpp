@@ -16,7 +16,7 @@ class VertexNear : public testing::Test {
     view.camera.finish();
     view.layout = lay_out({1000, 700}, 16, 26, 26);
   }
-  Vec2 place_of(const Vec3& p) const { return *FirstPicture(view).place_of(p); }
+  Vec2 place_of(const Vec3& p) const { return *PrimaryViewport(view).place_of(p); }
 
   World world = test::world_of(test::grid(2, 2));  // vertices at whole metres, in y = 0
   ViewState view;

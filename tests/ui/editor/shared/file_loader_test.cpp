@@ -16,8 +16,8 @@ namespace {
 
 const std::filesystem::path kMeshes = checkout() / "assets/meshes";
 
-LoadOrder files(const std::vector<std::string>& names) {
-  LoadOrder order;
+LoadRequest files(const std::vector<std::string>& names) {
+  LoadRequest order;
   for (const std::string& name : names) order.files.push_back(kMeshes / name);
   return order;
 }
@@ -50,7 +50,7 @@ TEST(FileLoader, leaves_the_shadows_of_large_meshes_for_later) {
     const Soup soup = sphere(rings, rings, 1);
     const std::filesystem::path file = folder / "sphere.ply";
     ASSERT_TRUE(write_mesh({soup.positions, soup.triangles, {}, {}}, file, MeshFormat::kPly).ok());
-    LoadOrder order;
+    LoadRequest order;
     order.files = {file};
     const Result<LoadedFiles> loaded = load_files(order, nullptr);
     ASSERT_TRUE(loaded.ok());
@@ -70,7 +70,7 @@ TEST(FileLoader, says_why_a_file_cannot_be_read) {
 }
 
 TEST(FileLoader, a_file_that_cannot_be_read_keeps_no_other_out) {
-  LoadOrder order = files({"no_such_file.obj", "knot.obj", "none.kerf", "bracket.obj"});
+  LoadRequest order = files({"no_such_file.obj", "knot.obj", "none.kerf", "bracket.obj"});
   const Result<LoadedFiles> loaded = load_files(order, nullptr);
   ASSERT_TRUE(loaded.ok());
   EXPECT_EQ(loaded->document.world().ids().size(), 2u);
@@ -97,11 +97,11 @@ TEST(FileLoader, what_was_given_up_never_comes) {
   }
 }
 
-TEST(LoadNews, shows_what_is_cut_again_from_the_uncut_world_on) {
+TEST(LoadProgress, shows_what_is_cut_again_from_the_uncut_world_on) {
   const std::filesystem::path scene = checkout() / "assets/scenes/car-cut.json";
   const Result<Scene> uncut = read_scene(scene, nullptr);
   ASSERT_TRUE(uncut.ok());
-  LoadNews news;
+  LoadProgress news;
   news.watch();
   const Result<LoadedFiles> loaded = load_files({{scene}, {}, 0}, nullptr, &news);
   ASSERT_TRUE(loaded.ok());
@@ -117,8 +117,8 @@ TEST(LoadNews, shows_what_is_cut_again_from_the_uncut_world_on) {
   EXPECT_FALSE(news.take());
 }
 
-TEST(LoadNews, shows_no_world_in_which_nothing_is_cut_again_and_none_to_nobody) {
-  LoadNews watched, alone;
+TEST(LoadProgress, shows_no_world_in_which_nothing_is_cut_again_and_none_to_nobody) {
+  LoadProgress watched, alone;
   watched.watch();
   ASSERT_TRUE(load_files(files({"knot.obj"}), nullptr, &watched).ok());
   EXPECT_FALSE(watched.take());

@@ -62,7 +62,7 @@ struct Walked {
 };
 
 // Queues some strokes before others are walked, and walks by random numbers of moves.
-Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t seed) {
+Walked cut_in_steps_of(const std::vector<Drawn>& strokes, size_t faces_per_step, uint64_t seed) {
   Random random(seed);
   Document document(several_bodies());
   Walked walked;
@@ -75,7 +75,7 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
         document.queue().pending().next_move(document.world()).has_value() && result->moves == 0;
   };
   for (Drawn stroke : strokes) {
-    stroke.settings.bite = bite;
+    stroke.settings.faces_per_step = faces_per_step;
     document.apply(BeginStroke{stroke.settings, stroke.poses.front()});
     for (size_t i = 1; i < stroke.poses.size(); ++i) {
       document.apply(MoveBeam{stroke.poses[i]});
@@ -88,18 +88,19 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
   return walked;
 }
 
-TEST(Bite, leaves_the_same_world_to_the_bit_however_large_it_is) {
+TEST(StepSize, leaves_the_same_world_to_the_bit_however_large_it_is) {
   for (uint64_t seed = 1; seed <= runs(10); ++seed) {
     const auto strokes = random_strokes(seed);
-    const Walked whole = walk_with_bite(strokes, kUnbounded, seed);
+    const Walked whole = cut_in_steps_of(strokes, kUnbounded, seed);
     EXPECT_GT(whole.world.live_pieces(), 4u);
-    for (const size_t bite : {1u, 7u, 100u, 1000u}) {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", bite " + std::to_string(bite));
-      const Walked bitten = walk_with_bite(strokes, bite, seed + bite);
-      expect_same_world(whole.world, bitten.world);
-      EXPECT_GT(bitten.left_half_way, 0u);
-      // Faces that a later part of the step splits or moves again are not measured with a large bite.
-      EXPECT_GE(bitten.largest_cosine, whole.largest_cosine);
+    for (const size_t faces_per_step : {1u, 7u, 100u, 1000u}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", faces_per_step " + std::to_string(faces_per_step));
+      const Walked stepped = cut_in_steps_of(strokes, faces_per_step, seed + faces_per_step);
+      expect_same_world(whole.world, stepped.world);
+      EXPECT_GT(stepped.left_half_way, 0u);
+      // Faces that a later part of the step splits or moves again are not measured with a large
+      // faces_per_step.
+      EXPECT_GE(stepped.largest_cosine, whole.largest_cosine);
       if (HasFailure()) return;
     }
   }
@@ -158,11 +159,11 @@ void expect_tree_follows(const Body& body) {
   }
 }
 
-TEST(Bite, leaves_a_whole_world_and_tells_of_all_that_changed_after_every_step) {
+TEST(StepSize, leaves_a_whole_world_and_tells_of_all_that_changed_after_every_step) {
   for (uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Drawn stroke = random_strokes(seed).front();
-    stroke.settings.bite = 1;
+    stroke.settings.faces_per_step = 1;
     Document document(several_bodies());
     Follower follower(document.world());
     document.apply(BeginStroke{stroke.settings, stroke.poses[0]});
@@ -184,11 +185,11 @@ TEST(Bite, leaves_a_whole_world_and_tells_of_all_that_changed_after_every_step) 
   }
 }
 
-TEST(Bite, a_step_does_no_more_than_its_bite_however_large_the_move_is) {
+TEST(StepSize, a_step_does_no_more_than_its_bite_however_large_the_move_is) {
   CutSettings settings;
   settings.laser.radius = 0.4;
   settings.resolution.target_edge = 0.002;
-  settings.bite = 300;
+  settings.faces_per_step = 300;
   World world = world_of(plate(1));
   const BeamMove still{{{0, 1, 0}, {0, -1, 0}}, {{0, 1, 0}, {0, -1, 0}}};
   UnfinishedMove unfinished;
@@ -196,22 +197,23 @@ TEST(Bite, a_step_does_no_more_than_its_bite_however_large_the_move_is) {
   for (size_t moves = 0; moves == 0; ++steps) {
     const auto result = cut_step(world, settings, {&still, 1}, unfinished);
     ASSERT_TRUE(result.ok());
-    EXPECT_LE(result->statistics.faces_made, 3 * settings.bite);  // each looked at is split in four at most
-    EXPECT_LE(result->delta.removed_faces, settings.bite);
+    EXPECT_LE(result->statistics.faces_made,
+              3 * settings.faces_per_step);  // each looked at is split in four at most
+    EXPECT_LE(result->delta.removed_faces, settings.faces_per_step);
     moves = result->moves;
     made += result->statistics.faces_made;
     removed += result->delta.removed_faces;
   }
-  EXPECT_GT(made, 20 * settings.bite);
-  EXPECT_GT(removed, 20 * settings.bite);
+  EXPECT_GT(made, 20 * settings.faces_per_step);
+  EXPECT_GT(removed, 20 * settings.faces_per_step);
   EXPECT_GT(steps, 80u);
 }
 
-TEST(Bite, a_move_that_is_left_half_way_waits) {
+TEST(StepSize, a_move_that_is_left_half_way_waits) {
   CutSettings settings;
   settings.laser.radius = 0.1;
   settings.resolution.target_edge = 0.005;
-  settings.bite = 1;
+  settings.faces_per_step = 1;
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings, {{0, 1, 0}, {0, -1, 0}}});
   document.apply(EndStroke{});

@@ -40,6 +40,7 @@ std::string with_digits(double value, int digits) {
 
 constexpr float kTooltipSeconds = 0.5f;
 constexpr float kTooltipEms = 22;  // wrap width
+constexpr float kTooltipPaddingEms = 0.6f;
 
 // Places the next tooltip next to the window of the last item, at the height of the item, so that it covers
 // neither the content of the window nor the widget; at the pointer if there is no space.
@@ -320,6 +321,9 @@ void tooltip(const char* text, const std::optional<TipPicture>& picture) {
   if (context.LastItemData.ID == 0) ImGui::ItemHoverable(context.LastItemData.Rect, ImGui::GetID(text));
   if (context.HoveredIdTimer < kTooltipSeconds || ImGui::IsAnyMouseDown()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // opaque even for disabled items
+  // The window of the item may have no padding.
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kTooltipPaddingEms * ImGui::GetFontSize(),
+                                                    0.7f * kTooltipPaddingEms * ImGui::GetFontSize()});
   place_tooltip(text, picture);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipEms * ImGui::GetFontSize());
@@ -327,7 +331,7 @@ void tooltip(const char* text, const std::optional<TipPicture>& picture) {
   ImGui::PopTextWrapPos();
   if (picture) ImGui::Image(to_im_texture(picture->texture), to_im(picture->size));
   ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 void figure_row(const char* name, const std::string& value, const char* meaning) {

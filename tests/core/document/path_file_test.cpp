@@ -70,7 +70,7 @@ TEST_F(PathFile, refuses_what_makes_no_stroke_and_says_where) {
                  "greater");
   expect_refused(R"({"strokes": [{"laser": {"range": [2, 1]}, "keys": []}]})", "/strokes/0/laser/range",
                  "range");
-  expect_refused(R"({"strokes": 7})", "/strokes", "list");
+  expect_refused(R"({"strokes": 7})", "/strokes", "array");
   expect_refused("[]", "json", "object");
   expect_refused("{\n \"strokes\": [\n", "line", "JSON");
   expect_refused("", "line 1", "JSON");

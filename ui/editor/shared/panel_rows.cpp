@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <vector>
 
@@ -27,11 +28,20 @@ std::string with_shortcut(const ViewState& view, std::string sentence, const std
 
 namespace {
 
+// Returns the label of a state: "by angle" becomes "By Angle".
+std::string title_case(std::string words) {
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (i == 0 || words[i - 1] == ' ')
+      words[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[i])));
+  }
+  return words;
+}
+
 // Draws the states as radio buttons in a row. Returns the one that was clicked, or the present one.
 size_t select_state(const ViewSwitch& s, size_t state) {
   for (size_t i = 0; i < s.states.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
-    if (ImGui::RadioButton(s.states[i], state == i)) state = i;
+    ImGui::SameLine();
+    if (ImGui::RadioButton(title_case(s.states[i]).c_str(), state == i)) state = i;
     mark_last_item(s.report, static_cast<int>(i));
     tooltip(s.tip);
   }
@@ -78,9 +88,9 @@ bool draw_switch(ViewState& view, SwitchId id, const char* label) {
     state = on ? 1 : 0;
   } else {
     ImGui::PushID(s.report);
-    state = select_state(s, state);
-    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text.c_str());
+    state = select_state(s, state);
     ImGui::PopID();
   }
   if (state == before) return false;

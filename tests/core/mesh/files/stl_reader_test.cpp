@@ -84,9 +84,9 @@ TEST(StlReader, reads_text_as_sloppy_programs_write_it_and_says_where_it_strays)
        "Invalid STL in 2 places, the first in line 2: 'solid' before the 'endsolid' of the last "
        "one."},
       {"solid\n" + facet + "ENDSOLIDtwo\n",
-       "Invalid STL in line 9: expected 'endsolid', a blank and the name."},
+       "Invalid STL in line 9: expected 'endsolid', a space and the name."},
       {"solid\n" + facet + "end solid two\n",
-       "Invalid STL in line 9: expected 'endsolid', a blank and the name."},
+       "Invalid STL in line 9: expected 'endsolid', a space and the name."},
       {"solid x\ncolor 0.1 0.2 0.3\n" + facet + "endsolid\n", "Invalid STL in line 2: 'color' was skipped."},
       {"solid x\n" + facet, "Invalid STL in line 9: the file ends without 'endsolid'; it may be truncated."},
       {facet + "endsolid\n", "Invalid STL in 2 places, the first in line 1: 'facet' without 'solid'."},

@@ -12,7 +12,7 @@ namespace {
 TEST(SolidRow, says_what_a_solid_lacks) {
   LaserControls laser;
   EXPECT_EQ(solid_disabled_reason(true, laser), nullptr);
-  EXPECT_NE(std::string(solid_disabled_reason(false, laser)).find("open edges"), std::string::npos);
+  EXPECT_NE(std::string(solid_disabled_reason(false, laser)).find("boundary edges"), std::string::npos);
   LaserControls thermal = laser, rays = laser, faces = laser;
   thermal.model = Model::kThermal;
   rays.pattern = Pattern::kRays4;

@@ -173,12 +173,20 @@ Result<Delta> SetSheetProperties::run(World& world, uint32_t generation, const P
 void describe(Fields& f, SetSolid& c) {
   piece_field(f, c.piece);
   f.flag("solid", c.solid);
+  if (f.present("cut_material", !c.cut_material.empty())) f.filled_text("cut_material", c.cut_material);
 }
 
 Result<Delta> SetSolid::run(World& world, uint32_t generation, const Progress*) const {
+  const auto material = [&](const Body& body) {
+    return cut_material.empty() ? body.cut_material : cut_material;
+  };
   return edit_piece(
-      world, piece, generation, &Delta::mass_changed, [&](const Body& body) { return body.solid != solid; },
-      [&](Body& own) { make_solid(own, solid); });
+      world, piece, generation, &Delta::mass_changed,
+      [&](const Body& body) { return body.solid != solid || body.cut_material != material(body); },
+      [&](Body& own) {
+        own.cut_material = material(own);
+        make_solid(own, solid);
+      });
 }
 
 void describe(Fields& f, SimplifyPiece& c) {

@@ -181,6 +181,7 @@ void describe(Fields& f, SetSheetProperties& c);
 struct SetSolid {
   PieceId piece;
   bool solid = true;
+  std::string cut_material{};  // name of the material of walls made later; empty: unchanged
 
   static constexpr const char* kName = "set-solid";
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;

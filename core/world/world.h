@@ -120,8 +120,8 @@ struct Body {
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.piece_names, self.placement, self.hidden, self.motion,
-                    self.sheet, self.pinned, self.solid, self.mesh, self.refinement, self.ejected,
-                    self.pieces, self.enclosed, self.components, self.separation);
+                    self.sheet, self.pinned, self.solid, self.cut_material, self.mesh, self.refinement,
+                    self.ejected, self.pieces, self.enclosed, self.components, self.separation);
   }
 
   size_t bytes() const;

@@ -260,7 +260,7 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 20:
       return SmoothPiece{random_piece(random), 1 + random.below(kMaxSmoothing)};
     case 21:
-      return SetSolid{random_piece(random), random.below(2) > 0};
+      return SetSolid{random_piece(random), random.below(2) > 0, random.below(3) > 0 ? "" : "\"foam\""};
     case 22:
       return StopStroke{random.uniform(0, 1000), random.below(100)};
     case 23:

@@ -51,6 +51,20 @@ TEST_F(SolidBox, changes_nothing_where_it_is_as_asked_and_fails_where_there_is_n
   EXPECT_FALSE(body().solid);
 }
 
+TEST_F(SolidBox, takes_a_material_for_its_walls_and_gives_it_back_when_undone) {
+  ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
+  const World before = document_.world();
+  ASSERT_TRUE(document_.apply(SetSolid{piece(), true, "foam"}).ok());
+  const std::optional<uint16_t> material = cut_material(body());
+  ASSERT_TRUE(material);
+  EXPECT_EQ(body().material_names[*material], "foam");
+  EXPECT_TRUE(document_.apply(SetSolid{piece(), true, "foam"}).delta.empty());
+  EXPECT_TRUE(document_.apply(SetSolid{piece(), true}).delta.empty()) << "no name keeps the material";
+  ASSERT_TRUE(document_.apply(Undo{}).ok());
+  expect_same_world(document_.world(), before);
+  EXPECT_EQ(body().cut_material, "cut");
+}
+
 TEST_F(SolidBox, copies_of_it_are_solid) {
   ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
   ASSERT_TRUE(document_.apply(DuplicatePiece{piece(), {}}).ok());
@@ -66,7 +80,7 @@ TEST_F(SolidBox, comes_back_from_a_journal) {
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "box.obj"));
   ASSERT_TRUE(record_hashes(scene).ok());
-  ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
+  ASSERT_TRUE(document_.apply(SetSolid{piece(), true, "foam"}).ok());
   std::vector<StateMark> marks;
   mark_state(document_, marks, true);
   ASSERT_TRUE(save_journal(folder / "box.kerf", scene, document_.journal(), marks).ok());
@@ -81,6 +95,7 @@ TEST_F(SolidBox, comes_back_from_a_journal) {
   EXPECT_FALSE(replay.difference());
   EXPECT_EQ(state_hash(again.world()), hash());
   EXPECT_TRUE(again.world().body(again.world().ids().front()).solid);
+  EXPECT_EQ(again.world().body(again.world().ids().front()).cut_material, "foam");
 }
 
 }  // namespace

@@ -133,7 +133,26 @@ static_assert(kConstantRows.size() + 2 == std::size(kSubstanceFields),
 struct MaterialChange {
   std::optional<Sheet> sheet;
   std::optional<bool> solid;
+  std::string cut_material;  // empty: unchanged
 };
+
+// Draws the choice of the material of walls among the materials of a solid body. Returns the selected one, or
+// an empty name.
+std::string draw_cut_material(const Body& body) {
+  std::string selected;
+  property("Cut Material");
+  if (!begin_fitted_combo("##cut material", body.cut_material)) {
+    mark_last_item("cut material");
+    tooltip("Material that cuts through the solid expose; a texture of it lies undistorted on them.");
+    return selected;
+  }
+  for (const std::string& name : body.material_names) {
+    if (name.empty() || !ImGui::Selectable(name.c_str(), name == body.cut_material)) continue;
+    if (name != body.cut_material) selected = name;
+  }
+  ImGui::EndCombo();
+  return selected;
+}
 
 // Edits the sheet of the selected pieces, or of all pieces if none is selected: material (from
 // assets/materials.json), thickness, constants, and solidity. Each change is one history entry.
@@ -245,6 +264,7 @@ MaterialChange MaterialPanel::draw(const Workspace& workspace) {
     changed = draw_presets(sheet);
     changed |= draw_numbers(sheet);
     change.solid = solid_.draw(workspace, *piece);
+    if (body.solid) change.cut_material = draw_cut_material(body);
     end_properties();
   }
   if (changed) change.sheet = sheet;
@@ -298,6 +318,11 @@ class MaterialFeature : public Feature {
     if (change.solid) {
       request_for_all(*change.solid ? "Make solid" : "Make sheet", [solid = *change.solid](const PieceId& p) {
         return SetSolid{p, solid};
+      });
+    }
+    if (!change.cut_material.empty()) {
+      request_for_all("Set cut material", [material = change.cut_material](const PieceId& p) {
+        return SetSolid{p, true, material};
       });
     }
   }

@@ -74,6 +74,7 @@ struct CommandLabel {
   std::string operator()(const PinPiece& c) const { return (c.pinned ? "Pin " : "Unpin ") + piece; }
   std::string operator()(const SetSheetProperties&) const { return "Set material of " + piece; }
   std::string operator()(const SetSolid& c) const {
+    if (!c.cut_material.empty()) return "Set cut material of " + piece;
     return "Make " + piece + (c.solid ? " a solid" : " a sheet");
   }
   std::string operator()(const SimplifyPiece&) const { return "Simplify " + piece; }

@@ -36,6 +36,7 @@ struct CutOptions {
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
   std::optional<std::string> range, pattern, scheme, rim, model, material, format, assist, cut_material;
+  std::optional<std::string> colliders, collider_names;
   std::optional<int> depth;
   std::optional<int> steps;
   bool split_all = false;
@@ -97,6 +98,11 @@ void visit_options(CutOptions& o, Visitor& v) {
            "Assist gas of the thermal model: mild steel burns in oxygen (none)");
   v.choice("format", o.format, format_names(),
            ("Format of the pieces: " + list_mesh_endings("") + " (obj)").c_str());
+  v.choice(
+      "colliders", o.colliders, {"hull"},
+      "For glTF: add a convex hull of at most 64 vertices to each piece, with its mass properties (none)");
+  v.choice("collider-names", o.collider_names, {"unreal", "godot"},
+           "Names of the hulls: UCX_NODE_00 for unreal, NODE-convcolonly for godot (unreal)");
   v.flag("split-all", o.split_all, "Make every connected component a piece");
   v.flag("recentre", o.recentre,
          "Write coordinates relative to an origin near the meshes, stated in the report (\"origin\")");
@@ -291,6 +297,14 @@ Status check_solid(const CutOptions& o) {
 }
 
 // Checks the values in the order of the options. The error names the first wrong option.
+Status check_colliders(const CutOptions& o) {
+  if (o.collider_names && !o.colliders) return bad_input("--collider-names: requires --colliders");
+  const std::string format = o.format.value_or("obj");
+  if (o.colliders && !is_gltf(*mesh_format(format)))
+    return bad_input("--colliders: only glTF holds colliders, not " + format + "; add --format glb or gltf");
+  return Done{};
+}
+
 Status check_cut_options(CutOptions o) {
   Check check;
   visit_options(o, check);
@@ -299,6 +313,7 @@ Status check_cut_options(CutOptions o) {
     return bad_input("--target-edge, --tolerance and --depth: give only one of them");
   }
   if (o.ground && !o.settle) return bad_input("--ground: requires --settle");
+  if (const Status s = check_colliders(o); !s) return s;
   return check_solid(o);
 }
 
@@ -351,8 +366,10 @@ class CutRun {
     if (const auto s = read_scene_description(); !s) return s;
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = read_material(); !s) return s;
-    const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all,
-                              options_.solid, options_.provenance};
+    const PiecesFolder folder{
+        options_.out,        options_.format.value_or("obj"),
+        options_.split_all,  options_.solid,
+        options_.provenance, options_.colliders ? options_.collider_names.value_or("unreal") : ""};
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
     if (const auto s = begin_journal(); !s) return s;

@@ -24,6 +24,7 @@
 #include "core/mesh/files/surface_conversion.h"
 #include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
+#include "core/physics/convex_hull.h"
 #include "core/world/body_mass.h"
 #include "ui/window/number_text.h"
 
@@ -233,6 +234,27 @@ struct Provenance {
   }
 };
 
+// Returns the hull of a piece around its node, thickened if it is a sheet, and its mass properties.
+NodeCollider collider_of(const Part& part, const MassProperties& mass, const Vec3& origin,
+                         std::string_view node, const std::string& engine) {
+  constexpr size_t kMaxVertices = 64;
+  const Extract& e = part.extract;
+  NodeCollider collider;
+  const std::string name(node);
+  collider.name = engine == "godot" ? name + "-convcolonly" : "UCX_" + name + "_00";
+  ConvexHull hull =
+      e.solid
+          ? convex_hull(e.positions, kMaxVertices)
+          : convex_hull(thickened_sheet(e.positions, e.triangles, part.body->sheet.thickness), kMaxVertices);
+  collider.positions = seen_from(origin, std::move(hull.positions));
+  collider.triangles = std::move(hull.triangles);
+  collider.mass = mass.mass;
+  collider.centre_of_mass = mass.centre - origin;
+  const glm::dmat3& i = mass.inertia;
+  collider.inertia = {i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]};
+  return collider;
+}
+
 Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder,
                                  const SurfaceFiles& surfaces, const Vec3& origin, bool moved) {
   char name[40];
@@ -255,8 +277,15 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
     view.material_names = surfaces.names(*part.body);
   }
   if (!part.source.empty()) view.name = view.object = part.source;
-  if (const auto s = write_mesh(view, file, format); !s) return s.error();
   WrittenPiece piece;
+  piece.mass = mass_of(e, part.body->sheet);
+  NodeCollider collider;
+  if (!folder.colliders.empty()) {
+    collider = collider_of(part, piece.mass, origin, view.name, folder.colliders);
+    view.collider = &collider;
+    piece.no_collider = collider.triangles.empty();
+  }
+  if (const auto s = write_mesh(view, file, format); !s) return s.error();
   piece.precision = precision_loss(view, format);
   piece.file = name;
   piece.faces = e.triangles.size();
@@ -265,7 +294,6 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   piece.area = e.area;
   piece.centroid = e.centroid;
   piece.volume = e.volume;
-  piece.mass = mass_of(e, part.body->sheet);
   piece.placement = part.body->placement;
   if (moved) piece.asleep = rests(*part.body, piece.mass);
   return piece;
@@ -358,9 +386,17 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
       precision, *mesh_format(format),
       job.origin == Vec3(0) ? "write OBJ, PLY or OFF, or cut with --recentre" : "write OBJ, PLY or OFF");
   if (note) job.notes.push_back(*note);
+  const auto flat = static_cast<size_t>(std::ranges::count(written, true, &WrittenPiece::no_collider));
+  if (flat > 0)
+    job.notes.push_back(count_text(flat, "piece") + (flat == 1 ? " has" : " have") +
+                        " no collider, because the hull has no volume");
   job.notes.insert(job.notes.end(), lost.begin(), lost.end());
   nlohmann::ordered_json how = settings_json(settings, format, split_all);
   if (solid) how["solid"] = true;
+  if (!colliders.empty()) {
+    how["colliders"] = "hull";
+    how["collider-names"] = colliders;
+  }
   const auto report = with_run_description(cut_report(job, world, how, written));
   const auto file = fs::path(path) / kReport;
   if (const auto s = write_file_atomically(file, report.dump(2) + "\n"); !s) return s.error();

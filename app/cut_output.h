@@ -22,6 +22,8 @@ struct PiecesFolder {
   bool split_all = false;    // every connected component is a piece
   bool solid = false;        // all bodies were made solid; listed in the settings of the report
   std::string provenance{};  // file for the origins of the faces; empty: none
+  // The engine whose names the colliders have: "unreal" or "godot"; empty: no colliders. Only for glTF.
+  std::string colliders{};
 
   // Fails with bad input if a file that write() may replace or remove is an input. Errors name `option`.
   Status check(const std::string& option, const InputFiles& inputs) const;

@@ -33,6 +33,9 @@ nlohmann::ordered_json looks_json(const BuiltMesh& built) {
       {"uv_sets", looks ? looks->uv_sets() : 0},         {"normals", looks && looks->has_normals()},
       {"vertex_colours", !built.mesh.colours().blank()}, {"materials", built.material_names},
       {"images", nlohmann::ordered_json::array()},       {"parts", built.parts.size()}};
+  if (looks && looks->has_tangents()) json["tangents"] = true;
+  for (size_t i = 0; looks && i < looks->attributes(); ++i)
+    json["attributes"].push_back(looks->attribute_name(i));
   if (!looks || !looks->surfaces()) return json;
   for (const SurfaceImage& image : looks->surfaces()->images)
     json["images"].push_back({{"name", image.name}, {"bytes", image.bytes.size()}});

@@ -95,7 +95,7 @@ class Run {
 class Mesh {
  public:
   // Reads a mesh file.
-  // path: an OBJ, PLY, STL, OFF or glTF file; the content decides the format.
+  // path: an OBJ, PLY, STL, OFF, glTF or 3MF file; the content decides the format.
   // Throws InvalidArgument if the file cannot be opened or parsed, or has no usable face. O(file size).
   static Mesh read(const std::string& path, const CallOptions& options = {}) {
     kerf_mesh* mesh = nullptr;

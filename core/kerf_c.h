@@ -71,7 +71,7 @@ typedef struct kerf_mesh kerf_mesh;
 
 /* Reads a mesh file. Welds equal positions; drops faces with an index out of range, a non-finite
  * position, or two corners at the same position.
- * path: an OBJ, PLY, STL, OFF or glTF file; the content decides the format.
+ * path: an OBJ, PLY, STL, OFF, glTF or 3MF file; the content decides the format.
  * options: may be null.
  * out: receives the mesh; destroy it with kerf_mesh_destroy.
  * Errors: KERF_INVALID_ARGUMENT if the file cannot be opened or parsed, or has no usable face.

@@ -269,7 +269,7 @@ void add_mesh(py::module_& m) {
           },
           py::arg("path"),
           "Writes the mesh, whole or not at all. The extension decides the format: .obj, .ply, .stl, .off, "
-          ".glb or .gltf.\n\n"
+          ".glb, .gltf or .3mf.\n\n"
           "Raises ValueError for another extension, FileNotFoundError if the folder is missing, and Error if "
           "the file cannot be written.")
       .def("__copy__", [](const kerf::Mesh& mesh) { return mesh; })
@@ -296,7 +296,7 @@ void add_mesh(py::module_& m) {
         return on_file(file, file, [&] { return kerf::Mesh::read(file, options); });
       },
       py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
-      "Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh.\n\n"
+      "Reads an OBJ, PLY, STL, OFF, glTF or 3MF file and returns a Mesh.\n\n"
       "progress: as in World.cut.\n\n"
       "Raises FileNotFoundError for a missing file, ValueError for one that cannot be parsed or has no "
       "usable face, and Cancelled.");

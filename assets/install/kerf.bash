@@ -4,9 +4,11 @@
 _kerf_values() {
   case $1 in
     --assist) echo none oxygen ;;
+    --collider-names) echo unreal godot ;;
+    --colliders) echo hull ;;
     --difficulty) echo easy normal hard ;;
     --driver) echo bot still ;;
-    --format) echo obj ply stl off glb gltf ;;
+    --format) echo obj ply stl off glb gltf 3mf ;;
     --material) kerf materials 2>/dev/null | sed -n 's/^ *"name": "\(.*\)",*$/\1/p' ;;
     --model) echo geometric thermal ;;
     --pattern) echo volume rays4 ;;

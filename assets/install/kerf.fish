@@ -13,9 +13,11 @@ end
 complete -c kerf -n __fish_use_subcommand -a '(__kerf_subcommands)'
 complete -c kerf -n 'string match -q -- "-*" (commandline -ct)' -a '(__kerf_options)'
 complete -c kerf -l assist -x -a 'none oxygen'
+complete -c kerf -l collider-names -x -a 'unreal godot'
+complete -c kerf -l colliders -x -a hull
 complete -c kerf -l difficulty -x -a 'easy normal hard'
 complete -c kerf -l driver -x -a 'bot still'
-complete -c kerf -l format -x -a 'obj ply stl off glb gltf'
+complete -c kerf -l format -x -a 'obj ply stl off glb gltf 3mf'
 complete -c kerf -l material -x -a '(kerf materials 2>/dev/null | string replace -rf \'^ *"name": "(.*)",?$\' \'$1\')'
 complete -c kerf -l model -x -a 'geometric thermal'
 complete -c kerf -l pattern -x -a 'volume rays4'

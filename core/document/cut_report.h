@@ -52,6 +52,7 @@ struct WrittenPiece {
   Placement placement;           // of its body
   PrecisionLoss precision;       // of the file
   std::optional<bool> asleep;    // nullopt if no body has moved
+  bool no_collider = false;      // though colliders are written: its hull has no volume
 };
 
 // Returns the settings of a job, i.e. of its first stroke.

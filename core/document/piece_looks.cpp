@@ -56,6 +56,8 @@ class Evaluation {
     out_.uv_sets.resize(looks_.uv_sets());
     out_.v_points_down = looks_.v_points_down();
     for (auto& set : out_.uv_sets) set.corners.reserve(faces_.size());
+    for (size_t i = 0; i < looks_.attributes() && wants_attributes(); ++i)
+      out_.attributes.push_back({looks_.attribute_name(i), looks_.attribute_parts(i), {}});
     for_each_corners(body_.mesh, faces_, [&](FaceId f, const std::array<VertexId, 3>& corners) {
       Triangle t;
       for (size_t i = 0; i < 3; ++i) t[i] = body_.mesh.position(corners[i]);
@@ -82,6 +84,7 @@ class Evaluation {
         out_.uv_sets[set].corners.push_back({kNone, kNone, kNone});
       }
     }
+    if (wants_attributes()) add_attributes(source, known, t, points);
     if (!wants_normals_) return;
     triangles_.push_back(t);
     if (!known || !looks_.has_normal(source)) {
@@ -97,6 +100,36 @@ class Evaluation {
       normals[i] = in_axes(length > 0 ? n / length : unit_normal_of(t));
     }
     add(out_.normals, normals);
+  }
+
+  bool wants_attributes() const { return normals_ != LookNormals::kLoaded; }
+
+  // Adds the tangents and custom attributes of a face.
+  void add_attributes(FaceId source, bool known, const Triangle& t,
+                      const std::array<Looks::Point, 3>& points) {
+    constexpr std::array<uint32_t, 3> kNoCorners{kNone, kNone, kNone};
+    for (size_t i = 0; i < out_.attributes.size(); ++i) {
+      LookChannel<glm::vec4>& channel = out_.attributes[i].channel;
+      if (known && looks_.has_attribute(i, source)) {
+        add(channel, {glm::vec4(looks_.attribute(i, points[0])), glm::vec4(looks_.attribute(i, points[1])),
+                      glm::vec4(looks_.attribute(i, points[2]))});
+      } else {
+        channel.corners.push_back(kNoCorners);
+      }
+    }
+    if (!looks_.has_tangents()) return;
+    if (!known || !looks_.has_tangent(source)) {
+      out_.tangents.corners.push_back(kNoCorners);
+      return;
+    }
+    const double sign = looks_.agrees(source, t) ? 1 : -1;
+    std::array<glm::vec4, 3> tangents;
+    for (size_t i = 0; i < 3; ++i) {
+      const glm::dvec4 own = looks_.tangent(points[i]);
+      const double length = glm::length(Vec3(own));
+      tangents[i] = {in_axes(length > 0 ? Vec3(own) / length : Vec3(own)), static_cast<float>(sign * own.w)};
+    }
+    add(out_.tangents, tangents);
   }
 
   // Locates a corner of a face. If it slid out of the loaded face, the loaded faces around it continue that:

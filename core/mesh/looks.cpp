@@ -24,6 +24,7 @@ uint64_t bits_of(const Vec3& v) {
 }
 uint64_t bits_of(const glm::vec3& v) { return bits_of(Vec3(v)); }
 uint64_t bits_of(const glm::vec2& v) { return bits_of(Vec3(v, 0)); }
+uint64_t bits_of(const glm::vec4& v) { return hash_combine(bits_of(Vec3(v)), number_bits(double{v.w})); }
 
 template <typename T>
 bool has_finite_numbers(const T& v) {
@@ -103,8 +104,13 @@ class Looks::Builder {
     }
     // Materials refer to sets by number, so that empty ones before the last stay.
     while (!looks->uv_sets_.empty() && !looks->uv_sets_.back().corners) looks->uv_sets_.pop_back();
-    looks->normals_ = share_normals();
-    if (soup_.keeps_corners || !looks->uv_sets_.empty() || looks->normals_.corners)
+    find_reversed();
+    looks->normals_ = share_reversed(soup_.looks.normals, [](const glm::vec3& n) { return -n; });
+    looks->tangents_ = share_reversed(soup_.looks.tangents,
+                                      [](const glm::vec4& t) { return glm::vec4(t.x, t.y, t.z, -t.w); });
+    share_attributes(*looks);
+    if (soup_.keeps_corners || !looks->uv_sets_.empty() || looks->normals_.corners ||
+        looks->tangents_.corners || !looks->attributes_.empty())
       looks->positions_ = share(LookChannel<Vec3>{soup_.positions, soup_.triangles});
     share_corners(*looks);
     if (soup_.keeps_corners) looks->sources_.assign(sources_.begin(), sources_.end());
@@ -150,32 +156,50 @@ class Looks::Builder {
   }
 
   // Normals of a face that the mesh turned are stored reversed if they disagree with its orientation in the
-  // file: they were right, and evaluation reverses those of turned faces.
-  Channel<glm::vec3> share_normals() {
+  // file: they were right, and evaluation reverses those of turned faces. So are signs of bitangents.
+  void find_reversed() {
     const LookChannel<glm::vec3>& normals = soup_.looks.normals;
-    if (!normals.any() || std::find(turned_.begin(), turned_.end(), true) == turned_.end())
-      return share(normals);
-    LookChannel<glm::vec3> own = normals;
+    if (!normals.any()) return;
     for (size_t f = 0; f < faces(); ++f) {
-      auto& corners = own.corners[source(f)];
+      const auto& corners = normals.corners[source(f)];
       if (!turned_[f] || std::max({corners[0], corners[1], corners[2]}) >= normals.values.size()) continue;
       const auto& [a, b, c] = soup_.triangles[source(f)];
       const Vec3 across =
           glm::cross(soup_.positions[b] - soup_.positions[a], soup_.positions[c] - soup_.positions[a]);
       Vec3 sum(0);
       for (const uint32_t v : corners) sum += Vec3(normals.values[v]);
-      if (!(glm::dot(sum, across) < 0)) continue;
+      if (glm::dot(sum, across) < 0) reversed_.push_back(f);
+    }
+  }
+
+  // Shares a channel with the values of reversed faces replaced by reverse(value).
+  template <typename T, typename Reverse>
+  Channel<T> share_reversed(const LookChannel<T>& from, const Reverse& reverse) {
+    if (!from.any() || reversed_.empty()) return share(from);
+    LookChannel<T> own = from;
+    for (const size_t f : reversed_) {
+      auto& corners = own.corners[source(f)];
+      if (std::max({corners[0], corners[1], corners[2]}) >= from.values.size()) continue;
       for (uint32_t& v : corners) {
-        own.values.push_back(-normals.values[v]);
+        own.values.push_back(reverse(from.values[v]));
         v = static_cast<uint32_t>(own.values.size() - 1);
       }
     }
     return share(own);
   }
 
+  void share_attributes(Looks& looks) {
+    for (const LookAttribute& attribute : soup_.looks.attributes) {
+      Channel<glm::vec4> channel = share(attribute.channel);
+      if (channel.corners) looks.attributes_.push_back({attribute.name, attribute.parts, std::move(channel)});
+    }
+  }
+
   static void share_corners(Looks& looks) {
     std::vector<std::shared_ptr<const Corners>*> all{&looks.positions_.corners, &looks.normals_.corners};
     for (auto& set : looks.uv_sets_) all.push_back(&set.corners);
+    all.push_back(&looks.tangents_.corners);
+    for (auto& attribute : looks.attributes_) all.push_back(&attribute.channel.corners);
     for (size_t i = 0; i < all.size(); ++i) {
       for (size_t k = 0; k < i && *all[i]; ++k) {
         if (*all[k] && **all[k] == **all[i]) *all[i] = *all[k];
@@ -187,6 +211,7 @@ class Looks::Builder {
   std::span<const uint32_t> sources_;
   const std::vector<bool>& turned_;
   size_t not_finite_ = 0;
+  std::vector<size_t> reversed_;  // faces, ascending
 };
 
 std::shared_ptr<const Looks> Looks::make(const Soup& soup, std::span<const uint32_t> sources,
@@ -316,6 +341,7 @@ std::vector<uint32_t> Looks::charts(const Channel<T>& channel) const {
 
 template std::vector<uint32_t> Looks::charts<glm::vec2>(const Channel<glm::vec2>&) const;
 template std::vector<uint32_t> Looks::charts<glm::vec3>(const Channel<glm::vec3>&) const;
+template std::vector<uint32_t> Looks::charts<glm::vec4>(const Channel<glm::vec4>&) const;
 
 template <typename V, typename T>
 V Looks::value(const Channel<T>& channel, const Point& point) const {
@@ -329,6 +355,7 @@ V Looks::value(const Channel<T>& channel, const Point& point) const {
 
 template glm::dvec2 Looks::value<glm::dvec2>(const Channel<glm::vec2>&, const Point&) const;
 template Vec3 Looks::value<Vec3>(const Channel<glm::vec3>&, const Point&) const;
+template glm::dvec4 Looks::value<glm::dvec4>(const Channel<glm::vec4>&, const Point&) const;
 
 bool Looks::has_seam(FaceId a, FaceId b) const {
   return a != b && std::ranges::any_of(uv_sets_, [&](const auto& set) {
@@ -349,6 +376,8 @@ size_t Looks::bytes() const {
   add(positions_);
   add(normals_);
   for (const auto& set : uv_sets_) add(set);
+  add(tangents_);
+  for (const auto& attribute : attributes_) add(attribute.channel);
   return bytes;
 }
 

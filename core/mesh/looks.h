@@ -15,13 +15,13 @@
 
 namespace kerf {
 
-// The looks of a loaded mesh, i.e. its UVs, normals and materials. UVs and normals are functions on the
-// loaded triangles, evaluated by barycentric coordinates. A current face evaluates those of the loaded face
-// that contains it (Body::loaded_face), so edits of faces need not update them. Immutable; shared by all
-// copies of a body and the bodies detached from it.
+// The looks of a loaded mesh, i.e. its UVs, normals, tangents, custom attributes and materials. All but the
+// materials are functions on the loaded triangles, evaluated by barycentric coordinates. A current face
+// evaluates those of the loaded face that contains it (Body::loaded_face), so edits of faces need not update
+// them. Immutable; shared by all copies of a body and the bodies detached from it.
 //
 // Memory per loaded face, on a smooth mesh without seams: 24 bytes for positions, 16 for a set of UVs, 18 for
-// normals. Equal tuples are shared, and so are equal lists of corners.
+// normals, 20 for tangents or a custom attribute. Equal tuples are shared, and so are equal lists of corners.
 class Looks {
  public:
   // Creates the looks of a soup. `sources`: by loaded face, the index of its triangle in the soup; empty if
@@ -35,6 +35,10 @@ class Looks {
   size_t uv_sets() const { return uv_sets_.size(); }
   bool v_points_down() const { return v_points_down_; }  // see CornerLooks
   bool has_normals() const { return normals_.corners != nullptr; }
+  bool has_tangents() const { return tangents_.corners != nullptr; }
+  size_t attributes() const { return attributes_.size(); }
+  const std::string& attribute_name(size_t attribute) const { return attributes_[attribute].name; }
+  uint8_t attribute_parts(size_t attribute) const { return attributes_[attribute].parts; }
   // Returns true if points can be located in loaded faces; looks of surfaces alone store no corners.
   bool has_corners() const { return positions_.corners != nullptr; }
   // Return true if a loaded face has corners, UVs or a normal; false for faces that were not loaded, such as
@@ -42,6 +46,10 @@ class Looks {
   bool contains(FaceId loaded) const { return positions_.contains(loaded); }
   bool has_uvs(size_t set, FaceId loaded) const { return uv_sets_[set].contains(loaded); }
   bool has_normal(FaceId loaded) const { return normals_.contains(loaded); }
+  bool has_tangent(FaceId loaded) const { return tangents_.contains(loaded); }
+  bool has_attribute(size_t attribute, FaceId loaded) const {
+    return attributes_[attribute].channel.contains(loaded);
+  }
 
   // Returns the barycentric coordinates of a point in a loaded face, with the corners in the order of the
   // file. They are exact at the corners; on a side they depend only on its two ends, so that both adjacent
@@ -77,15 +85,27 @@ class Looks {
   // contains the point, which ends the search. Precondition: contains(adjacent).
   bool continue_in(Point& point, FaceId adjacent, const Vec3& at) const;
 
-  // Return the UV or the normal at a point. The normal has the orientation of the loaded face in the file and
-  // is not normalised. Precondition: the loaded face has UVs or a normal, respectively.
+  // Return the values at a point. The normal has the orientation of the loaded face in the file; normal and
+  // tangent are not normalised. The sign of the bitangent is 1 or -1, for that orientation. Precondition: the
+  // loaded face has the values.
   glm::dvec2 uv(size_t set, const Point& point) const { return value<glm::dvec2>(uv_sets_[set], point); }
   Vec3 normal(const Point& point) const { return value<Vec3>(normals_, point); }
+  glm::dvec4 tangent(const Point& point) const {
+    const auto t = value<glm::dvec4>(tangents_, point);
+    return {Vec3(t), t.w < 0 ? -1 : 1};
+  }
+  glm::dvec4 attribute(size_t attribute, const Point& point) const {
+    return value<glm::dvec4>(attributes_[attribute].channel, point);
+  }
 
   // Return a chart number per loaded face. Two faces are in one chart if a chain of faces connects them in
   // which each two consecutive ones share a corner and its value, i.e. no seam separates them.
   std::vector<uint32_t> uv_charts(size_t set) const { return charts(uv_sets_[set]); }
   std::vector<uint32_t> normal_charts() const { return charts(normals_); }
+  std::vector<uint32_t> tangent_charts() const { return charts(tangents_); }
+  std::vector<uint32_t> attribute_charts(size_t attribute) const {
+    return charts(attributes_[attribute].channel);
+  }
 
   // Returns true if two loaded faces with UVs share a corner at which their UVs differ.
   bool has_seam(FaceId a, FaceId b) const;
@@ -112,6 +132,11 @@ class Looks {
       return {values[a], values[b], values[c]};
     }
   };
+  struct Attribute {
+    std::string name;
+    uint8_t parts = 1;
+    Channel<glm::vec4> channel;
+  };
   class Builder;
 
   bool lies_on_plane(FaceId loaded, const Vec3& at) const;
@@ -126,6 +151,8 @@ class Looks {
   Channel<Vec3> positions_;
   std::vector<Channel<glm::vec2>> uv_sets_;
   Channel<glm::vec3> normals_;
+  Channel<glm::vec4> tangents_;
+  std::vector<Attribute> attributes_;
   bool v_points_down_ = false;
   std::shared_ptr<const SurfaceLibrary> surfaces_;
   std::vector<uint32_t> sources_;  // by loaded face, if the soup keeps corners; empty if they are the same

@@ -119,6 +119,8 @@ Result<Soup> parse(std::string_view bytes, const std::string& name, const std::f
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
       return read_gltf(bytes, name, progress, folder);
+    case MeshFormat::k3mf:
+      return read_3mf(bytes, name, progress);
     case MeshFormat::kOff:
       break;
   }
@@ -243,11 +245,26 @@ std::string obstacle_to_gltf(const MeshView& mesh) {
   if (mesh.positions.size() + mesh.triangles.size() > (size_t{1} << 28))
     return "glTF cannot store more than 268435456 vertices and triangles";
   size_t bytes = 0;  // at most
-  if (mesh.looks) bytes += 3 * mesh.triangles.size() * (48 + 8 * mesh.looks->uv_sets.size());
+  if (mesh.looks) {
+    const size_t corner = 64 + 8 * mesh.looks->uv_sets.size() + 16 * mesh.looks->attributes.size();
+    bytes += 3 * mesh.triangles.size() * corner;
+  }
   if (mesh.surfaces) {
     for (const SurfaceImage& image : mesh.surfaces->images) bytes += image.bytes.size();
   }
   if (bytes >= size_t{1} << 32) return "glTF cannot store more than 4 GiB of UVs, normals and images";
+  return {};
+}
+
+std::string obstacle_to_3mf(const MeshView& mesh) {
+  const auto fits = [](const Vec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxThreeMf;
+  };
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
+    return "3MF cannot store coordinates beyond 1000 km";
+  constexpr size_t kMax = size_t{1} << 31;
+  if (mesh.positions.size() >= kMax || mesh.triangles.size() >= kMax)
+    return "3MF cannot store more than 2147483647 vertices or triangles";
   return {};
 }
 
@@ -262,7 +279,8 @@ std::string obstacle(const MeshView& mesh, MeshFormat format) {
   if (format == MeshFormat::kPly && mesh.positions.size() > size_t{std::numeric_limits<int32_t>::max()} + 1) {
     return "PLY cannot store more than 2147483648 vertices";
   }
-  if (format == MeshFormat::kGlb || format == MeshFormat::kGltf) return obstacle_to_gltf(mesh);
+  if (is_gltf(format)) return obstacle_to_gltf(mesh);
+  if (format == MeshFormat::k3mf) return obstacle_to_3mf(mesh);
   return {};
 }
 
@@ -280,10 +298,6 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshF
 }
 
 namespace {
-
-bool is_single(MeshFormat format) {
-  return format == MeshFormat::kStl || format == MeshFormat::kGlb || format == MeshFormat::kGltf;
-}
 
 size_t repeated_positions(std::span<const Vec3> positions) {
   const std::vector<uint32_t> first = weld_positions(positions);
@@ -318,13 +332,13 @@ PrecisionLoss& PrecisionLoss::operator+=(const PrecisionLoss& other) {
 PrecisionLoss precision_loss(const MeshView& mesh, MeshFormat format) {
   PrecisionLoss loss;
   loss.vertices = mesh.positions.size();
-  if (!is_single(format)) return loss;
-  const Vec3 origin = format == MeshFormat::kStl ? Vec3(0) : gltf_middle(mesh.positions);
+  if (!format_row(format).single_precision) return loss;
+  const Vec3 origin = is_gltf(format) ? gltf_middle(mesh.positions) : Vec3(0);
   std::vector<Vec3> rounded;
   rounded.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) {
     const Vec3 exact = p - origin;
-    rounded.emplace_back(glm::vec3(exact));
+    rounded.push_back(format == MeshFormat::k3mf ? three_mf_position(exact) : Vec3(glm::vec3(exact)));
     loss.max_move = std::max(loss.max_move, glm::length(rounded.back() - exact));
   }
   if (loss.max_move == 0) return loss;

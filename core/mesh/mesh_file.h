@@ -13,8 +13,8 @@
 
 namespace kerf {
 
-// Reads an OBJ, PLY, STL, OFF or glTF file. The content determines the format; the extension of the name is
-// only a hint. Fails for anything but a regular file, for files of more than 4 GiB, and for errors of the
+// Reads an OBJ, PLY, STL, OFF, glTF or 3MF file. The content determines the format; the extension of the name
+// is only a hint. Fails for anything but a regular file, for files of more than 4 GiB, and for errors of the
 // format's reader, with one sentence that names the file and the line or byte; fails with cancelled() when
 // stopped. `progress` may be null. Files may be read concurrently. Holds the whole file in memory in addition
 // to the result. Linear in its size.
@@ -36,10 +36,11 @@ std::vector<std::string> dropped_notes(const Repairs& repairs);
 
 // Writes a mesh: OBJ and OFF as text, PLY, STL and GLB in binary. Positions are read back to the bit and
 // triangles in the same order, except that STL stores positions in single precision and no shared vertices,
-// and glTF positions in single precision relative to the middle of the mesh and triangles by material; OBJ
-// and glTF store the names of materials. The file is written whole or not at all (see write_file_atomically).
-// Fails with one sentence if it cannot be written or if the format cannot represent the mesh, e.g.
-// coordinates beyond the range of float in STL. Holds all bytes in memory before writing. Linear time.
+// glTF positions in single precision relative to the middle of the mesh and triangles by material, and 3MF
+// millimetres in single precision; OBJ, glTF and 3MF store the names of materials. The file is written whole
+// or not at all (see write_file_atomically). Fails with one sentence if it cannot be written or if the format
+// cannot represent the mesh, e.g. coordinates beyond the range of float in STL. Holds all bytes in memory
+// before writing. Linear time.
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format);
 
 // The loss of precision when a mesh is written in a single-precision format.
@@ -56,8 +57,8 @@ struct PrecisionLoss {
 };
 
 // Measures the loss for positions as encode() writes them: relative to the origin in STL, to the middle of
-// the mesh in glTF. The other formats store doubles without loss. Precondition: the coordinates fit the
-// format (see write_mesh). Expected linear time.
+// the mesh in glTF, to the origin in millimetres in 3MF. The other formats store doubles without loss.
+// Precondition: the coordinates fit the format (see write_mesh). Expected linear time.
 PrecisionLoss precision_loss(const MeshView& mesh, MeshFormat format);
 
 // Formats a note for the user about meshes written in this format: "STL stores single precision: …". Returns

@@ -38,6 +38,18 @@ class Transfer {
           looks_.normal_charts(), [&](FaceId f) { return looks_.has_normal(f); },
           [&](size_t t, const Looks::Point& point) { return normal(t, point); });
     }
+    if (looks_.has_tangents()) {
+      soup.looks.tangents = channel<glm::vec4>(
+          looks_.tangent_charts(), [&](FaceId f) { return looks_.has_tangent(f); },
+          [&](size_t t, const Looks::Point& point) { return tangent(t, point); });
+    }
+    for (size_t i = 0; i < looks_.attributes(); ++i) {
+      soup.looks.attributes.push_back(
+          {looks_.attribute_name(i), looks_.attribute_parts(i),
+           channel<glm::vec4>(
+               looks_.attribute_charts(i), [&](FaceId f) { return looks_.has_attribute(i, f); },
+               [&](size_t, const Looks::Point& point) { return glm::vec4(looks_.attribute(i, point)); })});
+    }
     std::vector<std::string> warnings;  // none, because all values are finite
     return Looks::make(soup, {}, std::vector<bool>(soup.triangles.size(), false), warnings);
   }
@@ -85,12 +97,20 @@ class Transfer {
     return to;
   }
 
-  // The normal has the orientation of the new triangle.
-  glm::vec3 normal(size_t t, const Looks::Point& point) const {
+  bool agrees(size_t t, const Looks::Point& point) const {
     const auto& [a, b, c] = remeshed_.triangles[t];
     const auto& at = remeshed_.positions;
+    return looks_.agrees(point.face, {at[a], at[b], at[c]});
+  }
+  // The normal and the sign of the bitangent have the orientation of the new triangle.
+  glm::vec3 normal(size_t t, const Looks::Point& point) const {
     const Vec3 n = looks_.normal(point);
-    return glm::vec3(looks_.agrees(point.face, {at[a], at[b], at[c]}) ? n : -n);
+    return glm::vec3(agrees(t, point) ? n : -n);
+  }
+  glm::vec4 tangent(size_t t, const Looks::Point& point) const {
+    glm::dvec4 tangent = looks_.tangent(point);
+    if (!agrees(t, point)) tangent.w = -tangent.w;
+    return glm::vec4(tangent);
   }
 
   const Body& body_;

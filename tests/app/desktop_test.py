@@ -36,7 +36,7 @@ def accepted(line):
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([KERF, *shlex.split(line), '?'], capture_output=True, text=True, cwd=folder)
     assert done.returncode == 2, done
-    return set(re.findall('[a-z][a-z0-9-]+', re.split(r'values are: |names: |materials are: |must be ', done.stderr)[1])) - {'or'}
+    return set(re.findall('[a-z0-9][a-z0-9-]+', re.split(r'values are: |names: |materials are: |must be ', done.stderr)[1])) - {'or'}
 
 
 def mime_types():

@@ -151,13 +151,107 @@ class Looks(unittest.TestCase):
         self.assertEqual(self.read("back/paint.png"), IMAGE)
         self.assertIn("Kd 0.8 0.1 0.1\n", self.read("back/pieces.mtl").decode())
 
+    def gltf_of(self, name):
+        """The JSON of a GLB and a function that reads an accessor as a list of rows."""
+        data = self.read(name)
+        length = struct.unpack("<I", data[12:16])[0]
+        gltf, buffer = json.loads(data[20:20 + length]), data[28 + length:]
+
+        def rows(index):
+            accessor = gltf["accessors"][index]
+            view = gltf["bufferViews"][accessor["bufferView"]]
+            parts = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]]
+            kind = {5125: "I", 5126: "f", 5123: "H"}[accessor["componentType"]]
+            at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+            values = struct.unpack_from(f"<{parts * accessor['count']}{kind}", buffer, at)
+            return [values[i:i + parts] for i in range(0, len(values), parts)]
+        return gltf, rows
+
+    def test_colliders_are_hulls_with_names_and_masses(self):
+        for engine, name in (("unreal", "UCX_{}_00"), ("godot", "{}-convcolonly")):
+            report = self.cut("--format", "glb", "--colliders", "hull", "--collider-names", engine, "--thickness", "0.02",
+                              "--density", "1000")
+            self.assertEqual(report["settings"]["colliders"], "hull")
+            self.assertEqual(report["settings"]["collider-names"], engine)
+            for piece in report["pieces"]:
+                gltf, rows = self.gltf_of("out/" + piece["file"])
+                node, collider = gltf["nodes"]
+                self.assertEqual(gltf["scenes"], [{"nodes": [0, 1]}])
+                self.assertEqual(collider["name"], name.format(node["name"]))
+                self.assertEqual(collider["translation"], node["translation"])
+                extras = node["extras"]
+                self.assertEqual(extras["mass"], piece["mass"])
+                self.assertEqual(extras["inertia"], piece["inertia"])
+                for k in range(3):
+                    self.assertAlmostEqual(extras["centre_of_mass"][k] + node["translation"][k], piece["centroid"][k])
+                primitive = gltf["meshes"][1]["primitives"][0]
+                corners = rows(primitive["attributes"]["POSITION"])
+                self.assertLessEqual(len(corners), 64)
+                self.assertEqual(set(i for i, in rows(primitive["indices"])), set(range(len(corners))))
+                for low, end, sign in ((0, "min", 1), (1, "max", -1)):
+                    own = gltf["accessors"][gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"]][end]
+                    hull = gltf["accessors"][primitive["attributes"]["POSITION"]][end]
+                    self.assertAlmostEqual(hull[1], own[1] - sign * 0.01, places=6)
+                    for k in (0, 2):
+                        self.assertAlmostEqual(hull[k], own[k], delta=2e-3)
+        self.cut(mesh="out/piece-0000.glb", out="back")  # the hull is a part like others
+
+    def test_colliders_need_gltf(self):
+        for arguments, words in ((["--colliders", "hull"], "only glTF holds colliders, not obj"),
+                                 (["--colliders", "hull", "--format", "stl"], "only glTF holds colliders, not stl"),
+                                 (["--collider-names", "godot"], "requires --colliders"),
+                                 (["--colliders", "box", "--format", "glb"], "the values are: hull")):
+            done = subprocess.run([KERF, "cut", "plate.obj", "--out", "out", *arguments], cwd=self.folder,
+                                  capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1)
+
+    def test_3mf_keeps_names_and_colours(self):
+        report = self.cut("--format", "3mf")
+        faces = sum(piece["faces"] for piece in report["pieces"])
+        self.assertEqual(report["notes"][0], f"3MF holds no UVs, normals or textures: {faces} faces lose theirs")
+        self.assertIn("3MF holds no Ns or odd: 2 materials lose theirs", report["notes"])
+        for number, piece in enumerate(report["pieces"]):
+            with zipfile.ZipFile(self.path("out/" + piece["file"])) as archive:
+                model = archive.read("3D/3dmodel.model").decode()
+            self.assertIn('unit="millimeter"', model)
+            self.assertIn('name="left fender' + ["", ".001"][number] + '"', model)
+            self.assertIn('name="red paint" displaycolor="#CC1A1A', model.replace("#cc1a1a", "#CC1A1A"))
+        self.cut(mesh="out/piece-0000.3mf", out="back")
+        text = self.read("back/piece-0000.obj").decode()
+        self.assertIn("o left fender\n", text)
+        self.assertIn("Kd 0.8 0.101", self.read("back/pieces.mtl").decode())
+        points = [numbers(line.split()[1:4]) for line in text.splitlines() if line.startswith("v ")]
+        self.assertAlmostEqual(max(x for x, _, _ in points), 1, delta=1e-6)
+
+    def test_custom_attributes_and_tangents_are_kept(self):
+        rows = "\n".join(f"{x} 0 {z} {3 * x} 7" for x, z in self.points)
+        faces = "\n".join("3 " + " ".join(str(v - 1) for v in face) for face in self.faces)
+        self.write("plate.ply", "ply\nformat ascii 1.0\nelement vertex " + str(len(self.points)) +
+                   "\nproperty double x\nproperty double y\nproperty double z\nproperty float quality\nproperty int label\n" +
+                   f"element face {len(self.faces)}\nproperty list uchar int vertex_indices\nend_header\n{rows}\n{faces}\n")
+        report = self.cut("--format", "glb", mesh="plate.ply")
+        self.assertEqual(report["notes"], [])
+        for piece in report["pieces"]:
+            gltf, read = self.gltf_of("out/" + piece["file"])
+            attributes = gltf["meshes"][0]["primitives"][0]["attributes"]
+            middle = gltf["nodes"][0]["translation"]
+            for position, (quality,), (label,) in zip(*(read(attributes[key]) for key in ("POSITION", "_quality", "_label"))):
+                self.assertAlmostEqual(quality, 3 * (position[0] + middle[0]), delta=1e-5)
+                self.assertAlmostEqual(label, 7, delta=1e-5)
+        report = self.cut("--format", "obj", mesh="plate.ply")
+        faces = sum(piece["faces"] for piece in report["pieces"])
+        self.assertEqual(report["notes"], [f"OBJ holds no attribute 'quality' or attribute 'label': {faces} faces lose theirs"])
+        done = subprocess.run([KERF, "info", "plate.ply"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(json.loads(done.stdout)["looks"]["attributes"], ["quality", "label"])
+
     def test_a_format_says_what_it_loses(self):
-        for form in ("stl", "off", "ply"):
+        for form, lost in (("stl", "UVs, normals, materials"), ("off", "UVs, normals, materials"), ("ply", "materials")):
             report = self.cut("--format", form)
             faces = sum(piece["faces"] for piece in report["pieces"])
             note = report["notes"][-1]
-            lost = "materials or textures" if form == "ply" else "UVs, normals, materials or textures"
-            self.assertRegex(note, f"no {lost}: {faces} faces lose theirs")
+            self.assertRegex(note, f"no {lost} or textures: {faces} faces lose theirs")
             self.assertIn(note, self.messages)
 
     def test_ply_keeps_uvs_and_normals(self):

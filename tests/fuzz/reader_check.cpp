@@ -55,6 +55,11 @@ void check_soup(const Soup& soup) {
           "colours that are not one a position");
   for (const auto& set : soup.looks.uv_sets) check_channel(set, soup);
   check_channel(soup.looks.normals, soup);
+  check_channel(soup.looks.tangents, soup);
+  for (const LookAttribute& attribute : soup.looks.attributes) {
+    require(attribute.parts >= 1 && attribute.parts <= 4, "an attribute without parts");
+    check_channel(attribute.channel, soup);
+  }
   for (const uint16_t m : soup.materials)
     require(m < soup.material_names.size(), "a material that is not there");
 }
@@ -177,6 +182,17 @@ void check_gltf_read_back(const Soup& back, const Written& w) {
   }
 }
 
+// Millimetres as floats with six decimal places.
+void check_3mf_read_back(const Soup& back, const Written& w) {
+  require(back.triangles == w.triangles, "other faces when read back");
+  require(back.positions.size() == w.positions.size(), "other vertices when read back");
+  for (size_t i = 0; i < w.positions.size(); ++i) {
+    const Vec3 off = glm::abs(back.positions[i] - w.positions[i]),
+               slack = Vec3(2e-9) + 3e-7 * glm::abs(w.positions[i]);
+    require(off.x <= slack.x && off.y <= slack.y && off.z <= slack.z, "a position that does not read back");
+  }
+}
+
 void check_round_trip(Reader read, MeshFormat format, const BuiltMesh& built) {
   const Written w = written_form(built);
   const bool stl = format == MeshFormat::kStl;
@@ -184,12 +200,18 @@ void check_round_trip(Reader read, MeshFormat format, const BuiltMesh& built) {
   const double range = gltf ? 2 : 1;  // positions are told from the middle
   const auto fits = [&](const Vec3& p) { return fits_float(range * p); };
   if ((stl || gltf) && !std::all_of(w.positions.begin(), w.positions.end(), fits)) return;
+  const bool is_3mf = format == MeshFormat::k3mf;
+  const auto fits_3mf = [](const Vec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxThreeMf;
+  };
+  if (is_3mf && !std::all_of(w.positions.begin(), w.positions.end(), fits_3mf)) return;
   const std::string bytes = encoded({w.positions, w.triangles, w.materials, built.material_names}, format);
   const Result<Soup> back = read(bytes, kName, nullptr);
   require(back.ok(), "what was written is refused: " + (back ? "" : back.error().message));
   check_soup(*back);
   if (stl) return check_stl_read_back(*back, w);
   if (gltf) return check_gltf_read_back(*back, w);
+  if (is_3mf) return check_3mf_read_back(*back, w);
   check_read_back(*back, w, built);
 }
 
@@ -206,6 +228,9 @@ void check_looks(const Soup& soup) {
   const auto obj = read_obj(encoded(view, MeshFormat::kObj), kName);
   require(obj.ok(), "an OBJ file with looks is refused: " + (obj ? "" : obj.error().message));
   check_soup(*obj);
+  const auto ply = read_ply(encoded(view, MeshFormat::kPly), kName);
+  require(ply.ok(), "a PLY file with looks is refused: " + (ply ? "" : ply.error().message));
+  check_soup(*ply);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class FileNotFound(FileNotFoundError, ValueError):
     """A path without a file."""
 
 def read(path: _Path, *, progress: _Progress | None = None) -> Mesh:
-    """Reads an OBJ, PLY, STL, OFF or glTF file and returns a Mesh."""
+    """Reads an OBJ, PLY, STL, OFF, glTF or 3MF file and returns a Mesh."""
 
 class Mesh:
     """A triangle mesh, or a piece of one; immutable."""

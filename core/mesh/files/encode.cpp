@@ -32,6 +32,8 @@ void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink) {
       return encode_glb(mesh, sink);
     case MeshFormat::kGltf:
       return encode_gltf(mesh, sink);
+    case MeshFormat::k3mf:
+      return encode_3mf(mesh, sink);
   }
 }
 
@@ -246,20 +248,62 @@ std::string colour_properties(size_t count) {
   return lines;
 }
 
+// Returns the name of a property of PLY for a part of an attribute.
+std::string ply_name(const LookAttribute& attribute, size_t part) {
+  constexpr std::array<std::string_view, 20> kTaken{"x",
+                                                    "y",
+                                                    "z",
+                                                    "nx",
+                                                    "ny",
+                                                    "nz",
+                                                    "s",
+                                                    "t",
+                                                    "u",
+                                                    "v",
+                                                    "texture_u",
+                                                    "texture_v",
+                                                    "red",
+                                                    "green",
+                                                    "blue",
+                                                    "alpha",
+                                                    "diffuse_red",
+                                                    "diffuse_green",
+                                                    "diffuse_blue",
+                                                    "diffuse_alpha"};
+  std::string name = attribute.name;
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) <= 0x20 || c == 0x7f) c = '_';
+  }
+  if (attribute.parts > 1) name += std::string("_") + "xyzw"[part];
+  const bool taken = std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end();
+  return name.empty() || taken ? "_" + name : name;
+}
+
+std::string attribute_properties(const MeshView& mesh) {
+  std::string lines;
+  if (!mesh.looks) return lines;
+  for (const LookAttribute& attribute : mesh.looks->attributes) {
+    for (size_t part = 0; part < attribute.parts; ++part)
+      lines += "property float " + ply_name(attribute, part) + "\n";
+  }
+  return lines;
+}
+
 }  // namespace
 
 void encode_ply(const MeshView& mesh, const ByteSink& sink) {
   assert(mesh.positions.size() <= size_t{1} << 31);
   const size_t colour_bytes = mesh.colours.empty() ? 0 : mesh.any_translucent() ? 4 : 3;
-  const SplitVertices vertices(mesh, false);
+  const SplitVertices vertices(mesh, false, false);
   const bool has_uvs = mesh.looks && !mesh.looks->uv_sets.empty(), has_normals = !vertices.normals.empty();
-  const size_t look_floats = (has_normals ? 3 : 0) + (has_uvs ? 2 : 0);
+  size_t look_floats = (has_normals ? 3 : 0) + (has_uvs ? 2 : 0);
+  for (size_t a = 0; a < vertices.attributes.size(); ++a) look_floats += mesh.looks->attributes[a].parts;
   const std::string head =
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertices.count(mesh)) +
       "\nproperty double x\nproperty double y\nproperty double z\n" +
       (has_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
-      (has_uvs ? "property float s\nproperty float t\n" : "") + colour_properties(colour_bytes) +
-      "element face " + std::to_string(mesh.triangles.size()) +
+      (has_uvs ? "property float s\nproperty float t\n" : "") + attribute_properties(mesh) +
+      colour_properties(colour_bytes) + "element face " + std::to_string(mesh.triangles.size()) +
       "\nproperty list uchar int vertex_indices\nend_header\n";
   const auto append_vertices = [&](size_t i, size_t end, std::string& part) {
     part.resize((end - i) * (3 * sizeof(double) + look_floats * sizeof(float) + colour_bytes));
@@ -268,6 +312,10 @@ void encode_ply(const MeshView& mesh, const ByteSink& sink) {
       for (int k = 0; k < 3; ++k) to = store_little(mesh.positions[p][k], to);
       for (int k = 0; has_normals && k < 3; ++k) to = store_little(vertices.normals[i][k], to);
       for (int k = 0; has_uvs && k < 2; ++k) to = store_little(vertices.uv_sets[0][i][k], to);
+      for (size_t a = 0; a < vertices.attributes.size(); ++a) {
+        for (int k = 0; k < mesh.looks->attributes[a].parts; ++k)
+          to = store_little(vertices.attributes[a][i][k], to);
+      }
       for (size_t k = 0; k < colour_bytes; ++k) to = store_little(eight_bits(mesh.colours[p].part[k]), to);
     }
   };

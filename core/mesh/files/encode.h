@@ -16,6 +16,16 @@
 
 namespace kerf {
 
+// A convex hull around a mesh and its mass properties, for physics engines. In the coordinates of the mesh.
+struct NodeCollider {
+  std::string name;  // of its node
+  std::vector<Vec3> positions;
+  std::vector<std::array<uint32_t, 3>> triangles;  // none: only the mass properties are written
+  double mass = 0;                                 // kg
+  Vec3 centre_of_mass{0};                          // m
+  std::array<double, 6> inertia{};                 // kg m^2, about the centre of mass: xx, yy, zz, xy, xz, yz
+};
+
 // A view of a triangle mesh to be written. The viewed arrays must outlive it.
 struct MeshView {
   std::span<const Vec3> positions;                     // finite, metres
@@ -23,11 +33,12 @@ struct MeshView {
   std::span<const uint16_t> materials;                 // one per triangle, or empty
   std::span<const std::string> material_names;         // by material; covers every material of a triangle
   std::string_view mtl{};   // name of the MTL file in the same folder, on one line; empty: none. Only for OBJ
-  std::string_view name{};  // of the node in glTF; empty: none
+  std::string_view name{};  // of the node in glTF and of the object in 3MF; empty: none
   std::span<const VertexColour> colours{};   // one per position, or empty. Not for STL
   const CornerLooks* looks = nullptr;        // of the triangles; null: none. For OBJ, PLY, glTF
-  const SurfaceLibrary* surfaces = nullptr;  // describes the materials; null: none. For glTF
+  const SurfaceLibrary* surfaces = nullptr;  // describes the materials; null: none. For glTF and 3MF
   std::string_view object{};                 // name of the object in OBJ, on one line; empty: none
+  const NodeCollider* collider = nullptr;    // null: none. For glTF
 
   // Returns true if the opacities of the colours must be written.
   bool any_translucent() const;
@@ -51,8 +62,9 @@ void encode_obj(const MeshView& mesh, const ByteSink& sink);
 // OFF with numbers likewise, or COFF with colours and opacities of eight bits; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);
 // Little-endian binary PLY with positions in double precision, colours of eight bits, with opacity if any is
-// not opaque, and the normals and the first set of UVs; without materials. With looks, vertices are separate
-// as in glTF. Precondition: there are at most 2^31 positions.
+// not opaque, the normals, the first set of UVs and custom attributes as floats, those of vectors as NAME_x
+// and so on; without materials. With looks, vertices are separate as in glTF. Precondition: there are at most
+// 2^31 positions.
 void encode_ply(const MeshView& mesh, const ByteSink& sink);
 // Binary STL with positions rounded to single precision and unit normals computed from the corners; without
 // materials. Preconditions: positions are within the range of float, and there are fewer than 2^32 triangles.
@@ -60,13 +72,25 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 
 // Binary glTF 2.0: one node with the name, with a primitive for each material in use; the triangles of the
 // primitives follow one another. Positions are rounded to single precision relative to the middle of the
-// mesh, and colours to 16 bits of linear light. Vertices with different UVs or normals are separate; if there
-// are looks, every vertex has a UV and a normal, zero and that of the face by default. Materials have the
-// surfaces, whose images are embedded byte for byte. Preconditions: the extent is within the range of float,
-// and the file has fewer than 2^32 bytes.
+// mesh, and colours to 16 bits of linear light. Vertices with different looks are separate; if there are UVs
+// or normals, every vertex has a UV and a normal, zero and that of the face by default. Tangents and custom
+// attributes, "_NAME", are floats. Materials have the
+// surfaces, whose images are embedded byte for byte. A collider is a second node at the same place; the mass
+// properties become extras of the first one, relative to its origin. Preconditions: the extent is within the
+// range of float, and the file has fewer than 2^32 bytes.
 void encode_glb(const MeshView& mesh, const ByteSink& sink);
 // Text glTF with the numbers in base 64. Same preconditions.
 void encode_gltf(const MeshView& mesh, const ByteSink& sink);
+// 3MF in millimetres in single precision with six decimal places: one object with the name, and its colours
+// or, without any, its materials with the colours of their surfaces. The same mesh gives the same bytes.
+// Holds the whole file in memory; throws std::bad_alloc. Preconditions: there are triangles, each with three
+// different corners, and no coordinate is beyond kMaxThreeMf.
+void encode_3mf(const MeshView& mesh, const ByteSink& sink);
+inline constexpr double kMaxThreeMf = 1e6;  // m
+// Returns a position as 3MF stores it, in millimetres in single precision with six decimal places, in metres.
+// Precondition: no coordinate is beyond kMaxThreeMf.
+Vec3 three_mf_position(const Vec3& p);
+
 // Returns the triangles of a mesh in their order in glTF, by material.
 std::vector<uint32_t> gltf_order(const MeshView& mesh);
 // Returns the middle of the bounding box, relative to which glTF stores positions; zero without any.

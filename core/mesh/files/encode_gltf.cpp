@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/base/containers.h"
@@ -80,7 +81,7 @@ OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 class GltfDocument {
  public:
   explicit GltfDocument(const MeshView& mesh)
-      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh, true), groups_(by_material(mesh)) {
+      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh, true, true), groups_(by_material(mesh)) {
     std::vector<uint16_t> named;
     for (const Group& group : groups_) {
       const bool has_name =
@@ -122,8 +123,12 @@ class GltfDocument {
           {{"bufferView", view++}, {"componentType", kGltfFloat}, {"count", count}, {"type", type}});
     };
     if (!vertices_.normals.empty()) add_floats("NORMAL", "VEC3");
+    if (!vertices_.tangents.empty()) add_floats("TANGENT", "VEC4");
     for (size_t set = 0; set < vertices_.uv_sets.size(); ++set)
       add_floats("TEXCOORD_" + std::to_string(set), "VEC2");
+    constexpr std::array<const char*, 4> kTypes{"SCALAR", "VEC2", "VEC3", "VEC4"};
+    for (size_t i = 0; i < vertices_.attributes.size(); ++i)
+      add_floats("_" + mesh_.looks->attributes[i].name, kTypes[mesh_.looks->attributes[i].parts - 1u]);
     size_t offset = 0;
     for (size_t g = 0; g < groups_.size(); ++g) {
       OrderedJson primitive{{"attributes", attributes}, {"indices", accessors.size()}};
@@ -136,15 +141,17 @@ class GltfDocument {
       if (material_of_group_[g] >= 0) primitive["material"] = material_of_group_[g];
       primitives.push_back(std::move(primitive));
     }
-    const Vec3& middle = floats_.middle;
-    OrderedJson node{{"mesh", 0}, {"translation", {middle.x, middle.y, middle.z}}};
-    if (!mesh_.name.empty()) node["name"] = std::string(mesh_.name);
+    OrderedJson nodes = OrderedJson::array({node_of(0, mesh_.name)});
+    OrderedJson meshes = OrderedJson::array({OrderedJson{{"primitives", std::move(primitives)}}});
+    if (mesh_.collider) describe_collider(nodes, meshes, accessors);
     OrderedJson json{{"asset", {{"version", "2.0"}, {"generator", "Kerf"}}}, {"scene", 0}};
     if (!surfaces_.used_extensions.empty()) json["extensionsUsed"] = surfaces_.used_extensions;
     if (!surfaces_.required_extensions.empty()) json["extensionsRequired"] = surfaces_.required_extensions;
-    json["scenes"] = OrderedJson::array({OrderedJson{{"nodes", OrderedJson::array({0})}}});
-    json["nodes"] = OrderedJson::array({std::move(node)});
-    json["meshes"] = OrderedJson::array({OrderedJson{{"primitives", std::move(primitives)}}});
+    OrderedJson roots = OrderedJson::array();
+    for (size_t i = 0; i < nodes.size(); ++i) roots.push_back(i);
+    json["scenes"] = OrderedJson::array({OrderedJson{{"nodes", std::move(roots)}}});
+    json["nodes"] = std::move(nodes);
+    json["meshes"] = std::move(meshes);
     if (!surfaces_.materials.empty()) json["materials"] = surfaces_.materials;
     if (!surfaces_.textures.empty()) json["textures"] = surfaces_.textures;
     if (!surfaces_.samplers.empty()) json["samplers"] = surfaces_.samplers;
@@ -166,7 +173,8 @@ class GltfDocument {
     return json;
   }
 
-  // Writes the bytes of the buffer: positions, colours, normals, UVs, the indices of each group, images.
+  // Writes the bytes of the buffer: positions, colours, normals, tangents, UVs, attributes, the indices of
+  // each group, the hull of the collider, images.
   bool emit_buffer(const ByteSink& sink) const {
     const size_t count = vertices_.count(mesh_);
     const auto append_positions = [&](size_t i, size_t end, std::string& part) {
@@ -183,19 +191,24 @@ class GltfDocument {
         append_little(c.part[VertexColour::kOpacity], part);
       }
     };
-    const auto emit_vectors = [&](const auto& values) {
+    const auto emit_parts = [&](const auto& values, int parts) {
       return emit_ranges(values.size(), sink, [&](size_t i, size_t end, std::string& part) {
         for (; i < end; ++i) {
-          for (int k = 0; k < std::decay_t<decltype(values[0])>::length(); ++k)
-            append_little(values[i][k], part);
+          for (int k = 0; k < parts; ++k) append_little(values[i][k], part);
         }
       });
     };
+    const auto emit_vectors = [&](const auto& values) {
+      return emit_parts(values, std::decay_t<decltype(values[0])>::length());
+    };
     if (!emit_ranges(count, sink, append_positions)) return false;
     if (!mesh_.colours.empty() && !emit_ranges(count, sink, append_colours)) return false;
-    if (!emit_vectors(vertices_.normals)) return false;
+    if (!emit_vectors(vertices_.normals) || !emit_vectors(vertices_.tangents)) return false;
     for (const auto& set : vertices_.uv_sets) {
       if (!emit_vectors(set)) return false;
+    }
+    for (size_t i = 0; i < vertices_.attributes.size(); ++i) {
+      if (!emit_parts(vertices_.attributes[i], mesh_.looks->attributes[i].parts)) return false;
     }
     const auto triangles = vertices_.triangles(mesh_);
     for (const Group& group : groups_) {
@@ -207,6 +220,7 @@ class GltfDocument {
           });
       if (!done) return false;
     }
+    if (has_hull() && !sink(hull_bytes())) return false;
     for (const uint32_t i : surfaces_.library_images) {
       const std::string& image = mesh_.surfaces->images[i].bytes;
       if (!sink(image) || !sink(std::string(padding(image.size()), '\0'))) return false;
@@ -223,12 +237,64 @@ class GltfDocument {
 
   static size_t padding(size_t bytes) { return (4 - bytes % 4) % 4; }
 
+  OrderedJson node_of(size_t mesh, std::string_view name) const {
+    const Vec3& middle = floats_.middle;
+    OrderedJson node{{"mesh", mesh}, {"translation", {middle.x, middle.y, middle.z}}};
+    if (!name.empty()) node["name"] = std::string(name);
+    return node;
+  }
+
+  bool has_hull() const { return mesh_.collider && !mesh_.collider->triangles.empty(); }
+
+  // Adds the mass properties to the first node, and a node with the hull.
+  void describe_collider(OrderedJson& nodes, OrderedJson& meshes, OrderedJson& accessors) const {
+    const NodeCollider& collider = *mesh_.collider;
+    const Vec3 centre = collider.centre_of_mass - floats_.middle;
+    nodes[0]["extras"] = {{"mass", collider.mass},
+                          {"centre_of_mass", {centre.x, centre.y, centre.z}},
+                          {"inertia", collider.inertia}};
+    if (!has_hull()) return;
+    const size_t view = parts_.size() - surfaces_.library_images.size() - 2;
+    nodes.push_back(node_of(1, collider.name));
+    // Engines refer to the mesh by its name, too.
+    if (!mesh_.name.empty()) meshes[0]["name"] = std::string(mesh_.name);
+    const OrderedJson primitive{{"attributes", {{"POSITION", accessors.size()}}},
+                                {"indices", accessors.size() + 1}};
+    meshes.push_back({{"name", collider.name}, {"primitives", OrderedJson::array({primitive})}});
+    const Box box = box_of(collider.positions);
+    accessors.push_back({{"bufferView", view},
+                         {"componentType", kGltfFloat},
+                         {"count", collider.positions.size()},
+                         {"type", "VEC3"},
+                         {"min", list_of(floats_.of(box.min))},
+                         {"max", list_of(floats_.of(box.max))}});
+    accessors.push_back({{"bufferView", view + 1},
+                         {"componentType", kGltfInt},
+                         {"count", 3 * collider.triangles.size()},
+                         {"type", "SCALAR"}});
+  }
+
+  std::string hull_bytes() const {
+    std::string bytes;
+    for (const Vec3& p : mesh_.collider->positions) {
+      const glm::vec3 own = floats_.of(p);
+      for (int k = 0; k < 3; ++k) append_little(own[k], bytes);
+    }
+    for (const auto& triangle : mesh_.collider->triangles) {
+      for (const uint32_t v : triangle) append_little(v, bytes);
+    }
+    return bytes;
+  }
+
   void lay_out() {
     const size_t count = vertices_.count(mesh_);
     std::vector<size_t> sizes{count * 3 * sizeof(float)};
     if (!mesh_.colours.empty()) sizes.push_back(count * kColourBytes);
     if (!vertices_.normals.empty()) sizes.push_back(count * 3 * sizeof(float));
+    if (!vertices_.tangents.empty()) sizes.push_back(count * 4 * sizeof(float));
     for (size_t set = 0; set < vertices_.uv_sets.size(); ++set) sizes.push_back(count * 2 * sizeof(float));
+    for (size_t i = 0; i < vertices_.attributes.size(); ++i)
+      sizes.push_back(count * mesh_.looks->attributes[i].parts * sizeof(float));
     for (const size_t size : sizes) {
       parts_.push_back({bytes_, size, kVertexTarget});
       bytes_ += size;
@@ -236,6 +302,14 @@ class GltfDocument {
     const size_t index_bytes = 3 * sizeof(uint32_t) * mesh_.triangles.size();
     parts_.insert(parts_.begin() + 1, {bytes_, index_bytes, kIndexTarget});
     bytes_ += index_bytes;
+    if (has_hull()) {
+      for (const auto& [size, target] :
+           {std::pair(mesh_.collider->positions.size() * 3 * sizeof(float), kVertexTarget),
+            {mesh_.collider->triangles.size() * 3 * sizeof(uint32_t), kIndexTarget}}) {
+        parts_.push_back({bytes_, size, target});
+        bytes_ += size;
+      }
+    }
     for (const uint32_t i : surfaces_.library_images) {
       const size_t size = mesh_.surfaces->images[i].bytes.size();
       parts_.push_back({bytes_, size, 0});
@@ -249,7 +323,7 @@ class GltfDocument {
   std::vector<Group> groups_;
   std::vector<int> material_of_group_;  // -1: none
   GltfSurfaces surfaces_;
-  std::vector<Part> parts_;  // positions, indices, other values of vertices, images
+  std::vector<Part> parts_;  // positions, indices, other values of vertices, the hull, images
   size_t bytes_ = 0;
 };
 

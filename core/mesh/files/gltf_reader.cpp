@@ -172,6 +172,7 @@ class GltfReader {
       if (!own) return own.error();
       accessors.push_back(*own ? int64_t{**own} : -1);
     }
+    if (auto problem = add_attributes(*attributes, where + "/attributes", accessors)) return problem;
     const auto first = place_vertices(accessors, to_scene);
     if (!first) return first.error();
     const auto material = material_of(primitive, where);
@@ -180,15 +181,41 @@ class GltfReader {
     return read_triangles(primitive, where, *mode, {*first, *material, mirrors});
   }
 
-  static constexpr std::array<const char*, 6> kLookAttributes{"COLOR_0",    "NORMAL",     "TEXCOORD_0",
-                                                              "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3"};
+  static constexpr std::array<const char*, 7> kLookAttributes{
+      "COLOR_0", "NORMAL", "TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3", "TANGENT"};
   static constexpr size_t kUvSets = 4;
+
+  // Appends the custom attributes of a primitive, each as its number among those of the file and its
+  // accessor.
+  Problem add_attributes(const nlohmann::json& attributes, const std::string& where,
+                         std::vector<int64_t>& accessors) {
+    for (const auto& [key, value] : attributes.items()) {
+      if (key.size() < 2 || key[0] != '_') continue;
+      const auto accessor = file_.index(attributes, key.c_str(), "accessors", where);
+      if (!accessor) return accessor.error();
+      if (!*accessor) continue;
+      const std::string name = one_line(key.substr(1));
+      auto known = std::find_if(attributes_.begin(), attributes_.end(),
+                                [&](const LookAttribute& a) { return a.name == name; });
+      if (known == attributes_.end()) {
+        if (attributes_.size() == kMaxLookAttributes) {
+          record_once(crowded_, "Custom attributes beyond the limit of 16 were ignored.");
+          continue;
+        }
+        known = attributes_.insert(known, {name, 0, {}});
+      }
+      accessors.push_back(known - attributes_.begin());
+      accessors.push_back(int64_t{**accessor});
+    }
+    return std::nullopt;
+  }
 
   // The positions of an accessor; primitives of a mesh with the same attributes share them.
   struct Placed {
     size_t first, count;
   };
-  using VertexAccessors = std::vector<int64_t>;  // of positions, then of kLookAttributes; -1: none
+  // Of positions, then of kLookAttributes, -1 for none, then pairs of a custom attribute and its accessor.
+  using VertexAccessors = std::vector<int64_t>;
   Result<Placed> place_vertices(const VertexAccessors& accessors, const Matrix& to_scene) {
     if (const auto known = placed_.find(accessors); known != placed_.end()) return known->second;
     const auto of_positions = static_cast<uint32_t>(accessors[0]);
@@ -211,15 +238,24 @@ class GltfReader {
     const glm::dmat3 cofactors(glm::cross(turn[1], turn[2]), glm::cross(turn[2], turn[0]),
                                glm::cross(turn[0], turn[1]));
     const double side = glm::determinant(turn) < 0 ? -1 : 1;
-    place_vectors(accessors[2], 3, placed, normals_, [&](const Vec3& n) {
-      const Vec3 turned = side * (cofactors * n);
+    place_vectors(accessors[2], 3, placed, normals_, [&](const glm::dvec4& own) {
+      const Vec3 n(own), turned = side * (cofactors * n);
       const double length = glm::length(turned);
       return glm::vec3(length > 0 ? turned / length : n);
     });
     for (size_t set = 0; set < kUvSets; ++set) {
       place_vectors(accessors[3 + set], 2, placed, uv_sets_[set],
-                    [](const Vec3& uv) { return glm::vec2(uv); });
+                    [](const glm::dvec4& uv) { return glm::vec2(uv); });
     }
+    place_vectors(accessors[3 + kUvSets], 4, placed, tangents_, [&](const glm::dvec4& t) {
+      const Vec3 turned = turn * Vec3(t);
+      const double length = glm::length(turned);
+      return glm::vec4(glm::vec3(length > 0 ? turned / length : Vec3(t)),
+                       static_cast<float>(t.w < 0 ? -side : side));
+    });
+    for (size_t i = 1 + kLookAttributes.size(); i < accessors.size(); i += 2)
+      place_attribute(attributes_[static_cast<size_t>(accessors[i])], static_cast<uint32_t>(accessors[i + 1]),
+                      placed);
     placed_.emplace(accessors, placed);
     return placed;
   }
@@ -235,7 +271,20 @@ class GltfReader {
       return;
     }
     to.resize(positions.first, T(std::numeric_limits<float>::quiet_NaN()));
-    for (size_t i = 0; i < rows->size(); ++i) to.push_back(convert(Vec3(rows->vector(i))));
+    for (size_t i = 0; i < rows->size(); ++i) to.push_back(convert(rows->vector(i)));
+  }
+
+  void place_attribute(LookAttribute& attribute, uint32_t accessor, const Placed& positions) {
+    const auto rows = GltfAccessor::vectors(file_, accessor);
+    if (!rows || rows->size() != positions.count ||
+        (attribute.parts != 0 && attribute.parts != rows->parts())) {
+      record_once(unreadable_attributes_, "Unreadable custom attributes were ignored.");
+      return;
+    }
+    attribute.parts = static_cast<uint8_t>(rows->parts());
+    auto& values = attribute.channel.values;
+    values.resize(positions.first, glm::vec4(std::numeric_limits<float>::quiet_NaN()));
+    for (size_t i = 0; i < rows->size(); ++i) values.emplace_back(rows->vector(i));
   }
 
   // Gives the triangles the normals and UVs of their vertices.
@@ -252,6 +301,13 @@ class GltfReader {
       }
     };
     if (!normals_.empty()) take(normals_, soup.looks.normals);
+    if (!tangents_.empty()) take(tangents_, soup.looks.tangents);
+    for (LookAttribute& attribute : attributes_) {
+      if (attribute.channel.values.empty()) continue;
+      auto values = std::move(attribute.channel.values);
+      take(values, attribute.channel);
+      soup.looks.attributes.push_back(std::move(attribute));
+    }
     // Materials refer to sets by number, so that empty ones before the last stay.
     size_t sets = kUvSets;
     while (sets > 0 && uv_sets_[sets - 1].empty()) --sets;
@@ -348,7 +404,10 @@ class GltfReader {
   std::vector<std::optional<uint32_t>> materials_;  // by number: of the file
   std::vector<glm::vec3> normals_;                  // by position, up to the last one with a normal
   std::array<std::vector<glm::vec2>, kUvSets> uv_sets_;
+  std::vector<glm::vec4> tangents_;
+  std::vector<LookAttribute> attributes_;
   bool skinned_ = false, morphed_ = false, lines_ = false, uncoloured_ = false, unreadable_ = false;
+  bool crowded_ = false, unreadable_attributes_ = false;
 };
 
 }  // namespace

@@ -53,6 +53,11 @@ bool is_gltf_text(std::string_view bytes) {
          bytes.find("\"asset\"") != std::string_view::npos;
 }
 
+// Returns true for a ZIP archive with the model of a 3MF file.
+bool is_3mf(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") && bytes.find("3D/3dmodel") != std::string_view::npos;
+}
+
 // A kind of file that begins with `start`, at the byte `at`, and contains `word` unless that is empty.
 struct Signature {
   std::string_view start;
@@ -70,7 +75,6 @@ constexpr std::array kSignatures{
     Signature{std::string_view("MM\0*", 4), "a TIFF image"},
     Signature{std::string_view("II*\0", 4), "a TIFF image"},
     Signature{"%PDF", "a PDF document"},
-    Signature{"PK\x03\x04", "a 3MF file", "3D/3dmodel"},
     Signature{"PK\x03\x04", "a USDZ file", ".usd"},
     Signature{"PK\x03\x04", "a ZIP archive"},
     Signature{"\x1f\x8b", "a file packed with gzip"},
@@ -145,6 +149,7 @@ bool touches_zero(double low, double high) {
 }
 
 FileUnit guess_unit(MeshFormat format, double longest) {
+  if (format == MeshFormat::k3mf) return FileUnit::kMetre;
   if (format == MeshFormat::kStl) return longest < kSmallestPart ? FileUnit::kMetre : FileUnit::kMillimetre;
   if (longest <= kLargestModelInMetres) return FileUnit::kMetre;
   return longest <= kLargestModelInCentimetres ? FileUnit::kCentimetre : FileUnit::kMillimetre;
@@ -153,7 +158,7 @@ FileUnit guess_unit(MeshFormat format, double longest) {
 UpAxis guess_up(MeshFormat format, const Vec3& min, const Vec3& max) {
   const bool on_y = touches_zero(min.y, max.y), on_z = touches_zero(min.z, max.z);
   if (on_y != on_z) return on_y ? UpAxis::kY : UpAxis::kZ;
-  return format == MeshFormat::kStl ? UpAxis::kZ : UpAxis::kY;
+  return format == MeshFormat::kStl || format == MeshFormat::k3mf ? UpAxis::kZ : UpAxis::kY;
 }
 
 }  // namespace
@@ -183,12 +188,14 @@ std::string list_mesh_titles(std::string_view last) {
 std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_view ending) {
   if (GltfFile::is_binary(bytes)) return MeshFormat::kGlb;
   if (is_exact_binary_stl(bytes)) return MeshFormat::kStl;
+  if (is_3mf(bytes)) return MeshFormat::k3mf;
   if (is_gltf_text(bytes)) return MeshFormat::kGltf;
   const std::optional<MeshFormat> by_content = format_of_first_word(bytes);
   return by_content ? by_content : mesh_format(ending);
 }
 
 std::string_view kind_of_file(std::string_view bytes) {
+  if (is_3mf(bytes)) return format_row(MeshFormat::k3mf).a_file;
   const std::string_view start = bytes.substr(0, kMaxPreface);
   const std::string_view foreign = kind_by(kSignatures, start);
   if (!foreign.empty()) return foreign;

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-enum class MeshFormat { kObj, kPly, kStl, kOff, kGlb, kGltf };
+enum class MeshFormat { kObj, kPly, kStl, kOff, kGlb, kGltf, k3mf };
 
 struct MeshFormatRow {
   MeshFormat format;
@@ -19,17 +19,26 @@ struct MeshFormatRow {
   std::string_view a_file;  // "an OBJ mesh"
   std::string_view mime_type;
   bool single_precision;  // of the positions
-  bool materials;         // and textures
+  bool materials;
+  bool textures;
   bool uvs_and_normals;
+  bool attributes;  // custom ones
 };
 // All supported formats, in the order of MeshFormat.
 inline constexpr std::array kMeshFormats{
-    MeshFormatRow{MeshFormat::kObj, "obj", "OBJ", "an OBJ mesh", "model/obj", false, true, true},
-    MeshFormatRow{MeshFormat::kPly, "ply", "PLY", "a PLY mesh", "application/x-ply", false, false, true},
-    MeshFormatRow{MeshFormat::kStl, "stl", "STL", "an STL mesh", "model/stl", true, false, false},
-    MeshFormatRow{MeshFormat::kOff, "off", "OFF", "an OFF mesh", "application/x-off", false, false, false},
-    MeshFormatRow{MeshFormat::kGlb, "glb", "glTF", "a glTF file", "model/gltf-binary", true, true, true},
-    MeshFormatRow{MeshFormat::kGltf, "gltf", "glTF", "a glTF file", "model/gltf+json", true, true, true}};
+    MeshFormatRow{MeshFormat::kObj, "obj", "OBJ", "an OBJ mesh", "model/obj", false, true, true, true, false},
+    MeshFormatRow{MeshFormat::kPly, "ply", "PLY", "a PLY mesh", "application/x-ply", false, false, false,
+                  true, true},
+    MeshFormatRow{MeshFormat::kStl, "stl", "STL", "an STL mesh", "model/stl", true, false, false, false,
+                  false},
+    MeshFormatRow{MeshFormat::kOff, "off", "OFF", "an OFF mesh", "application/x-off", false, false, false,
+                  false, false},
+    MeshFormatRow{MeshFormat::kGlb, "glb", "glTF", "a glTF file", "model/gltf-binary", true, true, true, true,
+                  true},
+    MeshFormatRow{MeshFormat::kGltf, "gltf", "glTF", "a glTF file", "model/gltf+json", true, true, true, true,
+                  true},
+    MeshFormatRow{MeshFormat::k3mf, "3mf", "3MF", "a 3MF file", "model/3mf", true, true, false, false,
+                  false}};
 
 constexpr const MeshFormatRow& format_row(MeshFormat format) {
   return kMeshFormats[static_cast<size_t>(format)];
@@ -41,7 +50,7 @@ constexpr bool is_gltf(MeshFormat format) {
 }
 
 // Return the extensions, each after `before`, and the titles, as lists in a sentence: ".obj, .ply, .stl,
-// .off, .glb or .gltf" and "OBJ, PLY, STL, OFF or glTF".
+// .off, .glb, .gltf or .3mf" and "OBJ, PLY, STL, OFF, glTF or 3MF".
 std::string list_mesh_endings(std::string_view before = ".", std::string_view last = " or ");
 std::string list_mesh_titles(std::string_view last = " or ");
 
@@ -62,8 +71,9 @@ enum class FileUnit { kMillimetre, kCentimetre, kMetre, kInch };
 // The axis of a mesh file that points upwards. Both conventions are right-handed.
 enum class UpAxis { kY, kZ };
 
-// The interpretation of the coordinates of a mesh file. The file stores neither unit nor axis, so both are
-// guessed and the user may change them. They affect only the display: positions stay as read.
+// The interpretation of the coordinates of a mesh file. Except for 3MF, whose positions are converted to
+// metres, the file stores neither unit nor axis, so both are guessed and the user may change them. They
+// affect only the display: positions stay as read.
 struct FileFrame {
   FileUnit unit = FileUnit::kMetre;
   UpAxis up = UpAxis::kY;

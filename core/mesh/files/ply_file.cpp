@@ -276,6 +276,43 @@ void load_floats(const PlyElement& element, const std::array<size_t, count>& pro
   });
 }
 
+template <typename T>
+void load_column(std::string_view bytes, size_t start, size_t row_bytes, std::vector<float>& values) {
+  for_each_range(values.size(), kRows, [&](size_t i, size_t end) {
+    for (; i < end; ++i)
+      values[i] = static_cast<float>(load<T>(bytes.data() + i * row_bytes + start, kLittle));
+  });
+}
+
+// Loads the values of a scalar of any type.
+void load_scalars(const PlyElement& element, size_t property, size_t row_bytes, std::string_view bytes,
+                  std::vector<float>& values) {
+  const size_t start = starts_in_row(element)[property];
+  values.resize(element.count);
+  switch (element.properties[property].type) {
+    case PlyType::kInt8:
+      return load_column<int8_t>(bytes, start, row_bytes, values);
+    case PlyType::kUint8:
+      return load_column<uint8_t>(bytes, start, row_bytes, values);
+    case PlyType::kInt16:
+      return load_column<int16_t>(bytes, start, row_bytes, values);
+    case PlyType::kUint16:
+      return load_column<uint16_t>(bytes, start, row_bytes, values);
+    case PlyType::kInt32:
+      return load_column<int32_t>(bytes, start, row_bytes, values);
+    case PlyType::kUint32:
+      return load_column<uint32_t>(bytes, start, row_bytes, values);
+    case PlyType::kInt64:
+      return load_column<int64_t>(bytes, start, row_bytes, values);
+    case PlyType::kUint64:
+      return load_column<uint64_t>(bytes, start, row_bytes, values);
+    case PlyType::kFloat32:
+      return load_column<float>(bytes, start, row_bytes, values);
+    case PlyType::kFloat64:
+      return load_column<double>(bytes, start, row_bytes, values);
+  }
+}
+
 void load_colours(const PlyElement& element, const std::array<size_t, 4>& properties, size_t row_bytes,
                   std::string_view bytes, std::vector<VertexColour>& colours) {
   const std::vector<size_t> starts = starts_in_row(element);
@@ -372,6 +409,24 @@ PlyLookProperties look_properties_of(const PlyElement& element) {
   for (const auto& names : kUvs) {
     if (looks.uv[0] == kNoProperty) looks.uv = scalars_named<2>(element, names);
   }
+  std::vector<bool> used(element.properties.size(), false);
+  const auto use = [&](std::span<const size_t> properties) {
+    for (const size_t i : properties) {
+      if (i != kNoProperty) used[i] = true;
+    }
+  };
+  use(looks.normal);
+  use(looks.uv);
+  for (const std::string_view axis : {"x", "y", "z"}) use(scalars_named<1>(element, {axis}));
+  if (const auto colours = colour_properties_of(element)) use(*colours);
+  for (size_t i = 0; i < used.size(); ++i) {
+    if (used[i] || !is_scalar(element.properties[i])) continue;
+    if (looks.attributes.size() < kMaxLookAttributes) {
+      looks.attributes.push_back(i);
+    } else {
+      ++looks.ignored;
+    }
+  }
   return looks;
 }
 
@@ -382,7 +437,7 @@ std::optional<PlyVertexRows> read_vertex_rows(const PlyElement& element, std::st
   if (colours && !has_eight_bits(element, *colours)) return std::nullopt;
   const PlyLookProperties looks = look_properties_of(element);
   if (!has_floats(element, looks.normal) || !has_floats(element, looks.uv)) return std::nullopt;
-  PlyVertexRows rows{{std::vector<Vec3>(element.count), {}, {}, {}}, element.count * row->bytes};
+  PlyVertexRows rows{{std::vector<Vec3>(element.count), {}, {}, {}, {}}, element.count * row->bytes};
   if (row->type == PlyType::kFloat32)
     load_positions<float>(*row, bytes, rows.values.positions);
   else
@@ -393,6 +448,8 @@ std::optional<PlyVertexRows> read_vertex_rows(const PlyElement& element, std::st
   }
   load_floats(element, looks.normal, row->bytes, bytes, rows.values.normals);
   load_floats(element, looks.uv, row->bytes, bytes, rows.values.uvs);
+  for (const size_t attribute : looks.attributes)
+    load_scalars(element, attribute, row->bytes, bytes, rows.values.attributes.emplace_back());
   return rows;
 }
 

@@ -63,10 +63,13 @@ inline constexpr size_t kNoProperty = ~size_t{0};
 std::optional<std::array<size_t, 4>> colour_properties_of(const PlyElement& element);
 
 // Likewise for the normal, "nx", "ny" and "nz", and for the UVs, "s" and "t", "u" and "v" or "texture_u" and
-// "texture_v". Either is kNoProperty if one of its names is missing.
+// "texture_v". Either is kNoProperty if one of its names is missing. The first scalars that are none of
+// these, nor a part of the position or the colour, are custom attributes.
 struct PlyLookProperties {
   std::array<size_t, 3> normal{kNoProperty, kNoProperty, kNoProperty};
   std::array<size_t, 2> uv{kNoProperty, kNoProperty};
+  std::vector<size_t> attributes{};
+  size_t ignored = 0;  // scalars beyond the limit of attributes
 };
 PlyLookProperties look_properties_of(const PlyElement& element);
 
@@ -77,6 +80,7 @@ struct PlyVertices {
   std::vector<VertexColour> colours;  // one per position, or empty if there are none, as are the next two
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
+  std::vector<std::vector<float>> attributes;  // by attribute, then one per position
 };
 struct PlyVertexRows {
   PlyVertices values;

@@ -67,6 +67,7 @@ enum class Role {
   kV,
   kCorners,
   kCornerUvs,
+  kAttribute,
   kNone
 };
 
@@ -80,6 +81,7 @@ struct ElementPlan {
       false;  // the colour is not in whole numbers, so that its type does not determine the maximum
   bool normals = false, uvs = false;  // an element gives these with its position
   bool corner_uvs = false;            // an element gives UVs with its polygon
+  std::vector<size_t> attributes{};   // properties of custom attributes, ascending
 };
 
 bool is_corner_list(const PlyProperty& property) {
@@ -127,6 +129,8 @@ ElementPlan plan_for(const PlyElement& element) {
   plan.normals = set(looks.normal, Role::kNormalX);
   plan.uvs = set(looks.uv, Role::kU);
   plan.corner_uvs = std::ranges::count(plan.roles, Role::kCornerUvs) > 0;
+  if (plan.positions) plan.attributes = looks.attributes;
+  for (const size_t property : plan.attributes) plan.roles[property] = Role::kAttribute;
   return plan;
 }
 
@@ -170,7 +174,11 @@ class BodyReader {
   Problem read_elements(const PlyElement& element, const ElementPlan& plan) {
     element_ = &element;
     if (read_rows(element, plan)) return std::nullopt;
-    if (plan.positions) vertices.positions.reserve(element.count);
+    if (plan.positions) {
+      vertices.positions.reserve(element.count);
+      vertices.attributes.resize(plan.attributes.size());
+      attributes_.resize(element.properties.size());
+    }
     if (plan.faces) polygons.reserve(element.count);
     for (number_ = 0; number_ < element.count; ++number_) {
       if (scanner_.cancelled()) return cancelled();
@@ -182,6 +190,8 @@ class BodyReader {
         vertices.colours.push_back(colour_);
       if (plan.normals) vertices.normals.push_back(normal_);
       if (plan.uvs) vertices.uvs.push_back(uv_);
+      for (size_t a = 0; a < plan.attributes.size(); ++a)
+        vertices.attributes[a].push_back(attributes_[plan.attributes[a]]);
       if (plan.corner_uvs) add_corner_uvs();
       if (plan.faces) add_face();
       if (plan.strips) add_strips();
@@ -212,7 +222,11 @@ class BodyReader {
       } else {
         double number = 0;
         if (!values_.number(property.type, number)) return missing(property);
-        take_number(property, plan.roles[i], number);
+        if (plan.roles[i] == Role::kAttribute) {
+          attributes_[i] = static_cast<float>(number);
+        } else {
+          take_number(property, plan.roles[i], number);
+        }
       }
     }
     if (!values_.end_element()) {
@@ -304,6 +318,7 @@ class BodyReader {
   ColourNumbers::Parts numbers_{1, 1, 1, ColourNumbers::kFull};  // of colour_
   glm::vec3 normal_{0};
   glm::vec2 uv_{0};
+  std::vector<float> attributes_;  // by property of the vertex
   std::vector<int64_t> corners_;
   std::vector<double> uvs_of_corners_;
   size_t corners_before_ = 0;  // of polygons
@@ -335,6 +350,25 @@ void take_looks(BodyReader<Values>& body, std::vector<Soup::Triangle> corners, S
   if (!body.vertices.normals.empty()) soup.looks.normals = {std::move(body.vertices.normals), soup.triangles};
 }
 
+// Gives the triangles the custom attributes of their vertices.
+void take_attributes(const PlyHeader& header, std::vector<std::vector<float>> columns, Soup& soup) {
+  for (const PlyElement& element : header.elements) {
+    if (element.name != "vertex") continue;
+    const PlyLookProperties looks = look_properties_of(element);
+    for (size_t a = 0; a < columns.size(); ++a) {
+      LookAttribute attribute{element.properties[looks.attributes[a]].name, 1, {}};
+      attribute.channel.values.reserve(columns[a].size());
+      for (const float number : columns[a]) attribute.channel.values.emplace_back(number, 0, 0, 0);
+      attribute.channel.corners = soup.triangles;
+      soup.looks.attributes.push_back(std::move(attribute));
+    }
+    if (looks.ignored > 0) {
+      soup.warnings.push_back(std::to_string(looks.ignored) + " properties of vertices beyond the limit of " +
+                              std::to_string(kMaxLookAttributes) + " were ignored.");
+    }
+  }
+}
+
 template <typename Values>
 Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header, const std::string& file_name,
                        const std::filesystem::path& folder) {
@@ -345,6 +379,7 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
                                             body.corner_uvs.empty() ? nullptr : &corners);
   if (!soup) return soup;
   take_looks(body, std::move(corners), *soup);
+  take_attributes(header, std::move(body.vertices.attributes), *soup);
   soup->surfaces = surfaces_of(header, folder, soup->warnings);
   soup->colours = std::move(body.vertices.colours);
   if (soup->colours.empty()) soup->colours = body.numbers.take(soup->positions.size(), soup->warnings);

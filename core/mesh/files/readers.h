@@ -52,7 +52,8 @@ Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
 // Reads a PLY file, as text or binary in either byte order, with elements and properties of any type in any
-// order. The properties x, y and z of "vertex" give positions; see also PlyLookProperties. The list
+// order. The properties x, y and z of "vertex" give positions; see also PlyLookProperties. Its other scalars
+// are custom attributes in single precision, at most kMaxLookAttributes. The list
 // vertex_indices (or vertex_index) of "face" gives a polygon, and "texcoord" the UVs of its corners; that of
 // "tristrips" gives triangle strips, each ended by an index of -1, whose triangles count as faces. The image
 // of a comment "TextureFile" is read from `folder`, the folder of the file, or below; if it is empty, no
@@ -65,14 +66,23 @@ Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
 // Reads the triangles of the default scene of a glTF 2.0 file, binary or text (Khronos Group, 2.0.1, 2021):
 // all its nodes with their transforms, each a part with the name of the node; also strips and fans. Materials
 // have names; they and their textures and samplers are kept as JSON, their images as bytes (see
-// SurfaceLibrary). Reads normals and up to four sets of UVs. Ignores animations; with a warning, skips points
-// and lines and reads meshes with a skin or morph targets in their rest pose. Reads sparse accessors,
-// quantised attributes (KHR_mesh_quantization) and instances, each a part with the name of its node
-// (EXT_mesh_gpu_instancing). Rejects Draco, meshopt and other required extensions by name. Buffers and images
-// are data URIs or files in `folder`, the folder of the file, and below; if it is empty, no other files are
-// read. An index that is out of range makes an invalid face. Linear in the number of bytes and of triangles
-// of all nodes and instances, at most 10^8. `progress` may be null.
+// SurfaceLibrary). Reads normals, tangents, up to four sets of UVs and custom attributes, "_NAME". Ignores
+// animations; with a warning, skips points and lines and reads meshes with a skin or morph targets in their
+// rest pose. Reads sparse accessors, quantised attributes (KHR_mesh_quantization) and instances, each a part
+// with the name of its node (EXT_mesh_gpu_instancing). Rejects Draco, meshopt and other required extensions
+// by name. Buffers and images are data URIs or files in `folder`, the folder of the file, and below; if it is
+// empty, no other files are read. An index that is out of range makes an invalid face. Linear in the number
+// of bytes and of triangles of all nodes and instances, at most 10^8. `progress` may be null.
 Result<Soup> read_gltf(std::string_view bytes, const std::string& file_name,
                        const Progress* progress = nullptr, const std::filesystem::path& folder = {});
+
+// Reads the objects of the build of a 3MF file (3MF Consortium, core specification 1.2.3) with lib3mf, with
+// their transforms and components, in metres. Each mesh is a part with the name of its object, or of an
+// object that contains it. Base materials become materials with their colours; vertices with several colours
+// become several positions. Textures and beam lattices are ignored. The content may have 4 GiB, 10^8
+// triangles and 10^6 components. Linear in the uncompressed size and the number of triangles. `progress` may
+// be null.
+Result<Soup> read_3mf(std::string_view bytes, const std::string& file_name,
+                      const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -32,7 +32,7 @@ struct Soup {
   std::vector<uint16_t> materials;          // one per triangle: index into material_names; empty if all are 0
   std::vector<std::string> material_names;  // as in the file ("usemtl")
   std::vector<MeshPart> parts;  // of triangles, none empty; ranges may overlap and names may repeat
-  CornerLooks looks;            // UVs and normals of the triangles
+  CornerLooks looks;            // UVs, normals and attributes of the triangles
   std::shared_ptr<const SurfaceLibrary> surfaces;  // null if the file describes no material
   bool keeps_corners = false;  // build_mesh keeps the corners of the triangles even if there are no looks
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <span>
 #include <vector>
 
@@ -12,19 +14,27 @@
 
 namespace kerf {
 
-// The vertices of a file with one UV and one normal per vertex: positions that differ in either are separate.
+// The vertices of a file with one value per vertex of each kind of looks: positions that differ in one are
+// separate. With UVs or normals every vertex has both, zero and that of the face by default. Tangents of
+// faces without any are a direction across the normal; attributes are 0.
 class SplitVertices {
  public:
   std::vector<std::array<uint32_t, 3>> own_triangles;  // of the vertices; empty if those of the mesh are
   std::vector<uint32_t> positions;                     // by vertex; empty: vertices are positions
   std::vector<std::vector<glm::vec2>> uv_sets;         // each by vertex
   std::vector<glm::vec3> normals;                      // by vertex
+  std::vector<glm::vec4> tangents;                     // by vertex
+  std::vector<std::vector<glm::vec4>> attributes;      // each by vertex
 
   // `v_points_down`: as in CornerLooks, for the UVs here.
-  SplitVertices(const MeshView& mesh, bool v_points_down) : v_points_down_(v_points_down) {
+  SplitVertices(const MeshView& mesh, bool v_points_down, bool with_tangents)
+      : v_points_down_(v_points_down) {
     if (!mesh.looks || !mesh.looks->any()) return;
     looks_ = mesh.looks;
-    uv_sets.resize(std::max<size_t>(looks_->uv_sets.size(), 1));
+    has_tangents_ = with_tangents && looks_->tangents.any();
+    has_uvs_and_normals_ = !looks_->uv_sets.empty() || looks_->normals.any() || has_tangents_;
+    if (has_uvs_and_normals_) uv_sets.resize(std::max<size_t>(looks_->uv_sets.size(), 1));
+    attributes.resize(looks_->attributes.size());
     KeyTable table;
     own_triangles.reserve(mesh.triangles.size());
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -54,15 +64,28 @@ class SplitVertices {
           known ? looks_->uv_sets[set].values[looks_->uv_sets[set].corners[t][i]] : glm::vec2(0);
       uv_sets[set].push_back({uv.x, known && looks_->v_points_down != v_points_down_ ? 1 - uv.y : uv.y});
     }
-    const bool has_normal = looks_->normals.any() && looks_->normals.corners[t][i] != kNone;
-    normals.push_back(has_normal ? looks_->normals.values[looks_->normals.corners[t][i]] : plane(mesh, t));
+    if (has_uvs_and_normals_) {
+      const bool has_normal = looks_->normals.any() && looks_->normals.corners[t][i] != kNone;
+      normals.push_back(has_normal ? looks_->normals.values[looks_->normals.corners[t][i]] : plane(mesh, t));
+    }
+    if (has_tangents_) {
+      const uint32_t known = looks_->tangents.corners[t][i];
+      tangents.push_back(known != kNone ? looks_->tangents.values[known] : any_tangent(normals.back()));
+    }
+    for (size_t a = 0; a < attributes.size(); ++a) {
+      const LookChannel<glm::vec4>& channel = looks_->attributes[a].channel;
+      const uint32_t known = channel.corners[t][i];
+      attributes[a].push_back(known != kNone ? channel.values[known] : glm::vec4(0));
+    }
     const uint32_t found = table.find_or_add(
         hash(next), next, [&](uint32_t other) { return same(other, next); },
         [&](uint32_t other) { return hash(other); });
     if (found == next) return next;
     positions.pop_back();
     for (auto& set : uv_sets) set.pop_back();
-    normals.pop_back();
+    if (has_uvs_and_normals_) normals.pop_back();
+    if (has_tangents_) tangents.pop_back();
+    for (auto& values : attributes) values.pop_back();
     return found;
   }
 
@@ -71,20 +94,32 @@ class SplitVertices {
     const Vec3 across = unit_normal(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
     return across == Vec3(0) ? glm::vec3(0, 1, 0) : glm::vec3(across);
   }
+  static glm::vec4 any_tangent(const glm::vec3& normal) {
+    const Vec3 n(normal);
+    const Vec3 axis = std::abs(n.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    return glm::vec4(glm::vec3(glm::normalize(axis - glm::dot(axis, n) * n)), 1);
+  }
   bool same(uint32_t a, uint32_t b) const {
-    return positions[a] == positions[b] && normals[a] == normals[b] &&
-           std::all_of(uv_sets.begin(), uv_sets.end(), [&](const auto& set) { return set[a] == set[b]; });
+    const auto is_same = [&](const auto& values) { return values[a] == values[b]; };
+    return positions[a] == positions[b] && (normals.empty() || is_same(normals)) &&
+           (tangents.empty() || is_same(tangents)) && std::all_of(uv_sets.begin(), uv_sets.end(), is_same) &&
+           std::all_of(attributes.begin(), attributes.end(), is_same);
   }
   uint64_t hash(uint32_t v) const {
     uint64_t key = mix64(positions[v]);
     for (const auto& set : uv_sets) {
       for (int k = 0; k < 2; ++k) key = hash_combine(key, number_bits(set[v][k]));
     }
-    for (int k = 0; k < 3; ++k) key = hash_combine(key, number_bits(normals[v][k]));
+    for (int k = 0; k < 3 && has_uvs_and_normals_; ++k) key = hash_combine(key, number_bits(normals[v][k]));
+    for (int k = 0; k < 4 && !tangents.empty(); ++k) key = hash_combine(key, number_bits(tangents[v][k]));
+    for (const auto& values : attributes) {
+      for (int k = 0; k < 4; ++k) key = hash_combine(key, number_bits(values[v][k]));
+    }
     return key;
   }
 
   bool v_points_down_;
+  bool has_uvs_and_normals_ = false, has_tangents_ = false;
   const CornerLooks* looks_ = nullptr;
 };
 

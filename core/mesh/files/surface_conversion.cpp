@@ -373,13 +373,44 @@ std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
   return {lost.begin(), lost.end()};
 }
 
+namespace {
+
+std::string mtl_keyword(const MtlLine& line) { return line.text.substr(0, line.text.find_first_of(" \t")); }
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
+  std::set<std::string> lost;
+  for (const MtlLine& line : material.mtl) {
+    const std::string keyword = mtl_keyword(line);
+    constexpr std::array<std::string_view, 4> kKept{"kd", "d", "tr", "illum"};
+    if (!line.image && std::find(kKept.begin(), kKept.end(), lower_case(keyword)) == kKept.end())
+      lost.insert(keyword);
+  }
+  const auto json = nlohmann::json::parse(material.gltf, nullptr, false);
+  const auto add = [&](const nlohmann::json& of, const std::set<std::string>& kept) {
+    if (!of.is_object()) return;
+    for (const auto& [key, value] : of.items()) {
+      if (!key.ends_with("Texture") && !kept.contains(key)) lost.insert(key);
+    }
+  };
+  add(json, {"name", "pbrMetallicRoughness", "alphaMode", "extras"});
+  if (json.is_object() && json.contains("pbrMetallicRoughness"))
+    add(json["pbrMetallicRoughness"], {"baseColorFactor"});
+  return {lost.begin(), lost.end()};
+}
+
 std::vector<std::string> lost_in_gltf(const SurfaceMaterial& material) {
   if (!material.gltf.empty()) return {};
   std::set<std::string> lost;
   for (const MtlLine& line : material.mtl) {
-    const std::string keyword = line.text.substr(0, line.text.find_first_of(" \t"));
-    std::string low = keyword;
-    for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    const std::string keyword = mtl_keyword(line);
+    const std::string low = lower_case(keyword);
     constexpr std::array<std::string_view, 5> kMaps{"map_kd", "norm", "map_bump", "bump", "map_ke"};
     if (line.image && std::find(kMaps.begin(), kMaps.end(), low) == kMaps.end()) lost.insert(keyword);
   }

@@ -29,8 +29,10 @@ GltfSurfaces gltf_surfaces(const SurfaceLibrary* library, std::span<const uint16
                            MissingImages missing = MissingImages::kLeaveOut);
 
 // Return the members or statements of a material that these functions do not convert, ascending:
-// "occlusionTexture", "map_Ns". Empty if the material is already in MTL, or in glTF.
+// "occlusionTexture", "map_Ns". Empty if the material is already in MTL, or in glTF. 3MF holds the base
+// colour and the opacity only; images are no part of its list.
 std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material);
 std::vector<std::string> lost_in_gltf(const SurfaceMaterial& material);
+std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material);
 
 }  // namespace kerf

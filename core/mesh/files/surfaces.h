@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,14 +23,25 @@ struct LookChannel {
   bool any() const { return !corners.empty(); }
 };
 
+// A custom attribute of a file: numbers without a meaning to Kerf, "_NAME" in glTF and other scalars of the
+// vertices in PLY.
+struct LookAttribute {
+  std::string name;   // without the underscore of glTF
+  uint8_t parts = 1;  // numbers in use of each value, 1 .. 4; the others are 0
+  LookChannel<glm::vec4> channel;
+};
+inline constexpr size_t kMaxLookAttributes = 16;  // per file
+
 // The looks of a mesh at the corners of its triangles.
 struct CornerLooks {
   std::vector<LookChannel<glm::vec2>> uv_sets;
   LookChannel<glm::vec3> normals;
+  LookChannel<glm::vec4> tangents;  // and in w the sign of the bitangent, 1 or -1, as in glTF
+  std::vector<LookAttribute> attributes;
   bool v_points_down =
       false;  // v = 0 is the top row of an image, as in glTF; otherwise the bottom, as in OBJ
 
-  bool any() const { return !uv_sets.empty() || normals.any(); }
+  bool any() const { return !uv_sets.empty() || normals.any() || tangents.any() || !attributes.empty(); }
 };
 
 // An image of a mesh file. Its bytes are never decoded.

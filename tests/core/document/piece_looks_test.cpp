@@ -47,6 +47,12 @@ Soup with_looks(Soup soup) {
     soup.looks.normals.values.emplace_back(linear.normal(p));
   }
   plain.corners = soup.looks.normals.corners = soup.triangles;
+  soup.looks.attributes = {{"quality", 1, {{}, soup.triangles}}};
+  soup.looks.tangents.corners = soup.triangles;
+  for (const Vec3& p : soup.positions) {
+    soup.looks.attributes[0].channel.values.emplace_back(linear.uv(p).x, 0, 0, 0);
+    soup.looks.tangents.values.emplace_back(glm::vec3(linear.normal(p)), -1);
+  }
   for (uint32_t t = 0; t < soup.triangles.size(); ++t) {
     const uint32_t next = 3 * t;
     seams.corners.push_back({next, next + 1, next + 2});
@@ -75,8 +81,9 @@ double distance_from(const Body& body, FaceId loaded, const Vec3& p) {
 
 // The largest errors of UVs and of unit normals over all bodies of a world.
 struct LooksError {
-  double uv = 0, normal = 0;
-  double first_uv = 0;  // of the set without seams
+  double uv = 0, normal = 0, attribute = 0, tangent = 0;
+  size_t odd_signs = 0;  // of bitangents, neither 1 nor -1
+  double first_uv = 0;   // of the set without seams
   double off_plane =
       0;  // largest excess of a UV over 1e-6 and three times the distance from the loaded plane
   size_t faces = 0;
@@ -106,6 +113,12 @@ LooksError error_of(const World& world, const LinearLooks& linear) {
         const Vec3 n(looks.normals.values[looks.normals.corners[i][k]]);
         const Vec3 expected = body.placement.orientation * glm::normalize(linear.normal(p));
         error.normal = std::max(error.normal, std::min(glm::length(n - expected), glm::length(n + expected)));
+        const auto& quality = looks.attributes[0].channel;
+        error.attribute =
+            std::max(error.attribute, std::abs(quality.values[quality.corners[i][k]].x - linear.uv(p).x));
+        const glm::dvec4 t(looks.tangents.values[looks.tangents.corners[i][k]]);
+        error.tangent = std::max(error.tangent, glm::length(Vec3(t) - expected));
+        error.odd_signs += t.w != -1 && t.w != 1;
       }
     }
     error.faces += faces.size();
@@ -137,6 +150,9 @@ TEST(PieceLooks, are_those_of_the_loaded_faces_after_every_cut) {
       const LooksError error = error_of(document.world(), linear);
       EXPECT_LT(error.uv, 1e-6);
       EXPECT_LT(error.normal, 1e-6);
+      EXPECT_LT(error.attribute, 1e-6);
+      EXPECT_LT(error.tangent, 1e-6);
+      EXPECT_EQ(error.odd_signs, 0u);
       document.apply(Undo{});
       ASSERT_TRUE(run_all(document).ok());
       EXPECT_LT(error_of(document.world(), linear).uv, 1e-6);
@@ -225,7 +241,8 @@ TEST(PieceLooks, are_those_of_the_surface_before_after_remeshing) {
     EXPECT_NE(body.mesh.live_faces(), soup.triangles.size());
     ASSERT_NE(body.looks, nullptr);
     const std::vector<FaceId> faces = live_faces(body.mesh);
-    const CornerLooks looks = looks_of(body, faces, LookNormals::kLoaded);
+    const CornerLooks looks = looks_of(body, faces, LookNormals::kSmooth);
+    const auto& quality = looks.attributes.at(0).channel;
     size_t lower = 0, upper = 0;
     for (size_t i = 0; i < faces.size(); ++i) {
       const Triangle t = body.mesh.triangle(faces[i]);
@@ -234,6 +251,8 @@ TEST(PieceLooks, are_those_of_the_surface_before_after_remeshing) {
                         half = looks.uv_sets[1].values[looks.uv_sets[1].corners[i][k]];
         const glm::vec2 wanted(linear.uv(t[k]));
         EXPECT_LT(glm::length(uv - wanted), 1e-5f);
+        EXPECT_NEAR(quality.values[quality.corners[i][k]].x, wanted.x, 1e-5);
+        EXPECT_EQ(looks.tangents.values[looks.tangents.corners[i][k]].w, -1);
         (glm::length(half - wanted) < 1e-5f ? lower : upper) += 1;
         EXPECT_LT(std::min(glm::length(half - wanted), glm::length(half - wanted - glm::vec2(5))), 1e-5f);
       }
@@ -258,6 +277,8 @@ TEST(PieceLooks, change_neither_the_cut_nor_its_hash_and_cost_nothing_for_born_f
 TEST(PieceLooks, take_at_most_sixty_bytes_a_loaded_face) {
   Soup soup = with_looks(sphere(64, 96, 1));
   soup.looks.uv_sets.resize(1);
+  soup.looks.tangents = {};
+  soup.looks.attributes.clear();
   const BuiltMesh built = build(soup);
   EXPECT_LE(built.looks->bytes(), 60 * size_t{built.report.faces});
 }
@@ -276,8 +297,10 @@ TEST(PieceLooks, turn_normals_with_turned_faces) {
       for (const uint32_t v : soup.triangles[t]) {
         const double sign = outward || !reversed[t] ? 1 : -1;
         soup.looks.normals.values.emplace_back(sign * glm::normalize(soup.positions[v]));
+        soup.looks.tangents.values.emplace_back(1, 0, 0, 1);
       }
       soup.looks.normals.corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+      soup.looks.tangents.corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
     World world = world_of(soup);
     const Body& body = world.body(world.ids()[0]);
@@ -287,6 +310,9 @@ TEST(PieceLooks, turn_normals_with_turned_faces) {
       for (size_t k = 0; k < 3; ++k) {
         const Vec3 p = body.mesh.position(body.mesh.corners(faces[i])[k]);
         EXPECT_GT(glm::dot(Vec3(looks.normals.values[looks.normals.corners[i][k]]), p), 0.9);
+        // The sign of the bitangent changes with the normal, so that the bitangent stays.
+        EXPECT_EQ(looks.tangents.values[looks.tangents.corners[i][k]],
+                  glm::vec4(1, 0, 0, outward || !reversed[i] ? 1 : -1));
       }
     }
   }

@@ -40,7 +40,9 @@ constexpr std::array kChoices{
     Choice{MeshFormat::kPly, "PLY", "Binary, exact to the bit, without materials."},
     Choice{MeshFormat::kStl, "STL", "Binary in single precision, without materials; for printers."},
     Choice{MeshFormat::kOff, "OFF", "Text, exact to the bit, without materials."},
-    Choice{MeshFormat::kGlb, "GLB", "Binary glTF 2.0 in single precision, with the names of materials."}};
+    Choice{MeshFormat::kGlb, "GLB", "Binary glTF 2.0 in single precision, with materials and textures."},
+    Choice{MeshFormat::k3mf, "3MF",
+           "Millimetres in single precision, with the colours of materials; for printers."}};
 
 constexpr int kPage = 10;
 

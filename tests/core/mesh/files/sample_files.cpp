@@ -45,7 +45,7 @@ Reader reader_of(MeshFormat format) {
   };
   constexpr Reader kPlyReader = [](std::string_view bytes, const std::string& name,
                                    const Progress* progress) { return read_ply(bytes, name, progress); };
-  constexpr std::array<Reader, 6> kReaders{read_obj, kPlyReader, read_stl, read_off, kGltf, kGltf};
+  constexpr std::array<Reader, 7> kReaders{read_obj, kPlyReader, read_stl, read_off, kGltf, kGltf, read_3mf};
   return kReaders[static_cast<size_t>(format)];
 }
 
@@ -61,7 +61,8 @@ std::vector<Sample> sample_files() {
           {"square_text.stl", MeshFormat::kStl, kStl},
           {"square_binary.stl", MeshFormat::kStl, encoded(square, MeshFormat::kStl)},
           {"square.glb", MeshFormat::kGlb, encoded(square, MeshFormat::kGlb)},
-          {"square.gltf", MeshFormat::kGltf, encoded(square, MeshFormat::kGltf)}};
+          {"square.gltf", MeshFormat::kGltf, encoded(square, MeshFormat::kGltf)},
+          {"square.3mf", MeshFormat::k3mf, encoded(square, MeshFormat::k3mf)}};
 }
 
 double area(const Soup& soup) {

@@ -1,0 +1,220 @@
+#include <Model/COM/NMR_DLLInterfaces.h>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <new>
+#include <optional>
+
+#include "core/base/containers.h"
+#include "core/base/random.h"
+#include "core/mesh/files/bytes.h"
+#include "core/mesh/files/encode.h"
+#include "core/mesh/files/surface_look.h"
+#include "core/mesh/files/three_mf_internal.h"
+
+namespace kerf {
+
+namespace {
+
+// Within the preconditions of encode_3mf() lib3mf fails for lack of memory only.
+void expect_success(LIB3MFRESULT result) {
+  if (result != 0) throw std::bad_alloc();
+}
+
+ThreeMf expect_object(ThreeMf object) {
+  if (!object) throw std::bad_alloc();
+  return object;
+}
+
+// The bytes that lib3mf writes, in any order.
+struct ThreeMfSink {
+  std::string bytes;
+  size_t place = 0;
+
+  static uint32_t write(BYTE* data, uint32_t count, void* self) {
+    auto& sink = *static_cast<ThreeMfSink*>(self);
+    const std::string_view part(reinterpret_cast<const char*>(data), count);
+    if (sink.bytes.size() < sink.place + count) sink.bytes.resize(sink.place + count);
+    std::copy(part.begin(), part.end(), sink.bytes.begin() + static_cast<std::ptrdiff_t>(sink.place));
+    sink.place += count;
+    return 0;
+  }
+  static uint32_t seek(uint64_t place, void* self) {
+    static_cast<ThreeMfSink*>(self)->place = place;
+    return 0;
+  }
+};
+
+// Returns a name that XML and the buffers of lib3mf can hold.
+std::string plain_name(std::string_view name) {
+  constexpr size_t kMaxName = 200;
+  std::string plain(name.substr(0, kMaxName));
+  while (plain.size() < name.size() && !plain.empty() && (plain.back() & 0xc0) == 0x80) plain.pop_back();
+  if (plain.size() < name.size() && !plain.empty() && (plain.back() & 0xc0) == 0xc0) plain.pop_back();
+  for (char& c : plain) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
+  }
+  return plain;
+}
+
+std::string ascii_name(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) >= 0x80) c = '_';
+  }
+  return name;
+}
+
+struct ThreeMfColour {
+  BYTE red = 204, green = 204, blue = 204, alpha = 255;  // of materials without a description
+};
+
+ThreeMfColour colour_of(const std::optional<SurfaceLook>& look) {
+  ThreeMfColour colour;
+  if (!look) return colour;
+  const auto part = [&](int k) { return eight_bits(part_of_linear(look->base[k])); };
+  return {part(0), part(1), part(2), eight_bits(colour_part(look->base.w))};
+}
+
+class ThreeMfWriter {
+ public:
+  explicit ThreeMfWriter(const MeshView& mesh)
+      : mesh_(mesh), model_(expect_object(three_mf_object(NMR::lib3mf_createmodel))) {}
+
+  std::string bytes() {
+    expect_success(NMR::lib3mf_model_setunit(model_.get(), NMR::MODELUNIT_MILLIMETER));
+    object_ = expect_object(three_mf_object(NMR::lib3mf_model_addmeshobject, model_.get()));
+    set_name();
+    set_geometry();
+    if (!mesh_.colours.empty()) {
+      set_colours();
+    } else if (std::ranges::any_of(mesh_.material_names, [](const std::string& n) { return !n.empty(); })) {
+      set_materials();
+    }
+    const ThreeMf item =
+        expect_object(three_mf_object(NMR::lib3mf_model_addbuilditem, model_.get(), object_.get(), nullptr));
+    expect_success(NMR::lib3mf_model_setbuilduuidutf8(model_.get(), uuid(1).c_str()));
+    expect_success(NMR::lib3mf_object_setuuidutf8(object_.get(), uuid(2).c_str()));
+    expect_success(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid(3).c_str()));
+    const ThreeMf writer = expect_object(three_mf_object(NMR::lib3mf_model_querywriter, model_.get(), "3mf"));
+    ThreeMfSink sink;
+    expect_success(NMR::lib3mf_writer_writetocallback(writer.get(),
+                                                      reinterpret_cast<void*>(&ThreeMfSink::write),
+                                                      reinterpret_cast<void*>(&ThreeMfSink::seek), &sink));
+    return without_times(std::move(sink.bytes));
+  }
+
+ private:
+  void set_name() {
+    const std::string name = plain_name(mesh_.name);
+    if (name.empty() || NMR::lib3mf_object_setnameutf8(object_.get(), name.c_str()) == 0) return;
+    expect_success(NMR::lib3mf_object_setnameutf8(object_.get(), ascii_name(name).c_str()));
+  }
+
+  void set_geometry() {
+    std::vector<NMR::MODELMESHVERTEX> vertices(mesh_.positions.size());
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        assert(std::abs(mesh_.positions[i][k]) <= kMaxThreeMf);
+        vertices[i].m_fPosition[k] = static_cast<float>(1000 * mesh_.positions[i][k]);
+        hash_ = hash_combine(hash_, number_bits(vertices[i].m_fPosition[k]));
+      }
+    }
+    std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh_.triangles.size());
+    for (size_t t = 0; t < triangles.size(); ++t)
+      std::copy_n(mesh_.triangles[t].begin(), 3, triangles[t].m_nIndices);
+    expect_success(NMR::lib3mf_meshobject_setgeometry(object_.get(), vertices.data(),
+                                                      static_cast<DWORD>(vertices.size()), triangles.data(),
+                                                      static_cast<DWORD>(triangles.size())));
+  }
+
+  ThreeMf properties() const {
+    return expect_object(three_mf_object(NMR::lib3mf_meshobject_createpropertyhandler, object_.get()));
+  }
+  ThreeMf default_properties() const {
+    return expect_object(three_mf_object(NMR::lib3mf_object_createdefaultpropertyhandler, object_.get()));
+  }
+
+  void set_colours() const {
+    std::vector<NMR::MODELMESH_TRIANGLECOLOR_SRGB> colours(mesh_.triangles.size());
+    for (size_t t = 0; t < colours.size(); ++t) {
+      for (size_t i = 0; i < 3; ++i) {
+        const auto& part = mesh_.colours[mesh_.triangles[t][i]].part;
+        colours[t].m_Colors[i] = {eight_bits(part[0]), eight_bits(part[1]), eight_bits(part[2]),
+                                  eight_bits(part[3])};
+      }
+    }
+    expect_success(NMR::lib3mf_propertyhandler_setgradientcolorarray(properties().get(), colours.data()));
+    expect_success(
+        NMR::lib3mf_defaultpropertyhandler_setcolor(default_properties().get(), &colours[0].m_Colors[0]));
+  }
+
+  void set_materials() const {
+    const ThreeMf group =
+        expect_object(three_mf_object(NMR::lib3mf_model_addbasematerialgroup, model_.get()));
+    DWORD id = 0;
+    expect_success(NMR::lib3mf_basematerial_getresourceid(group.get(), &id));
+    std::vector<std::optional<SurfaceLook>> looks;
+    if (mesh_.surfaces) looks = surface_looks(*mesh_.surfaces);
+    std::vector<std::optional<DWORD>> numbers(mesh_.material_names.size());
+    std::vector<DWORD> groups(mesh_.triangles.size(), id), indices;
+    for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const uint16_t m = mesh_.materials.empty() ? uint16_t{0} : mesh_.materials[t];
+      if (!numbers[m]) numbers[m] = add_material(group.get(), m, m < looks.size() ? looks[m] : std::nullopt);
+      indices.push_back(*numbers[m]);
+    }
+    expect_success(
+        NMR::lib3mf_propertyhandler_setbasematerialarray(properties().get(), groups.data(), indices.data()));
+    expect_success(
+        NMR::lib3mf_defaultpropertyhandler_setbasematerial(default_properties().get(), id, indices[0]));
+  }
+
+  DWORD add_material(void** group, uint16_t material, const std::optional<SurfaceLook>& look) const {
+    const ThreeMfColour c = colour_of(look);
+    std::string name = plain_name(mesh_.material_names[material]);
+    if (name.empty()) name = "default";
+    DWORD number = 0;
+    if (NMR::lib3mf_basematerial_addmaterialutf8(group, name.c_str(), c.red, c.green, c.blue, &number) != 0) {
+      expect_success(NMR::lib3mf_basematerial_addmaterialutf8(group, ascii_name(name).c_str(), c.red, c.green,
+                                                              c.blue, &number));
+    }
+    expect_success(
+        NMR::lib3mf_basematerial_setdisplaycolorrgba(group, number, c.red, c.green, c.blue, c.alpha));
+    return number;
+  }
+
+  // The same for the same mesh, so that its file is, too.
+  std::string uuid(uint64_t which) const {
+    const uint64_t high = hash_combine(hash_, which), low = mix64(high);
+    std::array<char, 40> text;
+    std::snprintf(text.data(), text.size(), "%08x-%04x-4%03x-8%03x-%012llx",
+                  static_cast<unsigned>(high >> 32), static_cast<unsigned>(high >> 16 & 0xffff),
+                  static_cast<unsigned>(high & 0xfff), static_cast<unsigned>(low >> 48 & 0xfff),
+                  static_cast<unsigned long long>(low & 0xffffffffffffull));
+    return text.data();
+  }
+
+  // Replaces the times in an archive by the first day of its calendar.
+  static std::string without_times(std::string bytes) {
+    constexpr size_t kTimeInHead = 10, kTimeInRecord = 12;
+    const auto entries = zip_entries(bytes, "");
+    if (!entries) throw std::bad_alloc();
+    for (const ZipEntry& entry : *entries) {
+      for (const size_t at : {entry.head + kTimeInHead, entry.record + kTimeInRecord})
+        store_little(uint32_t{0x00210000}, bytes.data() + at);
+    }
+    return bytes;
+  }
+
+  const MeshView& mesh_;
+  ThreeMf model_, object_;
+  uint64_t hash_ = 0;
+};
+
+}  // namespace
+
+void encode_3mf(const MeshView& mesh, const ByteSink& sink) { sink(ThreeMfWriter(mesh).bytes()); }
+
+}  // namespace kerf

@@ -1,0 +1,212 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/base/random.h"
+#include "core/mesh/files/bytes.h"
+#include "core/mesh/files/encode.h"
+#include "core/mesh/files/gltf_file_internal.h"
+#include "core/mesh/files/readers.h"
+#include "core/mesh/mesh_file.h"
+
+// Tangents and custom attributes.
+namespace kerf::test {
+namespace {
+
+std::vector<glm::vec4> corner_values(const LookChannel<glm::vec4>& channel) {
+  std::vector<glm::vec4> all;
+  for (const auto& corners : channel.corners) {
+    for (const uint32_t v : corners) all.push_back(channel.values.at(v));
+  }
+  return all;
+}
+
+const std::string kPlyHead =
+    "element vertex 3\nproperty float x\nproperty int label\nproperty float y\nproperty float z\n"
+    "property uchar red\nproperty double quality\nproperty list uchar int seen\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n";
+
+void expect_quality_and_label(const Result<Soup>& soup) {
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  ASSERT_EQ(soup->looks.attributes.size(), 3u);
+  EXPECT_EQ(soup->looks.attributes[0].name, "label");
+  EXPECT_EQ(soup->looks.attributes[1].name, "red");  // there is no green
+  EXPECT_EQ(soup->looks.attributes[2].name, "quality");
+  const std::vector<glm::vec4> labels{{7, 0, 0, 0}, {-8, 0, 0, 0}, {9, 0, 0, 0}};
+  const std::vector<glm::vec4> qualities{{0.5f, 0, 0, 0}, {0.25f, 0, 0, 0}, {1, 0, 0, 0}};
+  EXPECT_EQ(corner_values(soup->looks.attributes[0].channel), labels);
+  EXPECT_EQ(corner_values(soup->looks.attributes[2].channel), qualities);
+  EXPECT_FALSE(soup->looks.normals.any());
+}
+
+TEST(AttributesOfPly, are_the_other_scalars_of_vertices) {
+  expect_quality_and_label(read_ply(
+      "ply\nformat ascii 1.0\n" + kPlyHead + "0 7 0 0 1 0.5 0\n1 -8 0 0 2 0.25 1 4\n0 9 1 0 3 1 0\n3 0 1 2\n",
+      "a.ply"));
+  std::string bytes = "ply\nformat binary_little_endian 1.0\n" + kPlyHead;
+  bytes.replace(bytes.find("property list uchar int seen\n"), 29, "");
+  const auto add = [&](float x, int label, float y, uint8_t red, double quality) {
+    append_little(x, bytes);
+    append_little(label, bytes);
+    append_little(y, bytes);
+    append_little(0.0f, bytes);
+    append_little(red, bytes);
+    append_little(quality, bytes);
+  };
+  add(0, 7, 0, 1, 0.5);
+  add(1, -8, 0, 2, 0.25);
+  add(0, 9, 1, 3, 1);
+  bytes += '\3';
+  for (const int v : {0, 1, 2}) append_little(v, bytes);
+  expect_quality_and_label(read_ply(bytes, "a.ply"));
+}
+
+TEST(AttributesOfPly, have_a_limit) {
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  for (int i = 0; i < 20; ++i) text += "property float a" + std::to_string(i) + "\n";
+  text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const char* position : {"0 0 0", "1 0 0", "0 1 0"}) {
+    text += position;
+    for (int i = 0; i < 20; ++i) text += " 1";
+    text += "\n";
+  }
+  const auto soup = read_ply(text + "3 0 1 2\n", "a.ply");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  EXPECT_EQ(soup->looks.attributes.size(), kMaxLookAttributes);
+  EXPECT_EQ(soup->warnings,
+            std::vector<std::string>{"4 properties of vertices beyond the limit of 16 were ignored."});
+}
+
+struct Sample {
+  Soup soup;
+  MeshView view() const { return {soup.positions, soup.triangles, {}, {}, {}, {}, {}, &soup.looks}; }
+};
+
+Sample random_sample(Random& random) {
+  Sample sample;
+  Soup& soup = sample.soup;
+  const auto number = [&] { return static_cast<float>(random.uniform(-1, 1)); };
+  const auto corners = [&](uint64_t count) {
+    return std::array<uint32_t, 3>{static_cast<uint32_t>(random.below(count)),
+                                   static_cast<uint32_t>(random.below(count)),
+                                   static_cast<uint32_t>(random.below(count))};
+  };
+  CornerLooks& looks = soup.looks;
+  looks.v_points_down = true;
+  looks.uv_sets.resize(1);
+  looks.attributes = {{"TEMPERATURE", 1, {}}, {"x", 3, {}}, {"wind speed", 4, {}}};
+  for (int i = 0; i < 20; ++i) {
+    soup.positions.emplace_back(number(), number(), number());
+    looks.uv_sets[0].values.emplace_back(number(), number());
+    looks.normals.values.push_back(glm::normalize(glm::vec3(number(), number(), number())));
+    looks.tangents.values.emplace_back(glm::normalize(glm::vec3(number(), number(), number())),
+                                       random.below(2) == 0 ? 1 : -1);
+    for (LookAttribute& attribute : looks.attributes) {
+      glm::vec4 value(0);
+      for (int k = 0; k < attribute.parts; ++k) value[k] = number();
+      attribute.channel.values.push_back(value);
+    }
+  }
+  for (int t = 0; t < 40; ++t) {
+    soup.triangles.push_back(corners(20));
+    looks.uv_sets[0].corners.push_back(corners(20));
+    looks.normals.corners.push_back(corners(20));
+    looks.tangents.corners.push_back(corners(20));
+    for (LookAttribute& attribute : looks.attributes) attribute.channel.corners.push_back(corners(20));
+  }
+  return sample;
+}
+
+const LookAttribute* find(const Soup& soup, const std::string& name) {
+  for (const LookAttribute& attribute : soup.looks.attributes) {
+    if (attribute.name == name) return &attribute;
+  }
+  return nullptr;
+}
+
+TEST(Attributes, come_back_from_gltf_and_ply) {
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Sample sample = random_sample(random);
+    const auto gltf = read_gltf(encoded(sample.view(), MeshFormat::kGlb), "a.glb");
+    ASSERT_TRUE(gltf.ok()) << gltf.error().message;
+    EXPECT_EQ(gltf->warnings, std::vector<std::string>{});
+    const auto tangents = corner_values(gltf->looks.tangents),
+               wanted = corner_values(sample.soup.looks.tangents);
+    ASSERT_EQ(tangents.size(), wanted.size());
+    for (size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_LT(glm::distance(glm::vec3(tangents[i]), glm::vec3(wanted[i])), 1e-6f);
+      EXPECT_EQ(tangents[i].w, wanted[i].w);
+    }
+    ASSERT_EQ(gltf->looks.attributes.size(), 3u);
+    for (const LookAttribute& attribute : sample.soup.looks.attributes) {
+      const LookAttribute* const back = find(*gltf, attribute.name);
+      ASSERT_NE(back, nullptr);
+      EXPECT_EQ(back->parts, attribute.parts);
+      EXPECT_EQ(corner_values(back->channel), corner_values(attribute.channel));
+    }
+    const auto ply = read_ply(encoded(sample.view(), MeshFormat::kPly), "a.ply");
+    ASSERT_TRUE(ply.ok()) << ply.error().message;
+    ASSERT_EQ(ply->looks.attributes.size(), 8u);
+    EXPECT_EQ(corner_values(ply->looks.attributes[0].channel),
+              corner_values(sample.soup.looks.attributes[0].channel));
+    for (int k = 0; k < 3; ++k) {
+      const LookAttribute* const back = find(*ply, std::string("x_") + "xyz"[k]);
+      ASSERT_NE(back, nullptr);
+      const auto values = corner_values(back->channel),
+                 all = corner_values(sample.soup.looks.attributes[1].channel);
+      for (size_t i = 0; i < all.size(); ++i) EXPECT_EQ(values[i].x, all[i][k]);
+    }
+    EXPECT_NE(find(*ply, "wind_speed_w"), nullptr);
+  }
+}
+
+TEST(Attributes, of_ply_need_no_normals_and_do_not_take_names) {
+  Sample sample;
+  sample.soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  sample.soup.triangles = {{0, 1, 2}, {2, 1, 3}};
+  sample.soup.looks.attributes = {{"x", 1, {{{1, 0, 0, 0}, {2, 0, 0, 0}, {3, 0, 0, 0}, {4, 0, 0, 0}}, {}}}};
+  sample.soup.looks.attributes[0].channel.corners = sample.soup.triangles;
+  const std::string bytes = encoded(sample.view(), MeshFormat::kPly);
+  EXPECT_EQ(bytes.find("nx"), std::string::npos);
+  const auto ply = read_ply(bytes, "a.ply");
+  ASSERT_TRUE(ply.ok()) << ply.error().message;
+  EXPECT_EQ(ply->positions, sample.soup.positions);
+  ASSERT_EQ(ply->looks.attributes.size(), 1u);
+  EXPECT_EQ(ply->looks.attributes[0].name, "_x");
+}
+
+// A mirroring transform reverses the sign of the bitangent, so that cross(normal, tangent) * sign is the
+// transformed bitangent.
+TEST(TangentsOfGltf, keep_the_bitangent_under_transforms) {
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Sample sample;
+    sample.soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    sample.soup.triangles = {{0, 1, 2}};
+    CornerLooks& looks = sample.soup.looks;
+    looks.normals = {{{0, 0, 1}}, {{0, 0, 0}}};
+    const float sign = random.below(2) == 0 ? 1 : -1;
+    looks.tangents = {{{1, 0, 0, sign}}, {{0, 0, 0}}};
+    auto file = nlohmann::json::parse(encoded(sample.view(), MeshFormat::kGltf));
+    std::array<double, 3> scale{};
+    for (double& s : scale) s = random.uniform(0.5, 2) * (random.below(2) == 0 ? 1 : -1);
+    file["nodes"][0]["scale"] = scale;
+    const auto soup = read_gltf(file.dump(), "a.gltf");
+    ASSERT_TRUE(soup.ok()) << soup.error().message;
+    const Vec3 n(soup->looks.normals.values[0]);
+    const glm::dvec4 t(soup->looks.tangents.values[0]);
+    EXPECT_EQ(Vec3(t), Vec3(scale[0] < 0 ? -1 : 1, 0, 0));
+    const Vec3 bitangent = glm::cross(n, Vec3(t)) * t.w;
+    EXPECT_EQ(bitangent.y, sign * (scale[1] < 0 ? -1 : 1));
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

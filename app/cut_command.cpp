@@ -40,6 +40,7 @@ struct CutOptions {
   std::optional<int> depth;
   std::optional<int> steps;
   bool split_all = false;
+  bool single_file = false;
   bool solid = false;
   bool recentre = false;
   bool turn_shells = false;
@@ -103,6 +104,7 @@ void visit_options(CutOptions& o, Visitor& v) {
       "For glTF: add a convex hull of at most 64 vertices to each piece, with its mass properties (none)");
   v.choice("collider-names", o.collider_names, {"unreal", "godot"},
            "Names of the hulls: UCX_NODE_00 for unreal, NODE-convcolonly for godot (unreal)");
+  v.flag("single-file", o.single_file, "For glTF: write all pieces to one file, pieces.glb or pieces.gltf");
   v.flag("split-all", o.split_all, "Make every connected component a piece");
   v.flag("recentre", o.recentre,
          "Write coordinates relative to an origin near the meshes, stated in the report (\"origin\")");
@@ -297,11 +299,11 @@ Status check_solid(const CutOptions& o) {
 }
 
 // Checks the values in the order of the options. The error names the first wrong option.
-Status check_colliders(const CutOptions& o) {
+Status check_gltf_options(const CutOptions& o) {
   if (o.collider_names && !o.colliders) return bad_input("--collider-names: requires --colliders");
-  const std::string format = o.format.value_or("obj");
-  if (o.colliders && !is_gltf(*mesh_format(format)))
-    return bad_input("--colliders: only glTF holds colliders, not " + format + "; add --format glb or gltf");
+  if (is_gltf(*mesh_format(o.format.value_or("obj")))) return Done{};
+  if (o.colliders) return bad_input("--colliders: only glTF holds colliders; add --format glb or gltf");
+  if (o.single_file) return bad_input("--single-file: requires --format glb or gltf");
   return Done{};
 }
 
@@ -313,7 +315,7 @@ Status check_cut_options(CutOptions o) {
     return bad_input("--target-edge, --tolerance and --depth: give only one of them");
   }
   if (o.ground && !o.settle) return bad_input("--ground: requires --settle");
-  if (const Status s = check_colliders(o); !s) return s;
+  if (const Status s = check_gltf_options(o); !s) return s;
   return check_solid(o);
 }
 
@@ -369,7 +371,8 @@ class CutRun {
     const PiecesFolder folder{
         options_.out,        options_.format.value_or("obj"),
         options_.split_all,  options_.solid,
-        options_.provenance, options_.colliders ? options_.collider_names.value_or("unreal") : ""};
+        options_.provenance, options_.colliders ? options_.collider_names.value_or("unreal") : "",
+        options_.single_file};
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
     if (const auto s = begin_journal(); !s) return s;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -66,10 +67,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReport = "report.json";
+const std::string kAllPieces = "pieces";  // name of a single file
 
-// Returns true for the name of a piece, piece-NNNN.EXTENSION.
+// Returns true for the name of a file of pieces, piece-NNNN.EXTENSION or pieces.EXTENSION.
 bool is_piece_name(std::string_view name) {
   constexpr std::string_view kStem = "piece-";
+  if (name == kAllPieces + ".glb" || name == kAllPieces + ".gltf") return true;
   if (!name.starts_with(kStem)) return false;
   name.remove_prefix(kStem.size());
   const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
@@ -255,48 +258,67 @@ NodeCollider collider_of(const Part& part, const MassProperties& mass, const Vec
   return collider;
 }
 
-Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder,
-                                 const SurfaceFiles& surfaces, const Vec3& origin, bool moved) {
-  char name[40];
-  std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
-  const Extract& e = part.extract;
-  const auto file = fs::path(folder.path) / name;
-  const std::string stem = file.stem().string();
-  const MeshFormat format = *mesh_format(folder.format);
-  const std::vector<Vec3> positions = seen_from(origin, e.positions);
-  MeshView view{positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
+// A piece to be written. The view refers to the other members.
+struct PieceFile {
+  std::string stem;
+  std::vector<Vec3> positions;
   CornerLooks looks;
-  if (format_row(format).uvs_and_normals) {
-    const auto normals = is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth;
-    looks = looks_of(*part.body, part.faces, normals);
-  }
-  if (looks.any()) view.looks = &looks;
-  if (part.body->looks) view.surfaces = part.body->looks->surfaces().get();
-  if (format == MeshFormat::kObj && !surfaces.library().empty()) {
-    view.mtl = surfaces.library();
-    view.material_names = surfaces.names(*part.body);
-  }
-  if (!part.source.empty()) view.name = view.object = part.source;
-  WrittenPiece piece;
-  piece.mass = mass_of(e, part.body->sheet);
   NodeCollider collider;
-  if (!folder.colliders.empty()) {
+  MeshView view;
+  WrittenPiece piece;
+
+  PieceFile(const Part& part, size_t number, const PiecesFolder& folder, const SurfaceFiles& surfaces,
+            const Vec3& origin, bool moved) {
+    const Extract& e = part.extract;
+    const MeshFormat format = *mesh_format(folder.format);
+    char name[40];
+    std::snprintf(name, sizeof name, "piece-%04zu", number);
+    stem = name;
+    positions = seen_from(origin, e.positions);
+    view = {positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
+    if (format_row(format).uvs_and_normals) {
+      const auto normals = is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth;
+      looks = looks_of(*part.body, part.faces, normals);
+    }
+    if (looks.any()) view.looks = &looks;
+    if (part.body->looks) view.surfaces = part.body->looks->surfaces().get();
+    if (format == MeshFormat::kObj && !surfaces.library().empty()) {
+      view.mtl = surfaces.library();
+      view.material_names = surfaces.names(*part.body);
+    }
+    if (!part.source.empty()) view.name = view.object = part.source;
+    piece.file = (folder.single_file ? kAllPieces : stem) + "." + folder.format;
+    piece.faces = e.triangles.size();
+    piece.vertices = e.positions.size();
+    piece.boundary_edges = e.boundary_edges;
+    piece.area = e.area;
+    piece.centroid = e.centroid;
+    piece.volume = e.volume;
+    piece.mass = mass_of(e, part.body->sheet);
+    piece.placement = part.body->placement;
+    if (moved) piece.asleep = rests(*part.body, piece.mass);
+    if (folder.colliders.empty()) return;
     collider = collider_of(part, piece.mass, origin, view.name, folder.colliders);
     view.collider = &collider;
     piece.no_collider = collider.triangles.empty();
   }
-  if (const auto s = write_mesh(view, file, format); !s) return s.error();
-  piece.precision = precision_loss(view, format);
-  piece.file = name;
-  piece.faces = e.triangles.size();
-  piece.vertices = e.positions.size();
-  piece.boundary_edges = e.boundary_edges;
-  piece.area = e.area;
-  piece.centroid = e.centroid;
-  piece.volume = e.volume;
-  piece.placement = part.body->placement;
-  if (moved) piece.asleep = rests(*part.body, piece.mass);
-  return piece;
+  PieceFile(const PieceFile&) = delete;
+  PieceFile& operator=(const PieceFile&) = delete;
+};
+
+// Writes one file with all pieces.
+Status write_single_file(const std::vector<std::unique_ptr<PieceFile>>& pieces, const PiecesFolder& folder,
+                         std::vector<WrittenPiece>& written) {
+  std::vector<MeshView> views;
+  for (const auto& piece : pieces) views.push_back(piece->view);
+  const MeshFormat format = *mesh_format(folder.format);
+  const std::string name = kAllPieces + "." + folder.format;
+  if (const Status s = write_meshes(views, fs::path(folder.path) / name, format); !s) return s;
+  for (const auto& file : pieces) {
+    file->piece.precision = precision_loss(file->view, format);
+    written.push_back(std::move(file->piece));
+  }
+  return Done{};
 }
 
 Status write_provenance(const std::vector<Part>& parts, const PiecesFolder& folder) {
@@ -317,13 +339,23 @@ Status write_pieces(const World& world, const PiecesFolder& folder, const Surfac
                     const Vec3& origin, std::vector<WrittenPiece>& written, std::vector<std::string>& notes) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
   const bool moved = any_has_moved(world);
+  const MeshFormat format = *mesh_format(folder.format);
   std::vector<std::optional<Result<WrittenPiece>>> results(parts.size());
+  std::vector<std::unique_ptr<PieceFile>> kept(folder.single_file ? parts.size() : 0);
   ProgressLine line("writing");
   const Progress progress = line.progress();
-  for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) {
-    results[i] = write_piece(parts[i], i, folder, surfaces, origin, moved);
+  const bool completed = for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) {
+    auto file = std::make_unique<PieceFile>(parts[i], i, folder, surfaces, origin, moved);
+    if (folder.single_file) {
+      kept[i] = std::move(file);
+      return;
+    }
+    const Status saved = write_mesh(file->view, fs::path(folder.path) / file->piece.file, format);
+    if (saved) file->piece.precision = precision_loss(file->view, format);
+    results[i] = saved ? Result<WrittenPiece>(std::move(file->piece)) : saved.error();
   });
   Status status = Done{};
+  if (completed && folder.single_file) status = write_single_file(kept, folder, written);
   for (const auto& result : results) {
     if (result && *result) written.push_back(**result);
     if (result && !*result && status) status = result->error();
@@ -331,7 +363,6 @@ Status write_pieces(const World& world, const PiecesFolder& folder, const Surfac
   if (!status) return status;
   if (written.size() < parts.size())
     return failed("stopped before all pieces were written, so there is no report");
-  const MeshFormat format = *mesh_format(folder.format);
   LostLooks lost;
   for (const Part& part : parts) lost.add(*part.body, part.extract, format);
   lost.add_notes(format, notes);
@@ -393,6 +424,7 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
   job.notes.insert(job.notes.end(), lost.begin(), lost.end());
   nlohmann::ordered_json how = settings_json(settings, format, split_all);
   if (solid) how["solid"] = true;
+  if (single_file) how["single-file"] = true;
   if (!colliders.empty()) {
     how["colliders"] = "hull";
     how["collider-names"] = colliders;

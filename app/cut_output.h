@@ -24,6 +24,7 @@ struct PiecesFolder {
   std::string provenance{};  // file for the origins of the faces; empty: none
   // The engine whose names the colliders have: "unreal" or "godot"; empty: no colliders. Only for glTF.
   std::string colliders{};
+  bool single_file = false;  // all pieces are nodes of one file, pieces.glb or pieces.gltf. Only for glTF
 
   // Fails with bad input if a file that write() may replace or remove is an input. Errors name `option`.
   Status check(const std::string& option, const InputFiles& inputs) const;
@@ -31,13 +32,13 @@ struct PiecesFolder {
   bool may_write(const std::filesystem::path& file) const;
   // Creates the folder. Fails if it cannot be created or used.
   Status make() const;
-  // Writes the pieces as piece-0000 and so on, largest area first, relative to the origin of the job, then
-  // report.json with its statistics. Adds notes to the job on losses of precision and of looks by the format.
-  // Returns the pieces. Shows a ProgressLine. Every file is written completely or not at all. OBJ pieces
-  // share a material library, with its images in the same folder (see SurfaceFiles).
+  // Writes the pieces as piece-0000 and so on, or as one file, largest area first, relative to the origin of
+  // the job, then report.json with its statistics. Adds notes to the job on losses of precision and of looks
+  // by the format. Returns the pieces. Shows a ProgressLine. Every file is written completely or not at all.
+  // OBJ pieces share a material library, with its images in the same folder (see SurfaceFiles).
   //
   // The folder holds one run. The earlier report becomes report.json~ before the first piece is written, so a
-  // failure or Ctrl-C leaves no report. Once the new files are complete, removes files named piece-NNNN.*
+  // failure or Ctrl-C leaves no report. Once the new files are complete, removes files of pieces
   // that only report.json~ lists, and then report.json~.
   Result<std::vector<WrittenPiece>> write(CutJob& job, const World& world, const CutSettings& settings) const;
 };

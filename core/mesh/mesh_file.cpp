@@ -10,11 +10,14 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/number_format.h"
 #include "core/base/platform.h"
 #include "core/mesh/files/mesh_format.h"
@@ -237,21 +240,23 @@ bool fits_float(const Vec3& p) {
   return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest && std::abs(p.z) <= kLargest;
 }
 
-std::string obstacle_to_gltf(const MeshView& mesh) {
+std::string obstacle_to_gltf(std::span<const MeshView> meshes) {
   // Half of the range, because positions are relative to the middle.
   const auto fits = [](const Vec3& p) { return fits_float(2.0 * p); };
-  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
-    return "glTF cannot store coordinates beyond 1.7e38";
-  if (mesh.positions.size() + mesh.triangles.size() > (size_t{1} << 28))
-    return "glTF cannot store more than 268435456 vertices and triangles";
-  size_t bytes = 0;  // at most
-  if (mesh.looks) {
-    const size_t corner = 64 + 8 * mesh.looks->uv_sets.size() + 16 * mesh.looks->attributes.size();
-    bytes += 3 * mesh.triangles.size() * corner;
-  }
-  if (mesh.surfaces) {
+  size_t elements = 0, bytes = 0;  // at most
+  std::set<const SurfaceLibrary*> libraries;
+  for (const MeshView& mesh : meshes) {
+    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
+      return "glTF cannot store coordinates beyond 1.7e38";
+    elements += mesh.positions.size() + mesh.triangles.size();
+    if (mesh.looks) {
+      const size_t corner = 64 + 8 * mesh.looks->uv_sets.size() + 16 * mesh.looks->attributes.size();
+      bytes += 3 * mesh.triangles.size() * corner;
+    }
+    if (!mesh.surfaces || !libraries.insert(mesh.surfaces).second) continue;
     for (const SurfaceImage& image : mesh.surfaces->images) bytes += image.bytes.size();
   }
+  if (elements > (size_t{1} << 28)) return "glTF cannot store more than 268435456 vertices and triangles";
   if (bytes >= size_t{1} << 32) return "glTF cannot store more than 4 GiB of UVs, normals and images";
   return {};
 }
@@ -279,22 +284,33 @@ std::string obstacle(const MeshView& mesh, MeshFormat format) {
   if (format == MeshFormat::kPly && mesh.positions.size() > size_t{std::numeric_limits<int32_t>::max()} + 1) {
     return "PLY cannot store more than 2147483648 vertices";
   }
-  if (is_gltf(format)) return obstacle_to_gltf(mesh);
+  if (is_gltf(format)) return obstacle_to_gltf({&mesh, 1});
   if (format == MeshFormat::k3mf) return obstacle_to_3mf(mesh);
   return {};
+}
+
+template <typename Encode>
+Status write_encoded(const std::filesystem::path& path, const std::string& reason, const Encode& encode) {
+  if (!reason.empty())
+    return failed("cannot write " + path.string() + ": " + reason + "; select another format.");
+  try {
+    return write_file_atomically(path, encode);
+  } catch (const std::bad_alloc&) {
+    return failed("cannot write " + path.string() + ": not enough memory.");
+  }
 }
 
 }  // namespace
 
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format) {
-  const std::string reason = obstacle(mesh, format);
-  if (!reason.empty())
-    return failed("cannot write " + path.string() + ": " + reason + "; select another format.");
-  try {
-    return write_file_atomically(path, [&](const ByteSink& sink) { encode(mesh, format, sink); });
-  } catch (const std::bad_alloc&) {
-    return failed("cannot write " + path.string() + ": not enough memory.");
-  }
+  return write_encoded(path, obstacle(mesh, format),
+                       [&](const ByteSink& sink) { encode(mesh, format, sink); });
+}
+
+Status write_meshes(std::span<const MeshView> meshes, const std::filesystem::path& path, MeshFormat format) {
+  KERF_ASSERT(is_gltf(format));
+  const auto encode = format == MeshFormat::kGlb ? encode_glb : encode_gltf;
+  return write_encoded(path, obstacle_to_gltf(meshes), [&](const ByteSink& sink) { encode(meshes, sink); });
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ std::vector<std::string> dropped_notes(const Repairs& repairs);
 // cannot represent the mesh, e.g. coordinates beyond the range of float in STL. Holds all bytes in memory
 // before writing. Linear time.
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format);
+// Likewise several meshes, as nodes of one file. Precondition: the format is glTF.
+Status write_meshes(std::span<const MeshView> meshes, const std::filesystem::path& path, MeshFormat format);
 
 // The loss of precision when a mesh is written in a single-precision format.
 struct PrecisionLoss {

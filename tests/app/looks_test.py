@@ -196,10 +196,41 @@ class Looks(unittest.TestCase):
                         self.assertAlmostEqual(hull[k], own[k], delta=2e-3)
         self.cut(mesh="out/piece-0000.glb", out="back")  # the hull is a part like others
 
+    def test_a_single_file_holds_all_pieces(self):
+        separate = self.cut("--format", "glb")["pieces"]
+        report = self.cut("--format", "glb", "--single-file", "--colliders", "hull")
+        self.assertEqual(sorted(os.listdir(self.path("out"))), ["pieces.glb", "report.json"])
+        self.assertIs(report["settings"]["single-file"], True)
+        self.assertEqual([piece["file"] for piece in report["pieces"]], len(separate) * ["pieces.glb"])
+        self.assertEqual([piece["faces"] for piece in report["pieces"]], [piece["faces"] for piece in separate])
+        gltf, rows = self.gltf_of("out/pieces.glb")
+        names = ["left fender", "UCX_left fender_00", "left fender.001", "UCX_left fender.001_00"]
+        self.assertEqual([node["name"] for node in gltf["nodes"]], names)
+        self.assertEqual(gltf["scenes"], [{"nodes": [0, 1, 2, 3]}])
+        self.assertEqual([node["mesh"] for node in gltf["nodes"]], [0, 1, 2, 3])
+        self.assertEqual(sorted(material["name"] for material in gltf["materials"]), ["bare", "red paint"])
+        self.assertEqual(len(gltf["images"]), 1)
+        self.assertEqual(self.read("out/pieces.glb").count(IMAGE), 1)
+        for node, piece in zip(gltf["nodes"][::2], report["pieces"]):
+            primitives = gltf["meshes"][node["mesh"]]["primitives"]
+            self.assertEqual(sum(gltf["accessors"][p["indices"]]["count"] for p in primitives), 3 * piece["faces"])
+            for primitive in primitives:
+                keys = primitive["attributes"]
+                corners = zip(rows(keys["POSITION"]), rows(keys["TEXCOORD_0"]))
+                used = set(i for i, in rows(primitive["indices"]))
+                for number, (position, (u, v)) in enumerate(corners):
+                    x, z = (position[k] + node["translation"][k] for k in (0, 2))
+                    if number in used:
+                        self.assertAlmostEqual(u, 2 * x, delta=1e-5)
+                        self.assertAlmostEqual(v, z, delta=1e-5)
+        self.cut("--format", "gltf")
+        self.assertNotIn("pieces.glb", os.listdir(self.path("out")))
+
     def test_colliders_need_gltf(self):
-        for arguments, words in ((["--colliders", "hull"], "only glTF holds colliders, not obj"),
-                                 (["--colliders", "hull", "--format", "stl"], "only glTF holds colliders, not stl"),
+        for arguments, words in ((["--colliders", "hull"], "only glTF holds colliders"),
+                                 (["--colliders", "hull", "--format", "stl"], "only glTF holds colliders"),
                                  (["--collider-names", "godot"], "requires --colliders"),
+                                 (["--single-file"], "requires --format glb"),
                                  (["--colliders", "box", "--format", "glb"], "the values are: hull")):
             done = subprocess.run([KERF, "cut", "plate.obj", "--out", "out", *arguments], cwd=self.folder,
                                   capture_output=True, text=True, timeout=120)

@@ -29,9 +29,9 @@ void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink) {
     case MeshFormat::kOff:
       return encode_off(mesh, sink);
     case MeshFormat::kGlb:
-      return encode_glb(mesh, sink);
+      return encode_glb({&mesh, 1}, sink);
     case MeshFormat::kGltf:
-      return encode_gltf(mesh, sink);
+      return encode_gltf({&mesh, 1}, sink);
     case MeshFormat::k3mf:
       return encode_3mf(mesh, sink);
   }

@@ -70,17 +70,17 @@ void encode_ply(const MeshView& mesh, const ByteSink& sink);
 // materials. Preconditions: positions are within the range of float, and there are fewer than 2^32 triangles.
 void encode_stl(const MeshView& mesh, const ByteSink& sink);
 
-// Binary glTF 2.0: one node with the name, with a primitive for each material in use; the triangles of the
-// primitives follow one another. Positions are rounded to single precision relative to the middle of the
+// Binary glTF 2.0: a node a mesh with its name, with a primitive for each material in use; the triangles of
+// the primitives follow one another. Positions are rounded to single precision relative to the middle of the
 // mesh, and colours to 16 bits of linear light. Vertices with different looks are separate; if there are UVs
 // or normals, every vertex has a UV and a normal, zero and that of the face by default. Tangents and custom
-// attributes, "_NAME", are floats. Materials have the
-// surfaces, whose images are embedded byte for byte. A collider is a second node at the same place; the mass
-// properties become extras of the first one, relative to its origin. Preconditions: the extent is within the
+// attributes, "_NAME", are floats. Materials have the surfaces, whose images are embedded byte for byte;
+// meshes share them. A collider is a node after that of its mesh, at the same place; the mass properties
+// become extras of the node of the mesh, relative to its origin. Preconditions: the extent is within the
 // range of float, and the file has fewer than 2^32 bytes.
-void encode_glb(const MeshView& mesh, const ByteSink& sink);
+void encode_glb(std::span<const MeshView> meshes, const ByteSink& sink);
 // Text glTF with the numbers in base 64. Same preconditions.
-void encode_gltf(const MeshView& mesh, const ByteSink& sink);
+void encode_gltf(std::span<const MeshView> meshes, const ByteSink& sink);
 // 3MF in millimetres in single precision with six decimal places: one object with the name, and its colours
 // or, without any, its materials with the colours of their surfaces. The same mesh gives the same bytes.
 // Holds the whole file in memory; throws std::bad_alloc. Preconditions: there are triangles, each with three

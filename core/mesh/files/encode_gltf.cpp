@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -77,51 +80,80 @@ std::vector<Group> by_material(const MeshView& mesh) {
 
 OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-// A glTF file to be written: its vertices, materials and the layout of its buffer.
-class GltfDocument {
+// A buffer view.
+struct BufferPart {
+  size_t offset, bytes;
+  int target;  // 0: none
+};
+
+// A mesh with its collider in a glTF file to be written.
+class GltfMesh {
  public:
-  explicit GltfDocument(const MeshView& mesh)
-      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh, true, true), groups_(by_material(mesh)) {
-    std::vector<uint16_t> named;
-    for (const Group& group : groups_) {
-      const bool has_name =
-          group.material < mesh.material_names.size() && !mesh.material_names[group.material].empty();
-      const bool described = mesh.surfaces && group.material < mesh.surfaces->materials.size() &&
-                             (!mesh.surfaces->materials[group.material].gltf.empty() ||
-                              !mesh.surfaces->materials[group.material].mtl.empty());
-      material_of_group_.push_back(has_name || described ? static_cast<int>(named.size()) : -1);
-      if (has_name || described) named.push_back(group.material);
+  explicit GltfMesh(const MeshView& mesh)
+      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh, true, true), groups_(by_material(mesh)) {}
+
+  // Lists the materials in use, in their order; nullopt for one without a name or a description.
+  std::vector<std::optional<GltfMaterial>> materials() const {
+    std::vector<std::optional<GltfMaterial>> used;
+    for (const auto& [material, triangles] : groups_) {
+      const std::string_view name =
+          material < mesh_.material_names.size() ? mesh_.material_names[material] : std::string_view();
+      const SurfaceLibrary* const library = mesh_.surfaces;
+      const bool described =
+          library && material < library->materials.size() &&
+          (!library->materials[material].gltf.empty() || !library->materials[material].mtl.empty());
+      used.emplace_back();
+      if (!name.empty() || described) used.back() = {library, material, name};
     }
-    surfaces_ = gltf_surfaces(mesh.surfaces, named, mesh.material_names);
-    lay_out();
+    return used;
+  }
+  // Sets the numbers of these in the file.
+  void set_materials(std::vector<std::optional<size_t>> numbers) { materials_ = std::move(numbers); }
+
+  // Appends the buffer views and adds their size: positions, indices, other values of vertices, the hull.
+  void lay_out(std::vector<BufferPart>& parts, size_t& bytes) {
+    first_view_ = parts.size();
+    const size_t count = vertices_.count(mesh_);
+    std::vector<size_t> sizes{count * 3 * sizeof(float)};
+    if (!mesh_.colours.empty()) sizes.push_back(count * kColourBytes);
+    if (!vertices_.normals.empty()) sizes.push_back(count * 3 * sizeof(float));
+    if (!vertices_.tangents.empty()) sizes.push_back(count * 4 * sizeof(float));
+    for (size_t set = 0; set < vertices_.uv_sets.size(); ++set) sizes.push_back(count * 2 * sizeof(float));
+    for (size_t i = 0; i < vertices_.attributes.size(); ++i)
+      sizes.push_back(count * mesh_.looks->attributes[i].parts * sizeof(float));
+    const auto add = [&](size_t place, size_t size, int target) {
+      parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(place), {bytes, size, target});
+      bytes += size;
+    };
+    for (const size_t size : sizes) add(parts.size(), size, kVertexTarget);
+    add(first_view_ + 1, 3 * sizeof(uint32_t) * mesh_.triangles.size(), kIndexTarget);
+    if (!has_hull()) return;
+    hull_view_ = parts.size();
+    add(parts.size(), mesh_.collider->positions.size() * 3 * sizeof(float), kVertexTarget);
+    add(parts.size(), mesh_.collider->triangles.size() * 3 * sizeof(uint32_t), kIndexTarget);
   }
 
-  size_t bytes() const { return bytes_; }
-
-  OrderedJson describe() const {
+  // Appends the nodes, meshes and accessors. Precondition: set_materials() and lay_out() were called.
+  void describe(OrderedJson& nodes, OrderedJson& meshes, OrderedJson& accessors) const {
     const size_t count = vertices_.count(mesh_);
-    OrderedJson primitives = OrderedJson::array(), accessors = OrderedJson::array();
-    accessors.push_back({{"bufferView", 0},
-                         {"componentType", kGltfFloat},
-                         {"count", count},
-                         {"type", "VEC3"},
-                         {"min", list_of(floats_.low)},
-                         {"max", list_of(floats_.high)}});
-    OrderedJson attributes{{"POSITION", 0}};
-    size_t view = 2;
-    if (!mesh_.colours.empty()) {
-      attributes["COLOR_0"] = accessors.size();
-      accessors.push_back({{"bufferView", view++},
-                           {"componentType", kGltfShort},
-                           {"normalized", true},
-                           {"count", count},
-                           {"type", "VEC4"}});
-    }
-    const auto add_floats = [&](const std::string& name, const char* type) {
+    OrderedJson primitives = OrderedJson::array(), attributes;
+    size_t view = first_view_;
+    const auto add = [&](const std::string& name, OrderedJson more) {
       attributes[name] = accessors.size();
-      accessors.push_back(
-          {{"bufferView", view++}, {"componentType", kGltfFloat}, {"count", count}, {"type", type}});
+      OrderedJson accessor{{"bufferView", view}, {"count", count}};
+      accessor.update(more);
+      accessors.push_back(std::move(accessor));
+      view += view == first_view_ ? 2 : 1;  // the second one has the indices
     };
+    const auto add_floats = [&](const std::string& name, const char* type) {
+      add(name, {{"componentType", kGltfFloat}, {"type", type}});
+    };
+    add("POSITION", {{"componentType", kGltfFloat},
+                     {"type", "VEC3"},
+                     {"min", list_of(floats_.low)},
+                     {"max", list_of(floats_.high)}});
+    if (!mesh_.colours.empty())
+      add("COLOR_0", {{"componentType", kGltfShort}, {"normalized", true}, {"type", "VEC4"}});
     if (!vertices_.normals.empty()) add_floats("NORMAL", "VEC3");
     if (!vertices_.tangents.empty()) add_floats("TANGENT", "VEC4");
     for (size_t set = 0; set < vertices_.uv_sets.size(); ++set)
@@ -132,50 +164,23 @@ class GltfDocument {
     size_t offset = 0;
     for (size_t g = 0; g < groups_.size(); ++g) {
       OrderedJson primitive{{"attributes", attributes}, {"indices", accessors.size()}};
-      accessors.push_back({{"bufferView", 1},
+      accessors.push_back({{"bufferView", first_view_ + 1},
                            {"byteOffset", offset},
                            {"componentType", kGltfInt},
                            {"count", 3 * groups_[g].triangles.size()},
                            {"type", "SCALAR"}});
       offset += 3 * sizeof(uint32_t) * groups_[g].triangles.size();
-      if (material_of_group_[g] >= 0) primitive["material"] = material_of_group_[g];
+      if (materials_[g]) primitive["material"] = *materials_[g];
       primitives.push_back(std::move(primitive));
     }
-    OrderedJson nodes = OrderedJson::array({node_of(0, mesh_.name)});
-    OrderedJson meshes = OrderedJson::array({OrderedJson{{"primitives", std::move(primitives)}}});
+    nodes.push_back(node_of(meshes.size(), mesh_.name));
+    meshes.push_back({{"primitives", std::move(primitives)}});
     if (mesh_.collider) describe_collider(nodes, meshes, accessors);
-    OrderedJson json{{"asset", {{"version", "2.0"}, {"generator", "Kerf"}}}, {"scene", 0}};
-    if (!surfaces_.used_extensions.empty()) json["extensionsUsed"] = surfaces_.used_extensions;
-    if (!surfaces_.required_extensions.empty()) json["extensionsRequired"] = surfaces_.required_extensions;
-    OrderedJson roots = OrderedJson::array();
-    for (size_t i = 0; i < nodes.size(); ++i) roots.push_back(i);
-    json["scenes"] = OrderedJson::array({OrderedJson{{"nodes", std::move(roots)}}});
-    json["nodes"] = std::move(nodes);
-    json["meshes"] = std::move(meshes);
-    if (!surfaces_.materials.empty()) json["materials"] = surfaces_.materials;
-    if (!surfaces_.textures.empty()) json["textures"] = surfaces_.textures;
-    if (!surfaces_.samplers.empty()) json["samplers"] = surfaces_.samplers;
-    json["accessors"] = std::move(accessors);
-    json["bufferViews"] = OrderedJson::array();
-    for (const Part& part : parts_) {
-      OrderedJson own{{"buffer", 0}};
-      if (part.offset > 0) own["byteOffset"] = part.offset;
-      own["byteLength"] = part.bytes;
-      if (part.target != 0) own["target"] = part.target;
-      json["bufferViews"].push_back(std::move(own));
-    }
-    if (!surfaces_.images.empty()) {
-      json["images"] = surfaces_.images;
-      for (size_t i = 0; i < surfaces_.images.size(); ++i)
-        json["images"][i]["bufferView"] = parts_.size() - surfaces_.images.size() + i;
-    }
-    json["buffers"] = OrderedJson::array({OrderedJson{{"byteLength", bytes_}}});
-    return json;
   }
 
   // Writes the bytes of the buffer: positions, colours, normals, tangents, UVs, attributes, the indices of
-  // each group, the hull of the collider, images.
-  bool emit_buffer(const ByteSink& sink) const {
+  // each group, the hull of the collider.
+  bool emit(const ByteSink& sink) const {
     const size_t count = vertices_.count(mesh_);
     const auto append_positions = [&](size_t i, size_t end, std::string& part) {
       for (; i < end; ++i) {
@@ -220,23 +225,10 @@ class GltfDocument {
           });
       if (!done) return false;
     }
-    if (has_hull() && !sink(hull_bytes())) return false;
-    for (const uint32_t i : surfaces_.library_images) {
-      const std::string& image = mesh_.surfaces->images[i].bytes;
-      if (!sink(image) || !sink(std::string(padding(image.size()), '\0'))) return false;
-    }
-    return true;
+    return !has_hull() || sink(hull_bytes());
   }
 
  private:
-  // A buffer view.
-  struct Part {
-    size_t offset, bytes;
-    int target;  // 0: none
-  };
-
-  static size_t padding(size_t bytes) { return (4 - bytes % 4) % 4; }
-
   OrderedJson node_of(size_t mesh, std::string_view name) const {
     const Vec3& middle = floats_.middle;
     OrderedJson node{{"mesh", mesh}, {"translation", {middle.x, middle.y, middle.z}}};
@@ -246,29 +238,28 @@ class GltfDocument {
 
   bool has_hull() const { return mesh_.collider && !mesh_.collider->triangles.empty(); }
 
-  // Adds the mass properties to the first node, and a node with the hull.
+  // Adds the mass properties to the last node, and a node with the hull.
   void describe_collider(OrderedJson& nodes, OrderedJson& meshes, OrderedJson& accessors) const {
     const NodeCollider& collider = *mesh_.collider;
     const Vec3 centre = collider.centre_of_mass - floats_.middle;
-    nodes[0]["extras"] = {{"mass", collider.mass},
-                          {"centre_of_mass", {centre.x, centre.y, centre.z}},
-                          {"inertia", collider.inertia}};
+    nodes.back()["extras"] = {{"mass", collider.mass},
+                              {"centre_of_mass", {centre.x, centre.y, centre.z}},
+                              {"inertia", collider.inertia}};
     if (!has_hull()) return;
-    const size_t view = parts_.size() - surfaces_.library_images.size() - 2;
-    nodes.push_back(node_of(1, collider.name));
     // Engines refer to the mesh by its name, too.
-    if (!mesh_.name.empty()) meshes[0]["name"] = std::string(mesh_.name);
+    if (!mesh_.name.empty()) meshes.back()["name"] = std::string(mesh_.name);
+    nodes.push_back(node_of(meshes.size(), collider.name));
     const OrderedJson primitive{{"attributes", {{"POSITION", accessors.size()}}},
                                 {"indices", accessors.size() + 1}};
     meshes.push_back({{"name", collider.name}, {"primitives", OrderedJson::array({primitive})}});
     const Box box = box_of(collider.positions);
-    accessors.push_back({{"bufferView", view},
+    accessors.push_back({{"bufferView", hull_view_},
                          {"componentType", kGltfFloat},
                          {"count", collider.positions.size()},
                          {"type", "VEC3"},
                          {"min", list_of(floats_.of(box.min))},
                          {"max", list_of(floats_.of(box.max))}});
-    accessors.push_back({{"bufferView", view + 1},
+    accessors.push_back({{"bufferView", hull_view_ + 1},
                          {"componentType", kGltfInt},
                          {"count", 3 * collider.triangles.size()},
                          {"type", "SCALAR"}});
@@ -286,45 +277,91 @@ class GltfDocument {
     return bytes;
   }
 
-  void lay_out() {
-    const size_t count = vertices_.count(mesh_);
-    std::vector<size_t> sizes{count * 3 * sizeof(float)};
-    if (!mesh_.colours.empty()) sizes.push_back(count * kColourBytes);
-    if (!vertices_.normals.empty()) sizes.push_back(count * 3 * sizeof(float));
-    if (!vertices_.tangents.empty()) sizes.push_back(count * 4 * sizeof(float));
-    for (size_t set = 0; set < vertices_.uv_sets.size(); ++set) sizes.push_back(count * 2 * sizeof(float));
-    for (size_t i = 0; i < vertices_.attributes.size(); ++i)
-      sizes.push_back(count * mesh_.looks->attributes[i].parts * sizeof(float));
-    for (const size_t size : sizes) {
-      parts_.push_back({bytes_, size, kVertexTarget});
-      bytes_ += size;
-    }
-    const size_t index_bytes = 3 * sizeof(uint32_t) * mesh_.triangles.size();
-    parts_.insert(parts_.begin() + 1, {bytes_, index_bytes, kIndexTarget});
-    bytes_ += index_bytes;
-    if (has_hull()) {
-      for (const auto& [size, target] :
-           {std::pair(mesh_.collider->positions.size() * 3 * sizeof(float), kVertexTarget),
-            {mesh_.collider->triangles.size() * 3 * sizeof(uint32_t), kIndexTarget}}) {
-        parts_.push_back({bytes_, size, target});
-        bytes_ += size;
-      }
-    }
-    for (const uint32_t i : surfaces_.library_images) {
-      const size_t size = mesh_.surfaces->images[i].bytes.size();
-      parts_.push_back({bytes_, size, 0});
-      bytes_ += size + padding(size);
-    }
-  }
-
   const MeshView& mesh_;
   Floats floats_;
   SplitVertices vertices_;
   std::vector<Group> groups_;
-  std::vector<int> material_of_group_;  // -1: none
+  std::vector<std::optional<size_t>> materials_;  // by group
+  size_t first_view_ = 0, hull_view_ = 0;
+};
+
+// A glTF file to be written: its meshes, materials and the layout of its buffer.
+class GltfDocument {
+ public:
+  explicit GltfDocument(std::span<const MeshView> meshes) {
+    std::vector<GltfMaterial> used;
+    std::map<GltfMaterial, size_t> numbers;
+    for (const MeshView& mesh : meshes) {
+      std::vector<std::optional<size_t>> own;
+      for (const auto& material : meshes_.emplace_back(mesh).materials()) {
+        own.emplace_back();
+        if (!material) continue;
+        const auto [known, added] = numbers.try_emplace(*material, used.size());
+        if (added) used.push_back(*material);
+        own.back() = known->second;
+      }
+      meshes_.back().set_materials(std::move(own));
+      meshes_.back().lay_out(parts_, bytes_);
+    }
+    surfaces_ = gltf_surfaces(used);
+    first_image_view_ = parts_.size();
+    for (const SurfaceImage* image : surfaces_.sources) {
+      parts_.push_back({bytes_, image->bytes.size(), 0});
+      bytes_ += image->bytes.size() + padding(image->bytes.size());
+    }
+  }
+
+  size_t bytes() const { return bytes_; }
+
+  OrderedJson describe() const {
+    OrderedJson nodes = OrderedJson::array(), meshes = nodes, accessors = nodes, roots = nodes;
+    for (const GltfMesh& mesh : meshes_) mesh.describe(nodes, meshes, accessors);
+    OrderedJson json{{"asset", {{"version", "2.0"}, {"generator", "Kerf"}}}, {"scene", 0}};
+    if (!surfaces_.used_extensions.empty()) json["extensionsUsed"] = surfaces_.used_extensions;
+    if (!surfaces_.required_extensions.empty()) json["extensionsRequired"] = surfaces_.required_extensions;
+    for (size_t i = 0; i < nodes.size(); ++i) roots.push_back(i);
+    json["scenes"] = OrderedJson::array({OrderedJson{{"nodes", std::move(roots)}}});
+    json["nodes"] = std::move(nodes);
+    json["meshes"] = std::move(meshes);
+    if (!surfaces_.materials.empty()) json["materials"] = surfaces_.materials;
+    if (!surfaces_.textures.empty()) json["textures"] = surfaces_.textures;
+    if (!surfaces_.samplers.empty()) json["samplers"] = surfaces_.samplers;
+    json["accessors"] = std::move(accessors);
+    json["bufferViews"] = OrderedJson::array();
+    for (const BufferPart& part : parts_) {
+      OrderedJson own{{"buffer", 0}};
+      if (part.offset > 0) own["byteOffset"] = part.offset;
+      own["byteLength"] = part.bytes;
+      if (part.target != 0) own["target"] = part.target;
+      json["bufferViews"].push_back(std::move(own));
+    }
+    if (!surfaces_.images.empty()) {
+      json["images"] = surfaces_.images;
+      for (size_t i = 0; i < surfaces_.images.size(); ++i)
+        json["images"][i]["bufferView"] = first_image_view_ + i;
+    }
+    json["buffers"] = OrderedJson::array({OrderedJson{{"byteLength", bytes_}}});
+    return json;
+  }
+
+  // Writes the buffer: the meshes, then the images.
+  bool emit_buffer(const ByteSink& sink) const {
+    for (const GltfMesh& mesh : meshes_) {
+      if (!mesh.emit(sink)) return false;
+    }
+    for (const SurfaceImage* image : surfaces_.sources) {
+      if (!sink(image->bytes) || !sink(std::string(padding(image->bytes.size()), '\0'))) return false;
+    }
+    return true;
+  }
+
+ private:
+  static size_t padding(size_t bytes) { return (4 - bytes % 4) % 4; }
+
+  std::deque<GltfMesh> meshes_;
   GltfSurfaces surfaces_;
-  std::vector<Part> parts_;  // positions, indices, other values of vertices, the hull, images
-  size_t bytes_ = 0;
+  std::vector<BufferPart> parts_;
+  size_t first_image_view_ = 0, bytes_ = 0;
 };
 
 std::string gltf_text(const OrderedJson& json) {
@@ -344,8 +381,8 @@ Vec3 gltf_middle(std::span<const Vec3> positions) {
   return positions.empty() ? Vec3(0) : box_of(positions).middle();
 }
 
-void encode_glb(const MeshView& mesh, const ByteSink& sink) {
-  const GltfDocument document(mesh);
+void encode_glb(std::span<const MeshView> meshes, const ByteSink& sink) {
+  const GltfDocument document(meshes);
   std::string text = gltf_text(document.describe());
   text.append((4 - text.size() % 4) % 4, ' ');
   std::string head;
@@ -360,8 +397,8 @@ void encode_glb(const MeshView& mesh, const ByteSink& sink) {
   if (sink(head)) document.emit_buffer(sink);
 }
 
-void encode_gltf(const MeshView& mesh, const ByteSink& sink) {
-  const GltfDocument document(mesh);
+void encode_gltf(std::span<const MeshView> meshes, const ByteSink& sink) {
+  const GltfDocument document(meshes);
   std::string buffer;
   document.emit_buffer([&](std::string_view part) {
     buffer += part;

@@ -93,10 +93,13 @@ class MtlStatements {
 // Collects the materials of one glTF file.
 class GltfCollection {
  public:
-  GltfCollection(const SurfaceLibrary& library, MissingImages missing)
-      : library_(library), missing_(missing) {}
+  explicit GltfCollection(MissingImages missing) : missing_(missing) {}
 
-  SurfaceJson material(const SurfaceMaterial& material) {
+  // Precondition: the library has the material.
+  SurfaceJson material(const SurfaceLibrary& library, uint16_t number) {
+    library_ = &library;
+    for (const std::string& name : library.required_extensions) required_.insert(name);
+    const SurfaceMaterial& material = library.materials[number];
     return material.gltf.empty() ? from_mtl(material) : from_gltf(material);
   }
 
@@ -104,9 +107,9 @@ class GltfCollection {
     out.textures = std::move(textures_);
     out.samplers = std::move(samplers_);
     out.images = std::move(images_);
-    out.library_images = std::move(library_images_);
+    out.sources = std::move(sources_);
     out.used_extensions.assign(extensions_.begin(), extensions_.end());
-    for (const std::string& name : library_.required_extensions) {
+    for (const std::string& name : required_) {
       if (extensions_.contains(name)) out.required_extensions.push_back(name);
     }
   }
@@ -140,10 +143,11 @@ class GltfCollection {
   }
 
   std::optional<size_t> texture(const SurfaceJson& index) {
-    if (!index.is_number_unsigned() || index.get<uint64_t>() >= library_.textures.size()) return std::nullopt;
-    const auto from = index.get<size_t>();
+    if (!index.is_number_unsigned() || index.get<uint64_t>() >= library_->textures.size())
+      return std::nullopt;
+    const Source from{library_, index.get<size_t>()};
     if (const auto known = texture_numbers_.find(from); known != texture_numbers_.end()) return known->second;
-    SurfaceJson json = SurfaceJson::parse(library_.textures[from], nullptr, false);
+    SurfaceJson json = SurfaceJson::parse(library_->textures[from.second], nullptr, false);
     if (!json.is_object() || !renumber_sources(json)) return std::nullopt;
     if (json.contains("sampler")) {
       const auto own = sampler(json["sampler"]);
@@ -161,7 +165,7 @@ class GltfCollection {
     const auto replace = [&](SurfaceJson& of) {
       if (!of.is_object() || !of.contains("source")) return;
       const SurfaceJson& source = of["source"];
-      const bool fits = source.is_number_unsigned() && source.get<uint64_t>() < library_.images.size();
+      const bool fits = source.is_number_unsigned() && source.get<uint64_t>() < library_->images.size();
       const auto own = fits ? image(source.get<uint32_t>()) : std::nullopt;
       any = any || own;
       if (own) of["source"] = *own;
@@ -178,22 +182,23 @@ class GltfCollection {
   }
 
   std::optional<size_t> sampler(const SurfaceJson& index) {
-    if (!index.is_number_unsigned() || index.get<uint64_t>() >= library_.samplers.size()) return std::nullopt;
-    const auto from = index.get<size_t>();
+    if (!index.is_number_unsigned() || index.get<uint64_t>() >= library_->samplers.size())
+      return std::nullopt;
+    const Source from{library_, index.get<size_t>()};
     const auto [known, added] = sampler_numbers_.try_emplace(from, samplers_.size());
-    if (added) samplers_.push_back(SurfaceJson::parse(library_.samplers[from], nullptr, false));
+    if (added) samplers_.push_back(SurfaceJson::parse(library_->samplers[from.second], nullptr, false));
     return known->second;
   }
 
   std::optional<size_t> image(uint32_t from) {
-    const SurfaceImage& image = library_.images[from];
+    const SurfaceImage& image = library_->images[from];
     if (image.bytes.empty() && missing_ == MissingImages::kLeaveOut) return std::nullopt;
-    const auto [known, added] = image_numbers_.try_emplace(from, images_.size());
+    const auto [known, added] = image_numbers_.try_emplace(&image, images_.size());
     if (added) {
       SurfaceJson json{{"name", image.name}};
       if (!image.mime_type.empty()) json["mimeType"] = image.mime_type;
       images_.push_back(std::move(json));
-      library_images_.push_back(from);
+      sources_.push_back(&image);
     }
     return known->second;
   }
@@ -241,14 +246,17 @@ class GltfCollection {
     return json;
   }
 
-  const SurfaceLibrary& library_;
+  using Source = std::pair<const SurfaceLibrary*, size_t>;
+
   MissingImages missing_;
+  const SurfaceLibrary* library_ = nullptr;  // of the current material
   SurfaceJson textures_ = SurfaceJson::array(), samplers_ = SurfaceJson::array(),
               images_ = SurfaceJson::array();
-  std::vector<uint32_t> library_images_;
-  std::map<size_t, size_t> texture_numbers_, sampler_numbers_, textures_of_images_;
-  std::map<uint32_t, size_t> image_numbers_;
-  std::set<std::string> extensions_;
+  std::vector<const SurfaceImage*> sources_;
+  std::map<Source, size_t> texture_numbers_, sampler_numbers_;
+  std::map<size_t, size_t> textures_of_images_;
+  std::map<const SurfaceImage*, size_t> image_numbers_;
+  std::set<std::string> extensions_, required_;
 };
 
 // Reads members of a material in glTF.
@@ -331,17 +339,15 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
   return lines;
 }
 
-GltfSurfaces gltf_surfaces(const SurfaceLibrary* library, std::span<const uint16_t> materials,
-                           std::span<const std::string> names, MissingImages missing) {
+GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials, MissingImages missing) {
   GltfSurfaces out;
-  const SurfaceLibrary none;
-  GltfCollection collection(library ? *library : none, missing);
+  GltfCollection collection(missing);
   out.materials = SurfaceJson::array();
-  for (const uint16_t m : materials) {
-    const bool known = library && m < library->materials.size();
-    SurfaceJson material = known ? collection.material(library->materials[m]) : SurfaceJson::object();
+  for (const auto& [library, number, name] : materials) {
+    const bool known = library && number < library->materials.size();
+    SurfaceJson material = known ? collection.material(*library, number) : SurfaceJson::object();
     SurfaceJson named = SurfaceJson::object();
-    if (m < names.size() && !names[m].empty()) named["name"] = names[m];
+    if (!name.empty()) named["name"] = std::string(name);
     for (auto& [key, value] : material.items()) {
       if (key != "name") named[key] = std::move(value);
     }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/json.h"
@@ -14,18 +15,26 @@ namespace kerf {
 // the maps of the base colour, the emission and the normals. Colours are converted from linear light to sRGB.
 std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material);
 
+// A material to write. The library, null for none, must outlive all that is made from it.
+struct GltfMaterial {
+  const SurfaceLibrary* library = nullptr;
+  uint16_t number = 0;  // in the library
+  std::string_view name{};
+
+  auto operator<=>(const GltfMaterial&) const = default;
+};
+
 // The materials of a glTF file, with their textures, samplers and images.
 struct GltfSurfaces {
   nlohmann::ordered_json materials, textures, samplers, images;  // arrays; images have no data yet
-  std::vector<uint32_t> library_images;                          // by image: its index in the library
+  std::vector<const SurfaceImage*> sources;                      // by image
   std::vector<std::string> used_extensions, required_extensions;
 };
 
-// Returns the given materials of a library (null: none) by their numbers, with names: those of glTF verbatim,
-// with indices of textures renumbered, and those of MTL converted. Files leave out images without bytes.
+// Returns materials with their names: those of glTF verbatim, with indices of textures renumbered, and those
+// of MTL converted. Files leave out images without bytes.
 enum class MissingImages : uint8_t { kLeaveOut, kKeep };
-GltfSurfaces gltf_surfaces(const SurfaceLibrary* library, std::span<const uint16_t> materials,
-                           std::span<const std::string> names,
+GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
                            MissingImages missing = MissingImages::kLeaveOut);
 
 // Return the members or statements of a material that these functions do not convert, ascending:

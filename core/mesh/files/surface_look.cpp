@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/mesh/files/surface_conversion.h"
 
@@ -43,7 +42,8 @@ std::optional<size_t> index(const Json& of, const char* key, size_t count) {
 
 class LookReader {
  public:
-  explicit LookReader(const GltfSurfaces& surfaces) : surfaces_(surfaces) {}
+  LookReader(const SurfaceLibrary& library, const GltfSurfaces& surfaces)
+      : library_(library), surfaces_(surfaces) {}
 
   SurfaceLook read(const Json& material) const {
     SurfaceLook look;
@@ -76,27 +76,29 @@ class LookReader {
     const auto texture = index(use, "index", surfaces_.textures.size());
     if (!texture) return std::nullopt;
     const Json& json = surfaces_.textures[*texture];
-    auto source = index(json, "source", surfaces_.library_images.size());
+    auto source = index(json, "source", surfaces_.sources.size());
     for (const Json& extension : member(json, "extensions")) {
-      if (!source) source = index(extension, "source", surfaces_.library_images.size());
+      if (!source) source = index(extension, "source", surfaces_.sources.size());
     }
     if (!source) return std::nullopt;
-    return surfaces_.library_images[*source];
+    return static_cast<uint32_t>(surfaces_.sources[*source] - library_.images.data());
   }
 
+  const SurfaceLibrary& library_;
   const GltfSurfaces& surfaces_;
 };
 
 }  // namespace
 
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library) {
-  std::vector<uint16_t> materials(std::min<size_t>(library.materials.size(), 0xffff));
-  std::iota(materials.begin(), materials.end(), uint16_t{0});
-  const GltfSurfaces surfaces = gltf_surfaces(&library, materials, {}, MissingImages::kKeep);
+  std::vector<GltfMaterial> materials;
+  for (size_t m = 0; m < std::min<size_t>(library.materials.size(), 0xffff); ++m)
+    materials.push_back({&library, static_cast<uint16_t>(m)});
+  const GltfSurfaces surfaces = gltf_surfaces(materials, MissingImages::kKeep);
   std::vector<std::optional<SurfaceLook>> looks(materials.size());
   for (size_t m = 0; m < materials.size(); ++m) {
     if (library.materials[m].mtl.empty() && library.materials[m].gltf.empty()) continue;
-    looks[m] = LookReader(surfaces).read(surfaces.materials[m]);
+    looks[m] = LookReader(library, surfaces).read(surfaces.materials[m]);
   }
   return looks;
 }

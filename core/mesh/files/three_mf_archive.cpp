@@ -38,6 +38,7 @@ constexpr uint32_t kRecord = 0x02014b50, kLocalHead = 0x04034b50;
 constexpr size_t kEndBytes = 22, kLocatorBytes = 20, kEnd64Bytes = 56, kRecordBytes = 46, kHeadBytes = 30;
 constexpr size_t kMaxComment = 0xffff, kMaxEntries = 100'000;
 constexpr uint64_t kMaxUnpacked = uint64_t{1} << 32;
+constexpr uint64_t kMaxRatio = 200, kAlwaysUnpacked = uint64_t{1} << 26;  // of unpacked to packed bytes
 constexpr uint16_t kStored = 0, kDeflated = 8, kEncrypted = 1, kExtra64 = 1;
 
 // Reads numbers of an archive. Those beyond its end are 0, which no check accepts as a signature.
@@ -288,7 +289,7 @@ Result<std::vector<ZipEntry>> zip_entries(std::string_view archive, const std::s
 }
 
 Status check_3mf_entries(const std::vector<ZipEntry>& entries, const std::string& name) {
-  uint64_t total = 0;
+  uint64_t total = 0, packed = 0;
   for (const ZipEntry& entry : entries) {
     if ((entry.flags & kEncrypted) != 0) return bad_input(name + ": the archive is encrypted.");
     if (entry.method != kStored && entry.method != kDeflated)
@@ -296,7 +297,10 @@ Status check_3mf_entries(const std::vector<ZipEntry>& entries, const std::string
     if (entry.size > kMaxUnpacked || total + entry.size > kMaxUnpacked)
       return bad_input(name + ": the content of the archive exceeds the limit of 4 GiB.");
     total += entry.size;
+    packed += entry.content.size();
   }
+  if (total > kAlwaysUnpacked && total / kMaxRatio > packed)
+    return bad_input(name + ": the archive unpacks to more than 200 times its size.");
   ComponentScan scan;
   for (const ZipEntry& entry : entries) {
     const bool is_model = entry.name.ends_with(".model");

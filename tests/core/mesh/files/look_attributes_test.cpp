@@ -81,13 +81,13 @@ TEST(AttributesOfPly, have_a_limit) {
             std::vector<std::string>{"4 properties of vertices beyond the limit of 16 were ignored."});
 }
 
-struct Sample {
+struct AttributeSample {
   Soup soup;
   MeshView view() const { return {soup.positions, soup.triangles, {}, {}, {}, {}, {}, &soup.looks}; }
 };
 
-Sample random_sample(Random& random) {
-  Sample sample;
+AttributeSample random_attributes(Random& random) {
+  AttributeSample sample;
   Soup& soup = sample.soup;
   const auto number = [&] { return static_cast<float>(random.uniform(-1, 1)); };
   const auto corners = [&](uint64_t count) {
@@ -132,7 +132,7 @@ TEST(Attributes, come_back_from_gltf_and_ply) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    const Sample sample = random_sample(random);
+    const AttributeSample sample = random_attributes(random);
     const auto gltf = read_gltf(encoded(sample.view(), MeshFormat::kGlb), "a.glb");
     ASSERT_TRUE(gltf.ok()) << gltf.error().message;
     EXPECT_EQ(gltf->warnings, std::vector<std::string>{});
@@ -167,7 +167,7 @@ TEST(Attributes, come_back_from_gltf_and_ply) {
 }
 
 TEST(Attributes, of_ply_need_no_normals_and_do_not_take_names) {
-  Sample sample;
+  AttributeSample sample;
   sample.soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   sample.soup.triangles = {{0, 1, 2}, {2, 1, 3}};
   sample.soup.looks.attributes = {{"x", 1, {{{1, 0, 0, 0}, {2, 0, 0, 0}, {3, 0, 0, 0}, {4, 0, 0, 0}}, {}}}};
@@ -187,7 +187,7 @@ TEST(TangentsOfGltf, keep_the_bitangent_under_transforms) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    Sample sample;
+    AttributeSample sample;
     sample.soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     sample.soup.triangles = {{0, 1, 2}};
     CornerLooks& looks = sample.soup.looks;

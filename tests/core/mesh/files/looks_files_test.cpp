@@ -238,9 +238,8 @@ TEST(GltfSurfaces, keep_extensions_and_renumber_textures) {
        R"({"name":"other","normalTexture":{"index":1,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}},)"
        R"("occlusionTexture":{"index":2},"emissiveTexture":{"index":77},)"
        R"("extensions":{"KHR_materials_odd":{"oddTexture":{"index":1},"odd":[1,{"x":3}]}}})"}};
-  const std::vector<uint16_t> used{1};
-  const std::vector<std::string> names{"first", "second"};
-  const GltfSurfaces out = gltf_surfaces(&library, used, names);
+  const std::vector<GltfMaterial> used{{&library, 1, "second"}};
+  const GltfSurfaces out = gltf_surfaces(used);
   EXPECT_EQ(
       out.materials.dump(),
       R"([{"name":"second","normalTexture":{"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}},)"
@@ -248,7 +247,7 @@ TEST(GltfSurfaces, keep_extensions_and_renumber_textures) {
   EXPECT_EQ(out.textures.dump(),
             R"([{"source":0,"sampler":0,"extensions":{"EXT_texture_webp":{"source":0}}}])");
   EXPECT_EQ(out.samplers.dump(), R"([{"wrapS":2}])");
-  EXPECT_EQ(out.library_images, std::vector<uint32_t>{1});
+  EXPECT_EQ(out.sources, std::vector<const SurfaceImage*>{&library.images[1]});
   EXPECT_EQ(out.used_extensions,
             (std::vector<std::string>{"EXT_texture_webp", "KHR_materials_odd", "KHR_texture_transform"}));
   EXPECT_EQ(out.required_extensions, std::vector<std::string>{"KHR_materials_odd"});

@@ -238,8 +238,9 @@ std::string deflated(const std::string& content) {
 TEST(ThreeMf, archives_that_lie_are_refused) {
   const std::string good = model("meter", object(1, "", kTriangleMesh), "<item objectid=\"1\"/>");
   auto files = package(good);
-  files[2].size = 1u << 31;
+  files[2].size = 1u << 25;
   EXPECT_NE(refusal(archive(files)).find("another size than declared"), std::string::npos);
+  files[2].size = 1u << 31;
   files.push_back(files[2]);
   files.push_back(files[2]);
   EXPECT_NE(refusal(archive(files)).find("limit of 4 GiB"), std::string::npos);
@@ -253,6 +254,9 @@ TEST(ThreeMf, archives_that_lie_are_refused) {
   const std::string bomb = deflated(good + std::string(1 << 22, ' '));
   files[2] = {"3D/3dmodel.model", bomb, 8, 0, 100};
   EXPECT_NE(refusal(archive(files)).find("another size than declared"), std::string::npos);
+  const std::string blank = good + std::string(1 << 26, ' ');
+  files[2] = {"3D/3dmodel.model", deflated(blank), 8, 0, static_cast<uint32_t>(blank.size())};
+  EXPECT_NE(refusal(archive(files)).find("200 times its size"), std::string::npos);
   files.erase(files.begin());
   EXPECT_NE(refusal(archive({files[0]})).find("not a usable 3MF file"), std::string::npos);
   EXPECT_NE(refusal("PK\x03\x04").find("damaged"), std::string::npos);

@@ -116,9 +116,9 @@ class Mesh {
   // Takes ownership of a kerf_c.h handle.
   explicit Mesh(kerf_mesh* mesh) : mesh_(mesh, kerf_mesh_destroy) {}
 
-  // Writes the mesh to a file atomically: a failed call leaves no partial file. path: its extension decides
-  // the format: .obj, .ply, .stl, .off, .glb or .gltf. Throws InvalidArgument for another extension, Error if
-  // the file cannot be written. O(n).
+  // Writes the mesh to a file atomically: a failed call leaves no partial file.
+  // path: its extension decides the format: .obj, .ply, .stl, .off, .glb, .gltf or .3mf.
+  // Throws InvalidArgument for another extension, Error if the file cannot be written. O(n).
   void write(const std::string& path) const { check(kerf_mesh_write(get(), path.c_str())); }
 
   // Return three numbers per vertex (m) and three vertex indices per face. Valid while any copy of the mesh
@@ -134,6 +134,36 @@ class Mesh {
   std::span<const double> face_temperatures() const {
     const double* first = kerf_mesh_face_temperatures(get());
     return {first, first == nullptr ? 0 : kerf_mesh_face_count(get())};
+  }
+
+  // Values at the corners of the faces; see kerf_mesh_attribute_count.
+  struct Attribute {
+    std::string name;
+    size_t size = 0;            // numbers per corner
+    std::vector<float> values;  // 3 * size numbers per face; NaN if it has none
+  };
+  // Returns copies of all attributes. O(n).
+  std::vector<Attribute> attributes() const {
+    std::vector<Attribute> all(kerf_mesh_attribute_count(get()));
+    for (size_t i = 0; i < all.size(); ++i) {
+      all[i].name = kerf_mesh_attribute_name(get(), i);
+      all[i].size = kerf_mesh_attribute_size(get(), i);
+      all[i].values.resize(all[i].size * faces().size());
+      check(kerf_mesh_get_attribute(get(), i, all[i].values.data()));
+    }
+    return all;
+  }
+  // Returns the index of the material of each face; empty if the mesh has no materials. O(1).
+  std::span<const uint16_t> face_materials() const {
+    const uint16_t* first = kerf_mesh_face_materials(get());
+    return {first, first == nullptr ? 0 : kerf_mesh_face_count(get())};
+  }
+  // Returns the names of materials by index, some empty.
+  std::vector<std::string> material_names() const {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < kerf_mesh_material_count(get()); ++i)
+      names.emplace_back(kerf_mesh_material_name(get(), i));
+    return names;
   }
 
   // Return the properties of the mesh; see kerf_mesh_info. O(1).

@@ -92,7 +92,7 @@ KERF_API kerf_result kerf_mesh_create(const double* vertices, size_t vertex_coun
 KERF_API void kerf_mesh_destroy(kerf_mesh* mesh);
 
 /* Writes a mesh to a file atomically: a failed call leaves no partial file.
- * path: its extension decides the format: .obj, .ply, .stl, .off, .glb or .gltf.
+ * path: its extension decides the format: .obj, .ply, .stl, .off, .glb, .gltf or .3mf.
  * Errors: KERF_INVALID_ARGUMENT for another extension, KERF_FAILED if the file cannot be written. O(n). */
 KERF_API kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path);
 
@@ -108,6 +108,33 @@ KERF_API const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh);
 /* Returns the temperature of each face (K) of a piece of a world; null for any other mesh. Valid while the
  * mesh exists. O(1). */
 KERF_API const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh);
+
+/* Attributes of a mesh: values at the corners of its faces, as read or interpolated by cuts. Names are as in
+ * glTF: TEXCOORD_0 and so on (v = 0 is the top of an image), NORMAL, TANGENT, and _NAME for custom ones. */
+
+/* Returns the number of attributes; 0 if `mesh` is null. O(1). */
+KERF_API size_t kerf_mesh_attribute_count(const kerf_mesh* mesh);
+
+/* Return the name of an attribute, valid while the mesh exists, or its numbers per corner, 1 to 4. Null or 0
+ * if there is no such attribute. O(1). */
+KERF_API const char* kerf_mesh_attribute_name(const kerf_mesh* mesh, size_t attribute);
+KERF_API size_t kerf_mesh_attribute_size(const kerf_mesh* mesh, size_t attribute);
+
+/* Copies an attribute.
+ * values: receives its numbers for each of the three corners of each face; NaN if the face has none.
+ * Errors: KERF_INVALID_ARGUMENT if there is no such attribute. O(n). */
+KERF_API kerf_result kerf_mesh_get_attribute(const kerf_mesh* mesh, size_t attribute, float* values);
+
+/* Returns the index of the material of each face; null if the mesh has no materials. Valid while the
+ * mesh exists. O(1). */
+KERF_API const uint16_t* kerf_mesh_face_materials(const kerf_mesh* mesh);
+
+/* Returns the number of named materials; 0 if `mesh` is null. Indices of faces may exceed it. O(1). */
+KERF_API size_t kerf_mesh_material_count(const kerf_mesh* mesh);
+
+/* Returns the name of a material, which may be empty; null if there is no such material. Valid while
+ * the mesh exists. O(1). */
+KERF_API const char* kerf_mesh_material_name(const kerf_mesh* mesh, size_t material);
 
 /* Properties of a mesh. Mass and inertia are 0 unless the mesh is a piece of a world. */
 typedef struct kerf_mesh_info {

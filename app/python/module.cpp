@@ -65,11 +65,12 @@ py::array_t<T> array_view(std::span<const T> numbers, const kerf::Mesh& mesh) {
 }
 
 // Like array_view(), of shape (n,).
-py::array_t<double> scalar_view(std::span<const double> numbers, const kerf::Mesh& mesh) {
+template <typename T>
+py::array_t<T> scalar_view(std::span<const T> numbers, const kerf::Mesh& mesh) {
   auto keeper = std::make_unique<kerf::Mesh>(mesh);
   const py::capsule owner(keeper.get(), [](void* m) { delete static_cast<kerf::Mesh*>(m); });
   (void)keeper.release();
-  py::array_t<double> array({static_cast<py::ssize_t>(numbers.size())}, numbers.data(), owner);
+  py::array_t<T> array({static_cast<py::ssize_t>(numbers.size())}, numbers.data(), owner);
   array.attr("flags").attr("writeable") = false;
   return array;
 }
@@ -210,6 +211,16 @@ py::array_t<double> numbers(const double (&values)[kCount]) {
   return py::array_t<double>(static_cast<py::ssize_t>(kCount), values);
 }
 
+py::dict attributes_of(const kerf::Mesh& mesh) {
+  py::dict all;
+  for (const kerf::Mesh::Attribute& attribute : mesh.attributes()) {
+    const auto size = static_cast<py::ssize_t>(attribute.size);
+    const auto faces = static_cast<py::ssize_t>(mesh.faces().size() / 3);
+    all[py::str(attribute.name)] = py::array_t<float>({faces, py::ssize_t{3}, size}, attribute.values.data());
+  }
+  return all;
+}
+
 void add_mesh(py::module_& m) {
   py::class_<kerf::Mesh>(m, "Mesh", "A triangle mesh, or a piece of one; immutable.")
       .def(py::init([](const py::object& vertices, const py::object& faces) {
@@ -237,6 +248,15 @@ void add_mesh(py::module_& m) {
           "face_temperatures",
           [](const kerf::Mesh& mesh) { return scalar_view(mesh.face_temperatures(), mesh); },
           "Face temperatures of a piece, float64 of shape (m,), kelvin; empty for any other mesh. Read-only.")
+      .def_property_readonly("attributes", attributes_of,
+                             "Values at the corners of the faces, copies: a dict of float32 arrays of shape "
+                             "(m, 3, k) by their names in glTF, such as TEXCOORD_0, NORMAL, TANGENT and "
+                             "_NAME. NaN if a face has none.")
+      .def_property_readonly(
+          "face_materials", [](const kerf::Mesh& mesh) { return scalar_view(mesh.face_materials(), mesh); },
+          "Indices of the materials of faces, uint16 of shape (m,); empty without materials. Read-only.")
+      .def_property_readonly("material_names", &kerf::Mesh::material_names,
+                             "Names of materials by index, some empty; indices of faces may exceed them.")
       .def_property_readonly("area", &kerf::Mesh::area, "Area, m^2.")
       .def_property_readonly("name", &kerf::Mesh::name,
                              "Name of the piece; empty for a mesh that was read or created.")

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,9 @@ struct kerf_mesh {
   std::vector<kerf::VertexColour> colours;  // one per position, or empty
   std::vector<uint16_t> materials;          // one per triangle, or empty
   std::vector<std::string> material_names;
+  kerf::CornerLooks looks;  // of the triangles
+  std::vector<std::string> attribute_names;
+  std::shared_ptr<const kerf::SurfaceLibrary> surfaces;  // describes the materials; null: none
   std::vector<double> temperatures;  // K, one per triangle of a piece; empty for any other mesh
   std::string name;
   kerf_mesh_info info{};         // except for its name
@@ -60,6 +64,9 @@ namespace kerf {
 
 // Computes the values that follow from the arrays, area and centroid, and sets the placement to the identity.
 void measure(kerf_mesh& mesh);
+
+// Sets the looks of a mesh and the names of its attributes.
+void set_looks(kerf_mesh& mesh, CornerLooks looks, std::shared_ptr<const SurfaceLibrary> surfaces);
 
 // Returns the mesh in the form of a file's content.
 Soup soup_of(const kerf_mesh& mesh);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "core/base/version.h"
 #include "core/mesh/mesh.h"
@@ -18,14 +20,46 @@ constexpr size_t kMaxElements = size_t{1} << 31;
 
 bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
+// Keeps the values of these triangles, ascending.
+template <typename T>
+void keep_triangles(LookChannel<T>& channel, const std::vector<size_t>& kept) {
+  for (size_t t = 0; channel.any() && t < kept.size(); ++t) channel.corners[t] = channel.corners[kept[t]];
+  if (channel.any()) channel.corners.resize(kept.size());
+}
+
+// Calls use(channel, size) for an attribute. Returns false if there is none of this number.
+template <typename Use>
+bool use_attribute(const CornerLooks& looks, size_t attribute, const Use& use) {
+  if (attribute < looks.uv_sets.size()) {
+    use(looks.uv_sets[attribute], 2);
+    return true;
+  }
+  attribute -= looks.uv_sets.size();
+  if (looks.normals.any() && attribute-- == 0) {
+    use(looks.normals, 3);
+    return true;
+  }
+  if (looks.tangents.any() && attribute-- == 0) {
+    use(looks.tangents, 4);
+    return true;
+  }
+  if (attribute >= looks.attributes.size()) return false;
+  use(looks.attributes[attribute].channel, int{looks.attributes[attribute].parts});
+  return true;
+}
+
 // Converts the usable triangles of a file, over its welded positions.
 Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   WeldedTriangles welded(soup.positions);
+  std::vector<size_t> kept;
   for (size_t t = 0; t < soup.triangles.size(); ++t) {
     const std::array<uint32_t, 3>& corners = soup.triangles[t];
     const bool usable =
         std::all_of(corners.begin(), corners.end(), [&](uint32_t v) { return is_finite(soup.positions[v]); });
-    if (usable && welded.add(corners) && !soup.materials.empty()) mesh.materials.push_back(soup.materials[t]);
+    if (!usable || !welded.add(corners)) continue;
+    kept.push_back(t);
+    if (!soup.material_names.empty())
+      mesh.materials.push_back(soup.materials.empty() ? uint16_t{0} : soup.materials[t]);
   }
   if (welded.triangles.empty()) return bad_input(name + ": the file has no usable face.");
   for (size_t p = 0; p < welded.sources.size() && !soup.colours.empty(); ++p)
@@ -33,6 +67,12 @@ Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   mesh.positions = std::move(welded.positions);
   mesh.triangles = std::move(welded.triangles);
   mesh.material_names = std::move(soup.material_names);
+  CornerLooks& looks = soup.looks;
+  for (auto& set : looks.uv_sets) keep_triangles(set, kept);
+  keep_triangles(looks.normals, kept);
+  keep_triangles(looks.tangents, kept);
+  for (auto& attribute : looks.attributes) keep_triangles(attribute.channel, kept);
+  set_looks(mesh, std::move(looks), std::move(soup.surfaces));
   return Done{};
 }
 
@@ -80,6 +120,17 @@ void measure(kerf_mesh& mesh) {
   mesh.info.orientation[0] = 1;
 }
 
+void set_looks(kerf_mesh& mesh, CornerLooks looks, std::shared_ptr<const SurfaceLibrary> surfaces) {
+  mesh.looks = std::move(looks);
+  mesh.surfaces = std::move(surfaces);
+  for (size_t set = 0; set < mesh.looks.uv_sets.size(); ++set)
+    mesh.attribute_names.push_back("TEXCOORD_" + std::to_string(set));
+  if (mesh.looks.normals.any()) mesh.attribute_names.emplace_back("NORMAL");
+  if (mesh.looks.tangents.any()) mesh.attribute_names.emplace_back("TANGENT");
+  for (const LookAttribute& attribute : mesh.looks.attributes)
+    mesh.attribute_names.push_back("_" + attribute.name);
+}
+
 Soup soup_of(const kerf_mesh& mesh) {
   Soup soup;
   soup.positions = mesh.positions;
@@ -87,6 +138,8 @@ Soup soup_of(const kerf_mesh& mesh) {
   soup.colours = mesh.colours;
   soup.materials = mesh.materials;
   soup.material_names = mesh.material_names;
+  soup.looks = mesh.looks;
+  soup.surfaces = mesh.surfaces;
   soup.faces_in_file = soup.triangles_in_file = mesh.triangles.size();
   return soup;
 }
@@ -133,14 +186,11 @@ kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path) {
     const std::filesystem::path file = path;
     const auto format = kerf::mesh_format(file.extension().string());
     if (!format) return kerf::bad_input(std::string(path) + ": must end in " + kerf::list_mesh_endings());
-    return kerf::write_mesh({mesh->positions,
-                             mesh->triangles,
-                             mesh->materials,
-                             mesh->material_names,
-                             {},
-                             mesh->name,
-                             mesh->colours},
-                            file, *format);
+    kerf::MeshView view{mesh->positions, mesh->triangles, mesh->materials, mesh->material_names, {},
+                        mesh->name,      mesh->colours};
+    if (mesh->looks.any()) view.looks = &mesh->looks;
+    view.surfaces = mesh->surfaces.get();
+    return kerf::write_mesh(view, file, *format);
   });
 }
 
@@ -155,6 +205,56 @@ const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh) {
 
 const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh) {
   return mesh == nullptr || mesh->temperatures.empty() ? nullptr : mesh->temperatures.data();
+}
+
+size_t kerf_mesh_attribute_count(const kerf_mesh* mesh) {
+  return mesh == nullptr ? 0 : mesh->attribute_names.size();
+}
+
+const char* kerf_mesh_attribute_name(const kerf_mesh* mesh, size_t attribute) {
+  return attribute < kerf_mesh_attribute_count(mesh) ? mesh->attribute_names[attribute].c_str() : nullptr;
+}
+
+size_t kerf_mesh_attribute_size(const kerf_mesh* mesh, size_t attribute) {
+  size_t size = 0;
+  if (mesh != nullptr) {
+    kerf::use_attribute(mesh->looks, attribute,
+                        [&](const auto&, int parts) { size = static_cast<size_t>(parts); });
+  }
+  return size;
+}
+
+kerf_result kerf_mesh_get_attribute(const kerf_mesh* mesh, size_t attribute, float* values) {
+  if (mesh == nullptr || values == nullptr)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "mesh and values: must not be null");
+  const kerf::CornerLooks& looks = mesh->looks;
+  const bool turn_v = attribute < looks.uv_sets.size() && !looks.v_points_down;
+  const bool found = kerf::use_attribute(looks, attribute, [&](const auto& channel, int parts) {
+    for (size_t t = 0; t < mesh->triangles.size(); ++t) {
+      for (size_t i = 0; i < 3; ++i) {
+        const uint32_t at = channel.any() ? channel.corners[t][i] : channel.kNone;
+        for (int k = 0; k < parts; ++k) {
+          const bool known = at < channel.values.size();
+          const float own = known ? channel.values[at][k] : std::numeric_limits<float>::quiet_NaN();
+          *values++ = turn_v && k == 1 ? 1 - own : own;
+        }
+      }
+    }
+  });
+  return found ? KERF_OK
+               : kerf::set_error(KERF_INVALID_ARGUMENT, "attribute: the mesh has no such attribute");
+}
+
+const uint16_t* kerf_mesh_face_materials(const kerf_mesh* mesh) {
+  return kerf_mesh_material_count(mesh) == 0 || mesh->materials.empty() ? nullptr : mesh->materials.data();
+}
+
+size_t kerf_mesh_material_count(const kerf_mesh* mesh) {
+  return mesh == nullptr ? 0 : mesh->material_names.size();
+}
+
+const char* kerf_mesh_material_name(const kerf_mesh* mesh, size_t material) {
+  return material < kerf_mesh_material_count(mesh) ? mesh->material_names[material].c_str() : nullptr;
 }
 
 void kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info) {

@@ -16,12 +16,14 @@
 #include "core/document/cut_effects.h"
 #include "core/document/extract.h"
 #include "core/document/journal.h"
+#include "core/document/piece_looks.h"
 #include "core/document/replay.h"
 #include "core/document/save.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/hash.h"
 #include "core/document/text/json.h"
 #include "core/graph/component_graph.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
 #include "core/world/world.h"
 
@@ -278,7 +280,8 @@ std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
   mesh->triangles = std::move(e.triangles);
   mesh->colours = std::move(e.colours);
   mesh->materials = std::move(e.materials);
-  mesh->material_names = part.body->material_names;
+  mesh->material_names = body.material_names;
+  if (body.looks) set_looks(*mesh, looks_of(body, part.faces, LookNormals::kSmooth), body.looks->surfaces());
   return mesh;
 }
 

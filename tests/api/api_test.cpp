@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <xmmintrin.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <clocale>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <thread>
 
@@ -395,6 +397,63 @@ TEST(Face, thermal_cuts_take_a_material) {
   EXPECT_GT(*std::max_element(warm.begin(), warm.end()), 300);
   EXPECT_LT(*std::max_element(warm.begin(), warm.end()), 2000);
   EXPECT_TRUE(sheet(2).face_temperatures().empty());
+}
+
+// Returns true if the middle of a face lies in the triangle with material "a", where x > z.
+bool uses_a(const kerf::Mesh& mesh, size_t face) {
+  double side = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const double* p = mesh.vertices().data() + 3 * mesh.faces()[3 * face + i];
+    side += p[0] - p[2];
+  }
+  return side > 0;
+}
+
+TEST(Face, attributes_and_materials_survive_cuts) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("kerf_attributes_" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  const std::string file = folder / "plate.obj";
+  std::ofstream(file)
+      << "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 3 0\nvt 3 1\nvt 0 1\nvn 0 -1 0\n"
+         "usemtl a\nf 1/1/1 2/2/1 3/3/1\nf 1/1/1 1/1/1 2/2/1\nusemtl b\nf 1/1/1 3/3/1 4/4/1\n";
+  const kerf::Mesh plate = kerf::Mesh::read(file);
+  EXPECT_EQ(plate.material_names(), (std::vector<std::string>{"a", "b"}));
+  kerf::World world;
+  world.add(plate, "plate");
+  kerf::Stroke stroke{.keys = {{0, {0.5, 1, -1}, {0, -1, 0}}, {1, {0.5, 1, 2}, {0, -1, 0}}}};
+  stroke.radius = 0.05;
+  world.cut(stroke, {.target_edge = 0.1});
+  const std::vector<kerf::Mesh> pieces = world.pieces();
+  EXPECT_EQ(pieces.size(), 2u);
+  pieces[0].write(folder / "piece.glb");
+  std::vector<kerf::Mesh> meshes{plate, kerf::Mesh::read(folder / "piece.glb")};
+  meshes.insert(meshes.end(), pieces.begin(), pieces.end());
+  for (const kerf::Mesh& mesh : meshes) {
+    const auto attributes = mesh.attributes();
+    ASSERT_EQ(attributes.size(), 2u);
+    const kerf::Mesh::Attribute &uv = attributes[0], &normal = attributes[1];
+    EXPECT_EQ(uv.name, "TEXCOORD_0");
+    EXPECT_EQ(normal.name, "NORMAL");
+    ASSERT_EQ(uv.size, 2u);
+    ASSERT_EQ(normal.size, 3u);
+    for (size_t c = 0; c < mesh.faces().size(); ++c) {
+      const double* p = mesh.vertices().data() + 3 * mesh.faces()[c];
+      EXPECT_NEAR(uv.values[2 * c], 3 * p[0], 1e-5);
+      EXPECT_NEAR(uv.values[2 * c + 1], 1 - p[2], 1e-5);
+      EXPECT_EQ(normal.values[3 * c + 1], -1);
+      EXPECT_EQ(mesh.material_names()[mesh.face_materials()[c / 3]], uses_a(mesh, c / 3) ? "a" : "b");
+    }
+  }
+  float value = 0;
+  EXPECT_EQ(kerf_mesh_get_attribute(plate.get(), 2, &value), KERF_INVALID_ARGUMENT);
+  EXPECT_EQ(kerf_mesh_attribute_name(plate.get(), 2), nullptr);
+  EXPECT_EQ(kerf_mesh_attribute_size(plate.get(), 2), 0u);
+  EXPECT_EQ(kerf_mesh_material_name(plate.get(), 2), nullptr);
+  EXPECT_EQ(kerf_mesh_attribute_count(nullptr), 0u);
+  EXPECT_TRUE(sheet(2).attributes().empty());
+  EXPECT_TRUE(sheet(2).face_materials().empty());
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -151,6 +151,27 @@ class Module(unittest.TestCase):
         self.assertEqual(repr(stroke), 'kerf.Stroke([(0.0, (0.0, 1.0, 0.0), (0.0, -1.0, 0.0))])')
         self.assertNotEqual(stroke, 5)
 
+    def test_attributes_and_materials_are_arrays(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / 'plate.obj'
+            file.write_text('v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 3 0\nvt 3 1\nvt 0 1\n'
+                            'usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 4/4\n')
+            plate = kerf.read(file)
+        world = kerf.World()
+        world.add(plate)
+        world.cut([slot(self.mesh)])
+        for mesh in (plate, *world.pieces):
+            self.assertEqual(list(mesh.attributes), ['TEXCOORD_0'])
+            uvs, corners = mesh.attributes['TEXCOORD_0'], mesh.vertices[mesh.faces]
+            self.assertEqual((uvs.dtype, uvs.shape), (np.float32, (len(mesh.faces), 3, 2)))
+            np.testing.assert_allclose(uvs, np.stack((3 * corners[..., 0], 1 - corners[..., 2]), -1), atol=1e-5)
+            middle = corners.mean(1)
+            self.assertEqual(mesh.material_names, ['a', 'b'])
+            np.testing.assert_array_equal(mesh.face_materials, middle[:, 0] < middle[:, 2])
+        self.assertEqual((self.mesh.material_names, self.mesh.face_materials.any()), (['porcelain'], False))
+        bare = kerf.Mesh(plate.vertices, plate.faces)
+        self.assertEqual((bare.attributes, bare.material_names, bare.face_materials.size), ({}, [], 0))
+
     def test_meshes_and_hits_are_copied_and_pickled(self):
         for same in (copy.copy(self.mesh), copy.deepcopy(self.mesh), pickle.loads(pickle.dumps(self.mesh))):
             np.testing.assert_array_equal(same.vertices, self.mesh.vertices)

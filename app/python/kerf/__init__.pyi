@@ -59,6 +59,15 @@ class Mesh:
     def face_temperatures(self) -> npt.NDArray[np.float64]:
         """Face temperatures of a piece, shape (m,), kelvin; empty for any other mesh."""
     @property
+    def attributes(self) -> dict[str, npt.NDArray[np.float32]]:
+        """Values at the corners of the faces, shape (m, 3, k), by their names in glTF; NaN if a face has none."""
+    @property
+    def face_materials(self) -> npt.NDArray[np.uint16]:
+        """Indices of the materials of faces, shape (m,); empty without materials."""
+    @property
+    def material_names(self) -> list[str]:
+        """Names of materials by index, some empty; indices of faces may exceed them."""
+    @property
     def area(self) -> float:
         """Area, m^2."""
     @property

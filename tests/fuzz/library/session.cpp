@@ -47,6 +47,9 @@ void visit(const kerf_mesh* mesh) {
   const double* temperatures = kerf_mesh_face_temperatures(mesh);
   for (size_t i = 0; temperatures != nullptr && i < faces; ++i)
     require(temperatures[i] >= 0, "a temperature below 0 K");
+  std::vector<float> values(12 * faces);
+  for (size_t i = 0; i < kerf_mesh_attribute_count(mesh); ++i)
+    require(kerf_mesh_get_attribute(mesh, i, values.data()) == KERF_OK, "an attribute that cannot be copied");
   kerf_mesh_info info;
   kerf_mesh_get_info(mesh, &info);
   require(info.name != nullptr, "a mesh whose name is null");

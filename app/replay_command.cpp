@@ -111,6 +111,8 @@ class ReplayRun {
     if (const auto s = run_queue(replay, document); !s) return s;
     const uint64_t hash = state_hash(document.world());
     std::cout << hash_text(hash) << '\n';
+    if (replay.looks_differ())
+      warn(arguments_.journal + ": materials, images or UVs differ from those when the journal was saved");
     record_missed();
     if (!folder.path.empty()) {
       if (const auto s = folder.write(job_, document.world(), first_settings()); !s) return s.error();

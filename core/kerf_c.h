@@ -129,7 +129,7 @@ KERF_API kerf_result kerf_mesh_get_attribute(const kerf_mesh* mesh, size_t attri
  * mesh exists. O(1). */
 KERF_API const uint16_t* kerf_mesh_face_materials(const kerf_mesh* mesh);
 
-/* Returns the number of named materials; 0 if `mesh` is null. Indices of faces may exceed it. O(1). */
+/* Returns the number of named materials; 0 if `mesh` is null. O(1). */
 KERF_API size_t kerf_mesh_material_count(const kerf_mesh* mesh);
 
 /* Returns the name of a material, which may be empty; null if there is no such material. Valid while

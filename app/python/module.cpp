@@ -256,7 +256,7 @@ void add_mesh(py::module_& m) {
           "face_materials", [](const kerf::Mesh& mesh) { return scalar_view(mesh.face_materials(), mesh); },
           "Indices of the materials of faces, uint16 of shape (m,); empty without materials. Read-only.")
       .def_property_readonly("material_names", &kerf::Mesh::material_names,
-                             "Names of materials by index, some empty; indices of faces may exceed them.")
+                             "Names of materials by index, some empty.")
       .def_property_readonly("area", &kerf::Mesh::area, "Area, m^2.")
       .def_property_readonly("name", &kerf::Mesh::name,
                              "Name of the piece; empty for a mesh that was read or created.")

@@ -224,6 +224,7 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
   add_energy(report, job, world);
   report["timing_ms"] = timing(job);
   report["state_hash"] = hash_text(state_hash(world));
+  if (const auto looks = looks_hash(world)) report["looks_hash"] = hash_text(*looks);
   return report;
 }
 

@@ -245,6 +245,7 @@ StateMark state_mark(const Document& document) {
   KERF_ASSERT(!document.queue().in_stroke() && document.waiting() == 0);
   const World& world = document.world();
   StateMark mark{document.journal().size(), state_hash(world), 0, {}, moved_bodies(world)};
+  mark.looks = looks_hash(world);
   if (!mark.bodies.empty()) {
     mark.machine = machine_kind();
     mark.pairs = known_pairs(world);
@@ -318,6 +319,7 @@ static void describe(Fields& f, BodyState& state) {
 
 void describe(Fields& f, StateMark& mark) {
   f.coded("hash", mark.hash, parse_hash, hash_text, kHashRule);
+  f.coded("looks", mark.looks, parse_hash, hash_text, kHashRule);
   if (!f.reading() && mark.bodies.empty()) return;
   f.text("machine", mark.machine, kOptional);
   f.whole("clock", mark.clock, 0, std::numeric_limits<Ticks>::max(), kOptional);

@@ -24,7 +24,8 @@ struct StateMark {
   std::string machine{};
   std::vector<BodyState> bodies{};
   std::vector<NearPair> pairs{};
-  Ticks clock = 0;  // 0 if bodies did not move, and in journals without it
+  Ticks clock = 0;                  // 0 if bodies did not move, and in journals without it
+  std::optional<uint64_t> looks{};  // see looks_hash()
 };
 
 // Format number of journals; incremented when earlier versions of Kerf cannot read new journals.
@@ -32,8 +33,8 @@ inline constexpr uint64_t kJournalFormat = 1;
 
 // The content of a journal file (.kerf), one JSON object per line: first the scene, with "kerf": "journal",
 // its format (see Fields::format) and the hashes of its meshes; then the commands (see command_text), and
-// between them marks, {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" if bodies
-// have moved.
+// between them marks, {"hash": "0123456789abcdef"}, with "looks" if bodies have looks, and "machine",
+// "bodies", "pairs" and "clock" if bodies have moved.
 struct Journal {
   SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
   std::filesystem::path

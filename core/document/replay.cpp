@@ -169,6 +169,8 @@ void Replay::compare() {
          journal_.marks[next_mark_].commands <= next_;
        ++next_mark_) {
     const StateMark& mark = journal_.marks[next_mark_];
+    if (mark.looks && mark.commands == next_)
+      looks_differ_ = looks_differ_ || mark.looks != looks_hash(document_.world());
     if (difference_ || mark.commands < next_) continue;
     uint64_t hash = state_hash(document_.world());
     if (hash != mark.hash && takes_bodies(mark)) hash = state_hash(document_.world());

@@ -59,6 +59,10 @@ class Replay {
   // moved.
   bool cut_otherwise() const { return cut_otherwise_; }
 
+  // Returns true if the looks of the bodies differ from those at a mark, because a material library, an image
+  // or the mesh file was edited. The shape can be equal nevertheless.
+  bool looks_differ() const { return looks_differ_; }
+
   Ticks skipped() const { return skipped_; }
 
  private:
@@ -78,7 +82,7 @@ class Replay {
   size_t next_ = 0, next_mark_ = 0;
   std::optional<Difference> difference_;
   std::string other_machine_;
-  bool cut_otherwise_ = false;
+  bool cut_otherwise_ = false, looks_differ_ = false;
   std::vector<TimeSkip> skips_;  // ascending
   size_t next_skip_ = 0;
   Ticks skipped_ = 0;

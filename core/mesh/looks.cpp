@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -12,6 +14,7 @@
 #include "core/base/number_format.h"
 #include "core/base/random.h"
 #include "core/base/tolerances.h"
+#include "core/mesh/files/bytes.h"
 
 namespace kerf {
 
@@ -88,12 +91,58 @@ int longest_side(const Triangle& t) {
   return longest;
 }
 
+class LooksHash {
+ public:
+  uint64_t sum() const { return sum_; }
+
+  void add(std::string_view bytes) {
+    sum_ = hash_combine(sum_, bytes.size());
+    for (; bytes.size() >= sizeof(uint64_t); bytes.remove_prefix(sizeof(uint64_t)))
+      sum_ = hash_combine(sum_, load<uint64_t>(bytes.data(), std::endian::little));
+    for (const char c : bytes) sum_ = hash_combine(sum_, static_cast<unsigned char>(c));
+  }
+  template <typename T>
+  void add_values(const std::vector<T>& values) {
+    add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+  }
+  void add(const SurfaceLibrary& library) {
+    for (const SurfaceMaterial& material : library.materials) {
+      for (const MtlLine& line : material.mtl) add(line.text + ' ' + std::to_string(line.image.value_or(0)));
+      add(material.gltf);
+    }
+    for (const SurfaceImage& image : library.images) add(image.name + ' ' + image.bytes);
+    for (const auto* texts : {&library.textures, &library.samplers, &library.required_extensions}) {
+      for (const std::string& text : *texts) add(text);
+    }
+  }
+
+ private:
+  uint64_t sum_ = 0;
+};
+
 }  // namespace
 
 class Looks::Builder {
  public:
   Builder(const Soup& soup, std::span<const uint32_t> sources, const std::vector<bool>& turned)
       : soup_(soup), sources_(sources), turned_(turned) {}
+
+  static uint64_t hash_of(const Looks& looks) {
+    LooksHash hash;
+    const auto add = [&](const auto& channel) {
+      hash.add_values(channel.values);
+      if (channel.corners) hash.add_values(*channel.corners);
+    };
+    for (const auto& set : looks.uv_sets_) add(set);
+    add(looks.normals_);
+    add(looks.tangents_);
+    for (const Attribute& attribute : looks.attributes_) {
+      hash.add(attribute.name);
+      add(attribute.channel);
+    }
+    if (looks.surfaces_) hash.add(*looks.surfaces_);
+    return hash.sum();
+  }
 
   std::shared_ptr<const Looks> build(std::vector<std::string>& warnings) {
     auto looks = std::make_shared<Looks>();
@@ -122,6 +171,7 @@ class Looks::Builder {
                                              "lose them."));
     }
     if (!looks->surfaces_ && !looks->positions_.corners) return nullptr;
+    looks->hash_ = hash_of(*looks);
     return looks;
   }
 

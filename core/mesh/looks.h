@@ -110,6 +110,8 @@ class Looks {
   // Returns true if two loaded faces with UVs share a corner at which their UVs differ.
   bool has_seam(FaceId a, FaceId b) const;
 
+  // Returns a hash of all values, materials and images, equal for equal files on every machine. O(1).
+  uint64_t hash() const { return hash_; }
   // Materials by FaceData::material; null if the file describes none.
   const std::shared_ptr<const SurfaceLibrary>& surfaces() const { return surfaces_; }
 
@@ -154,6 +156,7 @@ class Looks {
   Channel<glm::vec4> tangents_;
   std::vector<Attribute> attributes_;
   bool v_points_down_ = false;
+  uint64_t hash_ = 0;
   std::shared_ptr<const SurfaceLibrary> surfaces_;
   std::vector<uint32_t> sources_;  // by loaded face, if the soup keeps corners; empty if they are the same
 };

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <set>
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/heat/conduction_solver.h"
 #include "core/mesh/face_batches.h"
+#include "core/mesh/looks.h"
 
 namespace kerf {
 
@@ -378,6 +380,15 @@ uint64_t state_hash(const World& world) {
   }
   if (world.clock() != 0) sum += hash_combine(kClockSeed, world.clock());
   return sum;
+}
+
+std::optional<uint64_t> looks_hash(const World& world) {
+  std::set<uint64_t> hashes;
+  for (const BodyId id : world.ids()) {
+    if (const auto& looks = world.body(id).looks) hashes.insert(looks->hash());
+  }
+  if (hashes.empty()) return std::nullopt;
+  return std::accumulate(hashes.begin(), hashes.end(), uint64_t{0}, hash_combine);
 }
 
 void step_heat(World& world, BodyId id, double seconds) {

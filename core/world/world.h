@@ -300,6 +300,9 @@ class World::Change {
 // energy, if any, plus the placements. Does not depend on slots or the order of edits. Includes the clock
 // once time has passed, and the motion of a body once it has moved. O(faces).
 uint64_t state_hash(const World& world);
+// Returns a hash of the looks of all bodies (see Looks::hash), which cuts do not change; nullopt if none has
+// looks. O(bodies).
+std::optional<uint64_t> looks_hash(const World& world);
 
 // Conducts heat in all bodies, with losses to the environment, for a time (s, >= 0) within a stroke, ahead of
 // the clock; cool() later skips this time.

@@ -121,6 +121,25 @@ class Looks(unittest.TestCase):
         library = self.read("out/pieces.mtl").decode()
         self.assertIn("newmtl red paint\nKd 0.8 0.1 0.1\nodd line\nmap_Kd -s 1 1 1 paint.png\n", library)
 
+    def test_looks_have_a_hash_of_their_own(self):
+        def replayed():
+            return subprocess.run([KERF, "replay", "cut.kerf"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+
+        before = self.cut("--journal", "cut.kerf")
+        done = replayed()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.write("paint.png", IMAGE + b"!")
+        after = self.cut()
+        self.assertNotEqual(after["looks_hash"], before["looks_hash"])
+        self.assertEqual(after["state_hash"], before["state_hash"])
+        done = replayed()
+        self.assertEqual((done.returncode, done.stdout.strip()), (0, before["state_hash"]))
+        self.assertIn("materials, images or UVs differ", done.stderr)
+        os.remove(self.path("plate.mtl"))
+        text = self.read("plate.obj").decode()
+        self.write("plate.obj", re.sub(r"(?m)^(mtllib|usemtl|vt|vn).*\n|/\d+/\d+", "", text))
+        self.assertNotIn("looks_hash", self.cut())
+
     def test_a_file_of_another_is_never_replaced(self):
         os.mkdir(self.path("out"))
         self.write("out/paint.png", b"mine")

@@ -124,13 +124,18 @@ std::optional<Pixels> read_png(const std::filesystem::path& file) {
   return pixels;
 }
 
+// Deflate expands a byte to 1032 bytes at most, of 8 pixels each. A header that claims more is damaged.
+static constexpr double kMaxPixelsPerByte = 8 * 1032;
+
 std::optional<TexturePixels> decode_texture(std::string_view bytes) {
   if (bytes.size() > static_cast<size_t>(std::numeric_limits<int>::max())) return std::nullopt;
   TexturePixels pixels;
   int channels = 0;
-  uint8_t* data =
-      stbi_load_from_memory(reinterpret_cast<const uint8_t*>(bytes.data()), static_cast<int>(bytes.size()),
-                            &pixels.width, &pixels.height, &channels, 4);
+  const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
+  const auto size = static_cast<int>(bytes.size());
+  if (!stbi_info_from_memory(first, size, &pixels.width, &pixels.height, &channels)) return std::nullopt;
+  if (static_cast<double>(pixels.width) * pixels.height > kMaxPixelsPerByte * size) return std::nullopt;
+  uint8_t* data = stbi_load_from_memory(first, size, &pixels.width, &pixels.height, &channels, 4);
   if (data == nullptr) return std::nullopt;
   pixels.rgba.assign(data, data + 4 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
   stbi_image_free(data);

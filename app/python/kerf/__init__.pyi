@@ -66,7 +66,7 @@ class Mesh:
         """Indices of the materials of faces, shape (m,); empty without materials."""
     @property
     def material_names(self) -> list[str]:
-        """Names of materials by index, some empty; indices of faces may exceed them."""
+        """Names of materials by index, some empty."""
     @property
     def area(self) -> float:
         """Area, m^2."""

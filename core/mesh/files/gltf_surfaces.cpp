@@ -5,6 +5,7 @@
 #include "core/mesh/files/mtl_file.h"
 #include "core/mesh/files/scanner.h"
 #include "core/mesh/files/side_file.h"
+#include "core/mesh/files/surface_look.h"
 
 namespace kerf {
 
@@ -41,6 +42,7 @@ class GltfSurfaceReader {
     for (const auto& m : materials) {
       SurfaceMaterial& material = library_->materials.emplace_back();
       if (m) material.gltf = object_text(&file_.element("materials", *m));
+      material.uv_transform = read_uv_transform(material);
     }
     library_->textures = list_texts("textures");
     library_->samplers = list_texts("samplers");

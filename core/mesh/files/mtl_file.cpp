@@ -8,6 +8,7 @@
 
 #include "core/mesh/files/scanner.h"
 #include "core/mesh/files/side_file.h"
+#include "core/mesh/files/surface_look.h"
 
 namespace kerf {
 
@@ -201,6 +202,7 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
       MtlLine& own = material.mtl.emplace_back(line);
       if (line.image) own.image = images.number(found->second.library->file.references[*line.image]);
     }
+    material.uv_transform = read_uv_transform(material);
   }
   if (missing > 0) {
     warnings.push_back(std::to_string(missing) + (missing == 1

@@ -218,6 +218,17 @@ class GltfCollection {
     return SurfaceJson{{"index", known->second}};
   }
 
+  // Likewise with the transform of the UVs of a material in MTL, which does not rotate.
+  std::optional<SurfaceJson> texture_of_map(std::optional<uint32_t> from, const SurfaceMaterial& material) {
+    std::optional<SurfaceJson> map = texture_of_image(from);
+    const glm::mat3x2& uv = material.uv_transform;
+    if (!map || uv == SurfaceMaterial().uv_transform) return map;
+    (*map)["extensions"]["KHR_texture_transform"] = {{"offset", {uv[2].x, uv[2].y}},
+                                                     {"scale", {uv[0].x, uv[1].y}}};
+    extensions_.insert("KHR_texture_transform");
+    return map;
+  }
+
   // Kd is a colour in sRGB that multiplies its map. Ns becomes the roughness as in Blender.
   SurfaceJson from_mtl(const SurfaceMaterial& material) {
     const MtlStatements mtl(material);
@@ -227,14 +238,15 @@ class GltfCollection {
     const double opacity = std::clamp(mtl.number("d").value_or(1 - mtl.number("Tr").value_or(0)), 0.0, 1.0);
     pbr["baseColorFactor"] = {srgb_to_linear(colour.x), srgb_to_linear(colour.y), srgb_to_linear(colour.z),
                               opacity};
-    if (auto map = texture_of_image(mtl.map({"map_Kd"}))) pbr["baseColorTexture"] = *map;
+    if (auto map = texture_of_map(mtl.map({"map_Kd"}), material)) pbr["baseColorTexture"] = *map;
     const double exponent = std::clamp(mtl.number("Ns").value_or(0), 0.0, 1000.0);
     pbr["metallicFactor"] = std::clamp(mtl.number("Pm").value_or(0), 0.0, 1.0);
     pbr["roughnessFactor"] = std::clamp(mtl.number("Pr").value_or(1 - std::sqrt(exponent / 1000)), 0.0, 1.0);
     json["pbrMetallicRoughness"] = std::move(pbr);
-    if (auto map = texture_of_image(mtl.map({"norm", "map_Bump", "bump"}))) json["normalTexture"] = *map;
+    if (auto map = texture_of_map(mtl.map({"norm", "map_Bump", "bump"}), material))
+      json["normalTexture"] = *map;
     const auto emission = mtl.colour("Ke");
-    auto emissive = texture_of_image(mtl.map({"map_Ke"}));
+    auto emissive = texture_of_map(mtl.map({"map_Ke"}), material);
     if (emission && *emission != Vec3(0)) {
       json["emissiveFactor"] = {srgb_to_linear(emission->x), srgb_to_linear(emission->y),
                                 srgb_to_linear(emission->z)};
@@ -310,6 +322,15 @@ std::string colour_line(const char* keyword, const std::vector<double>& linear) 
   return line;
 }
 
+// Returns the options of a map in MTL for a transform of the UVs; none for a rotation, which MTL cannot
+// state.
+std::string map_options(const glm::mat3x2& uv) {
+  if (uv == SurfaceMaterial().uv_transform || uv[0].y != 0 || uv[1].x != 0) return "";
+  const double bottom = 1.0 - static_cast<double>(uv[1].y) - static_cast<double>(uv[2].y);
+  return "-s " + short_number(uv[0].x) + " " + short_number(uv[1].y) + " -o " + short_number(uv[2].x) + " " +
+         short_number(bottom) + " ";
+}
+
 }  // namespace
 
 std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material) {
@@ -331,7 +352,7 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
   if (const auto emission = members.numbers(json, "emissiveFactor"); !emission.empty())
     lines.push_back({colour_line("Ke", emission)});
   const auto add_map = [&](const char* keyword, std::optional<uint32_t> image) {
-    if (image) lines.push_back({std::string(keyword) + " ", image});
+    if (image) lines.push_back({std::string(keyword) + " " + map_options(material.uv_transform), image});
   };
   add_map("map_Kd", members.image(pbr, "baseColorTexture"));
   add_map("map_Ke", members.image(json, "emissiveTexture"));

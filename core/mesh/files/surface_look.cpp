@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
+#include <string_view>
 
 #include "core/mesh/files/surface_conversion.h"
 
@@ -38,6 +41,25 @@ std::optional<size_t> index(const Json& of, const char* key, size_t count) {
   const Json& value = member(of, key);
   if (!value.is_number_unsigned() || value.get<uint64_t>() >= count) return std::nullopt;
   return value.get<size_t>();
+}
+
+// Reads up to two finite numbers, which may be negative, over the defaults in `to`.
+void read_pair(const Json& of, const char* key, glm::dvec2& to) {
+  const Json& value = member(of, key);
+  for (size_t k = 0; value.is_array() && k < std::min<size_t>(2, value.size()); ++k) {
+    if (value[k].is_number() && std::isfinite(value[k].get<double>()))
+      to[static_cast<int>(k)] = value[k].get<double>();
+  }
+}
+
+// Reads the numbers after an option of a line of MTL over the defaults in `to`.
+void read_option(const std::string& line, const char* option, glm::dvec2& to) {
+  const size_t at = line.find(std::string(" ") + option + " ");
+  if (at == std::string::npos) return;
+  std::istringstream words(line.substr(at + std::string_view(option).size() + 2));
+  words.imbue(std::locale::classic());
+  double x = 0;
+  for (int k = 0; k < 2 && words >> x && std::isfinite(x); ++k) to[k] = x;
 }
 
 class LookReader {
@@ -89,6 +111,27 @@ class LookReader {
 };
 
 }  // namespace
+
+glm::mat3x2 read_uv_transform(const SurfaceMaterial& material) {
+  glm::dvec2 scale(1), offset(0);
+  double rotation = 0;
+  if (!material.gltf.empty()) {
+    const Json json = Json::parse(material.gltf, nullptr, false);
+    const Json& map = member(member(json, "pbrMetallicRoughness"), "baseColorTexture");
+    const Json& transform = member(member(map, "extensions"), "KHR_texture_transform");
+    read_pair(transform, "scale", scale);
+    read_pair(transform, "offset", offset);
+    rotation = number(transform, "rotation", 0);
+  }
+  for (const MtlLine& line : material.mtl) {
+    if (!line.image || !line.text.starts_with("map_Kd")) continue;
+    read_option(line.text, "-s", scale);
+    read_option(line.text, "-o", offset);
+    offset.y = 1 - scale.y - offset.y;  // v = 0 is the bottom of an image in MTL
+  }
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  return glm::dmat3x2(c * scale.x, -s * scale.x, s * scale.y, c * scale.y, offset.x, offset.y);
+}
 
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library) {
   std::vector<GltfMaterial> materials;

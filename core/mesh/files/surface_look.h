@@ -31,7 +31,12 @@ struct SurfaceLook {
 };
 
 // Returns the looks of the materials of a library; nullopt for those that the file only names. Converts MTL
-// like mtl_lines() does. Ignores maps that use another set of UVs than the first, and transforms of textures.
+// like mtl_lines() does. Ignores maps that use another set of UVs than the first.
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library);
+
+// Returns the transform of the UVs of a material, that of its base colour map: KHR_texture_transform in glTF,
+// or the options -s and -o of map_Kd in MTL. All maps of a material use it. Values that are not finite are
+// ignored.
+glm::mat3x2 read_uv_transform(const SurfaceMaterial& material);
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat3x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -62,6 +63,8 @@ struct MtlLine {
 struct SurfaceMaterial {
   std::vector<MtlLine> mtl;  // after newmtl, in their order
   std::string gltf;          // textures are indices of SurfaceLibrary::textures
+  // Transform of the UVs, with v = 0 at the top of an image: of (u, v, 1). See read_uv_transform().
+  glm::mat3x2 uv_transform{1, 0, 0, 1, 0, 0};
 };
 
 // Materials of a mesh file and their images.

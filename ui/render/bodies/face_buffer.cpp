@@ -529,6 +529,13 @@ size_t FaceBuffer::update_slots(const Body& body, const SlotRange& range) {
   return staging_.size() * sizeof(FaceVertices);
 }
 
+static glm::mat3x2 uv_transform_of(const Body& body, FaceId face) {
+  const SurfaceLibrary* library = body.looks->surfaces().get();
+  const size_t material = body.mesh.data(face).material;
+  const bool is_known = library && material < library->materials.size();
+  return is_known ? library->materials[material].uv_transform : SurfaceMaterial().uv_transform;
+}
+
 // Gives the staged faces the normals of the file, unless all are smoothed, and stages their UVs.
 void FaceBuffer::stage_looks(const Body& body, const SlotRange& range) {
   if (has_uvs_) staged_uvs_.assign(range.end - range.begin, {});
@@ -543,12 +550,14 @@ void FaceBuffer::stage_looks(const Body& body, const SlotRange& range) {
   };
   for (size_t i = 0; i < live.size(); ++i) {
     const size_t slot = live[i].index - range.begin;
+    const glm::mat3x2 uv_transform = uv_transform_of(body, live[i]);
     for (size_t c = 0; c < 3; ++c) {
       if (!smooth_ && has_value(looks.normals, i))
         staging_[slot][c].normal = pack_normal(looks.normals.values[looks.normals.corners[i][c]]);
       if (!has_uvs_ || looks.uv_sets.empty() || !has_value(looks.uv_sets[0], i)) continue;
       const glm::vec2 uv = looks.uv_sets[0].values[looks.uv_sets[0].corners[i][c]];
-      staged_uvs_[slot][c] = {uv.x, looks.v_points_down ? uv.y : 1 - uv.y};
+      const glm::vec3 from_top(uv.x, looks.v_points_down ? uv.y : 1 - uv.y, 1);
+      staged_uvs_[slot][c] = uv_transform * from_top;
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "core/mesh/files/mtl_file.h"
 #include "core/mesh/files/readers.h"
 #include "core/mesh/files/surface_conversion.h"
+#include "core/mesh/files/surface_look.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -151,6 +152,37 @@ TEST(LooksOfGltf, come_back_from_obj) {
     EXPECT_TRUE(has("Kd 0.8 0.1 0.1"));
     EXPECT_TRUE(has("map_Kd "));
   }
+}
+
+TEST(UvTransform, is_that_of_the_base_colour_map_and_survives_conversion) {
+  SurfaceMaterial turned;
+  turned.gltf = R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions": {
+      "KHR_texture_transform": {"offset": [0.25, 0.5], "rotation": 1.5707963267948966, "scale": [2, 3]}}}}})";
+  const glm::vec2 uv(0.1f, 0.7f);
+  const glm::vec2 by_gltf = read_uv_transform(turned) * glm::vec3(uv, 1);
+  EXPECT_NEAR(by_gltf.x, 0.25 + 3 * 0.7, 1e-6);
+  EXPECT_NEAR(by_gltf.y, 0.5 - 2 * 0.1, 1e-6);
+
+  SurfaceLibrary library;
+  library.images.push_back({"paint.png", "", "image/png", kPng});
+  SurfaceMaterial& tiled = library.materials.emplace_back();
+  tiled.mtl = {{"map_Kd -s 2 3 1 -o 0.25 -0.5 -clamp on ", 0u}};
+  tiled.uv_transform = read_uv_transform(tiled);
+  const glm::vec2 by_mtl = tiled.uv_transform * glm::vec3(uv.x, 1 - uv.y, 1);  // v down
+  EXPECT_NEAR(by_mtl.x, 2 * 0.1 + 0.25, 1e-6);
+  EXPECT_NEAR(1 - by_mtl.y, 3 * 0.7 - 0.5, 1e-6);
+
+  const GltfSurfaces converted =
+      gltf_surfaces(std::array{GltfMaterial{&library, 0, "paint"}}, MissingImages::kKeep);
+  SurfaceLibrary back{{}, library.images, {R"({"source": 0})"}, {}, {}};
+  SurfaceMaterial& material = back.materials.emplace_back();
+  material.gltf = converted.materials[0].dump();
+  material.uv_transform = read_uv_transform(material);
+  EXPECT_EQ(material.uv_transform, tiled.uv_transform);
+  EXPECT_EQ(converted.used_extensions, std::vector<std::string>{"KHR_texture_transform"});
+  SurfaceMaterial again;
+  again.mtl = mtl_lines(back, material);
+  EXPECT_EQ(read_uv_transform(again), tiled.uv_transform);
 }
 
 // A second round trip through a format changes nothing.

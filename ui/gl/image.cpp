@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdio>
 #include <limits>
 #include <string>
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"
+#include "core/mesh/files/bytes.h"
 
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
@@ -124,17 +126,74 @@ std::optional<Pixels> read_png(const std::filesystem::path& file) {
   return pixels;
 }
 
+// Returns true if all chunks of a PNG lie within it (PNG specification, third edition, 5.3); true for other
+// formats. stb_image allocates the declared length of a chunk before it reads the chunk.
+static bool has_whole_chunks(std::string_view bytes) {
+  constexpr size_t kSignature = 8, kAround = 12;  // of a chunk: length, type and check sum
+  if (!bytes.starts_with("\x89PNG")) return true;
+  for (size_t at = kSignature; at < bytes.size();) {
+    if (bytes.size() - at < kAround) return false;
+    const uint64_t length = load<uint32_t>(bytes.data() + at, std::endian::big);
+    if (length > bytes.size() - at - kAround) return false;
+    if (bytes.substr(at + 4, 4) == "IEND") return true;
+    at += kAround + length;
+  }
+  return true;
+}
+
+// Returns true if the Huffman tables of a segment DHT of a JPEG (ITU T.81, B.2.4.2) have at most 256 codes
+// each. stb_image writes the codes to an array of this size.
+static bool has_sound_tables(std::string_view segment) {
+  constexpr size_t kHead = 17, kMaxCodes = 256;  // of a table: class and number, and 16 counts
+  while (!segment.empty()) {
+    if (segment.size() < kHead) return false;
+    size_t codes = 0;
+    for (const char count : segment.substr(1, kHead - 1)) codes += static_cast<uint8_t>(count);
+    if (codes > std::min(kMaxCodes, segment.size() - kHead)) return false;
+    segment.remove_prefix(kHead + codes);
+  }
+  return true;
+}
+
+// Returns true if all segments of a JPEG (ITU T.81, B.1.1) lie within it and its Huffman tables are sound;
+// true for other formats.
+static bool has_sound_segments(std::string_view bytes) {
+  constexpr uint8_t kTables = 0xc4, kScan = 0xda, kEnd = 0xd9;
+  const auto byte = [&](size_t at) { return static_cast<uint8_t>(bytes[at]); };
+  const auto stands_alone = [](uint8_t marker) { return marker <= 1 || (marker >= 0xd0 && marker <= 0xd8); };
+  if (!bytes.starts_with('\xff')) return true;
+  for (size_t at = 0; at + 1 < bytes.size();) {
+    if (byte(at) != 0xff) return false;
+    const uint8_t marker = byte(++at);
+    if (marker == 0xff || stands_alone(marker)) {
+      at += marker != 0xff;
+      continue;
+    }
+    if (marker == kEnd) return true;
+    if (bytes.size() - at < 3) return false;
+    const size_t length = load<uint16_t>(bytes.data() + at + 1, std::endian::big);
+    if (length < 2 || length > bytes.size() - at - 1) return false;
+    if (marker == kTables && !has_sound_tables(bytes.substr(at + 3, length - 2))) return false;
+    at += 1 + length;
+    // Entropy-coded data end at a marker that does not stand alone.
+    while (marker == kScan && at + 1 < bytes.size() && (byte(at) != 0xff || stands_alone(byte(at + 1)))) ++at;
+  }
+  return true;
+}
+
 // Deflate expands a byte to 1032 bytes at most, of 8 pixels each. A header that claims more is damaged.
 static constexpr double kMaxPixelsPerByte = 8 * 1032;
 
 std::optional<TexturePixels> decode_texture(std::string_view bytes) {
   if (bytes.size() > static_cast<size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  if (!has_whole_chunks(bytes) || !has_sound_segments(bytes)) return std::nullopt;
   TexturePixels pixels;
   int channels = 0;
   const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   if (!stbi_info_from_memory(first, size, &pixels.width, &pixels.height, &channels)) return std::nullopt;
-  if (static_cast<double>(pixels.width) * pixels.height > kMaxPixelsPerByte * size) return std::nullopt;
+  const double all = static_cast<double>(pixels.width) * pixels.height;
+  if (!(all > 0 && all <= kMaxPixelsPerByte * size)) return std::nullopt;
   uint8_t* data = stbi_load_from_memory(first, size, &pixels.width, &pixels.height, &channels, 4);
   if (data == nullptr) return std::nullopt;
   pixels.rgba.assign(data, data + 4 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));

@@ -46,7 +46,7 @@ std::string hash_of_cut(const kerf::Mesh& mesh, unsigned threads = 0) {
   return world.hash();
 }
 
-TEST(Face, a_sheet_is_cut_in_two_that_weigh_what_they_should) {
+TEST(Api, cutting_a_sheet_in_two_gives_pieces_of_the_expected_mass) {
   kerf::World world;
   world.add(sheet(20), "sheet");
   const kerf::CutResult cut = world.cut(through_the_middle(), {.rim = KERF_RIM_SMOOTH});
@@ -62,7 +62,7 @@ TEST(Face, a_sheet_is_cut_in_two_that_weigh_what_they_should) {
   EXPECT_NE(pieces[1].name(), "sheet");
 }
 
-TEST(Face, a_world_is_saved_as_a_scene_that_is_opened_again) {
+TEST(Api, a_world_saved_as_a_scene_reopens) {
   kerf::World world;
   world.add(sheet(20), "sheet");
   world.cut(through_the_middle());
@@ -75,7 +75,7 @@ TEST(Face, a_world_is_saved_as_a_scene_that_is_opened_again) {
   EXPECT_THROW(world.save_scene("/proc/no-such/folder"), kerf::Error);
 }
 
-TEST(Face, a_journal_that_is_saved_leads_to_the_same_state_and_a_report_balances) {
+TEST(Api, a_saved_journal_reproduces_the_state_and_the_report_balances) {
   kerf::World world;
   world.add(sheet(20), "sheet");
   world.add(kerf::Mesh(std::vector<double>{0, 0.5, 0, 1, 0.5, 0, 1, 0.5, 1}, std::vector<uint32_t>{0, 1, 2}),
@@ -108,7 +108,7 @@ TEST(Face, a_journal_that_is_saved_leads_to_the_same_state_and_a_report_balances
   EXPECT_THROW(opened.save_journal("/dev/null"), kerf::InvalidArgument);
 }
 
-TEST(Face, a_material_of_the_first_cut_is_a_part_of_the_journal) {
+TEST(Api, the_material_of_the_first_cut_is_stored_in_the_journal) {
   kerf::World world;
   world.add(sheet(20), "sheet");
   kerf::CutSettings copper;
@@ -122,7 +122,7 @@ TEST(Face, a_material_of_the_first_cut_is_a_part_of_the_journal) {
   EXPECT_EQ(again.pieces()[0].info().mass, world.pieces()[0].info().mass);
 }
 
-TEST(Face, rays_find_the_sheet_and_the_slot) {
+TEST(Api, rays_hit_the_sheet_and_miss_the_slot) {
   kerf::World world;
   world.add(sheet(20));
   world.cut(through_the_middle());
@@ -140,7 +140,7 @@ TEST(Face, rays_find_the_sheet_and_the_slot) {
   EXPECT_EQ(all.distances, (std::vector<double>{1, 2}));
 }
 
-TEST(Face, rays_from_anywhere_end) {
+TEST(Api, rays_from_any_distance_terminate) {
   kerf::World world;
   world.add(sheet(4));
   kerf::Stroke hole = through_the_middle();
@@ -159,7 +159,7 @@ TEST(Face, rays_from_anywhere_end) {
   }
 }
 
-TEST(Face, results_do_not_depend_on_threads_locale_or_arithmetic_of_the_caller) {
+TEST(Api, results_do_not_depend_on_threads_locale_or_rounding_mode) {
   const kerf::Mesh mesh = sheet(20);
   const std::string wanted = hash_of_cut(mesh);
   for (const unsigned threads : {1u, 2u, 5u}) EXPECT_EQ(hash_of_cut(mesh, threads), wanted);
@@ -179,7 +179,7 @@ TEST(Face, results_do_not_depend_on_threads_locale_or_arithmetic_of_the_caller) 
   std::setlocale(LC_ALL, locale.c_str());
 }
 
-TEST(Face, a_cut_that_is_stopped_or_fails_changes_nothing) {
+TEST(Api, a_cancelled_or_failed_cut_changes_nothing) {
   kerf::World world;
   world.add(sheet(2));
   std::string before = world.hash();
@@ -210,7 +210,7 @@ TEST(Face, a_cut_that_is_stopped_or_fails_changes_nothing) {
   EXPECT_EQ(world.hash(), hash_of_cut(sheet(20)));
 }
 
-TEST(Face, what_progress_throws_the_call_throws) {
+TEST(Api, exceptions_of_the_progress_callback_propagate) {
   kerf::World world;
   world.add(sheet(20));
   const auto progress = [](double) -> bool { throw std::runtime_error("enough"); };
@@ -222,7 +222,7 @@ TEST(Face, what_progress_throws_the_call_throws) {
   }
 }
 
-TEST(Face, a_world_in_use_says_so) {
+TEST(Api, a_busy_world_reports_it) {
   kerf::World world;
   world.add(sheet(20));
   std::string said;
@@ -256,7 +256,7 @@ std::string read_all(const kerf::World& world, const std::string& folder) {
   return all + report.substr(report.find("\"pieces\""));
 }
 
-TEST(Face, several_threads_read_one_world_at_the_same_time) {
+TEST(Api, several_threads_read_one_world_concurrently) {
   kerf::World world;
   world.add(sheet(20));
   world.cut(through_the_middle());
@@ -280,7 +280,7 @@ TEST(Face, several_threads_read_one_world_at_the_same_time) {
   for (const std::string& text : read) EXPECT_EQ(text, wanted);
 }
 
-TEST(Face, a_world_that_is_read_can_be_read_and_not_changed) {
+TEST(Api, a_world_being_read_rejects_changes) {
   kerf::World world;
   world.add(sheet(60));
   const std::string hash = world.hash();
@@ -298,7 +298,7 @@ TEST(Face, a_world_that_is_read_can_be_read_and_not_changed) {
   EXPECT_NE(world.hash(), hash);
 }
 
-TEST(Face, an_empty_world_or_one_without_a_size_gets_a_sentence) {
+TEST(Api, an_empty_or_zero_size_world_reports_an_error) {
   kerf::World empty;
   const std::string before = empty.hash();
   EXPECT_THROW(empty.cut(kerf::Stroke{{{0, {0, 1, 0}, {0, -1, 0}}}}), kerf::InvalidArgument);
@@ -313,7 +313,7 @@ TEST(Face, an_empty_world_or_one_without_a_size_gets_a_sentence) {
   EXPECT_THROW(small.cut(kerf::Stroke{{{0, {0, 1, 0}, {0, -1, 0}}}}), kerf::InvalidArgument);
 }
 
-TEST(Face, defaults_of_a_stroke_follow_from_the_meshes_and_not_from_what_is_left_of_them) {
+TEST(Api, stroke_defaults_derive_from_the_loaded_meshes) {
   kerf::Stroke all = through_the_middle();
   all.radius = 3;
   kerf::World world, twice;
@@ -335,7 +335,7 @@ TEST(Face, defaults_of_a_stroke_follow_from_the_meshes_and_not_from_what_is_left
   EXPECT_EQ(one_by_one.hash(), twice.hash());
 }
 
-TEST(Face, bad_input_gets_a_sentence) {
+TEST(Api, invalid_arguments_report_an_error) {
   const auto says = [](auto call, const char* word) {
     try {
       call();
@@ -382,7 +382,7 @@ TEST(Face, bad_input_gets_a_sentence) {
   EXPECT_EQ(kerf_mesh_vertex_count(nullptr), 0u);
 }
 
-TEST(Face, thermal_cuts_take_a_material) {
+TEST(Api, thermal_cuts_accept_a_material) {
   kerf::World world;
   world.add(sheet(10));
   kerf::Stroke stroke = through_the_middle();

@@ -30,7 +30,7 @@ TEST(Angles, turn_by_the_right_hand_rule) {
   EXPECT_NEAR(glm::distance(axis_angle({1, 0, 0}, kPi / 2) * Vec3(0, 1, 0), Vec3(0, 0, 1)), 0, 1e-12);
 }
 
-TEST(Angles, of_a_direction_give_it_back) {
+TEST(Angles, direction_round_trips) {
   for (double heading = -3; heading < 3; heading += 0.41) {
     for (double pitch = -1.5; pitch < 1.5; pitch += 0.23) {
       const Vec3 direction = direction_of(heading, pitch);

@@ -10,7 +10,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(Assert, evaluates_its_condition_once_and_is_silent_where_it_holds) {
+TEST(Assert, evaluates_its_condition_once_and_prints_nothing_if_it_holds) {
   int evaluated = 0;
   testing::internal::CaptureStderr();
   KERF_ASSERT(++evaluated == 1);
@@ -18,7 +18,7 @@ TEST(Assert, evaluates_its_condition_once_and_is_silent_where_it_holds) {
   EXPECT_EQ(evaluated, 1);
 }
 
-TEST(Assert, says_one_line_for_each_place_and_goes_on_where_it_is_not_fatal) {
+TEST(Assert, reports_each_failing_place_once_and_continues_if_not_fatal) {
   const EnvironmentVariable asserts("KERF_ASSERTS", nullptr);
   testing::internal::CaptureStderr();
   for (int i = 0; i < 3; ++i) KERF_ASSERT(i < 0);
@@ -28,7 +28,7 @@ TEST(Assert, says_one_line_for_each_place_and_goes_on_where_it_is_not_fatal) {
   EXPECT_NE(said.find("assert_test.cpp:"), std::string::npos);
 }
 
-TEST(AssertDeathTest, ends_the_program_where_the_environment_asks_for_it) {
+TEST(AssertDeathTest, aborts_if_the_environment_variable_is_set) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const EnvironmentVariable asserts("KERF_ASSERTS", "fatal");
   EXPECT_DEATH(KERF_ASSERT(1 + 1 == 3), "assertion failed: 1 \\+ 1 == 3");

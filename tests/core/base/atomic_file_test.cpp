@@ -23,7 +23,7 @@ class AtomicFile : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(AtomicFile, is_written_whole_and_replaces_what_was_there) {
+TEST_F(AtomicFile, replaces_the_previous_content_completely) {
   ASSERT_TRUE(write_file_atomically(file(), "first\n"));
   EXPECT_EQ(test::read_text(file()), "first\n");
   ASSERT_TRUE(write_file_atomically(file(), std::string(3 << 20, 'x')));
@@ -38,7 +38,7 @@ TEST_F(AtomicFile, keeps_its_permissions) {
   EXPECT_EQ(fs::status(file()).permissions(), fs::perms::owner_all);
 }
 
-TEST_F(AtomicFile, is_written_through_a_link) {
+TEST_F(AtomicFile, writes_through_a_symlink) {
   ASSERT_TRUE(write_file_atomically(file(), "first\n"));
   fs::create_symlink(file(), folder_ / "link.txt");
   ASSERT_TRUE(write_file_atomically(folder_ / "link.txt", "linked\n"));
@@ -46,7 +46,7 @@ TEST_F(AtomicFile, is_written_through_a_link) {
   EXPECT_EQ(test::read_text(file()), "linked\n");
 }
 
-TEST_F(AtomicFile, is_left_as_it_was_where_its_bytes_cannot_be_made) {
+TEST_F(AtomicFile, leaves_the_old_file_if_its_content_cannot_be_produced) {
   ASSERT_TRUE(write_file_atomically(file(), "first\n"));
   const auto fails = [](const ByteSink& sink) {
     sink("half");
@@ -57,7 +57,7 @@ TEST_F(AtomicFile, is_left_as_it_was_where_its_bytes_cannot_be_made) {
   EXPECT_EQ(files(), 1u);
 }
 
-TEST_F(AtomicFile, of_which_the_folder_is_missing_is_named) {
+TEST_F(AtomicFile, names_a_missing_folder_in_the_error) {
   const Status written = write_file_atomically(folder_ / "gone" / "file.txt", "text");
   ASSERT_FALSE(written);
   EXPECT_NE(written.error().message.find("file.txt"), std::string::npos) << written.error().message;

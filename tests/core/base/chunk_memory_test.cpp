@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(ChunkMemory, is_zero_aligned_and_its_own) {
+TEST(ChunkMemory, is_zeroed_aligned_and_not_shared) {
   const size_t bytes = 3 * kHugePage;
   auto* first = static_cast<unsigned char*>(allocate_chunk(bytes));
   auto* second = static_cast<unsigned char*>(allocate_chunk(bytes));

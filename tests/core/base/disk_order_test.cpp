@@ -53,7 +53,7 @@ std::vector<std::string> record(const Work& work) {
 
 // A file is on the disk before it gets its name, and the name is before saving is reported. A power failure
 // in between leaves the old file or the new one, each whole.
-TEST(DiskOrder, of_a_saved_file_is_bytes_then_name_then_folder) {
+TEST(DiskOrder, saved_file_syncs_content_then_renames_then_syncs_folder) {
   const test::TemporaryFolder folder;
   const std::string name = name_of(folder.path());
   for (int i = 0; i < 2; ++i) {
@@ -66,7 +66,7 @@ TEST(DiskOrder, of_a_saved_file_is_bytes_then_name_then_folder) {
   }
 }
 
-TEST(DiskOrder, of_a_file_that_is_saved_through_a_link_is_that_of_the_folder_where_it_lies) {
+TEST(DiskOrder, save_through_a_symlink_syncs_the_folder_of_the_target) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "there");
   ASSERT_TRUE(write_file_atomically(folder / "there/a.txt", "1"));
@@ -77,7 +77,7 @@ TEST(DiskOrder, of_a_file_that_is_saved_through_a_link_is_that_of_the_folder_whe
   EXPECT_EQ(calls[2], "sync there");
 }
 
-TEST(DiskOrder, of_a_new_locked_file_is_bytes_then_name_then_folder) {
+TEST(DiskOrder, new_locked_file_syncs_content_then_renames_then_syncs_folder) {
   const test::TemporaryFolder folder;
   const auto calls = record([&] { EXPECT_TRUE(LockedFile::create(folder / "a.kerf", "head")); });
   ASSERT_EQ(calls.size(), 3u);

@@ -9,7 +9,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(Exponential, its_relative_error_is_below_one_in_ten_to_the_fifteen) {
+TEST(Exponential, has_a_relative_error_below_1e_minus_15) {
   Random random(5);
   for (int i = 0; i < 100000; ++i) {
     const double x = i % 2 == 0 ? random.uniform(-700, 700) : random.uniform(-1, 1);
@@ -17,7 +17,7 @@ TEST(Exponential, its_relative_error_is_below_one_in_ten_to_the_fifteen) {
   }
 }
 
-TEST(Logarithm, undoes_the_exponential) {
+TEST(Logarithm, inverts_the_exponential) {
   Random random(6);
   for (int i = 0; i < 100000; ++i) {
     const double x = std::exp(random.uniform(-700, 700));

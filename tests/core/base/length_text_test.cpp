@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(LengthText, chooses_the_unit) {
+TEST(LengthText, selects_the_unit) {
   EXPECT_EQ(length_text(0.01225), "12.2 mm");
   EXPECT_EQ(length_text(3), "3 m");
 }

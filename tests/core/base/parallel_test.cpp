@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-TEST(Parallel, ranges_cover_every_item_once_whatever_the_number_of_threads) {
+TEST(Parallel, ranges_cover_every_item_once_for_any_thread_count) {
   for (const size_t threads : {1, 2, 16}) {
     const ThreadLimit limit(threads);
     for (const size_t items : {0, 1, 6, 7, 8, 1000}) {
@@ -25,7 +25,7 @@ TEST(Parallel, ranges_cover_every_item_once_whatever_the_number_of_threads) {
   }
 }
 
-TEST(Parallel, reports_rising_progress_on_the_calling_thread) {
+TEST(Parallel, reports_increasing_progress_on_the_calling_thread) {
   const auto here = std::this_thread::get_id();
   double last = 0;
   const Progress progress{[&](double fraction) {
@@ -38,14 +38,14 @@ TEST(Parallel, reports_rising_progress_on_the_calling_thread) {
   EXPECT_EQ(last, 1);
 }
 
-TEST(Parallel, stops_when_progress_says_so) {
+TEST(Parallel, stops_when_the_progress_callback_cancels) {
   std::atomic<size_t> done = 0;
   const Progress progress{[](double) { return false; }};
   EXPECT_FALSE(for_each_range(100000, 1, &progress, [&](size_t, size_t) { ++done; }));
   EXPECT_LT(done, 100000u);
 }
 
-TEST(Parallel, an_exception_in_the_work_reaches_the_caller) {
+TEST(Parallel, propagates_exceptions_of_the_work_to_the_caller) {
   EXPECT_THROW(for_each_range(100, 1,
                               [](size_t i, size_t) {
                                 if (i == 50) throw std::runtime_error("here");
@@ -53,7 +53,7 @@ TEST(Parallel, an_exception_in_the_work_reaches_the_caller) {
                std::runtime_error);
 }
 
-TEST(Parallel, the_least_of_several_limits_counts_and_ends_with_its_owner) {
+TEST(Parallel, the_smallest_thread_limit_applies_until_it_is_destroyed) {
   const size_t before = thread_count();
   {
     const ThreadLimit three(3);

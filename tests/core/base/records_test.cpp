@@ -32,7 +32,7 @@ void change_at_random(Records<Record>& records, Random& random) {
   }
 }
 
-TEST(Records, grow_without_moving_once_they_are_many) {
+TEST(Records, keep_addresses_stable_when_large_storage_grows) {
   Records<Record> records;
   records.grow_to(Records<Record>::kSmall + 1);
   const Record* first = &records[0];
@@ -41,7 +41,7 @@ TEST(Records, grow_without_moving_once_they_are_many) {
   EXPECT_EQ(records[3 * Records<Record>::kChunk - 1], Record());
 }
 
-TEST(Records, go_back_and_forth_through_random_changes_to_the_bit) {
+TEST(Records, undo_and_redo_random_changes_exactly) {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -70,7 +70,7 @@ TEST(Records, go_back_and_forth_through_random_changes_to_the_bit) {
   }
 }
 
-TEST(Records, restore_an_older_state_as_an_edit_that_can_be_taken_back) {
+TEST(Records, restore_an_older_state_as_an_undoable_edit) {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -113,7 +113,7 @@ TEST(Records, restore_an_older_state_as_an_edit_that_can_be_taken_back) {
   }
 }
 
-TEST(Records, hold_no_more_than_what_was_changed) {
+TEST(Records, store_only_changed_records_per_change) {
   Records<Record> records;
   records.grow_to(1'000'000);
   records.begin_change();

@@ -26,7 +26,7 @@ Task<std::unique_ptr<int>> sum_of_both(int a, int b, std::string& log) {
   co_return std::make_unique<int>(first + second);
 }
 
-TEST(Task, does_parts_of_equal_work_across_nested_computations) {
+TEST(Task, splits_nested_tasks_into_slices_of_equal_work) {
   std::string log;
   auto sum = sum_of_both(3, 2, log);
   EXPECT_EQ(log, "");
@@ -39,13 +39,13 @@ TEST(Task, does_parts_of_equal_work_across_nested_computations) {
   EXPECT_EQ(*sum.take(), 9);
 }
 
-TEST(Task, is_the_same_at_once) {
+TEST(Task, returns_the_same_result_when_run_to_completion) {
   std::string log;
   EXPECT_EQ(*run_to_completion(sum_of_both(4, 5, log)), 25);
   EXPECT_EQ(log, "1234+12345");
 }
 
-TEST(Task, can_be_moved_and_given_up_at_any_time) {
+TEST(Task, can_be_moved_and_destroyed_at_any_time) {
   const auto count = std::make_shared<int>(0);
   const auto counts = [](std::shared_ptr<int> own) -> Task<int> {
     for (;;) {
@@ -71,7 +71,7 @@ Task<int> throws_later() {
 
 Task<int> waits_for_what_throws() { co_return co_await throws_later(); }
 
-TEST(Task, lets_exceptions_out) {
+TEST(Task, propagates_exceptions) {
   auto computation = waits_for_what_throws();
   EXPECT_FALSE(computation.resume());
   EXPECT_THROW(computation.resume(), std::runtime_error);

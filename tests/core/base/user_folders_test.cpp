@@ -26,7 +26,7 @@ class UserFolders : public testing::Test {
   std::map<std::string, std::string> before_;
 };
 
-TEST_F(UserFolders, are_those_that_are_named) {
+TEST_F(UserFolders, follow_the_xdg_variables) {
   set("HOME", "/home/someone");
   set("XDG_CONFIG_HOME", "/settings");
   set("XDG_STATE_HOME", "/state");
@@ -34,14 +34,14 @@ TEST_F(UserFolders, are_those_that_are_named) {
   EXPECT_EQ(state_folder(), "/state/kerf");
 }
 
-TEST_F(UserFolders, lie_below_home_where_none_is_named_by_an_absolute_path) {
+TEST_F(UserFolders, fall_back_to_home_unless_a_variable_is_an_absolute_path) {
   set("HOME", "/home/someone");
   set("XDG_CONFIG_HOME", "settings");
   EXPECT_EQ(settings_folder(), "/home/someone/.config/kerf");
   EXPECT_EQ(state_folder(), "/home/someone/.local/state/kerf");
 }
 
-TEST_F(UserFolders, are_there_without_a_home) {
+TEST_F(UserFolders, fall_back_to_the_root_without_a_home) {
   EXPECT_EQ(settings_folder(), "/.config/kerf");
   EXPECT_TRUE(home_folder().empty());
 }

@@ -9,9 +9,9 @@ namespace kerf::test {
 namespace {
 
 // Two sheets under a beam of one ray.
-class BurnOfTwoSheets : public testing::Test {
+class BurnTest : public testing::Test {
  protected:
-  BurnOfTwoSheets() {
+  BurnTest() {
     for (const double height : {0.1, 0.0})
       world_.add(make_body("sheet", build(moved(grid(8, 0.02), {0, height, 0}, 1))));
     settings_.laser.radius = 0.001;
@@ -31,7 +31,7 @@ class BurnOfTwoSheets : public testing::Test {
   std::vector<BurnedBody> bodies_;
 };
 
-TEST_F(BurnOfTwoSheets, goes_on_behind_faces_that_are_gone) {
+TEST_F(BurnTest, heats_the_next_sheet_after_faces_are_removed) {
   Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return true; });
   const Pose pose{Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)};
   burn.emit(pose, 1e-3);

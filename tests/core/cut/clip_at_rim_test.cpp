@@ -27,7 +27,7 @@ SolidStroke turning_stroke(const World& world, Random& random) {
   return stroke;
 }
 
-TEST(ClipAtRim, leaves_no_edge_that_is_shorter_than_the_rim_is_exact) {
+TEST(ClipAtRim, creates_no_edge_shorter_than_the_tolerance_of_the_rim) {
   const std::vector<NamedSoup> solids = generated_solids();
   for (uint64_t seed = 41; seed <= 40 + runs(80); ++seed) {
     const auto& [name, soup] = solids[seed % solids.size()];

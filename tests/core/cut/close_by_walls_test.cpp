@@ -114,7 +114,7 @@ std::vector<Case> cases() {
           {"ring in two", torus(32, 16, 0.4, 0.15), {slot_at(0.02)}, 2, 2}};
 }
 
-TEST(CloseByWalls, leaves_so_many_pieces_each_of_them_closed) {
+TEST(CloseByWalls, creates_the_expected_number_of_closed_pieces) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     Random random(1);
@@ -130,7 +130,7 @@ TEST(CloseByWalls, leaves_so_many_pieces_each_of_them_closed) {
 
 // A beam that turns about a point above a plate takes a strip as wide as the beam from it, and half of the
 // beam at each end.
-TEST(CloseByWalls, takes_the_volume_that_a_beam_sweeps_which_turns_by_up_to_seventy_degrees_to_either_side) {
+TEST(CloseByWalls, removes_the_volume_swept_by_a_beam_tilting_up_to_70_degrees) {
   constexpr double kRadius = 0.03, kHeight = 1.25, kThickness = 0.5;
   for (const double degrees : {20, 45, 60, 70}) {
     SCOPED_TRACE(degrees);
@@ -151,7 +151,7 @@ TEST(CloseByWalls, takes_the_volume_that_a_beam_sweeps_which_turns_by_up_to_seve
   }
 }
 
-TEST(CloseByWalls, gives_walls_and_nothing_else_the_material_cut) {
+TEST(CloseByWalls, assigns_the_cut_material_to_walls_only) {
   Random random(1);
   World world = world_of(box({1, 1, 1}));
   Body& body = world.body(world.ids().front());
@@ -177,7 +177,7 @@ TEST(CloseByWalls, gives_walls_and_nothing_else_the_material_cut) {
   EXPECT_GT(walls, 100u);
 }
 
-TEST(CloseByWalls, keeps_labels_and_sums_right_in_random_strokes) {
+TEST(CloseByWalls, keeps_labels_and_sums_correct_in_random_strokes) {
   const std::vector<NamedSoup> solids = generated_solids();
   for (uint64_t seed = 1001; seed <= 1000 + runs(80); ++seed) {
     const auto& [name, soup] = solids[seed % solids.size()];
@@ -191,7 +191,7 @@ TEST(CloseByWalls, keeps_labels_and_sums_right_in_random_strokes) {
   }
 }
 
-TEST(CloseByWalls, is_undone_and_redone_to_the_bit) {
+TEST(CloseByWalls, undoes_and_redoes_exactly) {
   const std::vector<Case> all = cases();
   for (const Case& c : all) {
     SCOPED_TRACE(c.name);
@@ -216,7 +216,7 @@ TEST(CloseByWalls, is_undone_and_redone_to_the_bit) {
 }
 
 // However many moves go into a step.
-TEST(CloseByWalls, leads_to_the_same_state_in_steps_of_any_size) {
+TEST(CloseByWalls, gives_the_same_state_for_any_step_size) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     uint64_t hash = 0;
@@ -235,7 +235,7 @@ TEST(CloseByWalls, leads_to_the_same_state_in_steps_of_any_size) {
   }
 }
 
-TEST(CloseByWalls, comes_back_from_a_journal_and_goes_on_as_before) {
+TEST(CloseByWalls, replays_from_a_journal_and_continues_identically) {
   const TemporaryFolder folder;
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
@@ -275,7 +275,7 @@ TEST(CloseByWalls, comes_back_from_a_journal_and_goes_on_as_before) {
 }
 
 // A body that was open is cut as a sheet, and one of two parts does not keep the other from being closed.
-TEST(CloseByWalls, leaves_sheets_as_they_are_and_closes_what_is_closed) {
+TEST(CloseByWalls, keeps_sheets_open_and_closes_closed_parts_of_the_same_body) {
   Random random(1);
   Document document(world_of(both(grid(4, 1), ball(0.3, {0, 1, 0}))));
   ASSERT_TRUE(document.apply(SetSolid{{document.world().ids().front(), 0}, true}).ok());
@@ -295,7 +295,7 @@ TEST(CloseByWalls, leaves_sheets_as_they_are_and_closes_what_is_closed) {
 }
 
 // A cavity that the beam did not touch belongs to the piece that is around it.
-TEST(CloseByWalls, takes_cavities_along_with_the_piece_around_them) {
+TEST(CloseByWalls, moves_cavities_with_the_piece_around_them) {
   for (const double z : {0.3, -0.3}) {
     SCOPED_TRACE(z);
     Random random(1);

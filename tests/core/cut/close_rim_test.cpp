@@ -172,7 +172,7 @@ CutSettings settings_for(uint64_t seed, Random& random) {
   return settings;
 }
 
-TEST(SmoothRim, of_straight_strokes_and_points_on_plates_is_the_boundary_of_the_beam) {
+TEST(SmoothRim, follows_the_beam_boundary_for_straight_and_point_strokes_on_plates) {
   for (uint64_t seed = 1; seed <= runs(24); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -188,7 +188,7 @@ TEST(SmoothRim, of_straight_strokes_and_points_on_plates_is_the_boundary_of_the_
   }
 }
 
-TEST(SmoothRim, of_tilting_and_bent_strokes_and_across_older_slits_stays_on_the_boundary) {
+TEST(SmoothRim, follows_the_beam_boundary_for_tilted_strokes_and_across_old_slits) {
   for (uint64_t seed = 1; seed <= runs(16); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -201,7 +201,7 @@ TEST(SmoothRim, of_tilting_and_bent_strokes_and_across_older_slits_stays_on_the_
   }
 }
 
-TEST(SmoothRim, leaves_faces_that_know_their_share_of_their_base_face) {
+TEST(SmoothRim, preserves_the_area_fraction_of_each_base_face) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     CutSettings settings = smooth_settings(0.02, 0.005);
     settings.resolution.scheme = scheme;
@@ -216,7 +216,7 @@ TEST(SmoothRim, leaves_faces_that_know_their_share_of_their_base_face) {
   }
 }
 
-TEST(SmoothRim, lies_along_edges_of_the_mesh_where_they_are_its_boundary) {
+TEST(SmoothRim, follows_mesh_edges_that_coincide_with_its_boundary) {
   for (const double off : {0.0, 1.0, -1.0}) {
     SCOPED_TRACE(off);
     const CutSettings settings = smooth_settings(0.02, 0.005);
@@ -226,7 +226,7 @@ TEST(SmoothRim, lies_along_edges_of_the_mesh_where_they_are_its_boundary) {
   }
 }
 
-TEST(SmoothRim, is_smooth_however_coarse_the_faces_under_the_beam_may_stay) {
+TEST(SmoothRim, is_smooth_even_with_unrefined_faces) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     CutSettings settings = smooth_settings(0.02, 0);
     settings.resolution = {
@@ -258,7 +258,7 @@ double distance_to_surface(const Vec3& p, const Mesh& mesh) {
   return least;
 }
 
-TEST(SmoothRim, lies_on_the_original_surface_of_curved_meshes) {
+TEST(SmoothRim, stays_on_the_original_surface_of_curved_meshes) {
   for (const Soup& soup : {sphere(12, 16, 0.5), sphere(40, 50, 0.5), torus(24, 16, 0.4, 0.15)}) {
     for (uint64_t seed = 1; seed <= runs(4); ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
@@ -306,7 +306,7 @@ void expect_tree_finds_every_face(const Body& cut) {
 }
 
 // The work asks whether to go on, and is stopped once at each of those places.
-TEST(SmoothRim, stopped_half_way_leaves_a_sound_mesh_in_a_tree_that_finds_every_face) {
+TEST(SmoothRim, leaves_a_valid_mesh_and_tree_when_interrupted) {
   for (uint64_t seed = 1; seed <= runs(24); ++seed) {
     for (int answers = 1;; ++answers) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", answers " + std::to_string(answers));
@@ -361,7 +361,7 @@ Redrawn draw_in_parts(CutSettings settings, const Pose& from, const Pose& to, in
   return {body.mesh.live_faces(), live_area(body.mesh)};
 }
 
-TEST(Strokes, leave_the_same_however_fast_they_are_drawn) {
+TEST(Strokes, give_the_same_result_at_any_drawing_speed) {
   for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
     for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
       CutSettings settings = smooth_settings(0.02, 0.005);
@@ -384,7 +384,7 @@ TEST(Strokes, leave_the_same_however_fast_they_are_drawn) {
 
 // Rim faces of CAD meshes, whose base faces are thin beyond any bound of ours: none is flipped or without
 // area, and the rim is as true as elsewhere.
-TEST(SmoothRim, of_real_meshes_is_conforming_and_true) {
+TEST(SmoothRim, is_conforming_and_accurate_on_real_meshes) {
   const auto files = real_meshes(6000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
   uint64_t seed = 50;

@@ -81,7 +81,7 @@ void expect_can_be_asked(const Body& body) {
   EXPECT_EQ(live, body.mesh.live_faces());
 }
 
-TEST(ClosingInParts, leaves_the_same_world_to_the_bit_as_at_once) {
+TEST(ClosingInParts, gives_the_same_world_bit_for_bit_as_without_slicing) {
   size_t closed = 0;
   for (uint64_t seed = 1; seed <= runs(20); ++seed) {
     SCOPED_TRACE(seed);
@@ -106,7 +106,7 @@ TEST(ClosingInParts, leaves_the_same_world_to_the_bit_as_at_once) {
   EXPECT_GE(closed, runs(20) * 9 / 10);
 }
 
-TEST(ClosingInParts, adds_walls_a_few_hundred_at_a_time_to_a_body_that_can_be_asked) {
+TEST(ClosingInParts, adds_a_few_hundred_walls_per_slice_to_a_body_that_stays_queryable) {
   const SolidStroke stroke = straight_stroke({-1, 2, 0.1}, {1, 2, 0.1}, {0, -1, 0}, 0.002, {0, 5});
   SolidBeforeClosing cut(moved(sphere(48, 96, 0.5), {}, 1), stroke);
   ASSERT_TRUE(cut.begin_to_add());
@@ -126,7 +126,7 @@ TEST(ClosingInParts, adds_walls_a_few_hundred_at_a_time_to_a_body_that_can_be_as
   expect_piece_sums(cut.body());
 }
 
-TEST(ClosingInParts, can_be_cancelled_before_walls_are_added_and_not_while_they_are) {
+TEST(ClosingInParts, can_be_cancelled_only_before_walls_are_added) {
   const SolidStroke stroke = straight_stroke({-1, 2, 0.1}, {1, 2, 0.1}, {0, -1, 0}, 0.01, {0, 5});
   const Progress stop{[](double) { return false; }};
   SolidBeforeClosing before(sphere(16, 24, 0.5), stroke);

@@ -30,7 +30,7 @@ CutSettings narrow() {
   return settings;
 }
 
-TEST(CutApart, leaves_what_joints_do_not_hold_any_more_for_the_next_search) {
+TEST(CutApart, leaves_parts_released_by_joints_to_the_next_search) {
   for (const bool holds : {true, false}) {
     World world = welded_sheets();
     ASSERT_EQ(world.live_pieces(), 1u);

@@ -104,7 +104,7 @@ void cut_and_check(World& world, const RandomStroke& stroke, bool made) {
   expect_pieces_equal_full_search(body, base_component);
 }
 
-TEST(CutStep, holds_every_invariant_after_every_step_on_every_class_of_mesh) {
+TEST(CutStep, keeps_every_invariant_after_each_step_on_all_mesh_classes) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -116,7 +116,7 @@ TEST(CutStep, holds_every_invariant_after_every_step_on_every_class_of_mesh) {
 }
 
 // A half that was left alone would be halved once too often for a split in four.
-TEST(CutStep, takes_green_pairs_away_whole) {
+TEST(CutStep, removes_both_halves_of_a_green_pair) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world =
@@ -139,7 +139,7 @@ TEST(CutStep, takes_green_pairs_away_whole) {
   }
 }
 
-TEST(CutStep, cuts_on_where_older_cuts_left_their_rims) {
+TEST(CutStep, continues_across_rims_of_older_cuts) {
   for (uint64_t seed = 1; seed <= runs(4); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = world_of(torus(14, 10, 0.5, 0.2));
@@ -156,7 +156,7 @@ TEST(CutStep, cuts_on_where_older_cuts_left_their_rims) {
 }
 
 // The search for what came apart falls behind, so that splits, removals and further cuts come in between.
-TEST(CutStep, finds_the_pieces_of_the_full_search_when_the_search_goes_on_over_many_steps) {
+TEST(CutStep, finds_the_pieces_of_a_full_search_over_many_steps) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 11; seed < 11 + runs(8); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -170,7 +170,7 @@ TEST(CutStep, finds_the_pieces_of_the_full_search_when_the_search_goes_on_over_m
   }
 }
 
-TEST(CutStep, cuts_real_meshes_into_the_pieces_of_the_full_search) {
+TEST(CutStep, cuts_real_meshes_into_the_pieces_of_a_full_search) {
   const auto files = real_meshes(14000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
   uint64_t seed = 100;
@@ -227,7 +227,7 @@ TEST(CutStep, kerf_fits_the_beam_on_plates) {
   }
 }
 
-TEST(CutStep, removes_the_same_in_1_10_and_1000_steps) {
+TEST(CutStep, removes_the_same_faces_in_1_10_and_1000_steps) {
   CutSettings settings;
   settings.laser.radius = 0.02;
   settings.resolution.target_edge = 0.005;
@@ -244,7 +244,7 @@ TEST(CutStep, removes_the_same_in_1_10_and_1000_steps) {
   }
 }
 
-TEST(CutStep, at_depth_0_takes_whole_base_faces) {
+TEST(CutStep, removes_whole_base_faces_at_depth_0) {
   CutSettings settings;
   settings.laser.radius = 0.01;
   settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 0};
@@ -256,7 +256,7 @@ TEST(CutStep, at_depth_0_takes_whole_base_faces) {
   EXPECT_EQ(result->delta.removed_faces, 1u);
 }
 
-TEST(CutStep, leaves_faces_wholly_inside_the_beam_whole) {
+TEST(CutStep, removes_faces_inside_the_beam_without_splitting_them) {
   CutSettings settings;
   settings.laser.radius = 0.5;
   settings.resolution.target_edge = 0.001;
@@ -268,7 +268,7 @@ TEST(CutStep, leaves_faces_wholly_inside_the_beam_whole) {
   EXPECT_EQ(world.live_faces(), 0u);
 }
 
-TEST(CutStep, four_rays_cut_four_strips_and_no_more) {
+TEST(CutStep, four_rays_pierce_exactly_four_holes) {
   CutSettings settings;
   settings.laser.radius = 0.1;
   settings.laser.range = {0, 5};
@@ -295,7 +295,7 @@ TEST(CutStep, cuts_all_layers_within_its_range_and_none_beyond) {
   EXPECT_EQ(count_numbers(only_body(world).mesh).boundary_loops, 4u + 3u);
 }
 
-TEST(CutStep, stops_with_a_sentence_when_too_many_faces_would_be_made) {
+TEST(CutStep, fails_with_a_message_if_too_many_faces_would_be_created) {
   CutSettings settings;
   settings.laser.radius = 0.02;
   settings.resolution.target_edge = 1e-6;
@@ -308,7 +308,7 @@ TEST(CutStep, stops_with_a_sentence_when_too_many_faces_would_be_made) {
   EXPECT_EQ(find_fault(only_body(world).mesh), "");
 }
 
-TEST(CutStep, tells_in_its_delta_of_every_face_that_changed) {
+TEST(CutStep, lists_every_changed_face_in_its_delta) {
   Random random(9);
   World world = world_of(sphere(10, 12, 0.5));
   const RandomStroke stroke = random_stroke(world, random, 0.04, false);

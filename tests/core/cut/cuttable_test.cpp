@@ -57,7 +57,7 @@ void expect_hidden_body_untouched(uint64_t seed, Rim rim, Scheme scheme) {
   }
 }
 
-TEST(CutStep, leaves_hidden_bodies_as_they_are_to_the_bit_with_both_rims_and_schemes) {
+TEST(CutStep, leaves_hidden_bodies_bit_identical_with_both_rims_and_schemes) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
       for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
@@ -69,7 +69,7 @@ TEST(CutStep, leaves_hidden_bodies_as_they_are_to_the_bit_with_both_rims_and_sch
   }
 }
 
-TEST(Cuttable, are_the_bodies_that_are_not_hidden_in_their_order) {
+TEST(Cuttable, bodies_are_the_visible_ones_in_order) {
   World world = crossing_bodies();
   const auto ids = world.ids();
   EXPECT_EQ(cuttable(world), ids);
@@ -78,7 +78,7 @@ TEST(Cuttable, are_the_bodies_that_are_not_hidden_in_their_order) {
 }
 
 // A search that is open in a body when it is hidden comes to its end, for the world is not settled before.
-TEST(CutStep, ends_a_search_for_what_came_apart_in_a_body_that_was_hidden_meanwhile) {
+TEST(CutStep, finishes_the_separation_search_in_a_body_hidden_meanwhile) {
   World world = world_of(grid(16, 1));
   CutSettings settings;
   settings.laser.radius = 0.05;

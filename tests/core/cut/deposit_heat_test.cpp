@@ -78,7 +78,7 @@ double expected_temperature(const Triangle& t, const Substance& substance) {
   return kAmbient + sum / count * (substance.transition - kAmbient);
 }
 
-TEST(DepositHeat, is_at_the_melting_point_at_the_rim_and_falls_over_the_width) {
+TEST(DepositHeat, reaches_the_melting_point_at_the_rim_and_decays_over_the_width) {
   Slot slot(0.001);
   slot.cut();
   const Body& body = slot.body();
@@ -95,7 +95,7 @@ TEST(DepositHeat, is_at_the_melting_point_at_the_rim_and_falls_over_the_width) {
   expect_closed_ledger(slot.world, 1e-9);
 }
 
-TEST(DepositHeat, makes_no_faces_and_removes_what_the_cut_removes_without_it) {
+TEST(DepositHeat, creates_no_faces_and_removes_the_same_as_without_heat) {
   for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
     Slot with(0.002, rim), without(0.002, rim);
     without.settings.heat_width = 0;
@@ -107,7 +107,7 @@ TEST(DepositHeat, makes_no_faces_and_removes_what_the_cut_removes_without_it) {
   }
 }
 
-TEST(DepositHeat, brings_the_walls_of_a_solid_to_the_melting_point_however_the_steps_are_divided) {
+TEST(DepositHeat, heats_walls_of_a_solid_to_the_melting_point_for_any_step_size) {
   const Vec3 size(0.2, 0.05, 0.2);
   std::vector<uint64_t> hashes;
   for (const bool at_once : {true, false}) {
@@ -135,7 +135,7 @@ TEST(DepositHeat, brings_the_walls_of_a_solid_to_the_melting_point_however_the_s
   EXPECT_EQ(hashes[0], hashes[1]);
 }
 
-TEST(DepositHeat, does_not_depend_on_the_division_into_steps) {
+TEST(DepositHeat, does_not_depend_on_the_step_size) {
   for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
     Slot whole(0.002, rim), stepped(0.002, rim);
     stepped.settings.faces_per_step = 1;
@@ -145,14 +145,14 @@ TEST(DepositHeat, does_not_depend_on_the_division_into_steps) {
   }
 }
 
-TEST(DepositHeat, does_not_reach_a_sheet_that_the_beam_does_not_touch) {
+TEST(DepositHeat, does_not_heat_a_sheet_the_beam_misses) {
   Slot slot(0.002);
   const BodyId beside = add(slot.world, rectangle(0.05, 0.05, 2), {kRadius + 0.002 + 0.025, 0.001, 0});
   slot.cut();
   EXPECT_EQ(slot.world.body(beside).heat.stored(slot.world.body(beside).mesh), 0);
 }
 
-TEST(DepositHeat, stays_at_the_rim_when_the_beam_goes_the_same_way_again) {
+TEST(DepositHeat, does_not_accumulate_when_the_beam_retraces_its_path) {
   Slot slot(0.002);
   slot.cut();
   const double once = slot.body().heat.stored(slot.body().mesh);
@@ -160,7 +160,7 @@ TEST(DepositHeat, stays_at_the_rim_when_the_beam_goes_the_same_way_again) {
   EXPECT_NEAR(slot.body().heat.stored(slot.body().mesh), once, 0.02 * once);
 }
 
-TEST(DepositHeat, cools_below_the_glow_in_the_same_time_at_every_resolution) {
+TEST(DepositHeat, cools_below_visible_glow_in_the_same_time_at_every_resolution) {
   const auto seconds_of_glow = [](double target_edge) {
     Slot slot(target_edge, Rim::kSmooth);
     slot.cut();
@@ -199,7 +199,7 @@ TEST(DepositHeat, cools_with_the_clock_and_is_undone_with_its_stroke) {
   EXPECT_EQ(state_hash(document.world()), after);
 }
 
-TEST(DepositHeat, cools_alike_however_the_ticks_are_divided_into_steps) {
+TEST(DepositHeat, cools_identically_for_any_step_size) {
   const auto hash_after = [](size_t most_at_once) {
     Slot slot(0.002, Rim::kSmooth);
     Document document(slot.world);

@@ -27,17 +27,17 @@ StepResult cut_across(World& world, int depth) {
   return *result;
 }
 
-TEST(LongRings, a_book_of_many_sheets_is_cut_whole_in_linear_time) {
+TEST(LongRings, cutting_a_book_of_many_sheets_takes_linear_time) {
   World world = world_of(book(kMany));
   EXPECT_GE(cut_across(world, 0).delta.removed_faces, size_t{kMany});
 }
 
-TEST(LongRings, a_book_of_many_sheets_is_split_in_linear_time) {
+TEST(LongRings, splitting_a_book_of_many_sheets_takes_linear_time) {
   World world = world_of(book(kMany / 2));
   EXPECT_GE(cut_across(world, 2).delta.removed_faces, size_t{kMany});
 }
 
-TEST(LongRings, many_copies_of_a_face_are_cut_in_linear_time) {
+TEST(LongRings, cutting_many_copies_of_a_face_takes_linear_time) {
   Soup soup = plate(1);
   soup.triangles.resize(1);
   soup.triangles.resize(kMany, soup.triangles[0]);
@@ -48,7 +48,7 @@ TEST(LongRings, many_copies_of_a_face_are_cut_in_linear_time) {
   EXPECT_EQ(removed % kMany, 0u);  // all copies alike
 }
 
-TEST(LongRings, the_nearest_neighbours_lead_to_all_that_hangs_together_whatever_is_removed) {
+TEST(LongRings, nearest_neighbours_reach_the_whole_component_after_any_removal) {
   Random random(3);
   for (const auto& [name, soup] : mesh_classes()) {
     Mesh mesh = build(soup).mesh;

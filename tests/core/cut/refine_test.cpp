@@ -77,7 +77,7 @@ Resolution tolerance_of(Scheme scheme, double tolerance) {
   return {.scheme = scheme, .rule = Resolution::Rule::kTolerance, .tolerance = tolerance};
 }
 
-TEST(Tolerance, bounds_how_far_what_is_removed_overshoots_the_beam) {
+TEST(Tolerance, bounds_the_overshoot_of_the_removed_area) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     for (uint64_t seed = 1; seed <= 10; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
@@ -92,7 +92,7 @@ TEST(Tolerance, bounds_how_far_what_is_removed_overshoots_the_beam) {
   }
 }
 
-TEST(Tolerance, makes_at_most_half_of_the_faces_that_the_length_rule_makes_at_the_same_number) {
+TEST(Tolerance, needs_at_most_half_the_faces_of_the_edge_length_rule) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     for (uint64_t seed = 1; seed <= 6; ++seed) {
       for (const double length : {kBeamRadius / 4, kBeamRadius / 8}) {
@@ -106,7 +106,7 @@ TEST(Tolerance, makes_at_most_half_of_the_faces_that_the_length_rule_makes_at_th
   }
 }
 
-TEST(Tolerance, leaves_what_the_beam_does_not_touch_as_it_is) {
+TEST(Tolerance, leaves_faces_outside_the_beam_unchanged) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     Cut c = cut(grid(40, 1), tolerance_of(scheme, kBeamRadius / 8), 3, false);
     const double reach = 2 * std::sqrt(2.0) / 40;  // two faces

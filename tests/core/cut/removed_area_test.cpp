@@ -87,7 +87,7 @@ void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme sche
   }
 }
 
-TEST(RemovedArea, and_the_area_that_is_left_are_what_was_loaded_after_any_stroke_undo_redo_and_recut) {
+TEST(RemovedArea, plus_remaining_area_equals_loaded_area_after_random_edits) {
   uint64_t seed = 0;
   for (const NamedSoup& made : mesh_classes()) {
     for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {

@@ -130,7 +130,7 @@ void expect_clean_slits(uint64_t seed, Scheme scheme) {
   expect_same_body(document.world().body(hidden), before.body(hidden));
 }
 
-TEST(SmoothRim, leaves_no_face_standing_in_a_slit_through_loaded_moved_and_hidden_bodies) {
+TEST(SmoothRim, leaves_no_face_inside_slits_through_moved_and_hidden_bodies) {
   for (uint64_t seed = 1; seed <= runs(30); ++seed) {
     for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) expect_clean_slits(seed, scheme);
   }

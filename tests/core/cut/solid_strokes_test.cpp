@@ -15,7 +15,7 @@ struct Tally {
 };
 
 // One to three strokes through each solid, as long as it stays closed.
-TEST(SolidStrokes, leave_solids_closed_or_say_that_they_do_not) {
+TEST(SolidStrokes, keep_solids_closed_or_report_open_ones) {
   const std::vector<NamedSoup> solids = generated_solids();
   const size_t most = runs(500);
   std::map<std::string, Tally> kinds;

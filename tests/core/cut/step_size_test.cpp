@@ -88,7 +88,7 @@ Walked cut_in_steps_of(const std::vector<Drawn>& strokes, size_t faces_per_step,
   return walked;
 }
 
-TEST(StepSize, leaves_the_same_world_to_the_bit_however_large_it_is) {
+TEST(StepSize, does_not_change_the_resulting_world) {
   for (uint64_t seed = 1; seed <= runs(10); ++seed) {
     const auto strokes = random_strokes(seed);
     const Walked whole = cut_in_steps_of(strokes, kUnbounded, seed);
@@ -159,7 +159,7 @@ void expect_tree_follows(const Body& body) {
   }
 }
 
-TEST(StepSize, leaves_a_whole_world_and_tells_of_all_that_changed_after_every_step) {
+TEST(StepSize, leaves_a_valid_world_and_complete_delta_after_every_step) {
   for (uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Drawn stroke = random_strokes(seed).front();
@@ -185,7 +185,7 @@ TEST(StepSize, leaves_a_whole_world_and_tells_of_all_that_changed_after_every_st
   }
 }
 
-TEST(StepSize, a_step_does_no_more_than_its_bite_however_large_the_move_is) {
+TEST(StepSize, a_step_stays_within_its_budget_for_a_large_move) {
   CutSettings settings;
   settings.laser.radius = 0.4;
   settings.resolution.target_edge = 0.002;
@@ -209,7 +209,7 @@ TEST(StepSize, a_step_does_no_more_than_its_bite_however_large_the_move_is) {
   EXPECT_GT(steps, 80u);
 }
 
-TEST(StepSize, a_move_that_is_left_half_way_waits) {
+TEST(StepSize, an_unfinished_move_stays_in_the_queue) {
   CutSettings settings;
   settings.laser.radius = 0.1;
   settings.resolution.target_edge = 0.005;

@@ -23,7 +23,7 @@ class RegionAlongX : public testing::Test {
   StrokeRegion region_;
 };
 
-TEST_F(RegionAlongX, asks_the_parts_that_are_listed_for_a_face) {
+TEST_F(RegionAlongX, evaluates_only_the_parts_listed_for_a_face) {
   EXPECT_FALSE(region_.is_near(FaceId(7)));
   note(FaceId(7), {0, 1});
   EXPECT_TRUE(region_.is_near(FaceId(7)));
@@ -32,7 +32,7 @@ TEST_F(RegionAlongX, asks_the_parts_that_are_listed_for_a_face) {
   EXPECT_GT(region_.signed_distance(FaceId(7), {3.9, 0, 0}), 1) << "the other parts are not asked";
 }
 
-TEST_F(RegionAlongX, of_children_is_that_of_all_their_parents) {
+TEST_F(RegionAlongX, gives_children_the_parts_of_all_their_parents) {
   note(FaceId(1), {0});
   note(FaceId(2), {3});
   const std::vector<FaceId> children{FaceId(1), FaceId(2), FaceId(9)}, parents{FaceId(1), FaceId(2)};
@@ -43,7 +43,7 @@ TEST_F(RegionAlongX, of_children_is_that_of_all_their_parents) {
   }
 }
 
-TEST_F(RegionAlongX, reaches_into_a_triangle_by_more_than_the_graze) {
+TEST_F(RegionAlongX, reaches_into_a_triangle_only_beyond_the_tolerance) {
   note(FaceId(0), {0, 1, 2, 3});
   const Triangle beside{Vec3(1, 0, 0.45), Vec3(2, 0, 0.45), Vec3(1.5, 0, 2)};
   EXPECT_TRUE(region_.reaches_into(FaceId(0), beside, 0.01));
@@ -51,7 +51,7 @@ TEST_F(RegionAlongX, reaches_into_a_triangle_by_more_than_the_graze) {
 }
 
 // A part whose beam turns is asked at points of a small triangle.
-TEST(StrokeRegion, of_a_beam_that_turns_reaches_into_small_triangles_where_their_points_lie_in_it) {
+TEST(StrokeRegion, reaches_into_small_triangles_with_points_in_a_tilting_beam) {
   Random random(9);
   const auto any = [&](double most) { return random.uniform(-most, most); };
   size_t within = 0, beyond = 0;
@@ -76,7 +76,7 @@ TEST(StrokeRegion, of_a_beam_that_turns_reaches_into_small_triangles_where_their
   EXPECT_GT(beyond, 50u);
 }
 
-TEST_F(RegionAlongX, is_crossed_where_the_distance_is_zero) {
+TEST_F(RegionAlongX, crosses_segments_at_zero_distance) {
   note(FaceId(0), {0, 1, 2, 3});
   Random random(4);
   for (int i = 0; i < 50; ++i) {

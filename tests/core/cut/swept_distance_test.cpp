@@ -28,7 +28,7 @@ std::vector<BeamMove> wandering_moves(Random& random, bool from_apex) {
   return moves;
 }
 
-TEST(SweptDistance, is_the_least_of_all_parts) {
+TEST(SweptDistance, is_the_minimum_over_all_parts) {
   for (uint64_t seed = 1; seed <= runs(200); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);

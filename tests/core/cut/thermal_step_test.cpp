@@ -54,7 +54,7 @@ RandomStroke random_thermal_stroke(const World& world, Random& random) {
   return stroke;
 }
 
-TEST(ThermalStep, closes_the_ledger_over_random_strokes_with_splits_removals_and_separations) {
+TEST(ThermalStep, balances_the_energy_ledger_over_random_strokes) {
   for (uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -74,7 +74,7 @@ TEST(ThermalStep, closes_the_ledger_over_random_strokes_with_splits_removals_and
   }
 }
 
-TEST(ThermalStep, does_not_depend_on_the_division_into_steps) {
+TEST(ThermalStep, does_not_depend_on_the_step_size) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -88,7 +88,7 @@ TEST(ThermalStep, does_not_depend_on_the_division_into_steps) {
   }
 }
 
-TEST(ThermalStep, leaves_the_absorbed_share_of_the_power_in_a_sheet) {
+TEST(ThermalStep, deposits_the_absorbed_share_of_the_power_in_a_sheet) {
   World world = plates({0});
   CutSettings settings = thermal(0.002, 50);
   const BeamMove move = drill(0.01);
@@ -103,7 +103,7 @@ TEST(ThermalStep, leaves_the_absorbed_share_of_the_power_in_a_sheet) {
 }
 
 // A strip of steel that a beam crosses at a speed between those at which it parts without and with oxygen.
-TEST(ThermalStep, in_oxygen_burns_through_mild_steel_and_books_the_heat) {
+TEST(ThermalStep, burns_through_mild_steel_in_oxygen_and_records_the_heat) {
   LaserStrip strip{Substance(), 1e-3, 1000, 0.15e-3, 1};
   const LumpedCut balance{strip.substance, strip.power, 0, strip.kerf};
   const double speed = 1.25 * cutting_speed(balance, strip.thickness);
@@ -119,7 +119,7 @@ TEST(ThermalStep, in_oxygen_burns_through_mild_steel_and_books_the_heat) {
   EXPECT_EQ(cross(strip, speed).energy().burnt, 0);
 }
 
-TEST(ThermalStep, lets_all_energy_escape_where_the_beam_meets_nothing) {
+TEST(ThermalStep, counts_all_energy_as_escaped_on_a_miss) {
   World world = plates({0});
   BeamMove move = drill(0.1);
   move.from.origin.x = move.to.origin.x = 5;
@@ -131,7 +131,7 @@ TEST(ThermalStep, lets_all_energy_escape_where_the_beam_meets_nothing) {
 
 // The first wall has to be pierced before the second one gets anything; then it is.
 // The plate reaches from -0.05 m to 0.05 m.
-TEST(ThermalStep, tells_for_how_long_the_beam_met_a_face_and_how_deep_it_got) {
+TEST(ThermalStep, reports_exposure_time_and_penetration_depth_per_face) {
   const auto cut = [](double power, std::vector<BeamMove> moves) {
     World world = plates({0});
     return cut_whole(world, thermal(0.002, power), moves)->statistics;
@@ -152,7 +152,7 @@ TEST(ThermalStep, tells_for_how_long_the_beam_met_a_face_and_how_deep_it_got) {
   EXPECT_NEAR(both.depth_s, cut(4000, {across(-0.04, -0.03, 0.5)}).depth_s, 0.5 * 0.02);
 }
 
-TEST(ThermalStep, gets_through_the_first_wall_before_it_heats_the_second) {
+TEST(ThermalStep, pierces_the_first_wall_before_it_heats_the_second) {
   const CutSettings settings = thermal(0.001, 3000);
   bool shielded = false, pierced = false;
   World world = plates({0, -0.05});
@@ -175,7 +175,7 @@ TEST(ThermalStep, gets_through_the_first_wall_before_it_heats_the_second) {
 }
 
 // What a slot takes is decided by power and speed, not by how often the pointer is read.
-TEST(ThermalStep, cuts_as_far_whatever_the_rate_of_moves) {
+TEST(ThermalStep, cuts_the_same_length_at_any_input_rate) {
   const auto length_of_cut = [](double seconds_a_move) {
     World world = plates({0});
     CutSettings settings = thermal(0.001, 4000);
@@ -195,7 +195,7 @@ TEST(ThermalStep, cuts_as_far_whatever_the_rate_of_moves) {
     EXPECT_NEAR(length_of_cut(seconds), expected, 0.02 * expected);
 }
 
-TEST(ThermalStep, is_as_fast_as_power_over_thickness_without_conduction) {
+TEST(ThermalStep, has_a_speed_of_power_over_thickness_without_conduction) {
   Substance cold;
   cold.conductivity = 0;
   const LaserStrip one{cold, 0.002, 1000, 2e-4, 1};
@@ -208,7 +208,7 @@ TEST(ThermalStep, is_as_fast_as_power_over_thickness_without_conduction) {
 }
 
 // The forecast of the lumped balance, which parts the sheet where the axis of the beam has passed.
-TEST(ThermalStep, cuts_about_as_fast_as_the_lumped_balance_forecasts) {
+TEST(ThermalStep, cuts_at_about_the_speed_predicted_by_the_lumped_balance) {
   Substance cold;
   cold.conductivity = 0;
   for (const Substance& substance : {cold, Substance{}}) {
@@ -218,7 +218,7 @@ TEST(ThermalStep, cuts_about_as_fast_as_the_lumped_balance_forecasts) {
   }
 }
 
-TEST(ThermalStep, scales_the_energy_of_removal_where_faces_may_not_be_split) {
+TEST(ThermalStep, scales_the_removal_energy_if_faces_cannot_be_split) {
   CutSettings settings = thermal(0.001, 2000);
   EXPECT_FALSE(scales_removal(settings));
   settings.resolution.rule = Resolution::Rule::kDepth;
@@ -241,7 +241,7 @@ TEST(ThermalStep, scales_the_energy_of_removal_where_faces_may_not_be_split) {
 // Published speeds for stainless steel under nitrogen and for acrylic, with the presets, whose absorptivity
 // is one for each class of material.
 // Faces that are wide and behind others, or beside what is split, take all the energy that a ray has left.
-TEST(ThermalStep, takes_no_more_than_it_has_the_energy_for_whatever_the_power) {
+TEST(ThermalStep, removes_no_more_than_its_energy_allows_at_any_power) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     World world = world_of(moved(brick({10, 0.2, 10}), {-5.1, 0, -4.7}, 1));
     CutSettings settings = thermal(0.002, 1e12);

@@ -78,7 +78,7 @@ class TouchingSolids : public testing::TestWithParam<uint64_t> {
   Random random_;
 };
 
-TEST_P(TouchingSolids, are_closed_where_they_share_a_face) {
+TEST_P(TouchingSolids, are_closed_if_they_share_a_face) {
   const double a = size(), b = size(), y = size(), z = size(), at = z * random_.uniform(0.2, 0.7);
   const Soup first = box_between({0, 0, 0}, {a, y, z});
   expect_cut(both(first, box_between({a, 0, 0}, {a + b, y, z})), at, (a + b) * y);
@@ -87,7 +87,7 @@ TEST_P(TouchingSolids, are_closed_where_they_share_a_face) {
   expect_cut(inside_out(both(first, box_between({a, 0, 0}, {a + b, y, z}))), at, (a + b) * y);
 }
 
-TEST_P(TouchingSolids, are_closed_where_they_share_a_part_of_a_face) {
+TEST_P(TouchingSolids, are_closed_if_they_share_a_part_of_a_face) {
   const double a = size(), b = size(), y = size(), z = size(), at = z * random_.uniform(0.3, 0.6);
   const Soup first = box_between({0, 0, 0}, {a, y, z});
   expect_cut(both(first, box_between({a, 0.25 * y, 0.2 * z}, {a + b, 0.75 * y, 0.9 * z})), at,
@@ -95,20 +95,20 @@ TEST_P(TouchingSolids, are_closed_where_they_share_a_part_of_a_face) {
   expect_cut(both(first, box_between({a, 0, 0}, {a + b, 0.5 * y, z})), at, a * y + 0.5 * b * y);
 }
 
-TEST_P(TouchingSolids, are_closed_where_they_share_an_edge) {
+TEST_P(TouchingSolids, are_closed_if_they_share_an_edge) {
   const double a = size(), b = size(), y = size(), z = size(), at = z * random_.uniform(0.2, 0.7);
   const Soup first = box_between({0, 0, 0}, {a, y, z});
   expect_cut(both(first, box_between({a, y, 0}, {a + b, 2 * y, z})), at, (a + b) * y);
 }
 
-TEST_P(TouchingSolids, are_closed_where_they_share_a_vertex_in_the_kerf) {
+TEST_P(TouchingSolids, are_closed_if_they_share_a_vertex_in_the_kerf) {
   const double a = size(), b = size(), y = size(), z = size();
   const Soup first = box_between({0, 0, 0}, {a, y, z});
   expect_cut(both(first, box_between({a, y, z}, {a + b, 2 * y, 2 * z})), z - 0.5 * kSlotRadius,
              0.75 * a * y + 0.25 * b * y);
 }
 
-TEST_P(TouchingSolids, are_closed_where_blocks_of_a_chequerboard_meet_in_edges) {
+TEST_P(TouchingSolids, are_closed_if_blocks_of_a_chequerboard_share_edges) {
   const double s = size();
   Soup board;
   double section = 0;
@@ -123,7 +123,7 @@ TEST_P(TouchingSolids, are_closed_where_blocks_of_a_chequerboard_meet_in_edges) 
   expect_cut(board, 0.4 * s, section);
 }
 
-TEST_P(TouchingSolids, are_closed_each_with_its_cavities) {
+TEST_P(TouchingSolids, are_closed_including_their_cavities) {
   const double a = size(), b = size(), y = size(), z = size();
   const auto hollow = [&](double low, double high) {
     const double wall = 0.2 * (high - low);
@@ -133,7 +133,7 @@ TEST_P(TouchingSolids, are_closed_each_with_its_cavities) {
   expect_cut(both(hollow(0, a), hollow(a, a + b)), 0.4 * z, (a + b) * y * (1 - 0.6 * 0.5));
 }
 
-TEST_P(TouchingSolids, are_closed_where_one_lies_on_another_face_by_face) {
+TEST_P(TouchingSolids, are_closed_if_stacked_face_to_face) {
   const double x = size(), y = size(), z = size();
   const Soup box = box_between({0, 0, 0}, {x, y, z});
   expect_cut(both(box, box), 0.4 * z, 2 * x * y);
@@ -187,14 +187,14 @@ const Soup& unit_box() {
 
 Soup sheet_at(double x) { return moved(grid(1, 0.4), {x, 0.5, 0.4}, 1); }
 
-TEST(PartlyClosedSolid, says_that_a_sheet_inside_stays_open_and_closes_the_box) {
+TEST(PartlyClosedSolid, reports_an_inner_sheet_as_open_and_closes_the_box) {
   PartlyClosed cut(both(unit_box(), sheet_at(0.5)), slot_through(0.6, kSlotRadius));
   ASSERT_FALSE(cut.notes().empty());
   EXPECT_NE(cut.notes()[0].find("open before the stroke"), std::string::npos) << cut.notes()[0];
   EXPECT_GT(cut.result.delta.solid.wall_faces, 0u);
 }
 
-TEST(PartlyClosedSolid, closes_a_box_that_shares_an_edge_with_one_that_lacks_a_face) {
+TEST(PartlyClosedSolid, closes_a_box_that_shares_an_edge_with_an_open_box) {
   Soup broken = box_between({1, 1, 0}, {2, 2, 1});
   broken.triangles.resize(broken.triangles.size() - 2);
   broken.triangles_in_file = broken.faces_in_file = broken.triangles.size();
@@ -204,7 +204,7 @@ TEST(PartlyClosedSolid, closes_a_box_that_shares_an_edge_with_one_that_lacks_a_f
   EXPECT_NEAR(cut.result.delta.solid.wall_area, 2.0, 1e-6);
 }
 
-TEST(PartlyClosedSolid, says_that_a_box_with_a_wall_inside_that_hangs_on_its_edges_stays_open) {
+TEST(PartlyClosedSolid, reports_a_box_with_an_attached_inner_wall_as_open) {
   Soup soup = both(unit_box(), box_between({0, 0, 0}, {1, 1, 1}));
   soup.triangles.resize(unit_box().triangles.size());
   // From one edge of the box to the opposite one.
@@ -249,13 +249,13 @@ Soup slit_block() {
   return soup;
 }
 
-TEST(PartlyClosedSolid, names_the_place_where_a_solid_touches_itself) {
+TEST(PartlyClosedSolid, reports_the_place_of_a_self_contact) {
   PartlyClosed cut(slit_block(), slot_through(0.4, kSlotRadius));
   ASSERT_EQ(cut.notes().size(), 1u);
   EXPECT_NE(cut.notes()[0].find("near (1, "), std::string::npos) << cut.notes()[0];
 }
 
-TEST(DoubledFaces, are_mentioned_when_they_are_loaded) {
+TEST(DoubledFaces, are_reported_on_load) {
   const std::vector<std::string> notes = load_notes(build(both(unit_box(), unit_box())).report);
   EXPECT_TRUE(std::ranges::any_of(notes, [](const std::string& note) {
     return note.starts_with("12 faces coincide with others and face the same way");
@@ -270,7 +270,7 @@ struct Reported {
 };
 
 // The meshes of reports from users, where they are there.
-TEST(TouchingSolidsOfReports, are_closed) {
+TEST(ReportedTouchingSolids, are_closed) {
   const char* const folder = std::getenv("KERF_TEST_MESHES");
   if (folder == nullptr) GTEST_SKIP() << "KERF_TEST_MESHES names no folder";
   const auto along_x = straight_stroke({-1, 5, 0.4}, {3, 5, 0.4}, {0, -1, 0}, kSlotRadius, {0, 10});

@@ -36,7 +36,7 @@ class AutosaveFolder : public testing::Test {
   SceneDescription scene_;
 };
 
-TEST_F(AutosaveFolder, follows_a_document_and_is_offered_only_when_its_editor_is_gone) {
+TEST_F(AutosaveFolder, saves_a_document_and_offers_it_only_after_its_editor_exits) {
   Random random(1);
   const std::vector<Command> commands = random_commands(random, 30);
   Document document;
@@ -63,7 +63,7 @@ TEST_F(AutosaveFolder, follows_a_document_and_is_offered_only_when_its_editor_is
   EXPECT_TRUE(left().empty()) << "nobody else is offered what one looks at";
 }
 
-TEST_F(AutosaveFolder, leaves_nothing_when_the_work_is_saved) {
+TEST_F(AutosaveFolder, is_empty_after_the_document_is_saved) {
   Document document;
   Autosave autosave(state());
   autosave.begin(scene_, {});
@@ -75,7 +75,7 @@ TEST_F(AutosaveFolder, leaves_nothing_when_the_work_is_saved) {
   }
 }
 
-TEST_F(AutosaveFolder, keeps_the_old_file_until_a_new_one_is_written) {
+TEST_F(AutosaveFolder, keeps_the_old_file_until_the_new_one_is_written) {
   Document document;
   document.apply(BeginStroke{{}, {{0, 1, 0}, {0, -1, 0}}});
   Autosave autosave(state());
@@ -90,7 +90,7 @@ TEST_F(AutosaveFolder, keeps_the_old_file_until_a_new_one_is_written) {
   EXPECT_EQ(files(), 0);
 }
 
-TEST_F(AutosaveFolder, two_editors_of_one_program_do_not_write_to_the_same_file) {
+TEST_F(AutosaveFolder, gives_two_editors_of_one_process_different_files) {
   Document one, two;
   one.apply(BeginStroke{{}, {{0, 1, 0}, {0, -1, 0}}});
   two.apply(BeginStroke{{}, {{0, 1, 0}, {0, -1, 0}}});
@@ -104,7 +104,7 @@ TEST_F(AutosaveFolder, two_editors_of_one_program_do_not_write_to_the_same_file)
   EXPECT_EQ(left().size(), 2u);
 }
 
-TEST_F(AutosaveFolder, a_folder_that_cannot_be_written_is_said_and_tried_again) {
+TEST_F(AutosaveFolder, reports_an_unwritable_folder_and_retries) {
   write_text(state(), "a file where the folder should be");
   Document document;
   document.apply(BeginStroke{{}, {{0, 1, 0}, {0, -1, 0}}});
@@ -116,7 +116,7 @@ TEST_F(AutosaveFolder, a_folder_that_cannot_be_written_is_said_and_tried_again) 
   EXPECT_TRUE(autosave.keeps());
 }
 
-TEST_F(AutosaveFolder, names_what_it_cannot_read_and_leaves_it) {
+TEST_F(AutosaveFolder, reports_and_keeps_unreadable_files) {
   std::filesystem::create_directory(state());
   write_text(state() / "unsaved-1-1.kerf", "no journal\n");
   std::vector<std::string> faults;
@@ -145,7 +145,7 @@ TEST_F(AutosaveFolder, names_what_it_cannot_read_and_leaves_it) {
   }
 }
 
-TEST_F(AutosaveFolder, a_process_that_is_killed_at_any_moment_has_lost_nothing_that_it_had_told) {
+TEST_F(AutosaveFolder, a_process_killed_at_any_moment_loses_no_reported_command) {
   const auto seed = static_cast<uint64_t>(::getpid());
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);

@@ -63,7 +63,7 @@ class BodiesInTime : public testing::Test {
   Document document_{made_world()};
 };
 
-TEST_F(BodiesInTime, without_moving_bodies_nothing_is_detached) {
+TEST_F(BodiesInTime, pieces_are_not_detached_without_physics) {
   cut(0.1);
   document_.apply(AdvanceTime{30});
   run();
@@ -71,7 +71,7 @@ TEST_F(BodiesInTime, without_moving_bodies_nothing_is_detached) {
   EXPECT_EQ(world().live_pieces(), 2u);
 }
 
-TEST_F(BodiesInTime, pieces_fall_as_far_as_free_bodies_do) {
+TEST_F(BodiesInTime, pieces_fall_as_far_as_free_bodies) {
   cut(0.1);
   run();
   apply(Play{});
@@ -85,7 +85,7 @@ TEST_F(BodiesInTime, pieces_fall_as_far_as_free_bodies_do) {
   for (const BodyId id : world().ids()) EXPECT_NEAR(centre(id).y, 0.5 - way, 0.01 * way);
 }
 
-TEST_F(BodiesInTime, pieces_are_pushed_apart_slowly_and_keep_their_common_centre) {
+TEST_F(BodiesInTime, pieces_separate_slowly_and_keep_their_common_centre) {
   apply(SetEnvironment{{.gravity = Vec3(0), .ground = std::nullopt}});
   cut(0.1);
   run();
@@ -105,7 +105,7 @@ TEST_F(BodiesInTime, pieces_are_pushed_apart_slowly_and_keep_their_common_centre
   EXPECT_LT(glm::length(momentum), 1e-9);
 }
 
-TEST_F(BodiesInTime, a_pinned_plate_stays_and_what_is_cut_off_it_falls) {
+TEST_F(BodiesInTime, a_pinned_plate_stays_and_pieces_cut_off_it_fall) {
   apply(PinPiece{{world().ids().front(), 0}, true});
   apply(Play{});
   fall(10);
@@ -121,7 +121,7 @@ TEST_F(BodiesInTime, a_pinned_plate_stays_and_what_is_cut_off_it_falls) {
   EXPECT_LT(world().body(world().ids().back()).placement.position.y, 0.3);
 }
 
-TEST_F(BodiesInTime, what_a_cut_takes_the_support_from_wakes_and_falls) {
+TEST_F(BodiesInTime, a_body_that_loses_its_support_wakes_and_falls) {
   World table;
   const BodyId top = add(table, rectangle(1, 1, 8), {0, 0.5, 0});
   table.body(top).pinned = true;
@@ -139,7 +139,7 @@ TEST_F(BodiesInTime, what_a_cut_takes_the_support_from_wakes_and_falls) {
   EXPECT_LT(centre(box).y, 0.3);
 }
 
-TEST_F(BodiesInTime, moving_a_body_by_hand_stops_it_and_wakes_what_lay_on_it) {
+TEST_F(BodiesInTime, moving_a_body_by_hand_stops_it_and_wakes_bodies_resting_on_it) {
   World pile;
   const BodyId low = add(pile, closed_box({0.5, 0.2, 0.5}), {0, 0.1, 0});
   const BodyId high = add(pile, closed_box({0.3, 0.2, 0.3}), {0, 0.31, 0});
@@ -156,7 +156,7 @@ TEST_F(BodiesInTime, moving_a_body_by_hand_stops_it_and_wakes_what_lay_on_it) {
   EXPECT_NEAR(centre(low).x, 3, 0.01);
 }
 
-TEST_F(BodiesInTime, one_step_of_the_history_goes_from_play_to_pause_and_each_stroke_within_is_one) {
+TEST_F(BodiesInTime, one_undo_entry_spans_play_to_pause_and_each_stroke_has_its_own) {
   apply(Play{});
   fall(10);
   fall(10);
@@ -176,7 +176,7 @@ TEST_F(BodiesInTime, one_step_of_the_history_goes_from_play_to_pause_and_each_st
   EXPECT_EQ(state_hash(world()), end);
 }
 
-TEST_F(BodiesInTime, undo_of_time_tells_which_pieces_are_no_bodies_of_their_own_any_more) {
+TEST_F(BodiesInTime, undo_of_time_reports_merged_bodies) {
   cut(0.1);
   run();
   const BodyId plate = world().ids().front();
@@ -194,7 +194,7 @@ TEST_F(BodiesInTime, undo_of_time_tells_which_pieces_are_no_bodies_of_their_own_
   EXPECT_EQ(outcome.delta.detached[0].to, plate);
 }
 
-TEST_F(BodiesInTime, replay_of_the_journal_goes_on_to_the_same_bits) {
+TEST_F(BodiesInTime, replay_of_the_journal_is_bit_identical) {
   apply(Play{});
   fall(20);
   cut(0.1);
@@ -231,7 +231,7 @@ struct Replayed {
 };
 
 // A stroke that was drawn while they moved cuts other faces there.
-TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_does_not_differ_where_strokes_cut_otherwise) {
+TEST_F(BodiesInTime, replay_from_another_machine_accepts_different_cuts) {
   Journal journal = cut_and_fallen();
   journal.marks[0].hash += 1;
   for (const bool other : {false, true}) {
@@ -241,7 +241,7 @@ TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_does_not_differ_where_
 }
 
 // The same commands, but a mark of a machine on which the bodies came elsewhere.
-TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_says_where_the_bodies_came) {
+TEST_F(BodiesInTime, replay_from_another_machine_restores_body_poses) {
   Journal journal = cut_and_fallen();
   ASSERT_EQ(journal.marks.size(), 1u);
   ASSERT_EQ(journal.marks[0].bodies.size(), 2u);
@@ -264,7 +264,7 @@ TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_says_where_the_bodies_
   }
 }
 
-TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
+TEST_F(BodiesInTime, save_points_with_bodies_round_trip_exactly) {
   cut(0.1);
   apply(Play{});
   fall(50);
@@ -289,7 +289,7 @@ TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
   EXPECT_EQ(read->marks[0].clock, 50u);
 }
 
-TEST_F(BodiesInTime, a_spring_lifts_a_plate_and_lets_it_go) {
+TEST_F(BodiesInTime, a_spring_lifts_and_releases_a_plate) {
   const BodyId plate = world().ids().front();
   apply(Play{});
   fall(120);
@@ -358,22 +358,22 @@ class MovingPlate : public testing::TestWithParam<Rim> {
   }
 };
 
-TEST_P(MovingPlate, is_cut_by_a_still_beam_like_a_still_plate_by_the_opposite_beam) {
+TEST_P(MovingPlate, cut_by_a_still_beam_matches_a_still_plate_cut_by_the_opposite_beam) {
   expect_equal_cuts({.velocity = {1.5, 0, 0.3}});
 }
 
-TEST_P(MovingPlate, that_spins_is_cut_so_too) {
+TEST_P(MovingPlate, spinning_matches_a_still_plate) {
   expect_equal_cuts({.velocity = {0.4, 0.1, 0}, .spin = {0, 3, 0}});
 }
 
-TEST_P(MovingPlate, that_tumbles_is_cut_so_too) {
+TEST_P(MovingPlate, tumbling_matches_a_still_plate) {
   expect_equal_cuts({.velocity = {0.4, 0, -0.5}, .spin = {1, 0.5, 0.3}});
 }
 
 INSTANTIATE_TEST_SUITE_P(BothRims, MovingPlate, testing::Values(Rim::kFaces, Rim::kSmooth),
                          [](const auto& rim) { return rim.param == Rim::kFaces ? "faces" : "smooth"; });
 
-TEST_F(BodiesInTime, a_still_beam_slits_a_falling_plate_and_both_halves_fall_on) {
+TEST_F(BodiesInTime, a_still_beam_cuts_a_falling_plate_and_both_halves_keep_falling) {
   apply(Play{});
   apply(BeginStroke{settings(), {{-3, 0.25, 0.1}, {1, 0, 0}}});  // level, below the plate, across all of it
   fall(60);
@@ -389,7 +389,7 @@ TEST_F(BodiesInTime, a_still_beam_slits_a_falling_plate_and_both_halves_fall_on)
   EXPECT_EQ(state_hash(world()), end);
 }
 
-TEST_F(BodiesInTime, a_smooth_rim_is_closed_in_pieces_that_came_off_and_fell_during_the_stroke) {
+TEST_F(BodiesInTime, a_smooth_rim_is_closed_in_pieces_that_fell_during_the_stroke) {
   CutSettings smooth = settings();
   smooth.laser.radius = 0.03;
   smooth.resolution.rim = Rim::kSmooth;

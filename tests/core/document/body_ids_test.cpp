@@ -77,7 +77,7 @@ class BodyIds : public testing::Test {
   std::set<BodyId> ever_;
 };
 
-TEST_F(BodyIds, a_mesh_that_was_undone_does_not_give_its_id_to_the_next) {
+TEST_F(BodyIds, an_undone_mesh_does_not_pass_its_id_to_the_next) {
   apply(AddMesh{mesh(), "first"});
   const BodyId first = document_.world().ids().back();
   EXPECT_EQ(first, BodyId(1, 1));
@@ -87,7 +87,7 @@ TEST_F(BodyIds, a_mesh_that_was_undone_does_not_give_its_id_to_the_next) {
   EXPECT_FALSE(document_.world().contains(first));
 }
 
-TEST_F(BodyIds, are_equal_after_undo_redo_replay_and_recovery_and_are_never_given_twice) {
+TEST_F(BodyIds, are_stable_across_undo_redo_replay_and_recovery_and_never_reused) {
   for (uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);

@@ -40,7 +40,7 @@ void play(Document& document, Ticks ticks) {
   ASSERT_TRUE(test::run_all(document).ok());
 }
 
-TEST(CarScene, all_parts_are_held_and_the_car_weighs_what_its_sheets_do) {
+TEST(CarScene, all_parts_are_joined_and_the_mass_is_the_sum_of_its_sheets) {
   const Document document = car();
   const World& world = document.world();
   EXPECT_EQ(held_joints(world).size(), world.joints().all.size());
@@ -49,7 +49,7 @@ TEST(CarScene, all_parts_are_held_and_the_car_weighs_what_its_sheets_do) {
   EXPECT_NEAR(rigid_frame(body).mass, 0.0008 * 7850 * body.loaded.area, 1e-6);
 }
 
-TEST(CarScene, nothing_stays_in_the_air_when_the_car_is_cut_in_two) {
+TEST(CarScene, nothing_floats_after_the_car_is_cut_in_two) {
   Document document = car();
   stroke(document, {-1.5, 3, 0.485}, {1.5, 3, 0.485}, {0, -1, 0}, 0.01);
   const World& world = document.world();
@@ -66,7 +66,7 @@ TEST(CarScene, nothing_stays_in_the_air_when_the_car_is_cut_in_two) {
   EXPECT_EQ(sides.size(), 2u);
 }
 
-TEST(CarScene, a_standing_car_comes_to_rest_on_wheels_that_turn) {
+TEST(CarScene, a_standing_car_settles_on_wheels_that_turn) {
   Document document = car();
   document.apply(Command(SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
   play(document, 1200);
@@ -85,7 +85,7 @@ TEST(CarScene, a_standing_car_comes_to_rest_on_wheels_that_turn) {
   for (const BodyId id : world.ids()) EXPECT_TRUE(world.body(id).motion.asleep) << id.slot;
 }
 
-TEST(CarScene, joints_do_not_change_what_a_cut_does_while_no_time_passes) {
+TEST(CarScene, joints_do_not_affect_a_cut_while_time_is_paused) {
   Document with = car();
   auto mesh = read_scene(test::checkout() / "assets/meshes/car.obj");
   ASSERT_TRUE(mesh.ok());
@@ -98,7 +98,7 @@ TEST(CarScene, joints_do_not_change_what_a_cut_does_while_no_time_passes) {
   EXPECT_EQ(state_hash(with.world()), state_hash(without.world()));
 }
 
-TEST(CarScene, a_wheel_whose_hub_is_burnt_away_comes_off) {
+TEST(CarScene, a_wheel_with_a_burnt_hub_comes_off) {
   Document document = car();
   document.apply(Command(SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
   const auto wheels = [&] {
@@ -138,7 +138,7 @@ double lowest_point(const World& world, bool ahead, double z) {
 // A cut at -0.1 goes through the pins of the hinges of the rear doors. After one at -0.9 the rear half stands
 // in balance on its axle, with the rear seat on its floor; after a fine one at 0 the roofs stay caught in
 // each other.
-TEST(CarScene, the_halves_of_a_car_that_lean_on_each_other_roll_apart_and_drop_to_the_ground) {
+TEST(CarScene, the_halves_of_a_car_roll_apart_and_drop_to_the_ground) {
   struct Cut {
     double z, target_edge;
   };

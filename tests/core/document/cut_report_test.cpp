@@ -22,7 +22,7 @@ double smallest_angle_of(const Triangle& t) {
 }
 
 // One face anywhere among more than are measured at once is the sharpest.
-TEST(SmallestAngle, is_that_of_the_sharpest_face_wherever_it_is) {
+TEST(SmallestAngle, is_the_angle_of_the_sharpest_face) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -46,7 +46,7 @@ StepResult step_of_solid(double volume, BodyId left_open) {
   return step;
 }
 
-TEST(CutReport, sums_up_the_volume_that_was_removed_where_all_is_closed) {
+TEST(CutReport, sums_the_removed_volume_of_closed_solids) {
   World world = world_of(brick({1, 1, 1}));
   only_body(world).solid = true;
   CutJob job;
@@ -58,7 +58,7 @@ TEST(CutReport, sums_up_the_volume_that_was_removed_where_all_is_closed) {
   EXPECT_EQ(cut_report(job, world, {}, {})["removed"]["volume"], 0.375);
 }
 
-TEST(CutReport, sums_up_walls_and_says_each_reason_once) {
+TEST(CutReport, sums_walls_and_lists_each_reason_once) {
   World world = world_of(brick({1, 1, 1}));
   Body& body = only_body(world);
   body.name = "box";
@@ -73,7 +73,7 @@ TEST(CutReport, sums_up_walls_and_says_each_reason_once) {
   EXPECT_EQ(report["notes"].dump(), R"(["box: the walls meet nowhere."])");
 }
 
-TEST(CutReport, sums_up_what_was_loaded_and_what_steps_took) {
+TEST(CutReport, sums_loaded_faces_and_changes_of_steps) {
   CutJob job;
   MeshReport mesh;
   mesh.faces = 12;
@@ -113,14 +113,14 @@ TEST(CutReport, sums_up_what_was_loaded_and_what_steps_took) {
   EXPECT_DOUBLE_EQ(timing["step_max"], 100);
 }
 
-TEST(CutReport, has_no_word_of_solids_where_there_is_none) {
+TEST(CutReport, omits_solids_if_there_are_none) {
   const World world = world_of(brick({1, 1, 1}));
   const auto report = cut_report({}, world, {}, {});
   EXPECT_FALSE(report.contains("walls") || report["removed"].contains("volume"));
   EXPECT_EQ(report["notes"], nlohmann::ordered_json::array());
 }
 
-TEST(CutReport, names_the_pattern_of_the_beam) {
+TEST(CutReport, names_the_beam_pattern) {
   CutSettings settings;
   settings.laser.pattern = Pattern::kRays4;
   EXPECT_EQ(settings_json(settings, "obj", false)["pattern"], "rays4");
@@ -128,7 +128,7 @@ TEST(CutReport, names_the_pattern_of_the_beam) {
   EXPECT_EQ(settings_json(settings, "obj", false)["pattern"], "volume");
 }
 
-TEST(CutReport, says_of_each_piece_whether_it_is_closed_and_then_its_volume) {
+TEST(CutReport, reports_closed_pieces_and_their_volume) {
   WrittenPiece closed, open;
   closed.volume = 0.5;
   const auto report = cut_report({}, world_of(brick({1, 1, 1})), {}, {closed, open});

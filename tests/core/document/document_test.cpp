@@ -39,7 +39,7 @@ TEST(Document, replays_its_journal_to_the_same_world) {
   EXPECT_GT(first.world().live_pieces(), 0u);
 }
 
-TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
+TEST(Document, recut_matches_a_stroke_drawn_with_the_same_settings) {
   const auto draw = [](Document& document, double radius, double z) {
     document.apply(BeginStroke{settings_of(radius), {{-0.8, 1, z}, {0, -1, 0}}});
     document.apply(MoveBeam{{{0.8, 1, z + 0.03}, {0, -1, 0}}});
@@ -61,7 +61,7 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
   EXPECT_EQ(recut.history().totals().strokes, 2u);
 }
 
-TEST(Document, the_same_pieces_come_off_however_moves_are_dealt_out_to_steps) {
+TEST(Document, the_same_pieces_come_off_for_any_distribution_of_moves) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     std::vector<std::vector<size_t>> faces_of_pieces;
     for (const size_t moves : {1u, 3u, 16u, 100'000u}) {
@@ -115,7 +115,7 @@ uint64_t hash_of_wide_strokes(uint64_t seed, bool walk_between) {
   return state_hash(document.world());
 }
 
-TEST(Document, a_move_is_walked_alike_however_far_the_cut_had_come_when_it_was_asked_for) {
+TEST(Document, a_move_is_divided_identically_at_any_progress_of_the_cut) {
   // At 75 the world gets so much smaller that moves cut up by its size would be others.
   for (uint64_t seed = 73; seed <= 78; ++seed)
     EXPECT_EQ(hash_of_wide_strokes(seed, true), hash_of_wide_strokes(seed, false)) << "seed " << seed;
@@ -124,7 +124,7 @@ TEST(Document, a_move_is_walked_alike_however_far_the_cut_had_come_when_it_was_a
 // The search for what came apart goes on from move to move, and takes longer than one: a user who draws
 // slowly and one whose moves wait get the same pieces under the same labels, and so does whoever replays the
 // journal.
-TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
+TEST(Document, labels_do_not_depend_on_when_the_queue_runs) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -154,7 +154,7 @@ TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
   }
 }
 
-TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
+TEST(Document, a_failed_stroke_does_not_affect_the_next_one) {
   CutSettings too_fine = settings_of(0.02);
   too_fine.max_faces = 40;
   too_fine.faces_per_step = 1;
@@ -174,7 +174,7 @@ TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   EXPECT_GT(one.world().live_faces(), 200u);
 }
 
-TEST(Document, a_stroke_that_failed_is_over_and_is_not_tried_again_by_redo) {
+TEST(Document, a_failed_stroke_is_not_retried_by_redo) {
   CutSettings too_fine = settings_of(0.02);
   too_fine.max_faces = 40;
   Document document(world_of(plate(1)));
@@ -191,7 +191,7 @@ TEST(Document, a_stroke_that_failed_is_over_and_is_not_tried_again_by_redo) {
   EXPECT_EQ(state_hash(document.world()), whole);
 }
 
-TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
+TEST(Document, a_failed_recut_removes_nothing) {
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
   document.apply(MoveBeam{{{0.7, 1, 0.2}, {0, -1, 0}}});
@@ -210,7 +210,7 @@ TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
   EXPECT_EQ(document.history().totals().removed_area, removed);
 }
 
-TEST(Document, what_is_drawn_of_a_stroke_after_it_failed_is_cut_with_other_settings_whenever_it_failed) {
+TEST(Document, the_rest_of_a_failed_stroke_is_cut_the_same_at_any_failure_time) {
   std::array<Document, 2> documents{Document(world_of(plate(1))), Document(world_of(plate(1)))};
   CutSettings too_fine = settings_of(0.02);
   too_fine.max_faces = 40;
@@ -252,7 +252,7 @@ void follow(std::set<FaceId>& faces, const World& world, const Delta& delta) {
   }
 }
 
-TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
+TEST(Document, a_failed_command_reports_changes_of_earlier_strokes) {
   for (const bool too_fine : {false, true}) {
     Document document(world_of(plate(1)));
     std::set<FaceId> known = live_faces(document.world());
@@ -276,7 +276,7 @@ TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
   }
 }
 
-TEST(Document, a_recut_tells_which_faces_of_the_stroke_are_back) {
+TEST(Document, a_recut_reports_restored_faces) {
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
   document.apply(MoveBeam{{{0.7, 1, 0.2}, {0, -1, 0}}});
@@ -290,7 +290,7 @@ TEST(Document, a_recut_tells_which_faces_of_the_stroke_are_back) {
   EXPECT_EQ(known, live_faces(document.world()));
 }
 
-TEST(Document, a_journey_through_the_history_that_fails_tells_how_far_it_came) {
+TEST(Document, a_failed_history_jump_reports_how_far_it_got) {
   const auto file = std::filesystem::temp_directory_path() / "kerf-journey.obj";
   std::filesystem::copy_file(checkout() / "assets/meshes/sphere.obj", file,
                              std::filesystem::copy_options::overwrite_existing);
@@ -309,7 +309,7 @@ TEST(Document, a_journey_through_the_history_that_fails_tells_how_far_it_came) {
   EXPECT_EQ(known, live_faces(document.world()));
 }
 
-TEST(Document, does_nothing_for_moves_outside_a_stroke) {
+TEST(Document, ignores_moves_outside_a_stroke) {
   Document document(world_of(plate(1)));
   document.apply(MoveBeam{{{0, 1, 0}, {0, -1, 0}}});
   EXPECT_EQ(document.waiting(), 0u);

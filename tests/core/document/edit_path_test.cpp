@@ -16,7 +16,7 @@ StrokePath bent() {
   return stroke;
 }
 
-TEST(EditPath, a_speed_gives_each_part_of_the_way_its_time) {
+TEST(EditPath, a_speed_sets_the_duration_of_each_segment) {
   StrokePath stroke = bent();
   EXPECT_EQ(way_of(stroke), 7);
   EXPECT_EQ(duration_of(stroke), 7);
@@ -24,14 +24,14 @@ TEST(EditPath, a_speed_gives_each_part_of_the_way_its_time) {
   EXPECT_EQ(stroke.times, (std::vector<double>{0, 1.5, 3.5}));
 }
 
-TEST(EditPath, a_beam_that_turns_in_its_place_goes_on_by_a_tick) {
+TEST(EditPath, a_beam_turning_in_place_takes_one_tick) {
   StrokePath stroke;
   stroke.keys = {{Vec3(0), kDown}, {Vec3(0), {1, 0, 0}}};
   retime(stroke, 2);
   EXPECT_EQ(stroke.times, (std::vector<double>{0, seconds_of_ticks(1)}));
 }
 
-TEST(EditPath, keys_that_come_between_others_or_at_an_end_keep_the_times_ascending) {
+TEST(EditPath, inserted_keys_keep_times_ascending) {
   StrokePath stroke = bent();
   insert_key(stroke, 1, {{1, 1, 0}, kDown});
   insert_key(stroke, 4, {{3, 1, 6}, kDown});
@@ -45,7 +45,7 @@ TEST(EditPath, keys_that_come_between_others_or_at_an_end_keep_the_times_ascendi
   EXPECT_TRUE(std::is_sorted(stroke.times.begin(), stroke.times.end(), std::less_equal<>()));
 }
 
-TEST(EditPath, opposite_neighbours_are_named_and_all_else_can_be_cut) {
+TEST(EditPath, opposite_neighbours_are_rejected_by_name) {
   StrokePath stroke = bent();
   EXPECT_TRUE(rejection_reason({}).has_value());
   EXPECT_FALSE(rejection_reason(std::vector{stroke}).has_value());

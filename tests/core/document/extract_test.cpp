@@ -33,7 +33,7 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
   EXPECT_EQ(faces_by_piece(body, true).size(), 2u);
 }
 
-TEST(Extract, gives_its_faces_the_materials_that_they_have_in_the_body) {
+TEST(Extract, keeps_the_materials_of_faces) {
   const World named = world_of(in_two_materials(sphere(8, 12, 1)));
   const Body& body = named.body(named.ids().front());
   ASSERT_FALSE(body.material_names.empty());
@@ -51,7 +51,7 @@ Extract whole_extract(const World& world) {
   return extract_faces(body, faces_by_piece(body, false).front());
 }
 
-TEST(Extract, has_a_volume_where_its_faces_are_closed) {
+TEST(Extract, has_a_volume_if_its_faces_are_closed) {
   World world = world_of(brick({1, 2, 3}));
   ASSERT_TRUE(whole_extract(world).volume.has_value());
   EXPECT_NEAR(*whole_extract(world).volume, 6, 1e-14);
@@ -59,7 +59,7 @@ TEST(Extract, has_a_volume_where_its_faces_are_closed) {
   EXPECT_FALSE(whole_extract(world).volume.has_value());
 }
 
-TEST(Extract, of_a_solid_body_has_the_mass_of_a_solid_only_where_it_is_closed) {
+TEST(Extract, solid_body_has_solid_mass_only_if_closed) {
   const Vec3 s(1, 2, 3), at(5, 0, 0);
   Sheet sheet;
   sheet.thickness = 0.001;
@@ -78,7 +78,7 @@ TEST(Extract, of_a_solid_body_has_the_mass_of_a_solid_only_where_it_is_closed) {
 }
 
 // The centre of area of a cone is not that of its volume.
-TEST(Extract, of_a_solid_body_has_the_centre_of_its_volume) {
+TEST(Extract, solid_body_has_the_centre_of_its_volume) {
   Soup tetrahedron;
   tetrahedron.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 4}};
   tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};

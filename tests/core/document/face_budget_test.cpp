@@ -41,7 +41,7 @@ Document with_a_stroke_over_budget(bool executed_before_it_ends) {
   return document;
 }
 
-TEST(FaceBudget, a_stroke_over_it_is_undone_and_does_not_decide_a_replay) {
+TEST(FaceBudget, a_stroke_over_budget_is_undone_identically_in_a_replay) {
   for (const bool executed : {false, true}) {
     const Document document = with_a_stroke_over_budget(executed);
     Document again(world_of(plate(1)));
@@ -53,7 +53,7 @@ TEST(FaceBudget, a_stroke_over_it_is_undone_and_does_not_decide_a_replay) {
   }
 }
 
-TEST(FaceBudget, a_replay_does_not_execute_what_was_given_up) {
+TEST(FaceBudget, a_replay_skips_aborted_strokes) {
   const Document document = with_a_stroke_over_budget(false);
   Journal journal;
   journal.commands.assign(document.journal().begin(), document.journal().end());
@@ -72,7 +72,7 @@ TEST(FaceBudget, a_replay_does_not_execute_what_was_given_up) {
   EXPECT_EQ(most, document.world().face_slots()) << "the fine stroke was never there";
 }
 
-TEST(FaceBudget, grows_with_the_memory_between_its_ends) {
+TEST(FaceBudget, grows_with_memory_between_its_limits) {
   EXPECT_EQ(usual_face_budget(0), 100'000u);
   EXPECT_EQ(usual_face_budget(uint64_t{2} << 30), (uint64_t{2} << 30) / 400);
   EXPECT_GT(usual_face_budget(uint64_t{32} << 30), 50'000'000u);

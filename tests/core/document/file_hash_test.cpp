@@ -27,7 +27,7 @@ TEST(FileHash, changes_with_each_byte_and_with_the_length) {
   EXPECT_EQ(hash(bytes), hash(bytes));
 }
 
-TEST(FileHash, of_a_file_that_is_missing_or_a_folder_is_an_error_that_names_it) {
+TEST(FileHash, names_a_missing_file_or_a_folder_in_the_error) {
   test::TemporaryFolder folder;
   const auto missing = file_hash(folder / "gone.obj");
   ASSERT_FALSE(missing);
@@ -35,7 +35,7 @@ TEST(FileHash, of_a_file_that_is_missing_or_a_folder_is_an_error_that_names_it) 
   EXPECT_FALSE(file_hash(folder.path()));
 }
 
-TEST(FileHash, can_be_stopped) {
+TEST(FileHash, can_be_cancelled) {
   test::TemporaryFolder folder;
   test::write_text(folder / "file", std::string(3 << 20, 'a'));
   const Progress stopped{[](double) { return false; }};

@@ -50,7 +50,7 @@ class JournalFile : public testing::Test {
   SceneDescription scene_;
 };
 
-TEST_F(JournalFile, gives_back_every_command_to_the_bit) {
+TEST_F(JournalFile, commands_round_trip_exactly) {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -64,7 +64,7 @@ TEST_F(JournalFile, gives_back_every_command_to_the_bit) {
   }
 }
 
-TEST_F(JournalFile, gives_back_its_marks_where_they_stood) {
+TEST_F(JournalFile, save_points_keep_their_positions) {
   const std::vector<StateMark> marks{{0, 7}, {2, 0xfedcba9876543210u}, {3, 0}};
   save(stroke(0.1), marks);
   const Journal journal = read();
@@ -76,7 +76,7 @@ TEST_F(JournalFile, gives_back_its_marks_where_they_stood) {
   EXPECT_EQ(journal.marks[1].line, 5u);
 }
 
-TEST_F(JournalFile, names_meshes_beside_it_by_a_relative_path_and_others_by_a_whole_one) {
+TEST_F(JournalFile, stores_relative_paths_for_nearby_meshes_and_absolute_ones_otherwise) {
   save({});
   EXPECT_NE(read_text(file()).find("\"mesh\":\"plate.obj\""), std::string::npos);
   const auto head = journal_head(scene_, {}, "/elsewhere");
@@ -84,7 +84,7 @@ TEST_F(JournalFile, names_meshes_beside_it_by_a_relative_path_and_others_by_a_wh
   EXPECT_NE(head->find((folder_ / "plate.obj").string()), std::string::npos);
 }
 
-TEST_F(JournalFile, that_was_moved_with_its_mesh_still_opens) {
+TEST_F(JournalFile, opens_after_it_is_moved_together_with_its_mesh) {
   save(stroke(0.1));
   std::filesystem::create_directory(folder_ / "moved");
   for (const char* name : {"plate.obj", "plate.kerf"})
@@ -95,7 +95,7 @@ TEST_F(JournalFile, that_was_moved_with_its_mesh_still_opens) {
   EXPECT_EQ(work->journal.commands.size(), 3u);
 }
 
-TEST_F(JournalFile, refuses_a_mesh_that_is_another_one_or_gone) {
+TEST_F(JournalFile, rejects_a_changed_or_missing_mesh) {
   save({});
   write_text(folder_ / "plate.obj", std::string(kPlate) + "v 1 2 3\n");
   auto work = open_file(file());
@@ -108,7 +108,7 @@ TEST_F(JournalFile, refuses_a_mesh_that_is_another_one_or_gone) {
   EXPECT_NE(work.error().message.find("no such file"), std::string::npos);
 }
 
-TEST_F(JournalFile, cut_off_anywhere_gives_the_commands_before_and_a_message) {
+TEST_F(JournalFile, truncated_anywhere_yields_the_preceding_commands_and_a_message) {
   Random random(3);
   const std::vector<Command> commands = random_commands(random, 12);
   save(commands, std::vector<StateMark>{{12, 99}});
@@ -131,7 +131,7 @@ TEST_F(JournalFile, cut_off_anywhere_gives_the_commands_before_and_a_message) {
   }
 }
 
-TEST_F(JournalFile, with_garbage_in_it_is_read_up_to_the_damage_and_names_its_line) {
+TEST_F(JournalFile, with_garbage_is_read_up_to_the_damaged_line) {
   const std::vector<std::string> faults{
       std::string("\0\0\0", 3),
       "\xff\xfe garbage",
@@ -170,7 +170,7 @@ TEST_F(JournalFile, with_garbage_in_it_is_read_up_to_the_damage_and_names_its_li
   }
 }
 
-TEST_F(JournalFile, with_random_bytes_changed_never_gives_a_command_that_makes_no_sense) {
+TEST_F(JournalFile, with_random_byte_errors_never_yields_an_invalid_command) {
   for (uint64_t seed = 1; seed <= 400; ++seed) {
     Random random(seed);
     save(random_commands(random, 8));
@@ -189,7 +189,7 @@ TEST_F(JournalFile, with_random_bytes_changed_never_gives_a_command_that_makes_n
   }
 }
 
-TEST_F(JournalFile, refuses_a_head_that_is_none) {
+TEST_F(JournalFile, rejects_an_invalid_header) {
   for (const char* head :
        {"", "{}", "[]", "\xff", R"({"kerf":"scene","version":1,"bodies":[{"mesh":"plate.obj"}]})",
         R"({"kerf":"journal","bodies":[{"mesh":"plate.obj"}]})",
@@ -206,7 +206,7 @@ TEST_F(JournalFile, refuses_a_head_that_is_none) {
   }
 }
 
-TEST_F(JournalFile, made_before_formats_had_numbers_is_refused_as_such) {
+TEST_F(JournalFile, rejects_files_without_a_format_version) {
   write_text(file(),
              R"({"kerf":"journal","version":1,"bodies":[{"mesh":"plate.obj","hash":"0000000000000007"}]})"
              "\n");
@@ -216,7 +216,7 @@ TEST_F(JournalFile, made_before_formats_had_numbers_is_refused_as_such) {
   EXPECT_NE(journal.error().message.find("before Kerf 0.2"), std::string::npos) << journal.error().message;
 }
 
-TEST_F(JournalFile, is_not_written_with_a_name_that_json_cannot_hold) {
+TEST_F(JournalFile, rejects_names_that_json_cannot_represent) {
   const std::vector<Command> commands{RenamePiece{{{0, 0}, 1}, "\xff"}};
   const Status saved = save_journal(file(), scene_, commands, {});
   ASSERT_FALSE(saved.ok());
@@ -247,7 +247,7 @@ EndState run(std::span<const Command> commands, size_t moves_a_step) {
   return outcome;
 }
 
-TEST_F(JournalFile, replays_to_the_hashes_that_were_recorded_and_finds_the_first_that_differs) {
+TEST_F(JournalFile, replays_to_the_recorded_hashes_and_finds_the_first_mismatch) {
   std::vector<Command> commands;
   for (int i = 0; i < 40; ++i) {
     const auto more = stroke(-0.4 + 0.02 * i);
@@ -270,7 +270,7 @@ TEST_F(JournalFile, replays_to_the_hashes_that_were_recorded_and_finds_the_first
   }
 }
 
-TEST_F(JournalFile, holds_a_stroke_that_was_cut_again) {
+TEST_F(JournalFile, stores_a_recut_stroke) {
   Document document(world_of(plate(1)));
   for (const Command& command : stroke(0.1)) EXPECT_TRUE(document.apply(command).ok());
   ASSERT_TRUE(run_all(document).ok());

@@ -21,7 +21,7 @@ CutSettings thin_beam(double radius) {
 
 const Pose kAtOneEnd{{-0.7, 1, 0.1}, {0, -1, 0}}, kAtTheOther{{0.7, 1, 0.12}, {0, -1, 0}};
 
-TEST(JournalTime, after_an_edit_that_does_not_say_that_it_joins_it_is_a_step_of_its_own) {
+TEST(JournalTime, after_an_edit_is_a_separate_undo_entry_unless_marked_as_joined) {
   const auto parse = [](const char* line) {
     const nlohmann::json json = nlohmann::json::parse(line);
     return *parse_command(JsonValue(json, "line 1"), {}, std::nullopt);
@@ -41,7 +41,7 @@ TEST(JournalTime, after_an_edit_that_does_not_say_that_it_joins_it_is_a_step_of_
   }
 }
 
-TEST(JournalTime, of_a_journal_without_times_is_none) {
+TEST(JournalTime, is_absent_from_a_journal_without_time_commands) {
   TemporaryFolder folder;
   write_text(folder / "plate.obj",
              "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n");

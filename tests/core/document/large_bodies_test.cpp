@@ -17,7 +17,7 @@ CutSettings narrow_beam() {
 }
 
 // A pinned plate of many faces and one of few, while a beam moves over both.
-TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_the_same_in_replay) {
+TEST(LargeBodies, keep_colliders_while_under_a_beam_and_replay_identically) {
   const auto made = [] {
     World world;
     add(world, rectangle(1, 1, 120), {0, 0.5, 0});

@@ -26,7 +26,7 @@ size_t removed_nodes(const Document& document) {
   return removed;
 }
 
-TEST(LastCutGraph, is_of_the_last_stroke_that_was_not_undone) {
+TEST(LastCutGraph, shows_the_last_stroke_that_is_not_undone) {
   Document document(world_of(grid(8, 2)));
   EXPECT_EQ(removed_nodes(document), 0u);
   stroke_across(document, -0.4);
@@ -41,7 +41,7 @@ TEST(LastCutGraph, is_of_the_last_stroke_that_was_not_undone) {
   EXPECT_EQ(removed_nodes(document), second);
 }
 
-TEST(LastCutGraph, keeps_the_removed_faces_when_undo_has_let_go_of_them) {
+TEST(LastCutGraph, keeps_removed_faces_after_undo_images_are_discarded) {
   Document document(world_of(grid(8, 2)));
   document.set_window(0);
   stroke_across(document, -0.4);
@@ -50,7 +50,7 @@ TEST(LastCutGraph, keeps_the_removed_faces_when_undo_has_let_go_of_them) {
   EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
-TEST(LastCutGraph, follows_a_body_that_another_step_moved_to_another_id) {
+TEST(LastCutGraph, follows_a_body_whose_id_changes) {
   Document document(world_of(grid(8, 2)));
   stroke_across(document, 0.3);
   const BodyId body = document.world().ids()[0];

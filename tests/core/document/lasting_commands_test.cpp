@@ -83,7 +83,7 @@ std::vector<Command> commands_of_history(const UndoStack& history) {
   return all;
 }
 
-TEST(LastingCommands, leaves_out_what_was_undone_and_undo_itself) {
+TEST(LastingCommands, exclude_undone_commands_and_undo_itself) {
   const Command begin = BeginStroke{}, move = MoveBeam{}, end = EndStroke{}, undo = Undo{}, redo = Redo{};
   EXPECT_EQ(lasting_commands({}), Flags{});
   EXPECT_EQ(lasting_commands(std::vector{begin, move, end}), (Flags{1, 1, 1}));
@@ -93,21 +93,21 @@ TEST(LastingCommands, leaves_out_what_was_undone_and_undo_itself) {
             (Flags{1, 1, 0, 0, 0, 0, 0}));
 }
 
-TEST(LastingCommands, takes_the_last_recut_for_the_stroke) {
+TEST(LastingCommands, replace_a_stroke_with_its_last_recut) {
   const Command begin = BeginStroke{}, end = EndStroke{}, recut = Recut{}, undo = Undo{},
                 tick = AdvanceTime{1};
   EXPECT_EQ(lasting_commands(std::vector{begin, end, recut, recut}), (Flags{0, 0, 0, 1}));
   EXPECT_EQ(lasting_commands(std::vector{begin, end, tick, recut, undo}), (Flags{1, 1, 1, 0, 0}));
 }
 
-TEST(LastingCommands, time_that_joins_an_edit_is_undone_with_it) {
+TEST(LastingCommands, time_joined_to_an_edit_is_undone_with_it) {
   const Command edit = RenamePiece{}, own = AdvanceTime{1}, joins = AdvanceTime{1, false, true},
                 undo = Undo{};
   EXPECT_EQ(lasting_commands(std::vector{edit, own, undo}), (Flags{1, 0, 0}));
   EXPECT_EQ(lasting_commands(std::vector{edit, joins, undo}), (Flags{0, 0, 0}));
 }
 
-TEST(LastingCommands, are_those_of_the_history) {
+TEST(LastingCommands, match_the_history) {
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -125,7 +125,7 @@ TEST(LastingCommands, are_those_of_the_history) {
   }
 }
 
-TEST(LastingCommands, takes_any_journal) {
+TEST(LastingCommands, accept_any_journal) {
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);

@@ -14,7 +14,7 @@ class LockedFileTest : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(LockedFileTest, appears_with_its_bytes_and_takes_more) {
+TEST_F(LockedFileTest, is_created_with_its_content_and_can_be_appended_to) {
   auto locked = LockedFile::create(file(), "head\n");
   ASSERT_TRUE(locked) << locked.error().message;
   EXPECT_EQ(test::read_text(file()), "head\n");
@@ -25,7 +25,7 @@ TEST_F(LockedFileTest, appears_with_its_bytes_and_takes_more) {
   EXPECT_EQ(locked->path(), file());
 }
 
-TEST_F(LockedFileTest, cannot_be_made_or_locked_twice) {
+TEST_F(LockedFileTest, cannot_be_created_or_locked_twice) {
   auto locked = LockedFile::create(file(), "head\n");
   ASSERT_TRUE(locked);
   EXPECT_FALSE(LockedFile::create(file(), "other\n"));
@@ -33,7 +33,7 @@ TEST_F(LockedFileTest, cannot_be_made_or_locked_twice) {
   EXPECT_EQ(test::read_text(file()), "head\n");
 }
 
-TEST_F(LockedFileTest, is_free_when_its_owner_is_gone) {
+TEST_F(LockedFileTest, is_unlocked_when_its_owner_is_destroyed) {
   { ASSERT_TRUE(LockedFile::create(file(), "head\n")); }
   auto again = LockedFile::open(file());
   ASSERT_TRUE(again) << again.error().message;
@@ -41,7 +41,7 @@ TEST_F(LockedFileTest, is_free_when_its_owner_is_gone) {
   EXPECT_EQ(test::read_text(file()), "head\nmore\n");
 }
 
-TEST_F(LockedFileTest, stays_locked_when_it_is_handed_on) {
+TEST_F(LockedFileTest, stays_locked_when_moved) {
   auto locked = LockedFile::create(file(), "head\n");
   ASSERT_TRUE(locked);
   LockedFile other = std::move(*locked);
@@ -51,7 +51,7 @@ TEST_F(LockedFileTest, stays_locked_when_it_is_handed_on) {
   EXPECT_FALSE(std::filesystem::exists(file()));
 }
 
-TEST_F(LockedFileTest, that_is_not_there_is_not_opened) { EXPECT_FALSE(LockedFile::open(file())); }
+TEST_F(LockedFileTest, fails_to_open_a_missing_file) { EXPECT_FALSE(LockedFile::open(file())); }
 
 }  // namespace
 }  // namespace kerf

@@ -21,7 +21,7 @@ std::string error_of(const nlohmann::json& json) {
   return materials.ok() ? "" : materials.error().message.substr(folder.path().string().size() + 1);
 }
 
-TEST(MaterialReader, the_table_has_the_materials_of_the_command_line) {
+TEST(MaterialReader, reads_the_materials_of_the_command_line) {
   const auto materials = load_materials(table());
   ASSERT_TRUE(materials.ok()) << materials.error().message;
   for (const char* name : {"mild-steel", "stainless-304", "aluminium-6061", "titanium-64", "copper", "pmma",
@@ -34,7 +34,7 @@ TEST(MaterialReader, the_table_has_the_materials_of_the_command_line) {
   EXPECT_EQ(find_material(*materials, "mild-steel")->title, "Mild steel");
 }
 
-TEST(MaterialReader, what_is_ablated_takes_its_heat_of_ablation_from_the_ambient_on) {
+TEST(MaterialReader, counts_ablation_heat_from_the_ambient_temperature) {
   const auto materials = load_materials(table());
   ASSERT_TRUE(materials.ok());
   EXPECT_NEAR(enthalpy_of_removal(find_material(*materials, "pmma")->substance), 3.5e6, 1);
@@ -42,7 +42,7 @@ TEST(MaterialReader, what_is_ablated_takes_its_heat_of_ablation_from_the_ambient
   EXPECT_EQ(find_material(*materials, "pmma")->substance.wavelength, 10.6e-6);
 }
 
-TEST(MaterialReader, what_is_wrong_is_said_with_its_place) {
+TEST(MaterialReader, reports_errors_with_their_location) {
   const nlohmann::json good = read_table();
   EXPECT_EQ(error_of(good), "");
   auto bad = good;

@@ -230,7 +230,7 @@ void expect_goes_back_and_forth(Document& document) {
   EXPECT_EQ(state_hash(document.world()), end);
 }
 
-TEST(MovingHistories, replay_recovery_and_undo_come_to_the_same_bits) {
+TEST(MovingHistories, replay_recovery_and_undo_are_bit_identical) {
   const std::vector<std::filesystem::path> files = mesh_files();
   const auto [first, last] = seeds_of_histories();
   for (uint64_t seed = first; seed <= last; ++seed) {

@@ -10,7 +10,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(OpenedFile, of_a_mesh_is_a_scene_without_commands) {
+TEST(OpenedFile, mesh_becomes_a_scene_without_commands) {
   TemporaryFolder folder;
   write_text(folder / "plate.obj", kPlateObj);
   const Result<OpenedFile> opened = open_file(folder / "plate.obj");
@@ -19,7 +19,7 @@ TEST(OpenedFile, of_a_mesh_is_a_scene_without_commands) {
   EXPECT_TRUE(opened->journal.commands.empty());
 }
 
-TEST(OpenedFile, that_cannot_be_read_is_named) {
+TEST(OpenedFile, unreadable_file_is_named_in_the_error) {
   TemporaryFolder folder;
   write_text(folder / "broken.obj", "f one two\n");
   write_text(folder / "broken.json", "{");
@@ -30,7 +30,7 @@ TEST(OpenedFile, that_cannot_be_read_is_named) {
   }
 }
 
-TEST(OpenedFile, of_a_journal_has_its_scene_and_its_commands_unless_the_mesh_is_gone) {
+TEST(OpenedFile, journal_has_scene_and_commands_unless_its_mesh_is_missing) {
   TemporaryFolder folder;
   write_text(folder / "plate.obj", kPlateObj);
   SceneDescription scene;

@@ -31,7 +31,7 @@ class PathFile : public ::testing::Test {
   }
 };
 
-TEST_F(PathFile, reads_strokes_and_makes_directions_unit) {
+TEST_F(PathFile, reads_strokes_and_normalises_directions) {
   const auto strokes = read(
       R"({"strokes": [{"laser": {"radius": 0.004, "range": [0, 10], "power": 2000},
           "keys": [{"t": 0, "origin": [0,1,0], "direction": [0,-5,0]},
@@ -46,14 +46,14 @@ TEST_F(PathFile, reads_strokes_and_makes_directions_unit) {
   EXPECT_EQ(stroke.keys[1].direction, Vec3(0, -1, 0));
 }
 
-TEST_F(PathFile, takes_one_key_as_a_beam_that_stands_still) {
+TEST_F(PathFile, reads_a_single_key_as_a_stationary_beam) {
   const auto strokes = read(keys(R"({"t": 0, "origin": [0,1,0], "direction": [1,0,0]})"));
   ASSERT_TRUE(strokes.ok());
   EXPECT_EQ(strokes->front().keys.size(), 1u);
   EXPECT_FALSE(strokes->front().radius.has_value());
 }
 
-TEST_F(PathFile, refuses_what_makes_no_stroke_and_says_where) {
+TEST_F(PathFile, rejects_invalid_strokes_with_their_location) {
   const std::string good = R"({"t": 0, "origin": [0,1,0], "direction": [0,-1,0]})";
   expect_refused(keys(""), "/strokes/0/keys", "one key");
   expect_refused(keys(R"({"t": 0, "origin": [0,1,0], "direction": [0,0,0]})"), "/strokes/0/keys/0/direction",
@@ -76,12 +76,12 @@ TEST_F(PathFile, refuses_what_makes_no_stroke_and_says_where) {
   expect_refused("", "line 1", "JSON");
 }
 
-TEST_F(PathFile, refuses_numbers_that_are_too_large_for_a_double) {
+TEST_F(PathFile, rejects_numbers_beyond_the_range_of_double) {
   const auto strokes = read(keys(R"({"t": 0, "origin": [0,1e999,0], "direction": [0,-1,0]})"));
   EXPECT_FALSE(strokes.ok());
 }
 
-TEST(ReadPathFile, names_a_file_that_is_not_there) {
+TEST(ReadPathFile, names_a_missing_file_in_the_error) {
   const auto strokes = read_path_file("no-such-path.json");
   ASSERT_FALSE(strokes.ok());
   EXPECT_NE(strokes.error().message.find("no-such-path.json"), std::string::npos);

@@ -37,7 +37,7 @@ void expect_same(const StrokePath& a, const StrokePath& b) {
   }
 }
 
-TEST(PathText, is_read_back_to_the_bit) {
+TEST(PathText, round_trips_exactly) {
   const TemporaryFolder folder;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -51,7 +51,7 @@ TEST(PathText, is_read_back_to_the_bit) {
   }
 }
 
-TEST(PathText, is_known_from_a_scene_by_its_bodies) {
+TEST(PathText, path_file_is_distinguished_from_a_scene_by_bodies) {
   const TemporaryFolder folder;
   Random random(1);
   ASSERT_TRUE(save_path(folder / "path.json", std::vector{random_path(random)}).ok());

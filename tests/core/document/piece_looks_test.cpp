@@ -134,7 +134,7 @@ void draw(Document& document, const RandomStroke& stroke, const CutSettings& set
 }
 
 // Every split, removal and detached piece must evaluate the loaded triangle at the same point.
-TEST(PieceLooks, are_those_of_the_loaded_faces_after_every_cut) {
+TEST(PieceLooks, match_the_loaded_faces_after_every_cut) {
   uint64_t seed = 0;
   for (const NamedSoup& made : mesh_classes()) {
     for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
@@ -162,7 +162,7 @@ TEST(PieceLooks, are_those_of_the_loaded_faces_after_every_cut) {
 
 // Vertices that slide onto the rim leave the planes of some of their loaded faces, where the sheet is bent.
 // There values continue over sides without a seam, or are those of the nearest point of the loaded plane.
-TEST(PieceLooks, stay_on_a_smooth_rim_of_a_bent_sheet) {
+TEST(PieceLooks, are_kept_on_a_smooth_rim_of_a_bent_sheet) {
   size_t exact = 0;
   for (uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -211,7 +211,7 @@ TEST(PieceLooks, follow_detached_and_turned_bodies) {
 }
 
 // A flat sheet keeps functions that are linear in the position, and a jump between two halves.
-TEST(PieceLooks, are_those_of_the_surface_before_after_remeshing) {
+TEST(PieceLooks, match_the_previous_surface_after_remeshing) {
   const Soup flat = grid(16, 1);
   const LinearLooks linear(flat);
   Soup soup = with_looks(flat);
@@ -262,7 +262,7 @@ TEST(PieceLooks, are_those_of_the_surface_before_after_remeshing) {
   }
 }
 
-TEST(PieceLooks, change_neither_the_cut_nor_its_hash_and_cost_nothing_for_born_faces) {
+TEST(PieceLooks, do_not_affect_the_cut_or_its_hash_and_use_no_memory_per_new_face) {
   Random random(3);
   const Soup plain = sphere(24, 32, 1);
   Document without(world_of(plain)), with(world_of(with_looks(plain)));
@@ -274,7 +274,7 @@ TEST(PieceLooks, change_neither_the_cut_nor_its_hash_and_cost_nothing_for_born_f
   EXPECT_EQ(with.world().body(with.world().ids()[0]).looks.get(), loaded);
 }
 
-TEST(PieceLooks, take_at_most_sixty_bytes_a_loaded_face) {
+TEST(PieceLooks, use_at_most_60_bytes_per_loaded_face) {
   Soup soup = with_looks(sphere(64, 96, 1));
   soup.looks.uv_sets.resize(1);
   soup.looks.tangents = {};
@@ -284,7 +284,7 @@ TEST(PieceLooks, take_at_most_sixty_bytes_a_loaded_face) {
 }
 
 // A face that the mesh turned keeps a normal that was right, and turns one that agreed with the file.
-TEST(PieceLooks, turn_normals_with_turned_faces) {
+TEST(PieceLooks, flip_normals_with_flipped_faces) {
   for (const bool outward : {true, false}) {
     Soup soup = sphere(8, 12, 1);
     Random random(5);
@@ -318,7 +318,7 @@ TEST(PieceLooks, turn_normals_with_turned_faces) {
   }
 }
 
-TEST(PieceLooks, are_the_same_on_both_sides_of_a_loaded_edge) {
+TEST(PieceLooks, match_on_both_sides_of_a_loaded_edge) {
   Random random(7);
   Document document(world_of(with_looks(sphere(12, 16, 1))));
   const RandomStroke stroke = random_stroke(document.world(), random, 0.05, true);

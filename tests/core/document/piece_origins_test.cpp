@@ -42,7 +42,7 @@ std::optional<uint32_t> piece_before(const std::map<uint32_t, PieceNode>& origin
 }
 
 // A face that lived before a stroke and has another label after it tells what the piece came off.
-TEST(PieceOrigins, are_those_that_the_labels_before_and_after_each_stroke_tell) {
+TEST(PieceOrigins, match_the_labels_before_and_after_each_stroke) {
   size_t told = 0;
   for (uint64_t seed = 1; seed <= runs(24); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

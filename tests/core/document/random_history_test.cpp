@@ -217,14 +217,14 @@ void run_at_random(uint64_t seed, size_t window) {
   }
 }
 
-TEST(RandomHistory, of_commands_undos_and_redos_end_where_a_fresh_replay_ends) {
+TEST(RandomHistory, with_undo_and_redo_matches_a_fresh_replay) {
   for (uint64_t seed = 1; seed <= runs(12); ++seed) {
     run_at_random(seed, size_t{1} << 30);
     if (HasFailure()) return;
   }
 }
 
-TEST(RandomHistory, states_beyond_the_window_come_back_by_replay) {
+TEST(RandomHistory, states_beyond_the_undo_memory_are_restored_by_replay) {
   for (uint64_t seed = 101; seed <= 100 + runs(6); ++seed) {
     run_at_random(seed, 200'000);
     if (HasFailure()) return;

@@ -61,7 +61,7 @@ World cut_torus() {
   return world;
 }
 
-TEST(PrepareCommands, turn_shells_that_overlap_and_nothing_else) {
+TEST(PrepareCommands, reorient_overlapping_shells_only) {
   const Soup ball = sphere(8, 12, 1), inner = moved(ball, {0.1, 0.05, 0}, 0.5);
   const World before = world_of(both(ball, inner));
   Document document(before);
@@ -86,7 +86,7 @@ TEST(PrepareCommands, turn_shells_that_overlap_and_nothing_else) {
   expect_same_world(document.world(), after);
 }
 
-TEST(PrepareCommands, are_undone_and_done_again_to_the_bit) {
+TEST(PrepareCommands, undo_and_redo_exactly) {
   const World before = world_of(in_two_materials(torus(30, 20, 1, 0.3)));
   for (const Command& command : preparations(only_piece(before), 1200)) {
     SCOPED_TRACE(command.index());
@@ -105,7 +105,7 @@ TEST(PrepareCommands, are_undone_and_done_again_to_the_bit) {
   }
 }
 
-TEST(PrepareCommands, make_the_piece_that_was_cut_off_a_body_and_leave_the_others) {
+TEST(PrepareCommands, turn_a_cut_off_piece_into_a_body_and_keep_the_others) {
   const World before = cut_torus();
   for (uint32_t label = 0; label < before.body(before.ids()[0]).pieces.size(); ++label) {
     const PieceId piece{before.ids()[0], label};
@@ -131,7 +131,7 @@ TEST(PrepareCommands, make_the_piece_that_was_cut_off_a_body_and_leave_the_other
   }
 }
 
-TEST(PrepareCommands, what_they_make_can_be_cut) {
+TEST(PrepareCommands, produce_pieces_that_can_be_cut) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -155,7 +155,7 @@ TEST(PrepareCommands, what_they_make_can_be_cut) {
   }
 }
 
-TEST(PrepareCommands, give_the_same_world_again_by_their_journal) {
+TEST(PrepareCommands, replay_to_the_same_world) {
   const TemporaryFolder folder;
   const Soup soup = torus(20, 12, 1, 0.3);
   std::string obj;
@@ -189,7 +189,7 @@ TEST(PrepareCommands, give_the_same_world_again_by_their_journal) {
   expect_same_world(again.world(), document.world());
 }
 
-TEST(PrepareCommands, keep_materials_and_the_names_of_parts) {
+TEST(PrepareCommands, keep_materials_and_part_names) {
   const std::vector<NamedSheet> sheets{{"left", grid(8, 1), {-2, 0, 0}}, {"right", grid(8, 1), {2, 0, 0}}};
   Soup soup = assembled(sheets);
   soup = in_two_materials(std::move(soup));
@@ -215,7 +215,7 @@ TEST(PrepareCommands, keep_materials_and_the_names_of_parts) {
   }
 }
 
-TEST(PrepareCommands, keep_the_energy_of_the_faces) {
+TEST(PrepareCommands, keep_the_energy_of_faces) {
   World before = cut_torus();
   Body& body = before.body(before.ids()[0]);
   Random random(5);
@@ -269,7 +269,7 @@ double tint_of(const World& world) {
   return sum;
 }
 
-TEST(PrepareCommands, spread_no_trace_of_heat_over_what_was_cold) {
+TEST(PrepareCommands, spread_no_trace_of_heat_to_cold_faces) {
   for (const OnceHot& hot : {OnceHot{false, 0.08, 1200}, OnceHot{false, 0.15, 1200}, OnceHot{false, 0.3, 700},
                              OnceHot{true, 0.03, 1200}, OnceHot{true, 0.1, 1200}}) {
     const World before = hot.world();
@@ -304,7 +304,7 @@ World door() {
   return jointed_world(sheets, {&hinge, 1});
 }
 
-TEST(PrepareCommands, leave_the_joints_of_a_piece_holding) {
+TEST(PrepareCommands, keep_the_joints_of_a_piece_intact) {
   const World before = door();
   ASSERT_EQ(held_joints(before).size(), 1u);
   for (const Command& command : preparations(only_piece(before), 1600)) {
@@ -322,7 +322,7 @@ TEST(PrepareCommands, leave_the_joints_of_a_piece_holding) {
   }
 }
 
-TEST(PrepareCommands, refuse_a_piece_that_is_joined_to_one_that_moves_by_itself) {
+TEST(PrepareCommands, reject_a_piece_joined_to_a_moving_body) {
   World world = door();
   ASSERT_EQ(part_bodies(world).size(), 2u);
   for (const BodyId id : world.ids()) {
@@ -337,7 +337,7 @@ TEST(PrepareCommands, refuse_a_piece_that_is_joined_to_one_that_moves_by_itself)
   }
 }
 
-TEST(PrepareCommands, change_nothing_where_they_are_stopped_or_there_is_nothing_to_do) {
+TEST(PrepareCommands, change_nothing_if_cancelled_or_without_effect) {
   const World before = world_of(sphere(20, 30, 1));
   for (const Command& command : preparations(only_piece(before), 1100)) {
     SCOPED_TRACE(command.index());

@@ -50,7 +50,7 @@ constexpr const char* kCommands[] = {
     R"({"do":"undo"})",
     R"({"do":"redo"})"};
 
-TEST(RewrittenFiles, a_command_of_every_kind_is_written_as_it_was_read) {
+TEST(RewrittenFiles, commands_of_every_kind_round_trip) {
   std::set<size_t> kinds;
   for (const char* line : kCommands) {
     const auto json = nlohmann::json::parse(line);
@@ -62,7 +62,7 @@ TEST(RewrittenFiles, a_command_of_every_kind_is_written_as_it_was_read) {
   EXPECT_EQ(kinds.size(), std::variant_size_v<Command>);
 }
 
-TEST(RewrittenFiles, a_command_without_a_key_that_is_needed_is_damaged) {
+TEST(RewrittenFiles, a_command_without_a_required_key_is_reported_as_damaged) {
   const std::set<std::pair<std::string, std::string>> optional{
       {"move-beam", "t"},        {"stop-stroke", "ticks"},     {"advance-time", "bodies"},
       {"advance-time", "joins"}, {"set-environment", "metre"}, {"set-environment", "ground"}};
@@ -77,7 +77,7 @@ TEST(RewrittenFiles, a_command_without_a_key_that_is_needed_is_damaged) {
   }
 }
 
-TEST(RewrittenFiles, a_mark_is_written_as_it_was_read) {
+TEST(RewrittenFiles, save_points_round_trip) {
   for (
       const char* line :
       {R"({"hash":"fedcba9876543210"})",
@@ -132,7 +132,7 @@ std::string journal_text(const Journal& journal, const std::filesystem::path& fo
 // The text after the first line.
 std::string body_of(const std::string& text) { return text.substr(text.find('\n') + 1); }
 
-TEST(RewrittenFiles, kept_journals_and_recordings_are_written_as_they_were_read) {
+TEST(RewrittenFiles, stored_journals_and_recordings_round_trip) {
   size_t files = 0;
   for (const auto& file : files_in("tests/kept", ".kerf")) {
     SCOPED_TRACE(file.string());
@@ -147,7 +147,7 @@ TEST(RewrittenFiles, kept_journals_and_recordings_are_written_as_they_were_read)
   EXPECT_GE(files, 9u);
 }
 
-TEST(RewrittenFiles, journals_of_the_assets_keep_what_they_say) {
+TEST(RewrittenFiles, journals_of_the_assets_keep_their_content) {
   TemporaryFolder folder;
   for (const auto& file : files_in("assets", ".kerf")) {
     SCOPED_TRACE(file.string());
@@ -165,7 +165,7 @@ TEST(RewrittenFiles, journals_of_the_assets_keep_what_they_say) {
   }
 }
 
-TEST(RewrittenFiles, scenes_keep_what_they_say) {
+TEST(RewrittenFiles, scenes_keep_their_content) {
   size_t scenes = 0;
   for (const auto& file : files_in("assets", ".json")) {
     const auto scene = read_description(file);

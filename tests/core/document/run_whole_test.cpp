@@ -36,7 +36,7 @@ std::vector<std::string> lines_of(const Document& document) {
   return lines;
 }
 
-TEST(RunWhole, cuts_what_the_strokes_cut_one_after_the_other) {
+TEST(RunWhole, gives_the_same_result_as_the_strokes_one_by_one) {
   Document whole = torus_document(), drawn = torus_document();
   ASSERT_TRUE(whole.run_whole(path_of(whole)).ok());
   for (const Command& command : path_of(drawn)) {
@@ -81,7 +81,7 @@ bool stops_without_trace(size_t window, int reports) {
   return true;
 }
 
-TEST(RunWhole, stopped_at_any_report_it_leaves_no_trace) {
+TEST(RunWhole, leaves_no_trace_if_cancelled_at_any_progress_report) {
   for (const size_t window : {size_t{1} << 30, size_t{1}}) {  // with the last what was done is replayed
     int stopped = 0;
     for (const int reports : {0, 1, 2, 5, 9, 17, 30, 45, 60, 90, 140})

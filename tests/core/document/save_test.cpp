@@ -24,7 +24,7 @@ TEST(SaveFile, keeps_one_previous_version) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
 }
 
-TEST(SaveFile, follows_a_link_and_says_what_cannot_be_written) {
+TEST(SaveFile, writes_through_a_symlink_and_reports_failures) {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder / "real");
   write_text(folder.path() / "real" / "work.kerf", "old");
@@ -39,7 +39,7 @@ TEST(SaveFile, follows_a_link_and_says_what_cannot_be_written) {
 }
 
 // The faces stand in the files in their order, whatever pieces they belong to.
-TEST(SaveWorldAsScene, keeps_the_order_of_faces_of_several_pieces) {
+TEST(SaveWorldAsScene, keeps_the_face_order_of_several_pieces) {
   World world = world_of(sphere(14, 20, 1));
   Body& body = only_body(world);
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
@@ -86,7 +86,7 @@ constexpr const char* kScene = R"({
   "strokes": [{"laser": {"radius": 0.1}, "keys": [{"t": 0, "origin": [0, 1, 0], "direction": [0, -1, 0]}]}]
 })";
 
-TEST_F(SceneFile, that_is_saved_again_says_the_same) {
+TEST_F(SceneFile, round_trips) {
   const auto scene = parse(kScene);
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   ASSERT_TRUE(save_scene(folder_ / "saved.json", *scene).ok());
@@ -97,7 +97,7 @@ TEST_F(SceneFile, that_is_saved_again_says_the_same) {
   EXPECT_EQ(saved, expected);
 }
 
-TEST_F(SceneFile, refuses_values_that_make_no_sense_with_a_pointer) {
+TEST_F(SceneFile, rejects_invalid_values_with_a_json_pointer) {
   const auto refused = [&](const std::string& key, const std::string& value, const std::string& pointer) {
     auto json = nlohmann::json::parse(kScene);
     json[nlohmann::json::json_pointer(key)] = nlohmann::json::parse(value);

@@ -29,7 +29,7 @@ TEST(Scene, reads_the_default_scene) {
   EXPECT_EQ(car.loaded.repairs.degenerate_faces_dropped, 0u);
 }
 
-TEST(Scene, the_hashes_of_its_files_are_noted_with_a_progress_that_ends_at_one) {
+TEST(Scene, reports_progress_up_to_one_while_files_are_hashed) {
   SceneDescription description;
   for (int i = 0; i < 5; ++i)
     description.bodies.emplace_back().mesh = checkout() / "assets/meshes/sphere.obj";
@@ -55,7 +55,7 @@ Result<Scene> scene_with(const std::string& name, const std::string& member) {
   return scene;
 }
 
-TEST(Scene, reads_lights_and_what_to_show) {
+TEST(Scene, reads_lights_and_display_options) {
   const auto scene = scene_with("lights", R"("lights": [{"direction": [0, 2, 0]},
     {"position": [1, 2, 3], "colour": "#ff0000", "intensity": 0.5}], "show": ["shadows", "wire"])");
   ASSERT_TRUE(scene.ok()) << scene.error().message;
@@ -67,7 +67,7 @@ TEST(Scene, reads_lights_and_what_to_show) {
   EXPECT_EQ(scene->show, "shadows,wire");
 }
 
-TEST(Scene, says_what_is_wrong_with_a_light) {
+TEST(Scene, names_an_invalid_light_in_the_error) {
   const std::pair<const char*, const char*> bad[]{
       {R"("lights": 1)", "/lights"},
       {R"("lights": [{}])", "/lights/0"},
@@ -110,7 +110,7 @@ class SolidScene : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(SolidScene, says_whether_a_body_is_solid_or_leaves_it_to_the_mesh) {
+TEST_F(SolidScene, sets_solid_per_body_or_leaves_it_to_the_mesh) {
   for (const bool closed : {true, false}) {
     write_box(closed);
     EXPECT_FALSE(is_solid(""));
@@ -120,7 +120,7 @@ TEST_F(SolidScene, says_whether_a_body_is_solid_or_leaves_it_to_the_mesh) {
   }
 }
 
-TEST_F(SolidScene, is_auto_only_where_every_part_of_the_mesh_is_closed) {
+TEST_F(SolidScene, is_solid_by_default_only_if_every_part_of_the_mesh_is_closed) {
   for (const Soup& beside : {sphere(6, 8, 0.2), plate(1)}) {
     const Soup parts = test::both(brick({1, 1, 1}), moved(beside, {3, 0, 0}, 1));
     const MeshView view{parts.positions, parts.triangles, {}, {}, {}, {}, {}};
@@ -129,7 +129,7 @@ TEST_F(SolidScene, is_auto_only_where_every_part_of_the_mesh_is_closed) {
   }
 }
 
-TEST_F(SolidScene, refuses_any_other_word) {
+TEST_F(SolidScene, rejects_any_other_value) {
   write_box(true);
   for (const char* wrong : {"1", "\"yes\"", "null", "[true]"}) {
     const auto scene = read_with(std::string(R"(, "solid": )") + wrong);
@@ -140,7 +140,7 @@ TEST_F(SolidScene, refuses_any_other_word) {
   }
 }
 
-TEST_F(SolidScene, is_saved_as_it_was_read_and_without_the_key_where_nothing_is_solid) {
+TEST_F(SolidScene, saves_the_key_as_read_and_omits_it_without_solid_bodies) {
   write_box(true);
   for (const char* said : {"", "true", "\"auto\""}) {
     const auto scene = read_with(*said == 0 ? "" : std::string(R"(, "solid": )") + said);
@@ -152,7 +152,7 @@ TEST_F(SolidScene, is_saved_as_it_was_read_and_without_the_key_where_nothing_is_
   }
 }
 
-TEST_F(SolidScene, a_world_that_is_saved_as_a_scene_keeps_its_solid_bodies) {
+TEST_F(SolidScene, keeps_solid_bodies_of_a_world_saved_as_a_scene) {
   write_box(true);
   const auto scene = read_with(R"(, "solid": "auto")");
   ASSERT_TRUE(scene.ok());

@@ -25,7 +25,7 @@ class SolidBox : public testing::Test {
   Document document_{world_of(brick({1, 2, 3}))};
 };
 
-TEST_F(SolidBox, is_one_until_it_is_undone_and_again_when_that_is_redone) {
+TEST_F(SolidBox, is_solid_until_undo_and_again_after_redo) {
   const World before = document_.world();
   const uint64_t as_sheet = hash();
   const auto done = document_.apply(SetSolid{piece(), true});
@@ -45,13 +45,13 @@ TEST_F(SolidBox, is_one_until_it_is_undone_and_again_when_that_is_redone) {
   EXPECT_EQ(hash(), as_solid);
 }
 
-TEST_F(SolidBox, changes_nothing_where_it_is_as_asked_and_fails_where_there_is_no_piece) {
+TEST_F(SolidBox, does_nothing_if_already_set_and_fails_without_a_piece) {
   EXPECT_TRUE(document_.apply(SetSolid{piece(), false}).delta.empty());
   EXPECT_FALSE(document_.apply(SetSolid{{piece().body, 7}, true}).ok());
   EXPECT_FALSE(body().solid);
 }
 
-TEST_F(SolidBox, takes_a_material_for_its_walls_and_gives_it_back_when_undone) {
+TEST_F(SolidBox, sets_the_cut_material_until_undo) {
   ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
   const World before = document_.world();
   ASSERT_TRUE(document_.apply(SetSolid{piece(), true, "foam"}).ok());
@@ -65,14 +65,14 @@ TEST_F(SolidBox, takes_a_material_for_its_walls_and_gives_it_back_when_undone) {
   EXPECT_EQ(body().cut_material, "cut");
 }
 
-TEST_F(SolidBox, copies_of_it_are_solid) {
+TEST_F(SolidBox, copies_are_solid) {
   ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
   ASSERT_TRUE(document_.apply(DuplicatePiece{piece(), {}}).ok());
   ASSERT_TRUE(document_.apply(SubdividePiece{piece(), Subdivision::kMidpoint}).ok());
   for (const BodyId id : document_.world().ids()) EXPECT_TRUE(document_.world().body(id).solid);
 }
 
-TEST_F(SolidBox, comes_back_from_a_journal) {
+TEST_F(SolidBox, replays_from_a_journal) {
   const TemporaryFolder folder;
   const Soup soup = brick({1, 2, 3});
   const MeshView view{soup.positions, soup.triangles, {}, {}, {}, {}, {}};

@@ -140,7 +140,7 @@ void expect_same_after_going_back(const Soup& soup, Random& random) {
   }
 }
 
-TEST(SingleStep, comes_to_the_same_world_by_going_forth_and_back) {
+TEST(SingleStep, stepping_back_and_forth_gives_the_same_world) {
   for (uint64_t seed = 1; seed <= runs(2); ++seed) {
     Random random(seed);
     for (const auto& [name, soup] : mesh_classes()) {
@@ -150,7 +150,7 @@ TEST(SingleStep, comes_to_the_same_world_by_going_forth_and_back) {
   }
 }
 
-TEST(SingleStep, leaves_a_stroke_that_can_be_undone_and_done_again_at_any_stage) {
+TEST(SingleStep, keeps_the_stroke_undoable_and_redoable_at_any_stage) {
   for (uint64_t seed = 1; seed <= runs(5); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -169,7 +169,7 @@ TEST(SingleStep, leaves_a_stroke_that_can_be_undone_and_done_again_at_any_stage)
   }
 }
 
-TEST(SingleStep, goes_back_while_a_stroke_is_being_drawn) {
+TEST(SingleStep, steps_back_while_a_stroke_is_being_drawn) {
   Document stepped(world_of(grid(20, 2))), walked(world_of(grid(20, 2)));
   CutSettings settings;
   settings.laser.radius = settings.resolution.target_edge = 0.05;
@@ -209,7 +209,7 @@ std::vector<uint32_t> live_slots(const World& world) {
   return faces;
 }
 
-TEST(SingleStep, tells_what_changed_when_it_goes_back) {
+TEST(SingleStep, reports_changes_of_a_step_back) {
   Document document = sheet_with_stroke();
   SingleStep single(document);
   while (single.stages() < 20) ASSERT_TRUE(single.next().ok());
@@ -227,7 +227,7 @@ TEST(SingleStep, tells_what_changed_when_it_goes_back) {
   EXPECT_EQ(told, live);
 }
 
-TEST(SingleStep, can_be_stopped_while_it_goes_back) {
+TEST(SingleStep, stepping_back_can_be_cancelled) {
   Document document = sheet_with_stroke();
   SingleStep single(document);
   while (document.waiting() > 0) ASSERT_TRUE(single.next().ok());
@@ -242,7 +242,7 @@ TEST(SingleStep, can_be_stopped_while_it_goes_back) {
   EXPECT_EQ(state_hash(document.world()), end);
 }
 
-TEST(SingleStep, cuts_what_steps_cut_to_the_bit) {
+TEST(SingleStep, matches_normal_steps_bit_for_bit) {
   for (uint64_t seed = 1; seed <= runs(4); ++seed) {
     Random random(seed);
     for (const auto& [name, soup] : mesh_classes()) {
@@ -252,7 +252,7 @@ TEST(SingleStep, cuts_what_steps_cut_to_the_bit) {
   }
 }
 
-TEST(SingleStep, tells_time_from_the_closing_of_a_rim) {
+TEST(SingleStep, distinguishes_time_from_closing_a_rim) {
   Document document(world_of(sphere(12, 16, 1)));
   SingleStep single(document);
   document.apply(AdvanceTime{3, true});
@@ -263,7 +263,7 @@ TEST(SingleStep, tells_time_from_the_closing_of_a_rim) {
   }
 }
 
-TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
+TEST(SingleStep, reports_every_face_a_move_hits_and_removes) {
   Document document(world_of(grid(20, 2)));
   CutSettings settings;
   settings.laser.radius = settings.resolution.target_edge = 0.05;
@@ -284,7 +284,7 @@ TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
   EXPECT_EQ(dead, hit);
 }
 
-TEST(SingleStep, tells_of_the_faces_that_are_left_to_refine_only_after_a_part_of_refining) {
+TEST(SingleStep, reports_unrefined_faces_only_after_partial_refinement) {
   Document document(world_of(grid(80, 2)));
   CutSettings settings;
   settings.laser.radius = settings.resolution.target_edge = 3;  // over the whole sheet

@@ -113,7 +113,7 @@ double clear_away(Document& document) {
   return area;
 }
 
-TEST(Soak, random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
+TEST(Soak, random_strokes_on_a_collapsing_car_leave_a_valid_world) {
   constexpr uint64_t kSeed = 11;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   Random random(kSeed);

@@ -51,12 +51,12 @@ Document cut_strips() {
   return document;
 }
 
-TEST(Specks, are_smaller_than_a_share_of_the_cross_section_of_the_beam) {
+TEST(Specks, are_smaller_than_a_fraction_of_the_beam_cross_section) {
   EXPECT_TRUE(is_speck(0.0039, kRadius));
   EXPECT_FALSE(is_speck(0.0040, kRadius));
 }
 
-TEST(Specks, are_found_among_the_pieces_that_came_off_and_go_with_an_undo) {
+TEST(Specks, are_found_among_cut_off_pieces_and_disappear_on_undo) {
   Document document = cut_strips();
   const Body& body = document.world().body(document.world().ids()[0]);
   size_t pieces = 0;
@@ -72,7 +72,7 @@ TEST(Specks, are_found_among_the_pieces_that_came_off_and_go_with_an_undo) {
   EXPECT_EQ(specks(document), found);
 }
 
-TEST(Specks, keep_their_kind_when_they_become_bodies) {
+TEST(Specks, stay_specks_when_they_become_bodies) {
   Document document = cut_strips();
   const PieceId speck = *specks(document).begin();
   document.apply(HidePiece{speck, true});
@@ -81,7 +81,7 @@ TEST(Specks, keep_their_kind_when_they_become_bodies) {
   EXPECT_NE(after.begin()->body, speck.body);
 }
 
-TEST(Specks, are_told_by_the_stage_in_which_they_come_off) {
+TEST(Specks, are_reported_by_the_stage_that_cuts_them_off) {
   Document document = strips();
   SingleStep single(document);
   size_t told = 0;

@@ -71,7 +71,7 @@ void expect_replays(const Document& document, size_t window) {
   EXPECT_EQ(again.history().position(), document.history().position());
 }
 
-TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
+TEST(StopStroke, ends_the_stroke_at_the_beam_and_one_undo_reverts_it) {
   for (uint64_t seed = 1; seed <= runs(12); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -102,7 +102,7 @@ TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
   }
 }
 
-TEST(StopStroke, cuts_no_further_than_a_part_of_a_move) {
+TEST(StopStroke, ends_the_cut_within_a_move) {
   Document document(world_of(rectangle(2, 2, 4)));
   CutSettings settings;
   settings.laser.radius = 0.05;
@@ -124,7 +124,7 @@ TEST(StopStroke, cuts_no_further_than_a_part_of_a_move) {
   }
 }
 
-TEST(StopStroke, of_a_stroke_that_is_done_cuts_it_again_up_to_there) {
+TEST(StopStroke, truncates_and_recuts_a_finished_stroke) {
   for (uint64_t seed = 41; seed <= 40 + runs(10); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -143,7 +143,7 @@ TEST(StopStroke, of_a_stroke_that_is_done_cuts_it_again_up_to_there) {
   }
 }
 
-TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
+TEST(StopStroke, persists_in_a_recut_with_another_radius) {
   Random random(5);
   const CutSettings settings = random_cut_settings(random);
   CutSettings finer = settings;
@@ -165,7 +165,7 @@ TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
 }
 
 // The beam stands still in some of the ticks, over what falls.
-TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
+TEST(StopStroke, replays_for_a_stroke_over_moving_bodies) {
   for (uint64_t seed = 61; seed <= 60 + runs(8); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -186,7 +186,7 @@ TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
   }
 }
 
-TEST(StopStroke, is_executed_once_by_a_replay_of_its_journal) {
+TEST(StopStroke, runs_once_in_a_replay_of_its_journal) {
   Random random(3);
   Document document = stopped_document();
   draw_stroke(document, random_stroke(random));
@@ -212,14 +212,14 @@ TEST(StopStroke, is_executed_once_by_a_replay_of_its_journal) {
   EXPECT_EQ(moves, whole);
 }
 
-TEST(StopStroke, without_a_stroke_does_nothing) {
+TEST(StopStroke, does_nothing_without_a_stroke) {
   Document document = stopped_document();
   EXPECT_FALSE(document.queue().stop_here().has_value());
   EXPECT_TRUE(document.apply(StopStroke{1}).ok());
   EXPECT_TRUE(document.journal().empty());
 }
 
-TEST(StopStrokes, takes_back_the_strokes_that_wait_behind_the_one_at_work) {
+TEST(StopStrokes, discards_strokes_queued_behind_the_current_one) {
   Random random(9);
   const auto first = random_stroke(random), second = random_stroke(random);
   Document document = stopped_document();
@@ -238,7 +238,7 @@ TEST(StopStrokes, takes_back_the_strokes_that_wait_behind_the_one_at_work) {
   expect_replays(document, size_t{1} << 30);
 }
 
-TEST(StopStrokes, takes_a_stroke_back_of_which_nothing_was_executed) {
+TEST(StopStrokes, discards_a_stroke_that_has_not_started) {
   Random random(10);
   Document document = stopped_document();
   draw_stroke(document, random_stroke(random));

@@ -5,7 +5,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(StrokeSettings, follow_from_the_diagonal_where_a_stroke_gives_none) {
+TEST(StrokeSettings, default_to_values_derived_from_the_diagonal) {
   const CutSettings settings = default_settings({}, 2);
   EXPECT_EQ(settings.laser.radius, 0.005);
   EXPECT_EQ(settings.laser.range.low, 0);
@@ -15,7 +15,7 @@ TEST(StrokeSettings, follow_from_the_diagonal_where_a_stroke_gives_none) {
   EXPECT_EQ(settings.laser.power, Laser().power);
 }
 
-TEST(StrokeSettings, are_those_of_a_stroke_that_gives_them) {
+TEST(StrokeSettings, use_values_given_by_the_stroke) {
   StrokePath stroke;
   stroke.radius = 0.25;
   stroke.range = Interval{1, 3};

@@ -20,7 +20,7 @@ void expect_same_move(const BeamMove& a, const BeamMove& b) {
 
 // What a body that has moved lists of the path is in its own frame, and follows the path when that gets
 // longer and when the stroke is stopped within a move.
-TEST(Stroke, that_is_cut_back_lists_the_same_moves_for_a_body_that_has_moved) {
+TEST(Stroke, that_is_truncated_lists_the_same_moves_for_a_moved_body) {
   World world = world_of(grid(4, 1));
   const BodyId id = world.ids().front();
   world.body(id).placement.position = {0.25, 0, 0};

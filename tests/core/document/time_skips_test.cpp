@@ -77,7 +77,7 @@ void expect_same_way_back(Document& a, Document& b) {
 }
 
 // Strokes and further time between, so that what follows depends on every bit of what was skipped.
-TEST(TimeSkips, a_replay_that_skips_time_goes_on_to_the_bit_and_is_undone_and_redone_alike) {
+TEST(TimeSkips, a_replay_with_skips_continues_exactly_and_supports_undo_and_redo) {
   Recorded a;
   a.stroke(0.1);
   a.play(60);
@@ -107,7 +107,7 @@ TEST(TimeSkips, a_replay_that_skips_time_goes_on_to_the_bit_and_is_undone_and_re
 }
 
 // Heat flows on while bodies are put where they came.
-TEST(TimeSkips, what_is_hot_cools_in_time_that_is_skipped) {
+TEST(TimeSkips, hot_faces_cool_during_skipped_time) {
   Recorded a;
   a.stroke(0.1, 0.05);
   a.play(30);
@@ -125,7 +125,7 @@ TEST(TimeSkips, what_is_hot_cools_in_time_that_is_skipped) {
 }
 
 // A plate hangs on a spring, so that it never sleeps.
-TEST(TimeSkips, time_goes_on_to_the_bit_from_the_mark_of_a_full_minute) {
+TEST(TimeSkips, time_resumes_exactly_from_the_save_point_of_a_full_minute) {
   Recorded a;
   a.document.apply(Play{});
   const BodyId plate = a.document.world().ids()[0];
@@ -157,7 +157,7 @@ StateMark mark_at(size_t commands, Ticks clock) {
   return mark;
 }
 
-TEST(TimeSkips, are_runs_without_a_beam_up_to_a_mark_from_which_time_goes_on_alike) {
+TEST(TimeSkips, span_time_without_a_beam_up_to_a_resumable_save_point) {
   const Command time = AdvanceTime{100, true}, cools = AdvanceTime{100, false};
   const Command begin = BeginStroke{}, move = MoveBeam{}, end = EndStroke{};
   const auto firsts = [](std::vector<Command> commands, std::vector<StateMark> marks) {

@@ -47,7 +47,7 @@ class Time : public testing::Test {
   Document document_{world_of(plate(1))};
 };
 
-TEST_F(Time, changes_nothing_but_the_clock) {
+TEST_F(Time, changes_only_the_clock) {
   Document without(world_of(plate(1)));
   without.apply(BeginStroke{settings_with_radius(0.05), kFrom});
   without.apply(MoveBeam{kTo});
@@ -67,7 +67,7 @@ TEST_F(Time, changes_nothing_but_the_clock) {
   EXPECT_EQ(state_hash(stopped), state_hash(without.world()));
 }
 
-TEST_F(Time, waits_behind_the_moves_of_a_stroke_that_runs_and_does_not_end_it) {
+TEST_F(Time, waits_for_the_moves_of_a_running_stroke_without_ending_it) {
   begin();
   move();
   pass(5);
@@ -82,7 +82,7 @@ TEST_F(Time, waits_behind_the_moves_of_a_stroke_that_runs_and_does_not_end_it) {
   EXPECT_EQ(clock(), 5u);
 }
 
-TEST_F(Time, begins_when_what_came_apart_is_known) {
+TEST_F(Time, starts_after_the_separation_search) {
   CutSettings settings = settings_with_radius(0.05);
   settings.search_a_move = 1;
   document_ = Document(world_of(torus(64, 40, 0.5, 0.2)));
@@ -103,7 +103,7 @@ TEST_F(Time, begins_when_what_came_apart_is_known) {
   EXPECT_EQ(document_.world().live_pieces(), 2u);
 }
 
-TEST_F(Time, passes_no_more_ticks_in_a_step_than_it_is_asked_for) {
+TEST_F(Time, advances_at_most_the_requested_ticks_per_step) {
   pass(100);
   EXPECT_EQ(document_.waiting(), 100u);
   ASSERT_TRUE(document_.step(30).ok());
@@ -111,7 +111,7 @@ TEST_F(Time, passes_no_more_ticks_in_a_step_than_it_is_asked_for) {
   EXPECT_EQ(document_.waiting(), 70u);
 }
 
-TEST_F(Time, belongs_to_the_stroke_before_it_and_is_undone_with_it) {
+TEST_F(Time, belongs_to_the_preceding_stroke_and_is_undone_with_it) {
   draw();
   pass(10);
   walk();
@@ -127,7 +127,7 @@ TEST_F(Time, belongs_to_the_stroke_before_it_and_is_undone_with_it) {
   EXPECT_EQ(document_.world().live_pieces(), 2u);
 }
 
-TEST_F(Time, is_a_step_of_its_own_where_no_stroke_is_before_it) {
+TEST_F(Time, is_a_separate_undo_entry_without_a_preceding_stroke) {
   pass(10);
   walk();
   pass(10);
@@ -149,7 +149,7 @@ TEST_F(Time, is_a_step_of_its_own_where_no_stroke_is_before_it) {
   EXPECT_EQ(clock(), 25u);
 }
 
-TEST_F(Time, that_joins_an_edit_is_undone_and_done_again_with_it) {
+TEST_F(Time, joined_to_an_edit_is_undone_and_redone_with_it) {
   for (const size_t window : {size_t{1} << 30, size_t{0}}) {
     SCOPED_TRACE("window " + std::to_string(window));
     document_ =
@@ -183,7 +183,7 @@ TEST_F(Time, that_joins_an_edit_is_undone_and_done_again_with_it) {
   }
 }
 
-TEST_F(Time, that_joins_an_edit_does_so_only_while_bodies_stand_still) {
+TEST_F(Time, joins_an_edit_only_while_bodies_are_at_rest) {
   draw();
   apply(RenamePiece{{document_.world().ids()[0], 0}, "plate"});
   document_.apply(AdvanceTime{2, true, true});
@@ -193,7 +193,7 @@ TEST_F(Time, that_joins_an_edit_does_so_only_while_bodies_stand_still) {
 }
 
 // As the editor leaves it: the ticks of a frame wait until the next one.
-TEST_F(Time, that_waits_when_its_step_is_undone_does_not_make_the_step_be_executed_again_by_redo) {
+TEST_F(Time, queued_at_undo_does_not_rerun_its_entry_on_redo) {
   draw();
   pass(5);
   walk();
@@ -208,7 +208,7 @@ TEST_F(Time, that_waits_when_its_step_is_undone_does_not_make_the_step_be_execut
   expect_same_world(document_.world(), walked.world());
 }
 
-TEST_F(Time, in_which_bodies_move_and_that_waits_when_its_step_is_undone_does_not_pass_again_by_redo) {
+TEST_F(Time, queued_at_undo_while_bodies_move_does_not_pass_again_on_redo) {
   draw();
   walk();
   document_.apply(Play{});
@@ -225,7 +225,7 @@ TEST_F(Time, in_which_bodies_move_and_that_waits_when_its_step_is_undone_does_no
   EXPECT_EQ(state_hash(document_.world()), state_hash(walked.world()));
 }
 
-TEST_F(Time, makes_what_was_undone_gone) {
+TEST_F(Time, clears_the_redo_history) {
   draw();
   draw();
   walk();
@@ -236,7 +236,7 @@ TEST_F(Time, makes_what_was_undone_gone) {
   EXPECT_EQ(document_.history().totals().strokes, 1u);
 }
 
-TEST_F(Time, passes_again_where_the_stroke_before_it_is_cut_again) {
+TEST_F(Time, passes_again_after_a_recut_of_the_preceding_stroke) {
   draw();
   pass(10);
   walk();
@@ -258,7 +258,7 @@ TEST_F(Time, passes_again_where_the_stroke_before_it_is_cut_again) {
 }
 
 // A world whose clock is watched by the moves: what a recut walks is in the same order.
-TEST_F(Time, in_a_stroke_keeps_its_place_between_the_moves_when_the_stroke_is_cut_again) {
+TEST_F(Time, keeps_its_place_between_moves_in_a_recut) {
   const auto clocks = [&] {
     std::vector<std::pair<double, Ticks>> seen;
     while (document_.waiting() > 0) {
@@ -282,7 +282,7 @@ TEST_F(Time, in_a_stroke_keeps_its_place_between_the_moves_when_the_stroke_is_cu
   EXPECT_EQ(clock(), 9u);
 }
 
-TEST_F(Time, passes_once_in_a_stroke_that_cannot_be_cut_to_its_end) {
+TEST_F(Time, passes_once_in_a_stroke_that_fails) {
   for (const bool step_between : {true, false}) {
     CutSettings too_fine = settings_with_radius(0.02);
     too_fine.max_faces = 40;
@@ -301,7 +301,7 @@ TEST_F(Time, passes_once_in_a_stroke_that_cannot_be_cut_to_its_end) {
   }
 }
 
-TEST_F(Time, is_merged_in_the_journal_up_to_whole_seconds) {
+TEST_F(Time, merges_in_the_journal_up_to_whole_seconds) {
   draw();
   for (int i = 0; i < 50; ++i) pass(7);
   ASSERT_EQ(document_.journal().size(), 6u);
@@ -318,7 +318,7 @@ TEST_F(Time, is_merged_in_the_journal_up_to_whole_seconds) {
   EXPECT_EQ(document_.final_commands(), 7u);
 }
 
-TEST_F(Time, of_different_steps_of_the_history_is_not_merged) {
+TEST_F(Time, does_not_merge_across_undo_entries) {
   draw();
   pass(7);
   draw();
@@ -343,7 +343,7 @@ double seconds_of_moves(Document& document) {
   return seconds;
 }
 
-TEST_F(Time, of_the_poses_is_shared_among_the_moves) {
+TEST_F(Time, of_poses_is_divided_among_the_moves) {
   begin();
   EXPECT_EQ(seconds_of_moves(document_), 0);
   move();
@@ -352,7 +352,7 @@ TEST_F(Time, of_the_poses_is_shared_among_the_moves) {
   EXPECT_EQ(seconds_of_moves(document_), 0.25);
 }
 
-TEST_F(Time, of_the_keys_of_a_path_file_counts_from_the_first_and_is_not_rounded) {
+TEST_F(Time, of_path_keys_counts_from_the_first_key_unrounded) {
   StrokePath path;
   path.keys = {kFrom, kTo, kFrom};
   path.times = {-1.0, -0.9, 0.2};

@@ -10,7 +10,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(UndoStack, a_smaller_window_discards_the_oldest_images_and_no_more_than_it_must) {
+TEST(UndoStack, a_smaller_memory_limit_discards_only_the_oldest_images) {
   Document document(ring_and_book());
   Random random(3);
   for (int i = 0; i < 6; ++i) {
@@ -31,7 +31,7 @@ TEST(UndoStack, a_smaller_window_discards_the_oldest_images_and_no_more_than_it_
   EXPECT_TRUE(history.holds_images(oldest, steps)) << "what is held fits";
 }
 
-TEST(UndoStack, keeps_within_its_window_right_after_a_command_that_happens_at_once) {
+TEST(UndoStack, stays_within_its_memory_limit_after_an_immediate_command) {
   Document document(world_of(grid(20, 1)));
   constexpr size_t kWindow = 1000;
   document.set_window(kWindow);
@@ -41,7 +41,7 @@ TEST(UndoStack, keeps_within_its_window_right_after_a_command_that_happens_at_on
   EXPECT_FALSE(document.history().holds_images(0, 1));
 }
 
-TEST(UndoStack, a_stroke_that_is_stopped_is_taken_back) {
+TEST(UndoStack, a_cancelled_stroke_is_undone) {
   for (const size_t faces_per_step : {size_t{1}, size_t{30}, CutSettings{}.faces_per_step}) {
     SCOPED_TRACE("faces_per_step " + std::to_string(faces_per_step));
     Random random(3);
@@ -76,7 +76,7 @@ TEST(UndoStack, a_stroke_that_is_stopped_is_taken_back) {
 }
 
 // A twin is begun from there at any time.
-TEST(UndoStack, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
+TEST(UndoStack, reading_the_state_before_a_stroke_does_not_affect_the_stroke) {
   for (uint64_t seed = 301; seed <= 303; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -108,7 +108,7 @@ TEST(UndoStack, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
   }
 }
 
-TEST(UndoStack, does_not_tell_what_was_before_a_stroke_after_which_something_else_happened) {
+TEST(UndoStack, has_no_state_before_a_stroke_after_a_later_edit) {
   Random random(5);
   Document document(ring_and_book());
   EXPECT_FALSE(document.before_last_stroke().has_value());
@@ -123,7 +123,7 @@ TEST(UndoStack, does_not_tell_what_was_before_a_stroke_after_which_something_els
 
 // Pieces that came off while bodies moved take ids, which commands name: also where the stroke is cut again
 // before it is walked, and where the history is replayed from its origin.
-TEST(UndoStack, ids_of_bodies_do_not_depend_on_how_far_a_stroke_was_walked_when_it_was_cut_again) {
+TEST(UndoStack, body_ids_do_not_depend_on_the_progress_of_a_stroke_at_recut) {
   CutSettings settings;
   settings.laser.radius = 0.02;
   settings.resolution.target_edge = 0.05;
@@ -155,7 +155,7 @@ TEST(UndoStack, ids_of_bodies_do_not_depend_on_how_far_a_stroke_was_walked_when_
 }
 
 // At every step of the first, in the middle of its moves too; it cuts the plate in two.
-TEST(UndoStack, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_alone) {
+TEST(UndoStack, a_recut_before_execution_leaves_the_previous_stroke_unchanged) {
   CutSettings settings;
   settings.laser.radius = 0.1;
   settings.resolution.target_edge = 0.1;
@@ -186,7 +186,7 @@ TEST(UndoStack, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_
   }
 }
 
-TEST(UndoStack, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
+TEST(UndoStack, nothing_to_undo_or_redo_is_no_error_and_is_not_recorded) {
   Document document(ring_and_book());
   EXPECT_TRUE(document.apply(Undo{}).ok());
   EXPECT_TRUE(document.apply(Redo{}).ok());
@@ -194,7 +194,7 @@ TEST(UndoStack, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
   EXPECT_TRUE(document.journal().empty());
 }
 
-TEST(UndoStack, a_piece_that_is_not_there_is_named_and_changes_nothing) {
+TEST(UndoStack, a_missing_piece_is_named_in_the_error_and_changes_nothing) {
   Document document(ring_and_book());
   const auto moved = document.apply(MovePiece{{{7, 0}, 1}, {}});
   ASSERT_FALSE(moved.ok());

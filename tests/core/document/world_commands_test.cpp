@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(EnvironmentText, of_a_world_in_millimetres_is_read_back) {
+TEST(EnvironmentText, in_millimetres_round_trips) {
   const Command metres = SetEnvironment{{.gravity = {0, -9.81, 0}, .ground = 0}};
   const Command millimetres = SetEnvironment{{.gravity = {0, -9810, 0}, .ground = 5, .metre = 1000}};
   for (const Command& command : {metres, millimetres}) {

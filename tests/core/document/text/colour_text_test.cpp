@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(ColourText, gives_back_every_step) {
+TEST(ColourText, round_trips_every_value) {
   for (int step = 0; step < 256; ++step) {
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(step),

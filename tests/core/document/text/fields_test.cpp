@@ -50,7 +50,7 @@ std::string error_of(const std::string& text) {
   return status ? "" : status.error().message;
 }
 
-TEST(Fields, what_is_missing_is_what_the_table_says_and_not_what_new_work_has) {
+TEST(Fields, missing_keys_get_the_defaults_of_the_table) {
   Lamp lamp;
   ASSERT_TRUE(read(R"({"power": 60})", lamp).ok());
   EXPECT_EQ(lamp.power, 60);
@@ -59,7 +59,7 @@ TEST(Fields, what_is_missing_is_what_the_table_says_and_not_what_new_work_has) {
   EXPECT_EQ(lamp.count, 3u);
 }
 
-TEST(Fields, are_written_in_the_order_of_the_table_and_without_what_missing_keys_stand_for) {
+TEST(Fields, are_written_in_table_order_without_defaults) {
   Lamp lamp;
   lamp.age = 7;
   EXPECT_EQ(fields_json(lamp, {}).dump(), R"({"power":5.0,"count":3,"name":"lamp","at":[0.0,0.0,0.0]})");
@@ -73,14 +73,14 @@ TEST(Fields, are_written_in_the_order_of_the_table_and_without_what_missing_keys
       R"("parts":[{"power":5.0,"age":1.0,"count":3,"name":"lamp","at":[0.0,0.0,0.0]}]})");
 }
 
-TEST(Fields, that_are_kept_are_not_looked_into) {
+TEST(Fields, unknown_but_preserved_keys_are_not_parsed) {
   Lamp lamp;
   ASSERT_TRUE(read(R"({"power": 60, "weight": [1, 2], "age": 3})", lamp).ok());
   EXPECT_EQ(lamp.others, R"({"weight":[1,2]})");
   EXPECT_EQ(fields_json(lamp, {})["weight"].dump(), "[1,2]");
 }
 
-TEST(Fields, say_the_file_the_place_and_what_was_expected) {
+TEST(Fields, report_file_location_and_expected_value) {
   EXPECT_EQ(error_of("{\n\"power\": }"), "lamp.json: line 2: this is not JSON");
   EXPECT_EQ(error_of("# a\nv 0 0 0\n"), "lamp.json: line 1: this is an OBJ mesh, not JSON");
   EXPECT_EQ(error_of("<svg width='1'>"), "lamp.json: line 1: this is an SVG drawing, not JSON");
@@ -106,7 +106,7 @@ TEST(Fields, say_the_file_the_place_and_what_was_expected) {
             "lamp.json: /parts/0/power: must be from 1 to 1000 W");
 }
 
-TEST(Fields, that_do_not_exist_are_refused_wherever_they_are_and_the_nearest_is_named) {
+TEST(Fields, unknown_keys_are_rejected_with_the_nearest_name) {
   const auto unknown = [](const std::string& pointer, const std::string& nearest) {
     return "lamp.json: " + pointer + ": is not a key of this version here; the nearest name is \"" + nearest +
            '"';
@@ -118,7 +118,7 @@ TEST(Fields, that_do_not_exist_are_refused_wherever_they_are_and_the_nearest_is_
             unknown("/parts/1/shades", "shade"));
 }
 
-TEST(Fields, of_a_newer_version_are_refused_as_such) {
+TEST(Fields, newer_versions_are_rejected) {
   const auto error_of_version = [](const std::string& text) {
     uint64_t version = 0;
     const Status status =

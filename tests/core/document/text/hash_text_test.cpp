@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(HashText, is_sixteen_digits_that_are_read_back) {
+TEST(HashText, sixteen_hex_digits_round_trip) {
   EXPECT_EQ(hash_text(0x0123456789abcdef), "0123456789abcdef");
   EXPECT_EQ(hash_text(0), "0000000000000000");
   Random random(1);
@@ -18,7 +18,7 @@ TEST(HashText, is_sixteen_digits_that_are_read_back) {
   }
 }
 
-TEST(HashText, is_no_other_text) {
+TEST(HashText, rejects_any_other_text) {
   for (const char* text : {"", "123456789abcdef", "00123456789abcdef", "0123456789abcdeg", "0123456789abcde ",
                            " 123456789abcdef", "0x23456789abcdef", "-123456789abcdef", "+123456789abcdef"})
     EXPECT_FALSE(parse_hash(text)) << text;

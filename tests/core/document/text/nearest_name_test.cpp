@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(NearestName, differs_in_the_fewest_letters) {
+TEST(NearestName, has_the_smallest_edit_distance) {
   const std::vector<std::string> names{"radius", "range", "power", "direction", "pulse_rate"};
   const std::pair<const char*, const char*> nearest[] = {
       {"raduis", "radius"}, {"Range", "range"},  {"POWER", "power"},          {"dir", "direction"},
@@ -16,17 +16,17 @@ TEST(NearestName, differs_in_the_fewest_letters) {
   for (const auto& [name, expected] : nearest) EXPECT_EQ(nearest_name(name, names), expected) << name;
 }
 
-TEST(NearestName, of_equally_near_ones_is_the_first) {
+TEST(NearestName, is_the_first_of_equally_near_names) {
   const std::vector<std::string> names{"ab", "ac", "ad"};
   EXPECT_EQ(nearest_name("ae", names), "ab");
 }
 
-TEST(NearestName, of_no_names_is_none) {
+TEST(NearestName, is_empty_for_an_empty_list) {
   EXPECT_EQ(nearest_name("a", {}), "");
   EXPECT_EQ(nearest_name_hint("a", {}), "");
 }
 
-TEST(NearestName, of_a_long_name_is_found_at_once) {
+TEST(NearestName, handles_a_long_name_quickly) {
   const std::vector<std::string> names{"radius", std::string(10'000'000, 'a')};
   EXPECT_EQ(nearest_name(std::string(10'000'000, 'a'), names), names[1]);
 }

@@ -31,7 +31,7 @@ void detach_all(World& world) {
   }
 }
 
-TEST(BodyEdit, keeps_faces_areas_and_moments_of_all_pieces_through_strokes_and_detaching) {
+TEST(BodyEdit, keeps_face_counts_areas_and_moments_through_strokes_and_detaching) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= runs(8); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -49,7 +49,7 @@ TEST(BodyEdit, keeps_faces_areas_and_moments_of_all_pieces_through_strokes_and_d
 }
 
 // A face keeps how often the area of its base face was halved, rounded.
-TEST(BodyEdit, counts_the_halvings_of_both_parts_of_an_edge_that_is_split_anywhere) {
+TEST(BodyEdit, counts_halvings_of_both_parts_of_an_edge_split_anywhere) {
   for (const double share : {0.5, 0.25, 0.7, 0.9, 0.03}) {
     SCOPED_TRACE(share);
     Body body = make_body("grid", build(grid(4, 1)));
@@ -69,7 +69,7 @@ TEST(BodyEdit, counts_the_halvings_of_both_parts_of_an_edge_that_is_split_anywhe
   }
 }
 
-TEST(BodyEdit, lets_the_tree_follow_whatever_was_left_to_do) {
+TEST(BodyEdit, keeps_the_tree_current_after_any_edit) {
   Body body = make_body("grid", build(grid(8, 1)));
   Random random(3);
   for (int i = 0; i < 60; ++i) {
@@ -90,7 +90,7 @@ TEST(BodyEdit, lets_the_tree_follow_whatever_was_left_to_do) {
   EXPECT_EQ(found.size(), body.mesh.live_faces());
 }
 
-TEST(BodyEdit, tells_once_of_every_slot_that_it_changed) {
+TEST(BodyEdit, reports_each_changed_slot_once) {
   Body body = make_body("grid", build(grid(4, 1)));
   BodyEdit edit(body);
   const FaceId f(5);

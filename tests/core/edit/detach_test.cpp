@@ -62,7 +62,7 @@ void expect_whole(const Body& body) {
   EXPECT_EQ(faces, body.mesh.live_faces());
 }
 
-TEST(Detach, leaves_every_face_where_it_was_and_every_piece_by_its_own) {
+TEST(Detach, leaves_face_positions_and_other_pieces_unchanged) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);
     World world = cut_world(soup, 7);
@@ -96,7 +96,7 @@ TEST(Detach, leaves_every_face_where_it_was_and_every_piece_by_its_own) {
   }
 }
 
-TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
+TEST(Detach, a_detached_piece_is_cut_like_the_original) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World together = cut_world(torus(14, 10, 0.5, 0.2), seed), apart = together;
@@ -129,7 +129,7 @@ bool contains(const Triangle& large, const Triangle& small) {
   return true;
 }
 
-TEST(Detach, knows_of_every_face_where_it_was_loaded) {
+TEST(Detach, keeps_the_loaded_origin_of_every_face) {
   const Soup soup = both(torus(14, 10, 0.5, 0.2), sphere(8, 10, 0.3));
   const Mesh loaded = build(soup).mesh;
   World world = cut_world(soup, 3);
@@ -155,7 +155,7 @@ TEST(Detach, knows_of_every_face_where_it_was_loaded) {
   }
 }
 
-TEST(Detach, is_not_needed_to_name_a_piece_which_takes_the_name_with_it_later) {
+TEST(Detach, is_not_needed_to_rename_a_piece_and_keeps_the_name) {
   Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
   const BodyId first = document.world().ids().front();
   const World before = document.world();
@@ -187,7 +187,7 @@ TEST(Detach, is_not_needed_to_name_a_piece_which_takes_the_name_with_it_later) {
   expect_same_world(document.world(), before);
 }
 
-TEST(Detach, leaves_a_piece_its_name_and_names_after_it_what_comes_off_later) {
+TEST(Detach, keeps_the_piece_name_and_derives_names_of_later_pieces) {
   Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
   const BodyId first = document.world().ids().front();
   const std::string name = document.world().body(first).name;
@@ -223,7 +223,7 @@ World plate_in_two(double x) {
   return world;
 }
 
-TEST(Detach, gives_the_piece_the_new_id_whichever_side_is_copied_and_is_taken_back_to_the_bit) {
+TEST(Detach, gives_the_piece_the_new_id_for_either_copied_side_and_undoes_exactly) {
   for (const double x : {-0.3, 0.3}) {
     for (const uint32_t label : {0u, 1u}) {
       for (const bool removed : {false, true}) {
@@ -252,7 +252,7 @@ TEST(Detach, gives_the_piece_the_new_id_whichever_side_is_copied_and_is_taken_ba
   }
 }
 
-TEST(Duplicate, adds_the_same_faces_as_a_body_of_its_own_and_leaves_the_piece_as_it_is) {
+TEST(Duplicate, adds_a_separate_body_with_the_same_faces) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     World world = cut_world(both(torus(14, 10, 0.5, 0.2), sphere(8, 10, 0.3)), seed);
     const World before = world;
@@ -281,7 +281,7 @@ TEST(Duplicate, adds_the_same_faces_as_a_body_of_its_own_and_leaves_the_piece_as
   }
 }
 
-TEST(Duplicate, is_a_command_that_is_undone_and_done_again_and_whose_copy_is_cut_like_any_body) {
+TEST(Duplicate, undoes_and_redoes_and_its_copy_can_be_cut) {
   Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
   const BodyId first = document.world().ids().front();
   const World before = document.world();

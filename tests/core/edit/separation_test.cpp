@@ -146,7 +146,7 @@ BandCut cut_band(const Soup& soup, double low, double high, uint64_t seed) {
   return cut;
 }
 
-TEST(Separation, searches_only_when_something_comes_off_a_closed_surface) {
+TEST(Separation, searches_only_when_a_part_of_a_closed_surface_comes_off) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const BandCut cut = cut_band(sphere(40, 60, 1), 0.2, 0.4, seed);
@@ -155,7 +155,7 @@ TEST(Separation, searches_only_when_something_comes_off_a_closed_surface) {
   }
 }
 
-TEST(Separation, looks_at_no_more_than_twice_the_smaller_side) {
+TEST(Separation, visits_at_most_twice_the_smaller_side) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const BandCut cut = cut_band(sphere(80, 120, 1), 0.5, 0.6, seed);
@@ -198,7 +198,7 @@ void expect_same_pieces(const Body& a, const Body& b) {
 }
 
 // A ring cut along its whole length has four fronts, two of which belong to the same part until they meet.
-TEST(Separation, without_edits_meanwhile_finds_the_same_parts_from_fewer_faces) {
+TEST(Separation, finds_the_same_parts_with_fewer_visits_without_concurrent_edits) {
   const Body shapes[] = {make_body("ball", build(sphere(200, 240, 1))),
                          make_body("ring", build(torus(300, 160, 1, 0.4)))};
   for (uint64_t seed = 1; seed <= 6; ++seed) {
@@ -218,7 +218,7 @@ TEST(Separation, without_edits_meanwhile_finds_the_same_parts_from_fewer_faces) 
   }
 }
 
-TEST(Separation, counts_each_boundary_as_one_place) {
+TEST(Separation, treats_each_boundary_as_one_place) {
   // A slot along a tube joins its two boundaries and separates nothing; a second one cuts it in two.
   Body body = make_body("tube", build(tube(30, 24, 0.3, 2)));
   size_t searches = 0, pieces = 0;
@@ -240,7 +240,7 @@ TEST(Separation, counts_each_boundary_as_one_place) {
 
 // Two rings are taken out of a tube at once: the fronts of the middle part meet, and the search has to go on
 // with those beyond either ring, however often it pauses.
-TEST(Separation, finds_all_parts_between_several_cuts_when_it_pauses) {
+TEST(Separation, finds_all_parts_between_several_cuts_when_interrupted) {
   for (const double middle : {0.2, 0.5, 0.8}) {
     for (const size_t most : {1u, 40u, 400u, 4000u}) {
       SCOPED_TRACE("middle " + std::to_string(middle) + ", looking at " + std::to_string(most));
@@ -263,7 +263,7 @@ TEST(Separation, finds_all_parts_between_several_cuts_when_it_pauses) {
   }
 }
 
-TEST(Separation, leaves_the_label_with_the_part_of_the_largest_area_not_of_the_most_faces) {
+TEST(Separation, keeps_the_label_on_the_part_of_largest_area) {
   // A strip: many small faces, one that is taken away, and one large one.
   Soup soup = grid(6, 1);
   const uint32_t n = static_cast<uint32_t>(soup.positions.size());
@@ -283,7 +283,7 @@ TEST(Separation, leaves_the_label_with_the_part_of_the_largest_area_not_of_the_m
   EXPECT_EQ(result.relabelled.size(), 72u);
 }
 
-TEST(Separation, leaves_the_label_with_the_lowest_face_of_equal_parts) {
+TEST(Separation, keeps_the_label_on_the_part_with_the_lowest_face_among_equals) {
   Body body = make_body("strip", build(tube(9, 12, 0.3, 0.9)));
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     const Triangle t = body.mesh.triangle(FaceId(f));
@@ -297,7 +297,7 @@ TEST(Separation, leaves_the_label_with_the_lowest_face_of_equal_parts) {
   EXPECT_EQ(body.pieces[0].faces, body.pieces[1].faces);
 }
 
-TEST(Separation, does_not_cut_off_what_never_hung_together) {
+TEST(Separation, does_not_separate_parts_that_were_never_connected) {
   Body body = make_body("two", build(both(sphere(5, 6, 0.3), moved(sphere(5, 6, 0.3), {1, 0, 0}, 1))));
   for (const uint32_t f : {0u, 1u, 60u, 61u}) {
     if (body.mesh.is_live(FaceId(f))) take_away(body, FaceId(f));
@@ -305,7 +305,7 @@ TEST(Separation, does_not_cut_off_what_never_hung_together) {
   EXPECT_TRUE(settle(body).new_pieces.empty());
 }
 
-TEST(Separation, knows_as_much_after_it_has_forgotten) {
+TEST(Separation, gives_the_same_result_after_its_state_is_discarded) {
   for (uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Body body = make_body("torus", build(torus(14, 10, 0.5, 0.2)));
@@ -322,7 +322,7 @@ TEST(Separation, knows_as_much_after_it_has_forgotten) {
   }
 }
 
-TEST(Separation, does_not_join_over_a_corner) {
+TEST(Separation, does_not_connect_across_a_vertex) {
   Soup soup;
   soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   soup.triangles = {{0, 1, 2}, {0, 3, 4}};

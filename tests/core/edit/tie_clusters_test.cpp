@@ -9,7 +9,7 @@ namespace {
 
 using Tie = std::pair<FaceId, FaceId>;
 
-TEST(TieClusters, list_the_faces_as_they_appear_and_join_those_that_ties_connect) {
+TEST(TieClusters, list_faces_in_order_of_appearance_and_join_tied_ones) {
   const std::vector<Tie> ties{
       {FaceId(7), FaceId(3)}, {FaceId(9), FaceId(4)}, {FaceId(3), FaceId(5)}, {FaceId(7), FaceId(3)}};
   PagedArray<uint32_t> scratch;
@@ -25,7 +25,7 @@ TEST(TieClusters, list_the_faces_as_they_appear_and_join_those_that_ties_connect
   EXPECT_EQ(clusters.cluster(3), 2u);
 }
 
-TEST(TieClusters, leave_their_scratch_as_they_found_it) {
+TEST(TieClusters, restore_their_scratch_buffer) {
   Random random(3);
   PagedArray<uint32_t> scratch;
   std::vector<Tie> ties;
@@ -36,7 +36,7 @@ TEST(TieClusters, leave_their_scratch_as_they_found_it) {
   EXPECT_EQ(TieClusters(ties, scratch).faces().size(), once.faces().size());
 }
 
-TEST(TieClusters, of_no_ties_are_none) {
+TEST(TieClusters, are_empty_without_ties) {
   PagedArray<uint32_t> scratch;
   EXPECT_TRUE(TieClusters({}, scratch).faces().empty());
 }

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(ArenaFile, starts_must_be_inside) {
+TEST(ArenaFile, start_positions_must_be_inside) {
   test::TemporaryFolder folder;
   const auto file = folder / "arena.json";
   test::write_text(file, R"({"size": [50, 50], "starts": {"player": {"position": [0, 0, 26]},
@@ -19,7 +19,7 @@ TEST(ArenaFile, starts_must_be_inside) {
       << arena.error().message;
 }
 
-TEST(ArenaFile, places_its_bodies_by_a_pose_or_a_heading) {
+TEST(ArenaFile, places_bodies_by_pose_or_heading) {
   test::TemporaryFolder folder;
   const auto file = folder / "arena.json";
   test::write_text(file, R"({"ground": 2, "size": [50, 40],
@@ -42,7 +42,7 @@ TEST(ArenaFile, places_its_bodies_by_a_pose_or_a_heading) {
   EXPECT_NEAR(arena->player.heading, kPi, 1e-12);
 }
 
-TEST(ArenaFile, names_the_first_thing_that_is_wrong) {
+TEST(ArenaFile, names_the_first_error) {
   const std::string good = R"({"size": [50, 50], "bodies": [{"mesh": "a.obj"}],
     "starts": {"player": {"position": [0, 0, 0]}, "enemies": [{"position": [0, 0, 1]}]}})";
   test::TemporaryFolder folder;

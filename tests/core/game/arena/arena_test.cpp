@@ -28,7 +28,7 @@ class ArenaOfPlates : public testing::Test {
   ArenaDescription described_;
 };
 
-TEST_F(ArenaOfPlates, pins_what_stands_fast_and_lets_sleep_what_can_be_cut) {
+TEST_F(ArenaOfPlates, pins_fixed_bodies_and_puts_cuttable_ones_to_sleep) {
   const auto arena = load_arena(described_);
   ASSERT_TRUE(arena) << arena.error().message;
   ASSERT_EQ(arena->bodies.size(), 2u);
@@ -42,7 +42,7 @@ TEST_F(ArenaOfPlates, pins_what_stands_fast_and_lets_sleep_what_can_be_cut) {
   EXPECT_EQ(drum.mesh.live_faces(), 2u);
 }
 
-TEST_F(ArenaOfPlates, names_the_mesh_that_is_missing_or_that_a_joint_does_not_fit) {
+TEST_F(ArenaOfPlates, names_a_mesh_that_is_missing_or_does_not_fit_a_joint) {
   SceneJoint joint;
   joint.parts = {"door", "frame"};
   described_.bodies[1].body.joints = {joint};
@@ -55,7 +55,7 @@ TEST_F(ArenaOfPlates, names_the_mesh_that_is_missing_or_that_a_joint_does_not_fi
   EXPECT_NE(missing.error().message.find("gone.obj"), std::string::npos) << missing.error().message;
 }
 
-TEST(Start, stands_in_its_heading) {
+TEST(Start, faces_its_heading) {
   const Placement placement = Start{{1, 2, 3}, kPi / 2}.placement();
   EXPECT_EQ(placement.position, Vec3(1, 2, 3));
   EXPECT_NEAR(glm::distance(placement.orientation * Vec3(0, 0, 1), Vec3(1, 0, 0)), 0, 1e-12);

@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-TEST(FixedFaces, are_those_of_what_is_pinned_at_its_place) {
+TEST(FixedFaces, are_the_faces_of_pinned_bodies_in_world_space) {
   Arena arena;
   for (const bool pinned : {true, false}) {
     Body& body = arena.bodies.emplace_back().body;
@@ -33,7 +33,7 @@ Triangle slope(double degrees, double size = 1) {
   return {Vec3(0), Vec3(0, 0, size), size * Vec3(a.cos, a.sin, 0)};
 }
 
-TEST(FixedFaces, are_drivable_up_to_45_degrees_from_either_side_and_whatever_their_size) {
+TEST(FixedFaces, are_drivable_up_to_45_degrees_from_either_side_at_any_size) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     EXPECT_TRUE(is_drivable(slope(0, size)));
     EXPECT_TRUE(is_drivable(slope(45, size)));

@@ -26,7 +26,7 @@ Arena square_with_box(const Vec3& size, const Vec3& place) {
   return arena;
 }
 
-TEST(FreeSpace, knows_columns_ramps_and_the_passage_under_the_bridge) {
+TEST(FreeSpace, includes_columns_ramps_and_the_passage_under_the_bridge) {
   const FreeSpace space(yard());
   EXPECT_EQ(space.clearance(space.spot_at({6, 0, 15})), 0) << "a column";
   EXPECT_TRUE(space.has_room(space.spot_at({12, 0, 15}))) << "between two columns";
@@ -36,7 +36,7 @@ TEST(FreeSpace, knows_columns_ramps_and_the_passage_under_the_bridge) {
   EXPECT_EQ(space.clearance(space.spot_at({15, 0, 0})), 0) << "inside of a ramp";
 }
 
-TEST(FreeSpace, is_as_clear_as_it_is_far_from_what_stands_fast) {
+TEST(FreeSpace, clearance_is_the_distance_to_fixed_obstacles) {
   const FreeSpace space(square_with_box({2, 2, 2}, {5, 1, 0}));
   const auto clearance = [&](double x) { return space.clearance(space.spot_at({x, 0, 0})); };
   EXPECT_EQ(clearance(4.2), 0);
@@ -45,13 +45,13 @@ TEST(FreeSpace, is_as_clear_as_it_is_far_from_what_stands_fast) {
   EXPECT_EQ(space.clearance(space.spot_at({-19, 0, 0})), 0) << "at the edge of the arena";
 }
 
-TEST(FreeSpace, has_no_room_where_no_way_leads_from_the_player) {
+TEST(FreeSpace, has_no_room_at_places_the_player_cannot_reach) {
   const FreeSpace space(square_with_box({1, 2, 60}, {8, 1, 0}));
   EXPECT_TRUE(space.has_room(space.spot_at({0, 0, 0})));
   EXPECT_FALSE(space.has_room(space.spot_at({13, 0, 0}))) << "behind the wall";
 }
 
-TEST(FreeSpace, goes_on_above_what_is_low_and_below_what_is_high) {
+TEST(FreeSpace, extends_over_low_and_under_high_obstacles) {
   const FreeSpace above(square_with_box({4, 0.2, 4}, {5, 0.1, 0}));
   EXPECT_TRUE(above.has_room(above.spot_at({5, 0, 0})));
   const FreeSpace below(square_with_box({4, 0.2, 4}, {5, 6, 0}));

@@ -26,7 +26,7 @@ SceneJoint hinge() {
   return joint;
 }
 
-TEST(ModelBody, takes_its_joints_into_each_world_to_which_it_is_added) {
+TEST(ModelBody, adds_its_joints_to_each_world_it_is_added_to) {
   ModelBody model = door_in_frame();
   ASSERT_TRUE(add_joints(std::array{hinge()}, model));
   ASSERT_EQ(model.joints.size(), 1u);
@@ -41,7 +41,7 @@ TEST(ModelBody, takes_its_joints_into_each_world_to_which_it_is_added) {
   EXPECT_EQ(world.body(second).mesh.live_faces(), model.body.mesh.live_faces());
 }
 
-TEST(ModelBody, refuses_a_joint_of_a_part_that_it_does_not_have) {
+TEST(ModelBody, rejects_a_joint_of_a_missing_part) {
   ModelBody model = door_in_frame();
   SceneJoint wrong = hinge();
   wrong.parts[1] = "wall";

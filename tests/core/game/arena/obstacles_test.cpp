@@ -32,7 +32,7 @@ Vec3 place_of(const Match& match) {
   return match.world().body(match.vehicles()[0].chassis).placement.position;
 }
 
-TEST(Obstacles, a_vehicle_that_hits_a_round_column_stops_and_gets_away_again) {
+TEST(Obstacles, a_vehicle_that_hits_a_round_column_stops_and_can_drive_away) {
   Random random(7);
   const Vec3 column(18, 0, -15);
   for (int i = 0; i < 40; ++i) {

@@ -13,9 +13,9 @@ namespace {
 bool stops_all(BodyId) { return true; }
 
 // A sheet of two metres at the height of 1 m, over the ground.
-class SheetInSight : public testing::Test {
+class SheetInRay : public testing::Test {
  protected:
-  SheetInSight() {
+  SheetInRay() {
     Environment around;
     around.ground = 0;
     world_.set_environment(around);
@@ -30,7 +30,7 @@ class SheetInSight : public testing::Test {
   BodyId sheet_;
 };
 
-TEST_F(SheetInSight, is_met_from_either_side_with_a_normal_against_the_ray) {
+TEST_F(SheetInRay, is_hit_from_either_side_with_a_normal_against_the_ray) {
   for (const double side : {1.0, -1.0}) {
     const auto hit = look({0.3, 1 + 0.5 * side, 0.2}, {0, -side, 0}, 9);
     ASSERT_TRUE(hit);
@@ -40,7 +40,7 @@ TEST_F(SheetInSight, is_met_from_either_side_with_a_normal_against_the_ray) {
   }
 }
 
-TEST_F(SheetInSight, lets_a_ray_through_that_it_does_not_stop_or_where_it_is_hidden) {
+TEST_F(SheetInRay, passes_rays_if_filtered_out_or_hidden) {
   const auto ground = look({0, 3, 0}, {0, -1, 0}, 9, [](BodyId) { return false; });
   ASSERT_TRUE(ground);
   EXPECT_FALSE(ground->body.valid());
@@ -50,7 +50,7 @@ TEST_F(SheetInSight, lets_a_ray_through_that_it_does_not_stop_or_where_it_is_hid
   EXPECT_FALSE(look({0, 3, 0}, {0, -1, 0}, 9)->body.valid());
 }
 
-TEST_F(SheetInSight, is_met_where_it_was_moved_to) {
+TEST_F(SheetInRay, is_hit_at_its_moved_position) {
   world_.body(sheet_).placement = {{0, 0, 5}, axis_angle({1, 0, 0}, kPi / 2)};
   const auto hit = look({0, 0.5, 0}, {0, 0, 1}, 9);
   ASSERT_TRUE(hit);
@@ -58,7 +58,7 @@ TEST_F(SheetInSight, is_met_where_it_was_moved_to) {
   EXPECT_NEAR(hit->normal.z, -1, 1e-9);
 }
 
-TEST_F(SheetInSight, ends_with_the_length_of_the_ray) {
+TEST_F(SheetInRay, is_not_hit_beyond_the_ray_length) {
   EXPECT_FALSE(look({0, 2, 0}, {0, -1, 0}, 0.99));
   EXPECT_TRUE(look({0, 2, 0}, {0, -1, 0}, 1.01));
   EXPECT_FALSE(look({5, 1, 0}, {1, -1, 0}, 1.41)) << "the ground is farther along a slanted ray";
@@ -66,7 +66,7 @@ TEST_F(SheetInSight, ends_with_the_length_of_the_ray) {
   EXPECT_FALSE(look({5, -1, 0}, {0, -1, 0}, 9)) << "below the ground";
 }
 
-TEST(Sight, a_half_line_comes_near_what_is_beside_it_and_beyond_neither_end) {
+TEST(Sight, a_ray_passes_near_points_at_its_side_but_not_beyond_its_ends) {
   const Pose ray{{0, 0, 0}, {0, 0, 1}};
   EXPECT_TRUE(passes_near(ray, 4, {1, 0, 2}, 1));
   EXPECT_FALSE(passes_near(ray, 4, {1.01, 0, 2}, 1));

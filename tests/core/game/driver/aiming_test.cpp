@@ -23,7 +23,7 @@ AimingSkill perfect() {
   return skill;
 }
 
-class AimingAtOne : public testing::Test {
+class AimingTest : public testing::Test {
  protected:
   // The controls after so many ticks in which the turret follows them.
   Controls aim(Aiming& aiming, int ticks) {
@@ -48,7 +48,7 @@ class AimingAtOne : public testing::Test {
   test::Duel duel_{std::array{Vec3(0), Vec3(12, 0, 16)}};
 };
 
-TEST_F(AimingAtOne, slashes_across_the_part_that_it_aims_at) {
+TEST_F(AimingTest, sweeps_across_the_targeted_part) {
   // Nothing but the turret is left.
   Vehicle& opponent = duel_.vehicle(1);
   for (Wheel& wheel : opponent.wheels) wheel.attached = false;
@@ -66,7 +66,7 @@ TEST_F(AimingAtOne, slashes_across_the_part_that_it_aims_at) {
   EXPECT_LT(farthest, 0.61);
 }
 
-TEST_F(AimingAtOne, of_the_same_seed_does_the_same_and_of_another_one_something_else) {
+TEST_F(AimingTest, is_deterministic_per_seed) {
   AimingSkill skill;
   Aiming first(3, skill), same(3, skill), other(4, skill);
   const Controls c = aim(first, 200);
@@ -74,7 +74,7 @@ TEST_F(AimingAtOne, of_the_same_seed_does_the_same_and_of_another_one_something_
   EXPECT_FALSE(aim(other, 200) == c);
 }
 
-TEST_F(AimingAtOne, errs_by_the_error_of_its_skill) {
+TEST_F(AimingTest, has_the_error_of_its_skill) {
   AimingSkill skill = perfect();
   skill.error = 0.1;
   Aiming exact(5, perfect()), erring(5, skill);
@@ -90,7 +90,7 @@ TEST_F(AimingAtOne, errs_by_the_error_of_its_skill) {
   EXPECT_NEAR(std::sqrt(sum / kTicks), 0.1, 0.03);
 }
 
-TEST_F(AimingAtOne, fires_once_the_barrel_points_there_and_not_beyond_its_range) {
+TEST_F(AimingTest, fires_when_the_barrel_is_on_target_and_in_range) {
   Aiming aiming(1, perfect());
   EXPECT_FALSE(aim(aiming, 1).fire) << "the barrel points ahead";
   EXPECT_TRUE(aim(aiming, 120).fire);
@@ -98,7 +98,7 @@ TEST_F(AimingAtOne, fires_once_the_barrel_points_there_and_not_beyond_its_range)
   EXPECT_FALSE(aim(aiming, 120).fire);
 }
 
-TEST_F(AimingAtOne, holds_its_fire_behind_a_wall_and_without_a_laser) {
+TEST_F(AimingTest, holds_fire_behind_a_wall_and_without_a_laser) {
   Aiming aiming(1, perfect());
   ASSERT_TRUE(aim(aiming, 120).fire);
   duel_.wall = test::add(duel_.world(), test::rectangle(20, 20, 2), {6, 0, 8},
@@ -112,7 +112,7 @@ TEST_F(AimingAtOne, holds_its_fire_behind_a_wall_and_without_a_laser) {
   EXPECT_FALSE(controls.fire);
 }
 
-TEST_F(AimingAtOne, fires_in_bursts_with_pauses) {
+TEST_F(AimingTest, fires_in_bursts_with_pauses) {
   AimingSkill skill = perfect();
   skill.burst = 0.5;
   skill.pause = 1.5;

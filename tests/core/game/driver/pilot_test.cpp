@@ -23,7 +23,7 @@ PilotSkill exact(double reaction) {
 }
 
 // A driver between an opponent ahead, at 15 m, and one to the left, at 20 m.
-class PilotOfTwo : public testing::Test {
+class PilotTest : public testing::Test {
  protected:
   Controls drive(Pilot& pilot, int ticks) {
     Controls controls;
@@ -43,14 +43,14 @@ class PilotOfTwo : public testing::Test {
   test::Duel duel_{std::array{Vec3(0), Vec3(0, 0, 15), Vec3(20, 0, 0)}};
 };
 
-TEST_F(PilotOfTwo, fights_the_nearest_opponent_that_is_alive) {
+TEST_F(PilotTest, fights_the_nearest_living_opponent) {
   Pilot pilot(1, exact(0));
   EXPECT_TRUE(aims_at(drive(pilot, 5), kAhead));
   duel_.vehicle(1).alive = false;
   EXPECT_TRUE(aims_at(drive(pilot, 5), kLeft)) << "at once";
 }
 
-TEST_F(PilotOfTwo, leaves_its_opponent_for_one_that_is_much_nearer_only) {
+TEST_F(PilotTest, switches_to_another_opponent_only_if_it_is_much_nearer) {
   Pilot pilot(1, exact(0));
   drive(pilot, 5);
   put(2, {12, 0, 0});
@@ -59,7 +59,7 @@ TEST_F(PilotOfTwo, leaves_its_opponent_for_one_that_is_much_nearer_only) {
   EXPECT_TRUE(aims_at(drive(pilot, 2 * kTicksASecond), kLeft));
 }
 
-TEST_F(PilotOfTwo, without_an_opponent_lets_go_of_everything) {
+TEST_F(PilotTest, releases_all_controls_without_an_opponent) {
   Pilot pilot(1, exact(0));
   drive(pilot, kTicksASecond);
   duel_.vehicle(1).alive = duel_.vehicle(2).alive = false;
@@ -68,7 +68,7 @@ TEST_F(PilotOfTwo, without_an_opponent_lets_go_of_everything) {
   EXPECT_FALSE(controls.fire || controls.handbrake);
 }
 
-TEST_F(PilotOfTwo, sees_by_its_reaction_time_later_where_its_opponent_is) {
+TEST_F(PilotTest, sees_its_opponent_with_its_reaction_delay) {
   Pilot pilot(1, exact(0.5));
   drive(pilot, kTicksASecond);
   put(1, {-15, 0, 0});
@@ -76,13 +76,13 @@ TEST_F(PilotOfTwo, sees_by_its_reaction_time_later_where_its_opponent_is) {
   EXPECT_TRUE(aims_at(drive(pilot, 2), -kLeft));
 }
 
-TEST_F(PilotOfTwo, reckons_on_with_the_velocity_that_it_saw) {
+TEST_F(PilotTest, extrapolates_with_the_last_seen_velocity) {
   Pilot pilot(1, exact(0.5));
   duel_.chassis(1).motion.velocity = {30, 0, 0};
   EXPECT_TRUE(aims_at(drive(pilot, kTicksASecond), std::atan2(30 * 0.5, 15)));
 }
 
-TEST_F(PilotOfTwo, of_the_same_seed_drives_alike) {
+TEST_F(PilotTest, is_deterministic_per_seed) {
   Pilot first(7, PilotSkill{}), same(7, PilotSkill{});
   const Controls c = drive(first, 3 * kTicksASecond);
   EXPECT_EQ(drive(same, 3 * kTicksASecond), c);

@@ -24,7 +24,7 @@ std::vector<FreeSpace::Spot> spots_with_room(const FreeSpace& space) {
   return spots;
 }
 
-TEST(Route, leads_from_any_place_with_room_to_any_other_and_has_room_all_the_way) {
+TEST(Route, connects_any_two_free_places_through_free_space) {
   const FreeSpace space(yard());
   const std::vector<FreeSpace::Spot> spots = spots_with_room(space);
   ASSERT_GT(spots.size(), 3000u);
@@ -41,7 +41,7 @@ TEST(Route, leads_from_any_place_with_room_to_any_other_and_has_room_all_the_way
   }
 }
 
-TEST(Route, leads_out_of_a_place_without_room) {
+TEST(Route, leads_out_of_a_blocked_place) {
   const FreeSpace space(yard());
   const std::vector<Vec3> route = find_route(space, {}, {6, 0, 15.3}, {20, 0, 15});
   ASSERT_GT(route.size(), 5u);
@@ -49,7 +49,7 @@ TEST(Route, leads_out_of_a_place_without_room) {
   EXPECT_TRUE(space.has_room(space.spot_at(route[4])));
 }
 
-TEST(Route, goes_around_traffic) {
+TEST(Route, avoids_traffic) {
   const FreeSpace space(yard());
   const Vec3 from(-34, 0, -15), to(-34, 0, 30), middle(-34, 0, -5);
   const auto nearest_to_middle = [&](const std::vector<Vec3>& route) {

@@ -14,7 +14,7 @@ namespace {
 constexpr int kSecondOfTicks = static_cast<int>(kTicksPerSecond);
 
 // A vehicle at the origin that looks along z; only the test moves it.
-class SteeringOfOne : public testing::Test {
+class SteeringTest : public testing::Test {
  protected:
   // The controls after so many ticks towards an opponent there.
   Controls drive(Steering& steering, const Vec3& at, int ticks, double distance = 5) {
@@ -26,7 +26,7 @@ class SteeringOfOne : public testing::Test {
   test::Duel duel_{std::array{Vec3(0), Vec3(0, 0, 200)}};
 };
 
-TEST_F(SteeringOfOne, goes_for_its_opponent_ahead_and_turns_towards_one_beside_it) {
+TEST_F(SteeringTest, drives_at_an_opponent_ahead_and_turns_towards_one_at_the_side) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
     Steering straight(seed), left(seed), right(seed);
@@ -37,13 +37,13 @@ TEST_F(SteeringOfOne, goes_for_its_opponent_ahead_and_turns_towards_one_beside_i
   }
 }
 
-TEST_F(SteeringOfOne, keeps_away_from_an_opponent_that_is_too_near) {
+TEST_F(SteeringTest, keeps_its_distance_from_a_close_opponent) {
   // It is behind: the place on the circle around it lies ahead.
   Steering steering(1);
   EXPECT_GT(drive(steering, {0, 0, -3}, 12, 25).throttle, 50);
 }
 
-TEST_F(SteeringOfOne, does_not_drive_into_what_stands_before_it) {
+TEST_F(SteeringTest, does_not_drive_into_obstacles_ahead) {
   duel_.traffic = {{{0, 0, 4}, 1.5, Vec3(0), BodyId{}},
                    {{2.5, 0, 3.5}, 1.5, Vec3(0), BodyId{}},
                    {{-2.5, 0, 3.5}, 1.5, Vec3(0), BodyId{}}};
@@ -53,7 +53,7 @@ TEST_F(SteeringOfOne, does_not_drive_into_what_stands_before_it) {
   EXPECT_GT(drive(steering, {0, 0, 60}, kSecondOfTicks / 2).throttle, 0);
 }
 
-TEST_F(SteeringOfOne, brakes_where_it_is_too_fast_for_its_way) {
+TEST_F(SteeringTest, brakes_if_too_fast_for_the_free_distance) {
   duel_.chassis(0).motion.velocity = {0, 0, 15};
   duel_.traffic = {{{0, 0, 14}, 3, Vec3(0), BodyId{}},
                    {{6, 0, 14}, 3, Vec3(0), BodyId{}},
@@ -62,7 +62,7 @@ TEST_F(SteeringOfOne, brakes_where_it_is_too_fast_for_its_way) {
   EXPECT_LT(drive(steering, {0, 0, 60}, 12).throttle, 0);
 }
 
-TEST_F(SteeringOfOne, that_does_not_get_away_tries_the_other_direction_for_a_while) {
+TEST_F(SteeringTest, reverses_for_a_while_when_stuck) {
   Steering steering(1);
   ASSERT_GT(drive(steering, {0, 0, 60}, kSecondOfTicks / 2).throttle, 0);
   int back = 0;

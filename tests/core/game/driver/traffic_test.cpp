@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-TEST(Traffic, leaves_out_what_is_pinned_hidden_small_or_flat) {
+TEST(Traffic, excludes_pinned_hidden_small_and_flat_bodies) {
   World world;
   const Soup box = test::closed_box({1, 1, 1});
   world.body(test::add(world, box, Vec3(0))).pinned = true;
@@ -36,7 +36,7 @@ double outside(const std::vector<Disc>& discs, const Vec3& p) {
   return least;
 }
 
-TEST(Traffic, covers_a_long_body_by_several_discs_and_not_much_more) {
+TEST(Traffic, covers_a_long_body_tightly_with_several_discs) {
   World world;
   const BodyId beam =
       test::add(world, test::closed_box({0.6, 0.6, 4}), {2, 0.3, 1}, axis_angle({0, 1, 0}, 0.7));
@@ -53,7 +53,7 @@ TEST(Traffic, covers_a_long_body_by_several_discs_and_not_much_more) {
 }
 
 // A sign on a column, four metres above the ground: a vehicle drives through below it.
-TEST(Traffic, of_a_tall_body_is_what_a_vehicle_can_run_into) {
+TEST(Traffic, of_a_tall_body_covers_only_the_height_of_a_vehicle) {
   Soup sign = test::closed_box({0.3, 5, 0.3});
   const Soup board = test::closed_box({4, 1, 0.1});
   const auto first = static_cast<uint32_t>(sign.positions.size());
@@ -70,7 +70,7 @@ TEST(Traffic, of_a_tall_body_is_what_a_vehicle_can_run_into) {
   EXPECT_GT(outside(discs, {2, 0, 0}), 1.5);
 }
 
-TEST(Traffic, of_a_vehicle_is_its_chassis_alone) {
+TEST(Traffic, of_a_vehicle_is_only_its_chassis) {
   test::LoneVehicle lone;
   const std::vector<Disc> discs = find_traffic(lone.world, {&lone.vehicle, 1});
   ASSERT_FALSE(discs.empty());

@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(BotPlayer, of_the_same_match_does_the_same) {
+TEST(BotPlayer, is_deterministic) {
   Match match({test::flat_rules(1, 1), 5, Difficulty::kNormal});
   BotPlayer first(match), same(match);
   for (int t = 0; t < 60; ++t) {

@@ -38,7 +38,7 @@ Drive drive_against_the_edge(double away) {
   return drive;
 }
 
-TEST(Match, a_crash_at_speed_takes_parts_off_and_a_slow_one_takes_none) {
+TEST(Match, only_a_crash_at_speed_breaks_parts_off) {
   const Drive slow = drive_against_the_edge(5), fast = drive_against_the_edge(40);
   EXPECT_LT(slow.hardest, kCrash);
   EXPECT_GT(slow.fastest, 2);

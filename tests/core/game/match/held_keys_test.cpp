@@ -50,7 +50,7 @@ Standstill longest_standstill(const std::shared_ptr<const Rules>& rules, const S
 }
 
 // From all starts of the yard, with one direction held to the end, straight and in a curve.
-TEST(Match, who_holds_a_direction_drives_out_by_itself_within_three_seconds) {
+TEST(Match, holding_one_direction_frees_the_vehicle_within_three_seconds) {
   const auto rules = yard_without_enemies();
   ASSERT_TRUE(rules);
   const ArenaDescription& yard = rules->arena.description;
@@ -73,7 +73,7 @@ TEST(Match, who_holds_a_direction_drives_out_by_itself_within_three_seconds) {
   }
 }
 
-TEST(Arena, of_the_yard_has_room_at_all_of_its_starts) {
+TEST(Arena, of_the_yard_has_room_at_every_start_position) {
   const auto rules = yard_without_enemies();
   ASSERT_TRUE(rules);
   const FreeSpace space(rules->arena);

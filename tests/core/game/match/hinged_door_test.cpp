@@ -91,13 +91,13 @@ class Van : public testing::Test {
   double widest_ = 0;
 };
 
-TEST_F(Van, whose_doors_are_latched_keeps_them_shut) {
+TEST_F(Van, keeps_latched_doors_shut) {
   slit(0.7, 0.9, 1.1);
   EXPECT_TRUE(pass(3, 100, 100).empty());
   EXPECT_TRUE(bodies_of_doors().empty());
 }
 
-TEST_F(Van, whose_latch_was_cut_swings_its_door_in_a_bend_and_loses_it_with_its_hinges) {
+TEST_F(Van, swings_an_unlatched_door_and_loses_it_with_its_hinges) {
   slit(0.2, 0.85, 1.15);
   EXPECT_TRUE(pass(4, 100, -100).empty());
   ASSERT_EQ(bodies_of_doors().size(), 1u);

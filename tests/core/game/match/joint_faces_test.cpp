@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(JointFaces, are_in_a_chassis_until_all_of_them_are_cut_off) {
+TEST(JointFaces, are_in_a_chassis_until_all_are_cut_off) {
   test::LoneVehicle lone;
   const JointFaces faces(lone.world.joints());
   Body& chassis = lone.world.body(lone.vehicle.chassis);
@@ -33,7 +33,7 @@ TEST(JointFaces, are_in_a_chassis_until_all_of_them_are_cut_off) {
   }
 }
 
-TEST(JointFaces, are_not_in_a_body_that_was_loaded_without_joints) {
+TEST(JointFaces, are_absent_from_a_body_loaded_without_joints) {
   test::LoneVehicle lone;
   const BodyId sheet = test::add(lone.world, test::rectangle(1, 1, 4), Vec3(0, 0, 9));
   EXPECT_FALSE(JointFaces(lone.world.joints()).any_in(lone.world.body(sheet)));

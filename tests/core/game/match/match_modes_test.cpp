@@ -30,7 +30,7 @@ void tick_until_fight(Match& match) {
   for (int t = 0; t < 60 && match.standing().phase != Phase::kFight; ++t) match.tick({});
 }
 
-TEST(Cars, a_wave_begins_again_with_the_next_car_without_the_enemies_that_are_out) {
+TEST(Cars, a_wave_restarts_with_the_next_car_and_the_remaining_enemies) {
   Match match({quiet_waves(2, 3), 1, Difficulty::kNormal});
   EXPECT_EQ(match.standing().cars_left, 2u);
   put_out(match, 1);
@@ -52,7 +52,7 @@ TEST(Cars, a_wave_begins_again_with_the_next_car_without_the_enemies_that_are_ou
   EXPECT_EQ(match.vehicles().size(), 3u) << "the next wave is whole";
 }
 
-TEST(Cars, who_is_out_together_with_the_last_enemy_goes_on_with_the_next_wave_and_wins_after_the_last_one) {
+TEST(Cars, a_car_lost_with_the_last_enemy_still_advances_to_the_next_wave) {
   Match match({quiet_waves(2, 3), 1, Difficulty::kNormal});
   const auto all_out = [&] {
     for (size_t v = 0; v < match.vehicles().size(); ++v) put_out(match, v);
@@ -68,7 +68,7 @@ TEST(Cars, who_is_out_together_with_the_last_enemy_goes_on_with_the_next_wave_an
   EXPECT_EQ(match.standing().phase, Phase::kWon);
 }
 
-TEST(Cars, the_match_is_lost_with_the_last_one) {
+TEST(Cars, the_match_is_lost_with_the_last_car) {
   Match match({quiet_waves(1, 2), 1, Difficulty::kNormal});
   put_out(match, Match::kPlayer);
   match.tick({});
@@ -79,7 +79,7 @@ TEST(Cars, the_match_is_lost_with_the_last_one) {
   EXPECT_EQ(match.standing().phase, Phase::kLost);
 }
 
-TEST(Cars, are_given_up_one_after_the_other) {
+TEST(Cars, disabled_cars_are_given_up_one_at_a_time) {
   Match match({quiet_waves(1, 2), 1, Difficulty::kNormal});
   auto& own = const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]);
   own.gun.turret_attached = false;
@@ -91,7 +91,7 @@ TEST(Cars, are_given_up_one_after_the_other) {
 }
 
 // A player who stands before two enemies on hard loses his car soon.
-TEST(Cars, where_the_next_one_begins_the_match_goes_on_to_the_bit) {
+TEST(Cars, the_match_resumes_exactly_from_the_start_of_the_next_car) {
   auto rules = std::make_shared<Rules>(*test::flat_rules(1, 2));
   rules->description.cars = 9;
   rules->description.times.between_waves = 0.1;
@@ -111,7 +111,7 @@ TEST(Cars, where_the_next_one_begins_the_match_goes_on_to_the_bit) {
   EXPECT_EQ(state_hash(again->world()), state_hash(match.world()));
 }
 
-TEST(Targets, stand_still_and_the_match_ends_with_its_time_even_when_all_are_out) {
+TEST(Targets, stand_still_and_the_match_ends_on_time_even_if_all_are_destroyed) {
   auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
   rules->description.targets = true;
   rules->description.times.match = 2;
@@ -143,7 +143,7 @@ Controls asking(bool asks) {
   return controls;
 }
 
-TEST(Sandbox, a_vehicle_comes_each_time_one_is_asked_for_and_none_while_the_key_is_held) {
+TEST(Sandbox, a_vehicle_spawns_once_per_key_press) {
   Match match({sandbox(), 1, Difficulty::kNormal});
   for (int t = 0; t < 30; ++t) match.tick(asking(true));
   EXPECT_EQ(match.vehicles().size(), 2u);
@@ -171,7 +171,7 @@ TEST(Sandbox, a_vehicle_comes_each_time_one_is_asked_for_and_none_while_the_key_
   EXPECT_EQ(state_hash(again.world()), hash);
 }
 
-TEST(Sandbox, what_came_is_cut_like_any_other_vehicle) {
+TEST(Sandbox, a_spawned_vehicle_can_be_cut) {
   Match match({sandbox(), 1, Difficulty::kNormal});
   match.tick(asking(true));
   ASSERT_EQ(match.vehicles().size(), 2u);

@@ -38,13 +38,13 @@ uint64_t hash_after(uint64_t seed, double seconds) {
   return state_hash(match.world());
 }
 
-TEST(Match, the_same_seed_comes_to_the_same_world_and_another_one_to_another) {
+TEST(Match, the_world_is_deterministic_per_seed) {
   const uint64_t hash = hash_after(1, 4);
   EXPECT_EQ(hash_after(1, 4), hash);
   EXPECT_NE(hash_after(2, 4), hash);
 }
 
-TEST(Match, its_recording_leads_to_the_same_world) {
+TEST(Match, a_recording_replays_to_the_same_world) {
   const auto rules = load_rules(standard());
   ASSERT_TRUE(rules) << rules.error().message;
   Match match({*rules, 3, Difficulty::kHard});
@@ -74,7 +74,7 @@ TEST(Match, its_recording_leads_to_the_same_world) {
   EXPECT_EQ(state_hash(again.world()), read->hash);
 }
 
-TEST(Match, a_bot_plays_on_and_nothing_leaves_the_arena) {
+TEST(Match, a_bot_keeps_playing_and_nothing_leaves_the_arena) {
   const auto rules = load_rules(standard());
   ASSERT_TRUE(rules) << rules.error().message;
   Match match({*rules, 1, Difficulty::kEasy});
@@ -127,7 +127,7 @@ Held held_by(const Match& match) {
   return held;
 }
 
-TEST(Match, holds_no_more_after_ten_waves_than_after_one) {
+TEST(Match, uses_no_more_memory_after_ten_waves_than_after_one) {
   Match match({ten_easy_waves(), 1, Difficulty::kEasy});
   BotPlayer bot(match);
   const Held first = held_by(match);
@@ -193,7 +193,7 @@ std::pair<Vec3, Vec3> random_stroke(Random& random, bool at_wheels) {
   return {from, somewhere()};
 }
 
-TEST(Match, a_vehicle_that_is_cut_at_rest_does_not_rise) {
+TEST(Match, a_vehicle_cut_at_rest_does_not_rise) {
   size_t wheels = 0, pieces = 0;
   for (uint64_t seed = 1; seed <= runs(12); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -225,7 +225,7 @@ TEST(Match, a_vehicle_that_is_cut_at_rest_does_not_rise) {
   EXPECT_GE(pieces, runs(24));
 }
 
-TEST(Match, is_lost_when_its_time_is_over) {
+TEST(Match, is_lost_when_time_runs_out) {
   auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
   rules->description.times.match = 0.5;
   Match match({rules, 1, Difficulty::kNormal});
@@ -252,7 +252,7 @@ std::shared_ptr<Rules> waves_of_one(size_t waves, double pause) {
   return rules;
 }
 
-TEST(Match, is_lost_when_the_player_has_no_time_left_and_not_before) {
+TEST(Match, ends_on_the_last_tick_and_not_before) {
   auto rules = waves_of_one(1, 1);
   rules->description.times.match = 1;
   Match match({rules, 1, Difficulty::kNormal});
@@ -267,7 +267,7 @@ TEST(Match, is_lost_when_the_player_has_no_time_left_and_not_before) {
 }
 
 // A match in which the player's vehicle falls when it is over.
-TEST(Match, goes_on_after_its_end_until_what_is_in_the_air_has_come_down_and_then_stands_still) {
+TEST(Match, continues_after_its_end_until_falling_bodies_land) {
   auto rules = waves_of_one(1, 1);
   rules->description.times.match = 0.1;
   WaveStart start;
@@ -296,7 +296,7 @@ TEST(Match, goes_on_after_its_end_until_what_is_in_the_air_has_come_down_and_the
   EXPECT_EQ(state_hash(match.world()), hash);
 }
 
-TEST(Match, what_came_after_its_end_is_played_again_by_its_controls_to_the_bit) {
+TEST(Match, ticks_after_its_end_replay_exactly_from_controls) {
   auto rules = waves_of_one(1, 1);
   rules->description.times.match = 1.5;
   const MatchSetup setup{rules, 5, Difficulty::kHard};
@@ -309,7 +309,7 @@ TEST(Match, what_came_after_its_end_is_played_again_by_its_controls_to_the_bit) 
 }
 
 // The vehicle is changed behind the back of the match, as no beam does it so quickly.
-TEST(Match, is_lost_at_once_by_who_gives_up_because_his_laser_is_gone) {
+TEST(Match, is_lost_immediately_when_a_disabled_player_gives_up) {
   Match match({waves_of_one(1, 1), 1, Difficulty::kNormal});
   auto& own = const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]);
   Controls controls;
@@ -324,7 +324,7 @@ TEST(Match, is_lost_at_once_by_who_gives_up_because_his_laser_is_gone) {
   EXPECT_EQ(match.standing().phase, Standing::Phase::kLost);
 }
 
-TEST(Match, tells_when_a_wave_begins) {
+TEST(Match, reports_the_start_of_a_wave) {
   Match match({waves_of_one(2, 1), 1, Difficulty::kNormal});
   ASSERT_EQ(match.events().size(), 1u);
   EXPECT_EQ(match.events()[0].kind, Event::Kind::kWaveBegins);
@@ -334,7 +334,7 @@ TEST(Match, tells_when_a_wave_begins) {
   EXPECT_TRUE(match.events().empty());
 }
 
-TEST(Match, goes_on_where_a_wave_began) {
+TEST(Match, resumes_from_the_start_of_a_wave) {
   const auto rules = waves_of_one(3, 1);
   WaveStart start;
   start.standing.wave = 2;

@@ -97,7 +97,7 @@ class Lateness {
   std::vector<Ticks> unnoticed_;  // by vehicle
 };
 
-TEST(Match, what_is_cut_free_comes_off_and_who_lost_what_is_vital_dies_within_a_tenth_of_a_second) {
+TEST(Match, parts_separate_and_vehicles_die_within_a_tenth_of_a_second) {
   const auto rules = load_rules(test::checkout() / "assets/games/standard.json");
   ASSERT_TRUE(rules) << rules.error().message;
   constexpr Ticks kLatest = kTicksPerSecond / 10;

@@ -23,7 +23,7 @@ class RecordingFile : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(RecordingFile, is_read_with_all_that_it_says) {
+TEST_F(RecordingFile, reads_every_field) {
   const auto read_back =
       read(kHead + "\n" + kInputs + "\n" + R"({"hash":"00000000000000ff","machine":"here"})" + "\n");
   ASSERT_TRUE(read_back) << read_back.error().message;
@@ -40,7 +40,7 @@ TEST_F(RecordingFile, is_read_with_all_that_it_says) {
   EXPECT_EQ(read_back->damage, "");
 }
 
-TEST_F(RecordingFile, gives_random_controls_back) {
+TEST_F(RecordingFile, random_controls_round_trip) {
   Random random(3);
   Recording recording;
   recording.rules = folder_ / "rules.json";
@@ -65,7 +65,7 @@ TEST_F(RecordingFile, gives_random_controls_back) {
   EXPECT_FALSE(read_back->hash);
 }
 
-TEST_F(RecordingFile, is_read_up_to_a_line_that_makes_no_sense) {
+TEST_F(RecordingFile, reads_up_to_an_invalid_line) {
   for (const char* damaged : {R"({"inputs":[[0,0,0,0,0,0,0,0]]})", R"({"inputs":[[121,0,0,0,0,0,0,0]]})",
                               R"({"inputs":[[1,101,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,8,0,0,0,0]]})",
                               R"({"inputs":[[1,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,0,0,0,0.5,0]]})",
@@ -77,13 +77,13 @@ TEST_F(RecordingFile, is_read_up_to_a_line_that_makes_no_sense) {
   }
 }
 
-TEST_F(RecordingFile, with_a_torn_last_line_says_so) {
+TEST_F(RecordingFile, with_a_truncated_last_line_reports_it) {
   const auto read_back = read(kHead + "\n" + kInputs);
   ASSERT_TRUE(read_back);
   EXPECT_NE(read_back->damage, "");
 }
 
-TEST_F(RecordingFile, is_refused_where_its_head_is_wrong) {
+TEST_F(RecordingFile, rejects_an_invalid_header) {
   const auto refused = [&](const std::string& part, const std::string& other) {
     std::string head = kHead;
     head.replace(head.find(part), part.size(), other);
@@ -99,7 +99,7 @@ TEST_F(RecordingFile, is_refused_where_its_head_is_wrong) {
   EXPECT_FALSE(read(""));
 }
 
-TEST_F(RecordingFile, made_before_formats_had_numbers_is_refused_as_such) {
+TEST_F(RecordingFile, rejects_files_without_a_format_version) {
   std::string head = kHead;
   const std::string format = R"("format":1,"program":"0.2.0")";
   head.replace(head.find(format), format.size(), R"("version":5)");
@@ -110,7 +110,7 @@ TEST_F(RecordingFile, made_before_formats_had_numbers_is_refused_as_such) {
       << recording.error().message;
 }
 
-TEST_F(RecordingFile, is_known_by_its_first_bytes) {
+TEST_F(RecordingFile, is_identified_by_its_first_bytes) {
   test::write_text(file(), kHead);
   EXPECT_TRUE(is_recording(file()));
   test::write_text(file(), "{\"bodies\": []}");

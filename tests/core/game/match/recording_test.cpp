@@ -14,13 +14,13 @@ size_t lines_of(const std::string& text) {
   return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-TEST(Recording, knows_the_difficulties_by_their_names) {
+TEST(Recording, maps_difficulties_to_names) {
   for (const Difficulty d : {Difficulty::kEasy, Difficulty::kNormal, Difficulty::kHard})
     EXPECT_EQ(parse_difficulty(name_of(d)), d);
   EXPECT_FALSE(parse_difficulty("lethal"));
 }
 
-TEST(Recording, holds_a_second_a_line_and_equal_ticks_once) {
+TEST(Recording, stores_one_second_per_line_and_merges_equal_ticks) {
   Recording recording;
   recording.rules = "games/rules.json";
   recording.controls.resize(2 * kTicksPerSecond + 10);
@@ -36,7 +36,7 @@ TEST(Recording, holds_a_second_a_line_and_equal_ticks_once) {
   EXPECT_EQ(lines_of(*recording_text(recording, "")), 5u);
 }
 
-TEST(Recording, holds_all_controls_and_the_car_that_the_player_chose) {
+TEST(Recording, stores_all_controls_and_the_selected_car) {
   test::TemporaryFolder folder;
   Recording recording;
   recording.rules = folder / "rules.json";
@@ -57,7 +57,7 @@ TEST(Recording, holds_all_controls_and_the_car_that_the_player_chose) {
   EXPECT_EQ(read->player.lexically_normal(), recording.player);
 }
 
-TEST(Recording, names_its_rules_beside_it) {
+TEST(Recording, stores_a_relative_path_to_its_rules) {
   test::TemporaryFolder folder;
   Recording recording;
   recording.rules = folder / "rules.json";
@@ -65,9 +65,9 @@ TEST(Recording, names_its_rules_beside_it) {
 }
 
 // The rules, and all files that they name, in a folder.
-class FilesOfMatch : public testing::Test {
+class MatchFiles : public testing::Test {
  protected:
-  FilesOfMatch() {
+  MatchFiles() {
     const std::string car = R"({"mesh": "car.obj",
       "wheels": [{"part": "wheel", "mount": "axle", "hub": [0, 0.3, 1], "radius": 0.3}],
       "turret": {"part": "turret", "mount": "body", "pivot": [0, 1, 0],
@@ -90,7 +90,7 @@ class FilesOfMatch : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(FilesOfMatch, have_a_hash_that_changes_with_each_of_them) {
+TEST_F(MatchFiles, have_a_hash_that_changes_with_each_of_them) {
   const auto before = hash();
   ASSERT_TRUE(before) << before.error().message;
   EXPECT_EQ(*hash(), *before);
@@ -103,7 +103,7 @@ TEST_F(FilesOfMatch, have_a_hash_that_changes_with_each_of_them) {
   EXPECT_EQ(*hash(), *before);
 }
 
-TEST_F(FilesOfMatch, that_are_not_all_there_have_no_hash) {
+TEST_F(MatchFiles, have_no_hash_if_any_is_missing) {
   std::filesystem::remove(folder_ / "wall.obj");
   const auto missing = hash();
   ASSERT_FALSE(missing);

@@ -60,7 +60,7 @@ class HeldVehicles {
 
 // Five enemies at once, which get into each other's way. That a stuck vehicle is helped is what the tests
 // below say.
-TEST(Match, lets_no_vehicle_be_stuck_for_more_than_three_seconds) {
+TEST(Match, frees_every_stuck_vehicle_within_three_seconds) {
   const auto loaded = load_rules(test::checkout() / "assets/games/standard.json");
   ASSERT_TRUE(loaded) << loaded.error().message;
   auto rules = std::make_shared<Rules>(**loaded);
@@ -101,13 +101,13 @@ class Stuck : public testing::Test {
   test::LoneVehicle lone_;
 };
 
-TEST_F(Stuck, a_vehicle_goes_back_to_where_it_last_drove_freely) {
+TEST_F(Stuck, a_vehicle_returns_to_its_last_free_place) {
   lone_.vehicle.free_place = Placement{{20, 0, 5}, {1, 0, 0, 0}};
   EXPECT_NEAR(seconds_until_helped([&](Ticks) { push(100); }), 3, 0.02);
   EXPECT_NEAR(glm::distance(chassis().placement.position, Vec3(20, 0, 5)), 0, 0.5);
 }
 
-TEST_F(Stuck, a_vehicle_that_trembles_and_changes_its_gear_is_not_free) {
+TEST_F(Stuck, a_vehicle_that_shakes_between_gears_counts_as_stuck) {
   const auto tremble = [&](Ticks t) {
     push(t / 60 % 2 == 0 ? 100 : -100);
     chassis().motion.velocity = Vec3(t % 7 == 0 ? 2 : -2, 0, 0);
@@ -116,22 +116,22 @@ TEST_F(Stuck, a_vehicle_that_trembles_and_changes_its_gear_is_not_free) {
   EXPECT_NEAR(seconds_until_helped(tremble), 3, 0.02);
 }
 
-TEST_F(Stuck, a_vehicle_on_all_its_wheels_in_front_of_a_wall_is_not_helped) {
+TEST_F(Stuck, a_vehicle_on_its_wheels_at_a_wall_gets_no_help) {
   stand_on_wheels(true);
   EXPECT_EQ(seconds_until_helped([&](Ticks) { push(100); }), 10);
 }
 
-TEST_F(Stuck, a_vehicle_whose_driver_waits_is_not_helped) {
+TEST_F(Stuck, a_vehicle_with_a_waiting_driver_gets_no_help) {
   EXPECT_EQ(seconds_until_helped([&](Ticks) { push(0); }), 10);
 }
 
-TEST_F(Stuck, a_vehicle_without_driven_wheels_is_not_helped) {
+TEST_F(Stuck, a_vehicle_without_driven_wheels_gets_no_help) {
   for (size_t i = 0; i < lone_.vehicle.wheels.size(); ++i)
     lone_.vehicle.wheels[i].attached = !lone_.vehicle.what().wheels[i].driven;
   EXPECT_EQ(seconds_until_helped([&](Ticks) { push(100); }), 10);
 }
 
-TEST_F(Stuck, a_vehicle_that_does_not_get_away_after_it_was_put_upright_is_moved_soon) {
+TEST_F(Stuck, a_vehicle_still_stuck_after_being_righted_is_moved_soon) {
   lone_.vehicle.free_place = Placement{{20, 0, 5}, {1, 0, 0, 0}};
   chassis().placement = {{3, 1.6, 4}, axis_angle({0, 0, 1}, kPi)};
   push(100);
@@ -141,7 +141,7 @@ TEST_F(Stuck, a_vehicle_that_does_not_get_away_after_it_was_put_upright_is_moved
   EXPECT_GT(chassis().placement.position.x, 19);
 }
 
-TEST(Recovery, a_vehicle_on_its_roof_is_put_upright_after_a_while) {
+TEST(Recovery, a_vehicle_on_its_roof_is_righted_after_a_while) {
   test::LoneVehicle lone;
   Body& chassis = lone.world.body(lone.vehicle.chassis);
   chassis.placement = {{3, 1.6, 4}, axis_angle({0, 0, 1}, kPi)};

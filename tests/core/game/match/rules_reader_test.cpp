@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(RulesFile, names_the_first_thing_that_is_wrong) {
+TEST(RulesFile, names_the_first_error) {
   const std::string good = R"({"arena": "yard.json", "player": "car.json", "waves": [["car.json"]],
     "laser": {"range": 60, "radius": [0.008, 0.03]}, "difficulties": {"easy": {"aim_error": 6}},
     "times": {"match": 300}, "score": {"kill": 5}})";

@@ -9,9 +9,9 @@ namespace kerf {
 namespace {
 
 // Rules that name vehicles of the assets and an arena beside them.
-class RulesOfAssets : public testing::Test {
+class AssetRules : public testing::Test {
  protected:
-  RulesOfAssets() {
+  AssetRules() {
     test::write_text(folder_ / "arena.json", R"({"starts": {"player": {"position": [0, 0, 0]},
       "enemies": [{"position": [0, 0, 20]}, {"position": [5, 0, 20]}]}})");
   }
@@ -28,7 +28,7 @@ class RulesOfAssets : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(RulesOfAssets, load_each_vehicle_once_and_keep_the_order_of_the_waves) {
+TEST_F(AssetRules, load_each_vehicle_once_and_keep_the_wave_order) {
   const std::string buggy = vehicle("buggy"), van = vehicle("van");
   const auto rules = load(buggy, "[[" + van + "], [" + buggy + ", " + van + "]]");
   ASSERT_TRUE(rules) << rules.error().message;
@@ -42,7 +42,7 @@ TEST_F(RulesOfAssets, load_each_vehicle_once_and_keep_the_order_of_the_waves) {
   EXPECT_EQ(r.skill(Difficulty::kHard).max_firing, r.description.skills[2].max_firing);
 }
 
-TEST_F(RulesOfAssets, name_a_vehicle_or_an_arena_that_is_missing) {
+TEST_F(AssetRules, name_a_missing_vehicle_or_arena) {
   const auto without_vehicle = load("\"gone.json\"", "[]");
   ASSERT_FALSE(without_vehicle);
   EXPECT_NE(without_vehicle.error().message.find("gone.json"), std::string::npos);
@@ -52,7 +52,7 @@ TEST_F(RulesOfAssets, name_a_vehicle_or_an_arena_that_is_missing) {
   EXPECT_NE(without_arena.error().message.find("arena.json"), std::string::npos);
 }
 
-TEST_F(RulesOfAssets, have_no_more_enemies_in_a_wave_than_the_arena_has_starts) {
+TEST_F(AssetRules, limit_enemies_per_wave_to_the_start_positions) {
   const std::string buggy = vehicle("buggy");
   const auto rules = load(buggy, "[[" + buggy + "], [" + buggy + ", " + buggy + ", " + buggy + "]]");
   ASSERT_FALSE(rules);
@@ -60,7 +60,7 @@ TEST_F(RulesOfAssets, have_no_more_enemies_in_a_wave_than_the_arena_has_starts) 
       << rules.error().message;
 }
 
-TEST_F(RulesOfAssets, with_a_key_that_does_not_exist_are_refused_and_so_is_their_arena) {
+TEST_F(AssetRules, reject_unknown_keys_in_rules_and_arena) {
   const auto error_with = [&](const std::string& player, const std::string& more) {
     test::write_text(folder_ / "arena.json", R"({"starts": {"player": {"position": [0, 0, 0])" + player +
                                                  R"(}, "enemies": [{"position": [0, 0, 20]}]}})");
@@ -77,7 +77,7 @@ TEST_F(RulesOfAssets, with_a_key_that_does_not_exist_are_refused_and_so_is_their
   EXPECT_NE(error_with(R"(, "haeding": 3)", "").find("/starts/player/haeding"), std::string::npos);
 }
 
-TEST_F(RulesOfAssets, are_not_loaded_to_the_end_where_that_is_stopped) {
+TEST_F(AssetRules, loading_can_be_cancelled) {
   const Progress stopped{[](double) { return false; }};
   const auto rules = load(vehicle("buggy"), "[]", &stopped);
   ASSERT_FALSE(rules);

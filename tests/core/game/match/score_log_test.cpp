@@ -49,7 +49,7 @@ double points_between(const Played& played, Ticks from, Ticks to, size_t wave) {
 
 MatchSetup duel(uint64_t seed) { return {test::flat_rules(2, 1), seed, Difficulty::kEasy}; }
 
-TEST(ScoreLog, finds_the_ten_seconds_with_the_most_points_and_they_can_be_played_again) {
+TEST(ScoreLog, finds_the_ten_highest_scoring_seconds_for_replay) {
   const MatchSetup setup = duel(1);
   const Played played = play(setup, 30);
   ASSERT_FALSE(played.points.empty()) << "the bot scored nothing";
@@ -66,7 +66,7 @@ TEST(ScoreLog, finds_the_ten_seconds_with_the_most_points_and_they_can_be_played
   EXPECT_EQ(after->standing().score - before->standing().score, best->points);
 }
 
-TEST(ScoreLog, a_match_that_begins_at_a_later_wave_goes_on_like_the_whole_match) {
+TEST(ScoreLog, a_match_started_at_a_later_wave_equals_the_whole_match) {
   for (uint64_t seed = 1; seed <= 8; ++seed) {
     const MatchSetup setup = duel(seed);
     const Played played = play(setup, 60);
@@ -81,7 +81,7 @@ TEST(ScoreLog, a_match_that_begins_at_a_later_wave_goes_on_like_the_whole_match)
   FAIL() << "no seed came to the second wave";
 }
 
-TEST(ScoreLog, without_points_the_best_moment_is_the_last_one) {
+TEST(ScoreLog, the_best_moment_is_the_last_one_without_points) {
   Match match({test::flat_rules(0, 0), 1, Difficulty::kEasy});
   ScoreLog log;
   EXPECT_FALSE(log.best());
@@ -95,7 +95,7 @@ TEST(ScoreLog, without_points_the_best_moment_is_the_last_one) {
   EXPECT_EQ(best->from, 300u);
 }
 
-TEST(ScoreLog, a_search_that_is_stopped_gives_no_match) {
+TEST(ScoreLog, a_cancelled_search_returns_no_match) {
   const MatchSetup setup = duel(1);
   const std::vector<Controls> controls(10);
   EXPECT_EQ(match_at(setup, Match(setup).wave_start(), controls, 10, [] { return true; }), nullptr);

@@ -24,9 +24,9 @@ Delta came_off(BodyId from, BodyId to, bool keeps_slots) {
   return delta;
 }
 
-class StaleCollidersOfSheets : public testing::Test {
+class StaleCollidersTest : public testing::Test {
  protected:
-  StaleCollidersOfSheets() {
+  StaleCollidersTest() {
     for (BodyId& id : small_) id = test::add(world_, test::rectangle(1, 1, 4), Vec3(0));
     for (BodyId& id : large_) id = test::add(world_, test::rectangle(1, 1, 40), Vec3(0));
   }
@@ -45,7 +45,7 @@ class StaleCollidersOfSheets : public testing::Test {
   StaleColliders stale_;
 };
 
-TEST_F(StaleCollidersOfSheets, are_renewed_a_moment_after_the_first_removal_and_only_once) {
+TEST_F(StaleCollidersTest, are_rebuilt_once_shortly_after_the_first_removal) {
   stale_.note(changed({small_[0]}), 3);
   stale_.note(changed({small_[0]}), 10);
   EXPECT_EQ(renewed(small_[0], stale_), 18u);
@@ -53,14 +53,14 @@ TEST_F(StaleCollidersOfSheets, are_renewed_a_moment_after_the_first_removal_and_
   EXPECT_TRUE(stale_.take_due(world_, 100).empty());
 }
 
-TEST_F(StaleCollidersOfSheets, are_renewed_in_the_next_tick_where_a_piece_came_off) {
+TEST_F(StaleCollidersTest, are_rebuilt_in_the_next_tick_after_a_piece_comes_off) {
   stale_.note(changed({large_[0]}), 3);
   stale_.note(came_off(large_[0], small_[0], false), 4);
   EXPECT_EQ(renewed(large_[0], stale_), 5u);
   EXPECT_EQ(renewed(small_[0], stale_), std::nullopt) << "it has none yet";
 }
 
-TEST_F(StaleCollidersOfSheets, are_no_more_where_bodies_have_gone_or_exchanged_their_faces) {
+TEST_F(StaleCollidersTest, are_dropped_if_bodies_are_destroyed_or_swap_faces) {
   stale_.note(changed({small_[0], large_[0]}), 0);
   Delta gone;
   gone.destroyed = {small_[0]};
@@ -69,7 +69,7 @@ TEST_F(StaleCollidersOfSheets, are_no_more_where_bodies_have_gone_or_exchanged_t
   for (const BodyId id : {small_[0], large_[0], large_[1]}) EXPECT_EQ(renewed(id, stale_), std::nullopt);
 }
 
-TEST_F(StaleCollidersOfSheets, of_two_large_bodies_are_renewed_in_different_ticks) {
+TEST_F(StaleCollidersTest, are_rebuilt_in_different_ticks_for_two_large_bodies) {
   stale_.note(changed({large_[1]}), 0);
   stale_.note(changed({large_[0], small_[0], small_[1]}), 0);
   EXPECT_EQ(stale_.take_due(world_, 15), (std::vector{small_[0], small_[1], large_[0]}));

@@ -7,9 +7,9 @@
 namespace kerf {
 namespace {
 
-class Counted : public testing::Test {
+class TallyTest : public testing::Test {
  protected:
-  Counted() { tally.begin_wave(3); }
+  TallyTest() { tally.begin_wave(3); }
 
   // The beam of a vehicle removes a face of another one.
   void cut(size_t shooter, size_t victim) {
@@ -29,7 +29,7 @@ class Counted : public testing::Test {
   Tally tally{scores, {}, 0};
 };
 
-TEST_F(Counted, points_are_for_what_the_player_cut_last) {
+TEST_F(TallyTest, points_are_awarded_for_the_last_cut_of_the_player) {
   cut(1, 2);
   tally.record_damage(stage.world, 2, stage.vehicle, death());
   EXPECT_EQ(tally.standing().score, 0);
@@ -46,14 +46,14 @@ TEST_F(Counted, points_are_for_what_the_player_cut_last) {
   EXPECT_EQ(tally.events().back().points, 100);
 }
 
-TEST_F(Counted, who_is_killed_in_the_stroke_that_cut_it_first_counts_more) {
+TEST_F(TallyTest, a_kill_in_the_first_stroke_scores_more) {
   tally.count_stroke();
   cut(Tally::kPlayer, 1);
   tally.record_damage(stage.world, 1, stage.vehicle, death());
   EXPECT_EQ(tally.standing().score, 1100);
 }
 
-TEST_F(Counted, wheels_of_the_player_are_counted_and_give_no_points) {
+TEST_F(TallyTest, lost_wheels_of_the_player_are_counted_without_points) {
   Damage damage;
   damage.wheels = {0, 1};
   cut(Tally::kPlayer, Tally::kPlayer);
@@ -62,7 +62,7 @@ TEST_F(Counted, wheels_of_the_player_are_counted_and_give_no_points) {
   EXPECT_EQ(tally.standing().score, 0);
 }
 
-TEST_F(Counted, a_vehicle_is_assessed_at_once_where_a_piece_came_off_and_soon_where_it_was_cut) {
+TEST_F(TallyTest, a_vehicle_is_assessed_soon_after_a_cut_and_at_once_if_a_piece_is_off) {
   EXPECT_FALSE(tally.takes_assessment(1));
   tally.record_piece({stage.vehicle.chassis, 1, stage.vehicle.chassis, false}, chassis(), 1, &stage.vehicle,
                      false);
@@ -75,7 +75,7 @@ TEST_F(Counted, a_vehicle_is_assessed_at_once_where_a_piece_came_off_and_soon_wh
   EXPECT_EQ(assessed, 1u);
 }
 
-TEST_F(Counted, a_quarter_of_a_chassis_that_came_off_is_told_as_halves) {
+TEST_F(TallyTest, a_quarter_of_a_chassis_coming_off_is_reported_as_cut_in_half) {
   cut(Tally::kPlayer, 1);
   tally.begin_tick();
   tally.record_piece({stage.vehicle.chassis, 1, stage.vehicle.chassis, false}, chassis(), 1, &stage.vehicle,

@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(CleanPart, a_wheel_is_one_until_a_beam_has_gone_through_it) {
+TEST(CleanPart, a_wheel_is_clean_until_a_beam_cuts_through_it) {
   test::LoneVehicle lone;
   const BodyId wheel = lone.vehicle.wheels[0].body;
   const Body& loaded = lone.vehicle.model->wheels[0].body;
@@ -26,7 +26,7 @@ TEST(CleanPart, a_wheel_is_one_until_a_beam_has_gone_through_it) {
   EXPECT_GE(pieces, 2u);
 }
 
-TEST(CleanPart, a_trifle_is_none) {
+TEST(CleanPart, a_tiny_remnant_is_not_clean) {
   test::LoneVehicle lone;
   Body& wheel = lone.world.body(lone.vehicle.wheels[0].body);
   for (uint32_t f = 3; f < wheel.mesh.face_slots(); ++f) {

@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-TEST(Crash, pushes_a_chassis_at_the_side_from_which_the_push_comes) {
+TEST(Crash, locates_the_impact_on_the_side_facing_the_push) {
   test::LoneVehicle lone;
   Body& chassis = lone.world.body(lone.vehicle.chassis);
   const Bounds box = chassis.bounds();
@@ -30,7 +30,7 @@ TEST(Crash, pushes_a_chassis_at_the_side_from_which_the_push_comes) {
   }
 }
 
-TEST(Crash, lets_go_what_may_break_near_the_place_and_nothing_else) {
+TEST(Crash, releases_only_breakable_parts_near_the_impact) {
   size_t let_go = 0;
   for (uint64_t seed = 1; seed <= runs(30); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -61,7 +61,7 @@ TEST(Crash, lets_go_what_may_break_near_the_place_and_nothing_else) {
   EXPECT_GT(let_go, 10u);
 }
 
-TEST(Crash, breaks_neither_vital_parts_nor_axles_nor_the_laser_off) {
+TEST(Crash, never_breaks_off_vital_parts_axles_or_the_laser) {
   const VehicleModel& model = *test::hatchback();
   ASSERT_EQ(model.breaks.size(), model.chassis.joints.size());
   const auto part_at = [&](const Joint& joint, size_t side) {

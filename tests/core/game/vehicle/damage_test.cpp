@@ -12,7 +12,7 @@ using Indices = std::vector<size_t>;
 
 const Vec3 kDown(0, -1, 0), kRight(-1, 0, 0);
 
-TEST(Damage, of_a_whole_vehicle_is_none) {
+TEST(Damage, is_zero_for_an_intact_vehicle) {
   LoneVehicle lone;
   const Damage damage = assess_damage(lone.world, lone.vehicle);
   EXPECT_TRUE(damage.wheels.empty() && damage.vitals.empty());
@@ -32,19 +32,19 @@ TEST(Damage, a_wheel_comes_off_when_its_axle_is_cut_between_hub_and_body) {
   EXPECT_TRUE(lone.vehicle.alive);
 }
 
-TEST(Damage, a_wheel_whose_hub_is_burnt_out_is_gone) {
+TEST(Damage, a_wheel_with_a_burnt_hub_is_lost) {
   LoneVehicle lone;
   lone.cut({{1.2, 0.32, -1.3}, kRight}, {{1.2, 0.32, -1.29}, kRight}, 0.16, 0.5);
   EXPECT_EQ(assess_damage(lone.world, lone.vehicle).wheels, Indices{2});
 }
 
-TEST(Damage, a_wheel_that_loses_a_bit_of_its_tyre_still_works) {
+TEST(Damage, a_wheel_with_a_damaged_tyre_still_works) {
   LoneVehicle lone;
   lone.cut({{1.2, 0.05, -1.3}, kRight}, {{1.2, 0.06, -1.3}, kRight}, 0.05, 0.5);
   EXPECT_TRUE(assess_damage(lone.world, lone.vehicle).wheels.empty());
 }
 
-TEST(Damage, a_turret_that_is_cut_off_its_mount_no_longer_fires) {
+TEST(Damage, a_turret_cut_off_its_mount_cannot_fire) {
   LoneVehicle lone;
   lone.cut({{1, 1.445, -0.8}, kRight}, {{1, 1.445, 0.4}, kRight}, 0.015, 3);
   const Damage damage = assess_damage(lone.world, lone.vehicle);
@@ -69,7 +69,7 @@ TEST(Damage, a_vehicle_without_its_driver_is_dead) {
   EXPECT_EQ(assess_damage(lone.world, lone.vehicle).vitals, Indices{1});
 }
 
-TEST(Damage, a_vehicle_that_is_cut_in_halves_is_dead) {
+TEST(Damage, a_vehicle_cut_in_half_is_dead) {
   LoneVehicle lone;
   lone.cut({{2, -0.1, 0.72}, kRight}, {{2, 2, 0.72}, kRight}, 0.02, 4);
   const Damage damage = assess_damage(lone.world, lone.vehicle);

@@ -33,7 +33,7 @@ class Driving : public testing::Test {
   Match match_{{test::flat_rules(0, 0), 1, Difficulty::kNormal}};
 };
 
-TEST_F(Driving, a_vehicle_that_nobody_drives_stands_on_its_wheels) {
+TEST_F(Driving, an_idle_vehicle_stands_on_its_wheels) {
   drive(0, 0, 2);
   EXPECT_LT(glm::length(chassis().motion.velocity), 0.02);
   EXPECT_NEAR(position().y, 0, 0.03);
@@ -41,7 +41,7 @@ TEST_F(Driving, a_vehicle_that_nobody_drives_stands_on_its_wheels) {
   for (const Wheel& wheel : match_.vehicles()[0].wheels) EXPECT_TRUE(wheel.grounded);
 }
 
-TEST_F(Driving, throttle_drives_it_straight_on_and_backwards) {
+TEST_F(Driving, throttle_drives_straight_forward_and_backward) {
   drive(100, 0, 4);
   EXPECT_GT(speed(), 10);
   EXPECT_GT(position().z, 15);
@@ -51,7 +51,7 @@ TEST_F(Driving, throttle_drives_it_straight_on_and_backwards) {
   EXPECT_LT(speed(), -2);
 }
 
-TEST_F(Driving, brakes_stop_it_and_no_more) {
+TEST_F(Driving, brakes_stop_the_vehicle_without_reversing) {
   drive(100, 0, 3);
   const double fast = speed(), before = position().z;
   drive(0, 0, 3, true);
@@ -59,7 +59,7 @@ TEST_F(Driving, brakes_stop_it_and_no_more) {
   EXPECT_LT(position().z - before, fast * fast / (2 * 5));
 }
 
-TEST_F(Driving, steering_to_the_left_turns_it_to_the_left_without_rolling_over) {
+TEST_F(Driving, steering_left_turns_left_without_rolling_over) {
   drive(100, 0, 2);
   drive(60, 100, 2);
   EXPECT_GT(heading_of(axis({0, 0, 1})), 0.5);
@@ -67,7 +67,7 @@ TEST_F(Driving, steering_to_the_left_turns_it_to_the_left_without_rolling_over) 
   EXPECT_GT(axis({0, 1, 0}).y, 0.97);
 }
 
-TEST_F(Driving, it_does_not_leave_the_arena) {
+TEST_F(Driving, the_vehicle_does_not_leave_the_arena) {
   drive(100, 0, 12);
   EXPECT_LT(position().z, 100);
 }
@@ -129,7 +129,7 @@ class Wheels : public testing::Test {
 
 TEST_F(Wheels, carry_the_weight_at_rest) { EXPECT_NEAR(lift(), weight(), 0.01 * weight()); }
 
-TEST_F(Wheels, that_are_lost_and_stand_in_the_arch_still_lift_nothing) {
+TEST_F(Wheels, lost_in_the_arch_lift_nothing) {
   for (size_t wheel = 0; wheel < 4; ++wheel) {
     lone_ = test::LoneVehicle();
     lose_wheel(wheel);
@@ -137,12 +137,12 @@ TEST_F(Wheels, that_are_lost_and_stand_in_the_arch_still_lift_nothing) {
   }
 }
 
-TEST_F(Wheels, are_not_lifted_by_what_is_light_and_got_between_them_and_the_chassis) {
+TEST_F(Wheels, are_not_lifted_by_light_debris_under_the_chassis) {
   add_sheet(40, 0.4, lone_.vehicle.what().wheels[1].hub + Vec3(0, 0.2, 0));
   EXPECT_NEAR(lift(), weight(), 0.01 * weight());
 }
 
-TEST_F(Wheels, push_what_carries_them_as_it_pushes_them) {
+TEST_F(Wheels, push_back_on_the_bodies_that_carry_them) {
   const BodyId plate = add_sheet(800, 8, {0, 20 - 0.02, 0});
   lift_all(20);
   lone_.world.body(plate).placement.position.y -= 20;
@@ -154,7 +154,7 @@ TEST_F(Wheels, push_what_carries_them_as_it_pushes_them) {
   EXPECT_LT(glm::length(vehicle + pushed), 1e-6 * glm::length(vehicle));
 }
 
-TEST_F(Wheels, that_are_lost_in_the_air_leave_all_momentum_to_gravity) {
+TEST_F(Wheels, lost_in_the_air_transfer_no_momentum) {
   for (size_t wheel = 0; wheel < 4; ++wheel) {
     SCOPED_TRACE(wheel);
     lone_ = test::LoneVehicle();

@@ -14,9 +14,9 @@ namespace kerf {
 namespace {
 
 // Three sheets beside each other: two of a door and one of a hub, a square metre each.
-class WatchOfSheets : public testing::Test {
+class FaceWatchTest : public testing::Test {
  protected:
-  WatchOfSheets() {
+  FaceWatchTest() {
     const std::array sheets{test::NamedSheet{"door_front", test::rectangle(1, 1, 10)},
                             test::NamedSheet{"door_rear", test::rectangle(1, 1, 10), {2, 0, 0}},
                             test::NamedSheet{"hub", test::rectangle(1, 1, 10), {4, 0, 0}}};
@@ -36,7 +36,7 @@ class WatchOfSheets : public testing::Test {
   FaceWatch watch_;
 };
 
-TEST_F(WatchOfSheets, knows_the_area_of_all_groups_whose_names_begin_with_that_of_the_part) {
+TEST_F(FaceWatchTest, sums_the_area_of_all_groups_with_the_part_name_as_prefix) {
   const size_t door = watch_.add_part(body_, "door"), front = watch_.add_part(body_, "door_front"),
                none = watch_.add_part(body_, "window");
   EXPECT_EQ(watch_.size(), 3u);
@@ -48,7 +48,7 @@ TEST_F(WatchOfSheets, knows_the_area_of_all_groups_whose_names_begin_with_that_o
   EXPECT_NEAR(areas[front], 1, 1e-9);
 }
 
-TEST_F(WatchOfSheets, tells_what_is_left_after_faces_have_gone) {
+TEST_F(FaceWatchTest, reports_the_area_left_after_removals) {
   const size_t door = watch_.add_part(body_, "door"), front = watch_.add_part(body_, "door_front"),
                hub = watch_.add_part(body_, "hub");
   remove_beyond(1.99);
@@ -59,7 +59,7 @@ TEST_F(WatchOfSheets, tells_what_is_left_after_faces_have_gone) {
   EXPECT_NEAR(watch_.area(door), 2, 1e-9) << "as loaded";
 }
 
-TEST_F(WatchOfSheets, near_a_point_counts_what_lies_a_tenth_of_a_metre_farther_than_the_nearest_face) {
+TEST_F(FaceWatchTest, near_a_point_covers_ten_centimetres_beyond_the_nearest_face) {
   const size_t seat = watch_.add_part_near(body_, "door", {0, 0.2, 0});
   const double radius = 0.3, disc = kPi * (radius * radius - 0.2 * 0.2);
   EXPECT_NEAR(watch_.area(seat), disc, 0.25 * disc);
@@ -69,7 +69,7 @@ TEST_F(WatchOfSheets, near_a_point_counts_what_lies_a_tenth_of_a_metre_farther_t
   EXPECT_EQ(watch_.areas_in(body_)[seat], 0);
 }
 
-TEST_F(WatchOfSheets, follows_faces_that_are_split) {
+TEST_F(FaceWatchTest, follows_faces_that_are_split) {
   const size_t hub = watch_.add_part(body_, "hub");
   for (uint32_t f = 0; f < 600; f += 3) {
     if (!body_.mesh.is_live(FaceId(f))) continue;

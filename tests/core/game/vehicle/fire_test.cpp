@@ -36,7 +36,7 @@ class Firing : public testing::Test {
   test::LoneVehicle lone_;
 };
 
-TEST_F(Firing, splits_few_faces_where_the_muzzle_moves_ahead_and_aside_within_a_sheet) {
+TEST_F(Firing, splits_few_faces_as_the_muzzle_moves_across_a_sheet) {
   for (const double behind : {0.15, -0.15}) {
     const BodyId sheet = add_sheet(2, 4, 0.3);
     const auto cut = fire_once(0.15, behind);
@@ -48,7 +48,7 @@ TEST_F(Firing, splits_few_faces_where_the_muzzle_moves_ahead_and_aside_within_a_
   }
 }
 
-TEST_F(Firing, ends_a_cut_that_would_make_too_many_faces_and_says_that_all_may_have_changed) {
+TEST_F(Firing, ends_a_cut_at_the_face_limit_and_marks_the_body_as_replaced) {
   const BodyId sheet = add_sheet(40, 141, 20);
   ASSERT_EQ(faces(sheet), 39'762u);
   const auto cut = fire_once(0.15, 0);
@@ -58,7 +58,7 @@ TEST_F(Firing, ends_a_cut_that_would_make_too_many_faces_and_says_that_all_may_h
   EXPECT_LT(faces(sheet), kMaxFacesOfTarget + 100);
 }
 
-TEST_F(Firing, leaves_a_body_alone_that_has_too_many_faces) {
+TEST_F(Firing, does_not_cut_a_body_with_too_many_faces) {
   const BodyId sheet = add_sheet(40, 150, 20);
   ASSERT_GT(faces(sheet), kMaxFacesOfTarget);
   EXPECT_FALSE(fire_once(0.15, 0).contains(sheet));

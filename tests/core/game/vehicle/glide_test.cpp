@@ -29,7 +29,7 @@ class GlideAlongWall : public testing::Test {
   Obstacles wall_ = wall_beside();
 };
 
-TEST_F(GlideAlongWall, leaves_who_does_not_touch_it_alone) {
+TEST_F(GlideAlongWall, does_not_affect_a_vehicle_that_does_not_touch_it) {
   chassis().motion.velocity = {5, 0, 5};
   const Placement before = chassis().placement;
   glide();
@@ -37,7 +37,7 @@ TEST_F(GlideAlongWall, leaves_who_does_not_touch_it_alone) {
   EXPECT_EQ(chassis().motion.velocity, Vec3(5, 0, 5));
 }
 
-TEST_F(GlideAlongWall, takes_the_velocity_against_it_and_little_of_that_along_it) {
+TEST_F(GlideAlongWall, removes_normal_velocity_and_little_tangential_velocity) {
   chassis().placement.position.x = 1.2;
   chassis().motion.velocity = {1, 0, 10};
   glide();
@@ -45,7 +45,7 @@ TEST_F(GlideAlongWall, takes_the_velocity_against_it_and_little_of_that_along_it
   EXPECT_GT(chassis().motion.velocity.z, 9);
 }
 
-TEST_F(GlideAlongWall, puts_who_is_in_it_beside_it) {
+TEST_F(GlideAlongWall, moves_a_penetrating_vehicle_out) {
   chassis().placement.position.x = 1.25;
   for (int i = 0; i < 20; ++i) glide();
   EXPECT_LT(chassis().placement.position.x, 1.2);
@@ -56,7 +56,7 @@ TEST_F(GlideAlongWall, puts_who_is_in_it_beside_it) {
   EXPECT_NEAR(chassis().placement.position.x, settled, 1e-3);
 }
 
-TEST_F(GlideAlongWall, is_for_the_upright_and_awake) {
+TEST_F(GlideAlongWall, applies_only_to_upright_and_awake_vehicles) {
   chassis().placement.position.x = 1.25;
   chassis().motion.asleep = true;
   glide();

@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-class GunOfOne : public testing::Test {
+class GunTest : public testing::Test {
  protected:
   void point_at(double heading, double pitch) {
     lone_.vehicle.controls.heading = static_cast<int32_t>(heading / Controls::kAimStep);
@@ -35,7 +35,7 @@ class GunOfOne : public testing::Test {
   double speed_ = 0;  // m/s
 };
 
-TEST_F(GunOfOne, turns_no_faster_than_it_can_and_ends_where_it_is_pointed) {
+TEST_F(GunTest, turns_at_its_maximum_rate_and_stops_on_target) {
   point_at(1, 0.2);
   aim_for(1.5 / kTicksPerSecond);
   const double once = gun().yaw;
@@ -46,7 +46,7 @@ TEST_F(GunOfOne, turns_no_faster_than_it_can_and_ends_where_it_is_pointed) {
   EXPECT_NEAR(gun().pitch, 0.2, 1e-3);
 }
 
-TEST_F(GunOfOne, turns_the_shorter_way_and_not_beyond_its_limits) {
+TEST_F(GunTest, turns_the_shorter_way_within_its_limits) {
   gun().yaw = 3;
   point_at(-3, 1.5);
   aim_for(0.2);
@@ -55,14 +55,14 @@ TEST_F(GunOfOne, turns_the_shorter_way_and_not_beyond_its_limits) {
   EXPECT_NEAR(gun().pitch, lone_.vehicle.what().turret.barrel.pitch.high, 1e-12);
 }
 
-TEST_F(GunOfOne, is_pointed_in_the_world_and_turns_against_its_chassis) {
+TEST_F(GunTest, aims_in_world_space_against_the_motion_of_the_chassis) {
   lone_.world.body(lone_.vehicle.chassis).placement.orientation = axis_angle({0, 1, 0}, 0.5);
   point_at(1.25, 0);
   aim_for(2);
   EXPECT_NEAR(gun().yaw, 0.75, 1e-3);
 }
 
-TEST_F(GunOfOne, of_who_is_dead_or_has_lost_it_does_not_turn_and_does_not_fire) {
+TEST_F(GunTest, neither_turns_nor_fires_when_dead_or_lost) {
   point_at(1, 0);
   lone_.vehicle.alive = false;
   aim_for(1);
@@ -77,7 +77,7 @@ TEST_F(GunOfOne, of_who_is_dead_or_has_lost_it_does_not_turn_and_does_not_fire) 
   EXPECT_FALSE(gun().firing);
 }
 
-TEST_F(GunOfOne, drains_its_energy_by_the_rules_and_charges_while_it_is_off) {
+TEST_F(GunTest, drains_energy_by_the_rules_and_recharges_while_off) {
   rules_.heating = 0;
   lone_.vehicle.controls.width = 50;
   trigger_for(2, true);
@@ -88,7 +88,7 @@ TEST_F(GunOfOne, drains_its_energy_by_the_rules_and_charges_while_it_is_off) {
   EXPECT_NEAR(gun().energy, 1 - 2 * rules_.drain + rules_.charge, 1e-9);
 }
 
-TEST_F(GunOfOne, charges_more_the_faster_its_vehicle_drives_up_to_a_speed) {
+TEST_F(GunTest, recharges_faster_with_vehicle_speed_up_to_a_limit) {
   rules_.charge_driving = 3 * rules_.charge;
   for (const double share : {0.0, 0.25, 1.0, 4.0}) {
     gun().energy = 0;
@@ -98,7 +98,7 @@ TEST_F(GunOfOne, charges_more_the_faster_its_vehicle_drives_up_to_a_speed) {
   }
 }
 
-TEST_F(GunOfOne, takes_more_energy_for_a_wider_beam) {
+TEST_F(GunTest, uses_more_energy_for_a_wider_beam) {
   double before = 2;
   for (const uint8_t width : {uint8_t{0}, uint8_t{50}, uint8_t{100}}) {
     gun().energy = 1;
@@ -111,7 +111,7 @@ TEST_F(GunOfOne, takes_more_energy_for_a_wider_beam) {
   }
 }
 
-TEST_F(GunOfOne, fires_until_it_is_empty_and_starts_again_with_a_twentieth) {
+TEST_F(GunTest, fires_until_empty_and_restarts_at_a_twentieth) {
   rules_.heating = 0;
   gun().energy = 0.2;
   trigger_for(5, true);
@@ -126,7 +126,7 @@ TEST_F(GunOfOne, fires_until_it_is_empty_and_starts_again_with_a_twentieth) {
   EXPECT_TRUE(gun().firing);
 }
 
-TEST_F(GunOfOne, that_overheats_says_so_once_and_fires_again_when_it_has_cooled) {
+TEST_F(GunTest, reports_overheating_once_and_fires_again_after_cooling) {
   rules_.drain = 0;
   lone_.vehicle.controls.width = 50;
   gun().last = Pose{};

@@ -20,7 +20,7 @@ Body moving_plate() {
 
 const Vec3 kPoint(3.4, 1.1, -1.8), kAlong(0, 0.6, 0.8);
 
-TEST(RigidMotion, has_the_mass_the_centre_and_the_velocity_of_its_body) {
+TEST(RigidMotion, has_the_mass_centre_and_velocity_of_its_body) {
   const Body body = moving_plate();
   const RigidMotion motion(body);
   EXPECT_NEAR(motion.mass(), 2 * 0.001 * 7850, 1e-9);
@@ -29,7 +29,7 @@ TEST(RigidMotion, has_the_mass_the_centre_and_the_velocity_of_its_body) {
               1e-9);
 }
 
-TEST(RigidMotion, stored_and_taken_again_is_the_same) {
+TEST(RigidMotion, store_and_load_round_trip) {
   Body body = moving_plate();
   const Motion before = body.motion;
   RigidMotion(body).store(body);
@@ -37,7 +37,7 @@ TEST(RigidMotion, stored_and_taken_again_is_the_same) {
   EXPECT_EQ(body.motion.spin, before.spin);
 }
 
-TEST(RigidMotion, answers_an_impulse_by_its_response) {
+TEST(RigidMotion, responds_to_an_impulse_by_its_effective_mass) {
   const Body body = moving_plate();
   RigidMotion motion(body);
   const double before = glm::dot(motion.velocity_at(kPoint), kAlong),
@@ -48,7 +48,7 @@ TEST(RigidMotion, answers_an_impulse_by_its_response) {
   EXPECT_NEAR(motion.response(motion.centre(), kAlong), 1 / motion.mass(), 1e-12);
 }
 
-TEST(RigidMotion, pushed_at_its_centre_does_not_spin) {
+TEST(RigidMotion, does_not_spin_when_pushed_at_its_centre) {
   const Body body = moving_plate();
   RigidMotion aside(body), centred(body);
   centred.push({0, 4, 0});
@@ -59,7 +59,7 @@ TEST(RigidMotion, pushed_at_its_centre_does_not_spin) {
 }
 
 // A thin plate of the sides a and b about its middle: m b^2 / 12, m a^2 / 12 and their sum.
-TEST(RigidMotion, spins_by_the_inertia_of_its_plate) {
+TEST(RigidMotion, spins_by_the_inertia_of_a_plate) {
   Body body = make_body("plate", test::build(test::rectangle(2, 1, 4)));
   RigidMotion motion(body);
   motion.push({1, 0, 0}, {0, 1, 0});

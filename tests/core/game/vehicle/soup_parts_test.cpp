@@ -18,17 +18,17 @@ Soup grouped() {
 
 using Parts = std::vector<uint32_t>;
 
-TEST(SoupParts, belong_to_the_part_with_the_longest_name_that_theirs_begin_with) {
+TEST(SoupParts, belong_to_the_part_with_the_longest_matching_prefix) {
   EXPECT_EQ(part_of_triangles(grouped(), {"wheel", "wheel_front_left"}), (Parts{0, 0, 1, 1, 2, 2, 2, 2}));
   EXPECT_EQ(part_of_triangles(grouped(), {"wheel_front_left", "wheel"}), (Parts{1, 1, 0, 0, 2, 2, 2, 2}));
 }
 
-TEST(SoupParts, that_no_part_names_belong_to_none) {
+TEST(SoupParts, without_a_matching_part_belong_to_none) {
   EXPECT_EQ(part_of_triangles(grouped(), {"body_trim"}), (Parts{1, 1, 1, 1, 1, 0, 1, 1}));
   EXPECT_EQ(part_of_triangles(grouped(), {}), Parts(8, 0));
 }
 
-TEST(SoupParts, are_taken_out_with_their_groups_and_materials) {
+TEST(SoupParts, are_extracted_with_their_groups_and_materials) {
   const Soup soup = grouped();
   const Soup own = extract_part(soup, part_of_triangles(soup, {"wheel"}), 0);
   ASSERT_EQ(own.triangles.size(), 4u);

@@ -26,7 +26,7 @@ class CarriedBodies : public testing::Test {
   test::LoneVehicle lone_;
 };
 
-TEST_F(CarriedBodies, are_where_the_chassis_carries_them) {
+TEST_F(CarriedBodies, follow_the_chassis) {
   place();
   for (const BodyId id : carried_bodies(lone_.vehicle)) {
     const Vec3 there = lone_.world.body(id).placement.to_world({0.3, 0.5, 0.7});
@@ -35,7 +35,7 @@ TEST_F(CarriedBodies, are_where_the_chassis_carries_them) {
   }
 }
 
-TEST_F(CarriedBodies, that_are_wheels_turn_about_their_hubs_and_rise_with_their_suspension) {
+TEST_F(CarriedBodies, wheels_turn_about_their_hubs_and_rise_with_the_suspension) {
   lone_.vehicle.wheels[0].steer = 0.4;
   lone_.vehicle.wheels[0].angle = 1.1;
   lone_.vehicle.wheels[0].rise = 0.07;
@@ -49,7 +49,7 @@ TEST_F(CarriedBodies, that_are_wheels_turn_about_their_hubs_and_rise_with_their_
   EXPECT_NEAR(axle.z, -sin_cos(0.4).sin, 1e-9);
 }
 
-TEST_F(CarriedBodies, move_as_the_chassis_does_there_and_wheels_roll_besides) {
+TEST_F(CarriedBodies, move_with_the_chassis_and_wheels_also_roll) {
   lone_.vehicle.wheels[1].rate = 30;
   place();
   const Body& turret = lone_.world.body(lone_.vehicle.gun.turret);
@@ -65,7 +65,7 @@ TEST_F(CarriedBodies, move_as_the_chassis_does_there_and_wheels_roll_besides) {
   EXPECT_NEAR(glm::dot(wheel(1).motion.spin - chassis().motion.spin, axle), 30, 1e-9);
 }
 
-TEST_F(CarriedBodies, aim_the_beam_by_turret_and_barrel) {
+TEST_F(CarriedBodies, turret_and_barrel_aim_the_beam) {
   chassis().placement = Placement{};
   lone_.vehicle.gun.yaw = 0.5;
   lone_.vehicle.gun.pitch = 0.3;
@@ -78,7 +78,7 @@ TEST_F(CarriedBodies, aim_the_beam_by_turret_and_barrel) {
               1e-9);
 }
 
-TEST_F(CarriedBodies, that_came_off_are_left_where_they_are) {
+TEST_F(CarriedBodies, stay_in_place_after_they_come_off) {
   const size_t all = all_bodies(lone_.vehicle).size();
   EXPECT_EQ(all, lone_.world.ids().size());
   lone_.vehicle.wheels[2].attached = false;

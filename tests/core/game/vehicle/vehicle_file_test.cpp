@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-TEST(VehicleFile, names_the_first_thing_that_is_wrong) {
+TEST(VehicleFile, names_the_first_error) {
   const std::string good = R"({"mesh": "car.obj",
     "wheels": [{"part": "wheel", "mount": "axle", "hub": [0, 0.3, 1], "radius": 0.3}],
     "turret": {"part": "turret", "mount": "body", "pivot": [0, 1, 0], "yaw": [-90, 90],

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-TEST(VehicleModel, a_part_that_the_mesh_does_not_have_is_named) {
+TEST(VehicleModel, names_a_part_missing_from_the_mesh) {
   auto vehicle = read_vehicle(test::checkout() / "assets/vehicles/hatchback.json");
   ASSERT_TRUE(vehicle);
   vehicle->wheels[1].part = "balloon";
@@ -18,7 +18,7 @@ TEST(VehicleModel, a_part_that_the_mesh_does_not_have_is_named) {
   EXPECT_NE(model.error().message.find("\"balloon\""), std::string::npos) << model.error().message;
 }
 
-TEST(VehicleModel, shares_all_faces_of_the_mesh_out_to_its_bodies) {
+TEST(VehicleModel, distributes_all_faces_of_the_mesh_to_its_bodies) {
   const auto model = test::hatchback();
   const auto soup = read_mesh(model->description.body.mesh);
   ASSERT_TRUE(soup);
@@ -30,14 +30,14 @@ TEST(VehicleModel, shares_all_faces_of_the_mesh_out_to_its_bodies) {
     EXPECT_TRUE(is_of_part(group.name, model->description.wheels[2].part)) << group.name;
 }
 
-TEST(VehicleModel, weighs_what_its_file_says_in_its_chassis) {
+TEST(VehicleModel, has_the_chassis_mass_of_its_file) {
   const auto model = test::hatchback();
   const Sheet& sheet = model->chassis.body.sheet;
   EXPECT_NEAR(sheet.density * sheet.thickness * model->chassis_area, model->description.mass, 1e-6);
   EXPECT_NEAR(model->chassis.body.loaded.area, model->chassis_area, 1e-9);
 }
 
-TEST(VehicleModel, watches_the_mounts_the_seats_and_the_vital_parts) {
+TEST(VehicleModel, watches_mounts_seats_and_vital_parts) {
   const auto model = test::hatchback();
   const size_t vitals = model->description.vitals.size();
   ASSERT_EQ(model->chassis.watch.size(), model->wheels.size() + 1 + vitals);
@@ -50,7 +50,7 @@ TEST(VehicleModel, watches_the_mounts_the_seats_and_the_vital_parts) {
   }
 }
 
-TEST(VehicleModel, has_joints_of_which_both_parts_are_in_one_body) {
+TEST(VehicleModel, keeps_joints_whose_parts_are_in_one_body) {
   const auto model = test::hatchback();
   EXPECT_FALSE(model->chassis.joints.empty());
   EXPECT_LE(model->chassis.joints.size(), model->description.body.joints.size());

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(Vehicle, has_its_bodies_until_they_come_off) {
+TEST(Vehicle, owns_its_bodies_until_they_come_off) {
   test::LoneVehicle lone;
   Vehicle& v = lone.vehicle;
   for (const BodyId id : lone.world.ids()) EXPECT_TRUE(v.has(id));
@@ -21,7 +21,7 @@ TEST(Vehicle, has_its_bodies_until_they_come_off) {
   EXPECT_FALSE(v.has(v.gun.turret) || v.has(v.gun.barrel)) << "the barrel goes with the turret";
 }
 
-TEST(Vehicle, is_made_of_what_came_off_it_too) {
+TEST(Vehicle, recognises_its_bodies_after_they_come_off) {
   test::LoneVehicle lone;
   lone.vehicle.wheels[1].attached = false;
   for (const BodyId id : lone.world.ids()) EXPECT_TRUE(lone.vehicle.is_made_of(lone.world.body(id)));
@@ -29,7 +29,7 @@ TEST(Vehicle, is_made_of_what_came_off_it_too) {
   EXPECT_FALSE(lone.vehicle.is_made_of(lone.world.body(sheet)));
 }
 
-TEST(Vehicle, can_drive_while_a_wheel_is_left_that_the_engine_drives) {
+TEST(Vehicle, can_drive_while_a_driven_wheel_is_attached) {
   test::LoneVehicle lone;
   Vehicle& v = lone.vehicle;
   EXPECT_EQ(v.wheels_attached(), 4u);
@@ -45,7 +45,7 @@ TEST(Vehicle, can_drive_while_a_wheel_is_left_that_the_engine_drives) {
   EXPECT_FALSE(v.can_drive());
 }
 
-TEST(Vehicle, has_a_laser_that_works_with_turret_and_barrel) {
+TEST(Vehicle, fires_only_with_turret_and_barrel) {
   Gun gun;
   EXPECT_TRUE(gun.works());
   gun.barrel_attached = false;

@@ -62,7 +62,7 @@ void expect_graph_by_position(const ComponentGraph& graph, const Body& body) {
       << edges.size() << " edges, by position " << expected.size();
 }
 
-TEST(ComponentGraph, has_the_edges_that_positions_give_after_random_strokes) {
+TEST(ComponentGraph, has_the_edges_of_equal_positions_after_random_strokes) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= runs(8); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -73,7 +73,7 @@ TEST(ComponentGraph, has_the_edges_that_positions_give_after_random_strokes) {
   }
 }
 
-TEST(ComponentGraph, links_all_pairs_of_the_faces_on_one_edge) {
+TEST(ComponentGraph, connects_all_pairs_of_faces_on_an_edge) {
   for (int sheets = 1; sheets <= 6; ++sheets) {
     SCOPED_TRACE(sheets);
     World world = world_of(book(sheets));
@@ -81,12 +81,12 @@ TEST(ComponentGraph, links_all_pairs_of_the_faces_on_one_edge) {
   }
 }
 
-TEST(ComponentGraph, lists_a_pair_of_faces_with_two_common_edges_once) {
+TEST(ComponentGraph, connects_two_faces_with_two_common_edges_once) {
   const World world = world_of(pillow());
   EXPECT_EQ(component_graph(world).edges, (std::vector<ComponentGraph::Edge>{{0, 1}}));
 }
 
-TEST(ComponentGraph, of_one_piece_is_the_part_of_the_whole_graph) {
+TEST(ComponentGraph, of_one_piece_is_a_subgraph_of_the_whole) {
   World world = cut_at_random(grid(12, 2), 3);
   world.add(make_body("beside", build(sphere(6, 8, 0.5))));
   const ComponentGraph whole = component_graph(world);
@@ -112,7 +112,7 @@ TEST(ComponentGraph, of_one_piece_is_the_part_of_the_whole_graph) {
   }
 }
 
-TEST(ComponentGraph, numbers_faces_and_pieces_of_several_bodies_once_each) {
+TEST(ComponentGraph, gives_unique_indices_to_faces_and_pieces_of_several_bodies) {
   World world = cut_at_random(grid(12, 2), 3);
   world.add(make_body("a \"quoted\" name", build(sphere(6, 8, 0.5))));
   const ComponentGraph graph = component_graph(world);
@@ -138,7 +138,7 @@ TEST(ComponentGraph, numbers_faces_and_pieces_of_several_bodies_once_each) {
   EXPECT_EQ(listed, bodies_of_piece);
 }
 
-TEST(ComponentGraph, says_of_each_piece_what_it_came_off_and_what_holds_it) {
+TEST(ComponentGraph, lists_the_origin_and_support_of_each_piece) {
   const World world = world_of(both(plate(1), moved(plate(1), {3, 0, 0}, 1)));
   std::vector<PieceNode> pieces = piece_nodes(world);
   PieceNode piece = pieces[0];
@@ -157,7 +157,7 @@ TEST(ComponentGraph, says_of_each_piece_what_it_came_off_and_what_holds_it) {
   EXPECT_EQ(json[1]["step"], 5);
 }
 
-TEST(ComponentGraph, is_written_for_graphviz_with_a_line_for_each_node_edge_and_piece) {
+TEST(ComponentGraph, exports_a_graphviz_line_per_node_edge_and_piece) {
   World world;
   world.add(make_body("sheet", build(plate(1))));
   std::vector<PieceNode> pieces = piece_nodes(world);

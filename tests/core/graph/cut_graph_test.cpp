@@ -48,7 +48,7 @@ void for_random_cuts(uint64_t seeds, const Check& check) {
   }
 }
 
-TEST(CutGraph, has_each_removed_face_once_with_the_corners_that_it_had) {
+TEST(CutGraph, contains_each_removed_face_once_with_its_original_corners) {
   for_random_cuts(8, [](const RandomCut& cut) {
     std::set<std::pair<BodyId, FaceId>> slots;
     double area = 0;
@@ -65,7 +65,7 @@ TEST(CutGraph, has_each_removed_face_once_with_the_corners_that_it_had) {
 }
 
 // Removed faces stand where they were, so what hung together before the stroke does so in the graph.
-TEST(CutGraph, has_the_components_that_the_mesh_had_before_the_stroke) {
+TEST(CutGraph, has_the_components_of_the_mesh_before_the_stroke) {
   for_random_cuts(8, [](const RandomCut& cut) {
     if (cut.removed.empty()) return;
     const CutGraph graph = cut_graph(cut.world, cut.removed);
@@ -82,7 +82,7 @@ TEST(CutGraph, has_the_components_that_the_mesh_had_before_the_stroke) {
   });
 }
 
-TEST(CutGraph, is_separated_into_the_parts_that_the_full_search_finds) {
+TEST(CutGraph, separates_into_the_parts_of_a_full_search) {
   for_random_cuts(8, [](const RandomCut& cut) {
     const CutGraph graph = cut_graph(cut.world, cut.removed);
     const auto start = start_next_to_cut(graph);
@@ -111,7 +111,7 @@ TEST(CutGraph, is_separated_into_the_parts_that_the_full_search_finds) {
 }
 
 // By Alexander duality (see CutLoops).
-TEST(CutGraph, knows_a_removed_face_that_closed_a_loop_where_something_came_apart) {
+TEST(CutGraph, contains_the_removed_face_that_closed_a_separating_loop) {
   size_t separated = 0;
   for (uint64_t seed = 1; seed <= runs(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -127,7 +127,7 @@ TEST(CutGraph, knows_a_removed_face_that_closed_a_loop_where_something_came_apar
   EXPECT_GT(separated, 0u);
 }
 
-TEST(CutGraph, starts_beside_the_cut) {
+TEST(CutGraph, starts_at_a_node_next_to_the_cut) {
   const RandomCut cut = graph_of_random_cut(grid(12, 2), 3);
   const CutGraph graph = cut_graph(cut.world, cut.removed);
   const auto start = start_next_to_cut(graph);

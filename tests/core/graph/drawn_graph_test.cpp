@@ -87,7 +87,7 @@ TEST(DrawnGraph, shows_single_faces_of_a_small_mesh) {
   EXPECT_EQ(drawn.edges, shown.graph.edges);
 }
 
-TEST(DrawnGraph, joins_the_faces_of_a_large_mesh_to_connected_clusters_of_one_set) {
+TEST(DrawnGraph, merges_faces_of_a_large_mesh_into_connected_clusters_per_set) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Shown shown = cut_across(grid(60, 2), seed, 0.02);
@@ -100,7 +100,7 @@ TEST(DrawnGraph, joins_the_faces_of_a_large_mesh_to_connected_clusters_of_one_se
   }
 }
 
-TEST(DrawnGraph, shows_the_nearest_faces_around_a_cut) {
+TEST(DrawnGraph, shows_the_faces_nearest_to_a_cut) {
   const Shown shown = cut_across(grid(60, 2), 1, 0.02);
   const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kAroundCut);
   expect_sound(shown, drawn);
@@ -110,7 +110,7 @@ TEST(DrawnGraph, shows_the_nearest_faces_around_a_cut) {
             shown.graph.nodes.size());
 }
 
-TEST(DrawnGraph, gives_the_faces_beside_a_fine_cut_more_nodes_than_the_removed_ones) {
+TEST(DrawnGraph, gives_faces_next_to_a_fine_cut_more_nodes_than_removed_ones) {
   const Shown shown = cut_across(sphere(40, 60, 1), 2, 0.02);
   const size_t removed = shown.graph.nodes.size() - shown.graph.live;
   ASSERT_GT(removed, DrawnGraph::kMost);
@@ -132,7 +132,7 @@ TEST(DrawnGraph, gives_the_faces_beside_a_fine_cut_more_nodes_than_the_removed_o
   EXPECT_GT(drawn.nodes.size(), DrawnGraph::kMost * 2 / 5);
 }
 
-TEST(DrawnGraph, shows_the_removals_as_they_go_on) {
+TEST(DrawnGraph, shows_removals_step_by_step) {
   const Shown shown = cut_across(grid(8, 2), 2, 0.05);
   DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
   const size_t removed = shown.graph.nodes.size() - shown.graph.live;
@@ -147,7 +147,7 @@ TEST(DrawnGraph, shows_the_removals_as_they_go_on) {
   }
 }
 
-TEST(DrawnGraph, opens_a_cluster_into_its_faces) {
+TEST(DrawnGraph, expands_a_cluster_into_its_faces) {
   const Shown shown = cut_across(grid(60, 2), 1, 0.02);
   const DrawnGraph closed = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
   const auto cluster = std::find_if(closed.nodes.begin(), closed.nodes.end(),
@@ -161,7 +161,7 @@ TEST(DrawnGraph, opens_a_cluster_into_its_faces) {
 }
 
 // With 1998 single faces and a sheet as one node, there is room for one node more.
-TEST(DrawnGraph, opens_a_cluster_into_as_many_nodes_as_there_is_room_for) {
+TEST(DrawnGraph, expands_a_cluster_up_to_the_node_limit) {
   Soup soup = grid(3, 1);
   const auto first = static_cast<uint32_t>(soup.positions.size());
   for (uint32_t i = 0; i < DrawnGraph::kMost - 2; ++i) {
@@ -182,7 +182,7 @@ TEST(DrawnGraph, opens_a_cluster_into_as_many_nodes_as_there_is_room_for) {
   EXPECT_LT(open.nodes[0].faces, 18u);
 }
 
-TEST(DrawnGraph, draws_the_largest_of_more_parts_than_it_can) {
+TEST(DrawnGraph, draws_the_largest_parts_if_there_are_too_many) {
   Soup soup;
   for (uint32_t i = 0; i < 2500; ++i) {
     const double x = 3.0 * i;
@@ -197,7 +197,7 @@ TEST(DrawnGraph, draws_the_largest_of_more_parts_than_it_can) {
   EXPECT_EQ(drawn.nodes.size(), DrawnGraph::kMost);
 }
 
-TEST(DrawnGraph, marks_nodes_as_the_traversal_goes_on_and_tells_what_is_apart_at_its_end) {
+TEST(DrawnGraph, marks_nodes_during_traversal_and_reports_separation_at_the_end) {
   const Shown shown = cut_across(grid(8, 2), 2, 0.05);
   DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
   using State = DrawnGraph::State;
@@ -228,7 +228,7 @@ TEST(GraphLayout, by_position_is_a_flat_sheet_to_scale) {
     ASSERT_NEAR(glm::length(places[i] - places[0]), scale * apart(i, 0), 1e-9) << "node " << i;
 }
 
-TEST(GraphLayout, by_position_extends_most_from_left_to_right_and_not_askew) {
+TEST(GraphLayout, by_position_is_widest_horizontally_and_not_skewed) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -288,7 +288,7 @@ TEST(GraphLayout, does_not_unroll_a_cut_across_a_sheet) {
   EXPECT_FALSE(lay_out_unrolled(draw_graph(shown.graph, shown.traversal, GraphScope::kWhole)));
 }
 
-TEST(GraphLayout, both_kinds_fill_the_square_and_are_functions_of_the_graph) {
+TEST(GraphLayout, both_kinds_fill_the_square_deterministically) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);
     Shown shown{world_of(soup), {}, {}};
@@ -306,7 +306,7 @@ TEST(GraphLayout, both_kinds_fill_the_square_and_are_functions_of_the_graph) {
   }
 }
 
-TEST(GraphLayout, by_force_keeps_linked_nodes_nearer_than_others) {
+TEST(GraphLayout, by_force_keeps_linked_nodes_closer_than_others) {
   const Shown shown = cut_across(torus(12, 16, 1, 0.4), 5, 0.03);
   const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
   const GraphLayout places = lay_out_by_force(drawn);

@@ -67,7 +67,7 @@ CutSettings fine(double radius) {
   return settings;
 }
 
-TEST(LoopPaths, run_around_a_ball_that_is_cut_in_two) {
+TEST(LoopPaths, surround_a_ball_cut_in_two) {
   const Vec3 forward(0, 0, -1);
   const Cut cut =
       cut_along(sphere(12, 16, 1), fine(0.06), {{{{-1.4, 0.1, 3}, forward}, {{1.4, 0.1, 3}, forward}}});
@@ -81,7 +81,7 @@ TEST(LoopPaths, run_around_a_ball_that_is_cut_in_two) {
   EXPECT_GE(around, 1u);
 }
 
-TEST(LoopPaths, go_from_border_to_border_across_a_sheet) {
+TEST(LoopPaths, run_from_border_to_border_across_a_sheet) {
   const Vec3 down(0, -1, 0);
   const Cut cut = cut_along(grid(10, 2), fine(0.05), {{{{0.13, 3, -1.3}, down}, {{0.13, 3, 1.3}, down}}});
   bool across = false;
@@ -94,7 +94,7 @@ TEST(LoopPaths, go_from_border_to_border_across_a_sheet) {
   EXPECT_TRUE(across);
 }
 
-TEST(LoopPaths, of_random_cuts_lead_along_edges_that_were_removed_before) {
+TEST(LoopPaths, of_random_cuts_follow_edges_removed_earlier) {
   size_t found = 0, closings = 0;
   for (uint64_t seed = 1; seed <= runs(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -123,7 +123,7 @@ TEST(LoopPaths, of_random_cuts_lead_along_edges_that_were_removed_before) {
   EXPECT_EQ(found, closings);
 }
 
-TEST(LoopPaths, are_left_out_where_the_visits_are_used_up) {
+TEST(LoopPaths, are_omitted_when_the_visit_limit_is_reached) {
   const Vec3 forward(0, 0, -1);
   const Cut cut =
       cut_along(sphere(12, 16, 1), fine(0.06), {{{{-1.4, 0.1, 3}, forward}, {{1.4, 0.1, 3}, forward}}});

@@ -29,7 +29,7 @@ std::map<PieceId, std::set<uint32_t>> components_of(const World& world) {
   return all;
 }
 
-TEST(PieceNode, counts_the_parts_of_each_piece_as_a_search_of_the_mesh_does) {
+TEST(PieceNode, counts_the_parts_of_each_piece_like_a_mesh_search) {
   size_t several = 0, off = 0;
   for (uint64_t seed = 1; seed <= runs(16); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -56,7 +56,7 @@ TEST(PieceNode, counts_the_parts_of_each_piece_as_a_search_of_the_mesh_does) {
   EXPECT_GT(off, 0u);
 }
 
-TEST(PieceNode, does_not_count_a_part_that_was_burnt_away) {
+TEST(PieceNode, does_not_count_a_removed_part) {
   Document document(world_of(both(grid(10, 2), moved(plate(0.1), {3, 0, 0}, 1))));
   EXPECT_EQ(piece_nodes(document.world()).front().parts, 2u);
   CutSettings settings;
@@ -70,7 +70,7 @@ TEST(PieceNode, does_not_count_a_part_that_was_burnt_away) {
   EXPECT_EQ(nodes[0].held_by, Holder::kItself);
 }
 
-TEST(PieceNode, is_held_by_its_body_or_its_pin_until_it_came_off) {
+TEST(PieceNode, is_held_by_its_body_or_pin_until_it_comes_off) {
   World world = cut_at_random(grid(12, 2), 3);
   const BodyId id = world.ids()[0];
   ASSERT_GT(world.live_pieces(), 1u);

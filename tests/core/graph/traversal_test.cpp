@@ -12,7 +12,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(Traversal, reaches_what_the_full_search_labels_alike) {
+TEST(Traversal, reaches_the_component_of_the_full_search) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= runs(4); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -34,7 +34,7 @@ TEST(Traversal, reaches_what_the_full_search_labels_alike) {
   }
 }
 
-TEST(Traversal, reaches_each_node_over_a_link_and_nearer_nodes_first) {
+TEST(Traversal, reaches_each_node_over_a_link_in_order_of_distance) {
   const World world = cut_at_random(torus(12, 16, 1, 0.4), 5);
   const ComponentGraph graph = component_graph(world);
   const GraphLinks links(graph.nodes.size(), graph.edges);

@@ -20,7 +20,7 @@ const std::vector<Reference> kReferences = {
     {2000, {1, 0.25671, 0.00811}, 4.638e5},  {2500, {1, 0.37211, 0.06749}, 5.624e6},
     {3000, {1, 0.47682, 0.15369}, 3.022e7},  {3134, {1, 0.50299, 0.18041}, 4.338e7}};
 
-TEST(BlackBody, colour_and_luminance_are_those_of_the_table) {
+TEST(BlackBody, colour_and_luminance_match_the_table) {
   for (const Reference& reference : kReferences) {
     const Glow glow = glow_at(reference.temperature);
     for (int i = 0; i < 3; ++i)
@@ -37,7 +37,7 @@ TEST(BlackBody, nothing_glows_below_the_draper_point) {
   EXPECT_GT(glow_at(798).colour.x, 0);
 }
 
-TEST(BlackBody, gets_brighter_and_whiter_up_to_the_hottest_glow) {
+TEST(BlackBody, becomes_brighter_and_whiter_up_to_the_hottest_glow) {
   std::vector<Glow> table;
   for (int i = 0; i < 256; ++i) table.push_back(glow_at(kGlowFrom + i / 255.0 * (kGlowTo - kGlowFrom)));
   EXPECT_EQ(table.back().colour, glow_at(1e5).colour);

@@ -36,7 +36,7 @@ double loss_at(double t, double emissivity, double convection) {
               emissivity * kStefanBoltzmann * (std::pow(t, 4) - std::pow(kAmbient, 4)));
 }
 
-TEST(ConductFace, melting_through_takes_the_time_that_its_energy_says) {
+TEST(ConductFace, melting_through_takes_the_time_of_its_energy) {
   HeatedMesh face = lone_face();
   face.substance.transition = kAmbient + 1511;
   face.substance.latent = 2.7e5;
@@ -51,7 +51,7 @@ TEST(ConductFace, melting_through_takes_the_time_that_its_energy_says) {
   EXPECT_NEAR(time, 2.622137, 1e-3 * 2.622137);
 }
 
-TEST(ConductFace, a_face_of_mild_steel_takes_the_energy_of_the_table_to_go) {
+TEST(ConductFace, a_face_of_mild_steel_needs_the_removal_energy_of_the_table) {
   const Substance steel;
   HeatedMesh face = lone_face();
   EXPECT_NEAR(area_of(face) * kSheet * steel.density * enthalpy_of_removal(steel), 4.09373, 1e-4);
@@ -66,7 +66,7 @@ TEST(ConductFace, convection_cools_exponentially) {
   }
 }
 
-TEST(ConductFace, radiation_cools_as_the_fourth_power_says) {
+TEST(ConductFace, radiation_cools_by_the_fourth_power_law) {
   EXPECT_NEAR(std::pow(std::pow(1500.0, -3) + 6 * 0.8 * kStefanBoltzmann * 10 / 4680, -1.0 / 3), 1044.3741,
               1e-3);
   for (const double step : {kTick, 0.5, 10.0}) {
@@ -85,7 +85,7 @@ TEST(ConductFace, radiation_cools_as_the_fourth_power_says) {
   }
 }
 
-TEST(ConductFace, a_beam_and_the_losses_come_to_an_equilibrium) {
+TEST(ConductFace, a_beam_and_losses_reach_an_equilibrium) {
   for (const double flux : {1e4, 1e5, 1e6}) {
     double low = kAmbient, high = 3000;
     while (high - low > 1e-6) (loss_at(0.5 * (low + high), 0.8, 20) < flux ? low : high) = 0.5 * (low + high);
@@ -102,7 +102,7 @@ TEST(ConductFace, a_beam_and_the_losses_come_to_an_equilibrium) {
 
 // One-phase melting from a wall that is 600 K above the melting point, of a strip at the melting point: the
 // front is at 2 lambda sqrt(a t), lambda = 0.692456 (Stefan's problem).
-TEST(ConductFace, the_front_of_melting_is_where_stefan_has_it) {
+TEST(ConductFace, the_melting_front_matches_the_stefan_solution) {
   constexpr double kFace = 0.1e-3;
   for (const double step : {kTick / 128, kTick / 64}) {
     HeatedMesh strip(build(plate_of(graded(0, 6e-3, kFace, 0), {0, kFace}, Diagonals::kAlternating)).mesh);
@@ -133,7 +133,7 @@ TEST(ConductFace, the_front_of_melting_is_where_stefan_has_it) {
   }
 }
 
-TEST(ConductFace, what_melts_beside_molten_metal_hardly_depends_on_the_step) {
+TEST(ConductFace, melting_next_to_molten_metal_hardly_depends_on_the_step) {
   constexpr double kFace = 0.2e-3;
   std::vector<double> molten;
   for (const double step : {kTick / 64, kTick, 6 * kTick}) {

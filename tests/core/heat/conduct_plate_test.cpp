@@ -61,7 +61,7 @@ std::vector<NamedMesh> meshes(double reach, double step) {
   return all;
 }
 
-TEST(ConductPlate, a_pulse_in_a_line_spreads_as_the_green_function_does) {
+TEST(ConductPlate, a_line_pulse_spreads_like_the_green_function) {
   EXPECT_NEAR(after_pulse(0, 0, 0.1, 0), 265.2582, 1e-3);
   EXPECT_NEAR(after_pulse(4e-6, 0, 0.5, 0), 38.8328, 1e-3);
   EXPECT_NEAR(after_pulse(0, 0, 1, 200), 25.4161, 1e-3);
@@ -90,7 +90,7 @@ TEST(ConductPlate, a_pulse_in_a_line_spreads_as_the_green_function_does) {
   }
 }
 
-TEST(ConductPlate, a_gaussian_pulse_widens_as_it_should) {
+TEST(ConductPlate, a_gaussian_pulse_widens_analytically) {
   EXPECT_NEAR(after_pulse(0, kWidth, 0, 0), 1360.2987, 1e-3);
   EXPECT_NEAR(after_pulse(1e-6, kWidth, 0.1, 0), 160.1639, 1e-3);
   EXPECT_NEAR(after_pulse(4e-6, kWidth, 1, 0), 22.3269, 1e-3);
@@ -112,7 +112,7 @@ TEST(ConductPlate, a_gaussian_pulse_widens_as_it_should) {
   }
 }
 
-TEST(ConductPlate, a_beam_that_stands_heats_as_it_should) {
+TEST(ConductPlate, a_stationary_beam_heats_analytically) {
   EXPECT_NEAR(under_beam(0, 0.1), 240.4436, 1e-3);
   EXPECT_NEAR(under_beam(0, 1), 524.7674, 1e-3);
   EXPECT_NEAR(under_beam(4e-6, 1), 191.9560, 1e-3);
@@ -138,7 +138,7 @@ TEST(ConductPlate, a_beam_that_stands_heats_as_it_should) {
   }
 }
 
-TEST(ConductPlate, a_beam_that_moves_heats_as_it_should) {
+TEST(ConductPlate, a_moving_beam_heats_analytically) {
   EXPECT_NEAR(behind_beam({0, 0, 0}), 3113.86, 3);
   EXPECT_NEAR(behind_beam({-5e-3, 0, 0}), 1606.32, 2);
   EXPECT_NEAR(behind_beam({0, 0, 2e-3}), 605.21, 1);
@@ -158,7 +158,7 @@ TEST(ConductPlate, a_beam_that_moves_heats_as_it_should) {
   }
 }
 
-TEST(ConductPlate, finer_meshes_are_nearer_to_the_solution) {
+TEST(ConductPlate, finer_meshes_are_closer_to_the_solution) {
   double before = 1e9;
   for (const double step : {1e-3, 0.5e-3, 0.25e-3}) {
     const auto lines = graded(-6e-3, 6e-3, step, 0);

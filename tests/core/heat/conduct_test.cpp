@@ -46,7 +46,7 @@ void split_and_remove_some(HeatedMesh& hot, Random& random, double& removed) {
   }
 }
 
-TEST(Conduct, what_is_not_lost_is_still_there_between_splits_and_removals_on_every_mesh) {
+TEST(Conduct, conserves_energy_between_splits_and_removals_on_every_mesh) {
   constexpr uint64_t kSeed = 21;
   Random random(kSeed);
   for (const auto& [name, soup] : mesh_classes()) {
@@ -63,7 +63,7 @@ TEST(Conduct, what_is_not_lost_is_still_there_between_splits_and_removals_on_eve
   }
 }
 
-TEST(Conduct, without_losses_everything_stays) {
+TEST(Conduct, conserves_energy_without_losses) {
   Random random(22);
   for (const auto& [name, soup] : mesh_classes()) {
     HeatedMesh hot = randomly_hot(soup, random);
@@ -76,7 +76,7 @@ TEST(Conduct, without_losses_everything_stays) {
   }
 }
 
-TEST(Conduct, no_step_makes_a_face_colder_than_the_ambient_or_hotter_than_the_hottest_was) {
+TEST(Conduct, stays_between_ambient_and_the_previous_maximum) {
   constexpr uint64_t kSeed = 23;
   Random random(kSeed);
   for (const auto& [name, soup] : mesh_classes()) {
@@ -95,7 +95,7 @@ TEST(Conduct, no_step_makes_a_face_colder_than_the_ambient_or_hotter_than_the_ho
   }
 }
 
-TEST(Conduct, a_plate_ends_cold_and_blank) {
+TEST(Conduct, a_plate_cools_to_ambient_and_records_no_heat) {
   HeatedMesh plate(build(grid(20, 0.05)).mesh);
   plate.substance = Substance();
   plate.deposit([](const Vec3& p) { return 500 * gaussian(glm::dot(p, p), 5e-3); }, {0, 0, 0}, 1);
@@ -108,7 +108,7 @@ TEST(Conduct, a_plate_ends_cold_and_blank) {
   plate.mesh.columns().for_each_set(plate.heat.energy, [](FaceId f) { ADD_FAILURE() << f.index; });
 }
 
-TEST(Conduct, folding_a_plate_changes_nothing) {
+TEST(Conduct, folding_a_plate_has_no_effect) {
   const auto lines = graded(-5e-3, 5e-3, 0.5e-3, 0);
   const Soup flat = plate_of(lines, lines, Diagonals::kAlternating);
   Soup folded = flat;
@@ -125,7 +125,7 @@ TEST(Conduct, folding_a_plate_changes_nothing) {
   for_each_face(a.mesh, [&](FaceId f) { EXPECT_NEAR(a.rise(f), b.rise(f), 1e-6) << f.index; });
 }
 
-TEST(Conduct, faces_around_an_edge_of_many_share_evenly) {
+TEST(Conduct, faces_around_a_non_manifold_edge_share_heat_evenly) {
   HeatedMesh pages(build(book(5)).mesh);
   pages.substance.conductivity = 1e6;
   pages.heat.set_energy(pages.mesh, FaceId(2), 1e5);
@@ -139,7 +139,7 @@ TEST(Conduct, faces_around_an_edge_of_many_share_evenly) {
   EXPECT_NEAR(least, most, 1e-3 * most);
 }
 
-TEST(Conduct, the_hottest_temperatures_are_recorded_where_it_was_hot) {
+TEST(Conduct, records_peak_temperatures) {
   HeatedMesh plate(build(grid(10, 0.01)).mesh);
   plate.substance = Substance();
   const FaceId hot(100);

@@ -27,7 +27,7 @@ class Remedies : public testing::Test {
   CutRemedies all_;
 };
 
-TEST_F(Remedies, get_a_beam_through_each_on_its_own) {
+TEST_F(Remedies, each_one_alone_lets_the_beam_cut_through) {
   EXPECT_FALSE(is_in_two(cross(strip_, speed_)));
   EXPECT_LT(all_.speed, speed_);
   EXPECT_TRUE(is_in_two(cross(strip_, all_.speed / kMargin)));
@@ -42,14 +42,14 @@ TEST_F(Remedies, get_a_beam_through_each_on_its_own) {
   EXPECT_TRUE(is_in_two(cross(narrower, speed_)));
 }
 
-TEST_F(Remedies, do_no_more_than_is_needed) {
+TEST_F(Remedies, do_not_exceed_what_is_needed) {
   EXPECT_FALSE(is_in_two(cross(strip_, kMargin * all_.speed)));
   LaserStrip stronger = strip_;
   stronger.power = all_.power / kMargin;
   EXPECT_FALSE(is_in_two(cross(stronger, speed_)));
 }
 
-TEST_F(Remedies, change_nothing_where_the_beam_gets_through) {
+TEST_F(Remedies, change_nothing_if_the_beam_already_cuts_through) {
   const double slow = 0.5 * speed_;
   const CutRemedies none = remedies(balance(strip_), strip_.thickness, slow);
   EXPECT_EQ(none.speed, slow);
@@ -57,7 +57,7 @@ TEST_F(Remedies, change_nothing_where_the_beam_gets_through) {
   EXPECT_EQ(none.kerf, strip_.kerf);
 }
 
-TEST(RemediesOfTheBalance, meet_it) {
+TEST(BalanceRemedies, satisfy_the_balance) {
   Random random(20);
   for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE("seed 20, row " + std::to_string(i));

@@ -17,13 +17,13 @@ class HotPlate : public testing::Test {
   Substance steel_;
 };
 
-TEST_F(HotPlate, is_at_the_ambient_where_it_was_never_heated) {
+TEST_F(HotPlate, is_at_ambient_if_never_heated) {
   EXPECT_EQ(heat_.temperature(mesh_, FaceId(3), steel_, 0.001), kAmbient);
   EXPECT_EQ(heat_.hottest_of(mesh_, FaceId(3)), kAmbient);
   EXPECT_EQ(heat_.stored(mesh_), 0);
 }
 
-TEST_F(HotPlate, has_the_temperature_of_its_energy_a_mass) {
+TEST_F(HotPlate, has_the_temperature_of_its_energy_per_mass) {
   const double mass = triangle_area(mesh_.triangle(FaceId(3))) * 0.002 * steel_.density;
   heat_.set_energy(mesh_, FaceId(3), mass * steel_.heat_solid * 500);
   EXPECT_NEAR(heat_.temperature(mesh_, FaceId(3), steel_, 0.002), kAmbient + 500, 1e-9);
@@ -31,14 +31,14 @@ TEST_F(HotPlate, has_the_temperature_of_its_energy_a_mass) {
   EXPECT_EQ(heat_.temperature(mesh_, FaceId(4), steel_, 0.002), kAmbient);
 }
 
-TEST_F(HotPlate, sums_up_its_energy) {
+TEST_F(HotPlate, sums_its_energy) {
   heat_.set_energy(mesh_, FaceId(3), 4);
   heat_.set_energy(mesh_, FaceId(9), 0.5);
   heat_.set_energy(mesh_, FaceId(3), 2);
   EXPECT_EQ(heat_.stored(mesh_), 2.5);
 }
 
-TEST_F(HotPlate, remembers_the_highest_temperature) {
+TEST_F(HotPlate, records_the_highest_temperature) {
   heat_.record_hottest(mesh_, FaceId(3), 900);
   heat_.record_hottest(mesh_, FaceId(3), 500);
   EXPECT_EQ(heat_.hottest_of(mesh_, FaceId(3)), 900);
@@ -46,7 +46,7 @@ TEST_F(HotPlate, remembers_the_highest_temperature) {
   EXPECT_EQ(heat_.hottest_of(mesh_, FaceId(3)), 901);
 }
 
-TEST_F(HotPlate, loses_no_energy_and_no_temperature_when_its_faces_are_split) {
+TEST_F(HotPlate, keeps_energy_and_temperature_when_faces_are_split) {
   heat_.set_energy(mesh_, FaceId(3), 50);
   const double before = heat_.temperature(mesh_, FaceId(3), steel_, 0.001);
   const auto c = mesh_.corners(FaceId(3));

@@ -23,7 +23,7 @@ struct Sheeting {
   HeatRegion::Memory memory;
 };
 
-TEST(HeatRegion, has_a_node_a_face_with_its_mass_and_energy) {
+TEST(HeatRegion, has_one_node_per_face_with_its_mass_and_energy) {
   Sheeting sheet(grid(3, 1));
   sheet.heat.set_energy(sheet.mesh, FaceId(4), 12);
   HeatRegion region = sheet.region();
@@ -38,7 +38,7 @@ TEST(HeatRegion, has_a_node_a_face_with_its_mass_and_energy) {
 }
 
 // Two right triangles with legs of 1 m on a diagonal: their centroids are sqrt(2) / 3 apart.
-TEST(HeatRegion, conducts_by_edge_thickness_and_distance_whatever_the_fold) {
+TEST(HeatRegion, conducts_by_edge_thickness_and_distance_at_any_fold_angle) {
   for (const double lift : {0.0, 0.7}) {
     Soup soup;
     soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1 - 0.5 * lift, 0, 1 - 0.5 * lift}};
@@ -56,7 +56,7 @@ TEST(HeatRegion, conducts_by_edge_thickness_and_distance_whatever_the_fold) {
   }
 }
 
-TEST(HeatRegion, surrounds_a_face_with_all_its_neighbours_once) {
+TEST(HeatRegion, adds_all_neighbours_of_a_face_once) {
   Sheeting sheet(grid(6, 1));
   HeatRegion region = sheet.region();
   region.add(FaceId(30));
@@ -70,7 +70,7 @@ TEST(HeatRegion, surrounds_a_face_with_all_its_neighbours_once) {
     EXPECT_TRUE(links.insert(std::minmax(link.a, link.b)).second) << "each pair once";
 }
 
-TEST(HeatRegion, joins_all_sheets_of_a_book) {
+TEST(HeatRegion, connects_all_sheets_of_a_book) {
   Sheeting sheet(book(5));
   HeatRegion region = sheet.region();
   region.add(FaceId(0));

@@ -21,7 +21,7 @@ LumpedCut cut_with(Substance substance, double lumped, double power, double kerf
   return {substance, power, 0, kerf, 1};
 }
 
-TEST(LumpedCut, speeds_without_conduction_are_those_of_the_worked_examples) {
+TEST(LumpedCut, speeds_without_conduction_match_the_worked_examples) {
   LumpedCut steel = cut_with(preset("stainless-304"), 0.28, 2000, 0.19e-3);
   steel.substance.conductivity = 0;
   EXPECT_NEAR(cutting_speed(steel, 2e-3), 0.167764, 1e-5);
@@ -30,7 +30,7 @@ TEST(LumpedCut, speeds_without_conduction_are_those_of_the_worked_examples) {
   EXPECT_NEAR(cutting_speed(acrylic, 6e-3), 6.538e-3, 1e-6);
 }
 
-TEST(LumpedCut, speeds_with_conduction_are_those_of_the_table) {
+TEST(LumpedCut, speeds_with_conduction_match_the_table) {
   struct Row {
     double thickness, power, kerf, speed;  // mm, W, mm, m/min
   };
@@ -50,7 +50,7 @@ TEST(LumpedCut, speeds_with_conduction_are_those_of_the_table) {
 }
 
 // Without conduction the balance is linear in the speed above that of the burning front.
-TEST(LumpedCut, with_oxygen_adds_what_the_kerf_gives_by_burning_up_to_the_speed_of_its_front) {
+TEST(LumpedCut, oxygen_adds_the_heat_of_burning_up_to_the_speed_of_its_front) {
   LumpedCut cut{preset("mild-steel"), 2000, 0, 0.2e-3};
   cut.substance.conductivity = 0;
   const double without = cutting_speed(cut, 1e-3);
@@ -63,7 +63,7 @@ TEST(LumpedCut, with_oxygen_adds_what_the_kerf_gives_by_burning_up_to_the_speed_
   EXPECT_NEAR(cutting_speed(cut, 1e-3), without, 1e-9 * without);
 }
 
-TEST(LumpedCut, with_oxygen_gets_through_steel_that_the_beam_alone_does_not_and_stays_bounded) {
+TEST(LumpedCut, oxygen_cuts_steel_that_the_beam_alone_does_not) {
   LumpedCut cut{preset("mild-steel"), 1000, 0, 0.2e-3};
   const double alone = cutting_speed(cut, 3e-3);
   cut.oxygen = true;
@@ -75,7 +75,7 @@ TEST(LumpedCut, with_oxygen_gets_through_steel_that_the_beam_alone_does_not_and_
     EXPECT_GT(cut_thickness(cut, speed), cut_thickness(cut, 1.1 * speed));
 }
 
-TEST(LumpedCut, thickness_and_speed_are_inverse_and_too_little_power_does_not_cut) {
+TEST(LumpedCut, thickness_and_speed_are_inverse_and_too_little_power_fails) {
   const LumpedCut cut{preset("mild-steel"), 2000, 0, 0.2e-3};
   for (const double thickness : {0.5e-3, 1e-3, 3e-3}) {
     EXPECT_NEAR(cut_thickness(cut, cutting_speed(cut, thickness)), thickness, 1e-9 * thickness);
@@ -83,7 +83,7 @@ TEST(LumpedCut, thickness_and_speed_are_inverse_and_too_little_power_does_not_cu
   EXPECT_EQ(cutting_speed(cut_with(preset("mild-steel"), 0.7, 1000, 0.35e-3), 10e-3), 0);
 }
 
-TEST(LumpedCut, conduction_takes_what_the_series_says) {
+TEST(LumpedCut, conduction_loss_matches_the_series) {
   EXPECT_DOUBLE_EQ(conduction_loss(0), 1.2902);
   EXPECT_NEAR(conduction_loss(0.5), 3.3245, 1e-9);
   EXPECT_NEAR(conduction_loss(8), 8.0204, 1e-9);

@@ -110,7 +110,7 @@ CornerIds turned(CornerIds c, Random& random) {
   return c;
 }
 
-TEST(AddFaces, closes_what_was_removed_in_any_order_and_is_undone_to_the_bit) {
+TEST(AddFaces, closes_removed_faces_in_any_order_and_undoes_exactly) {
   size_t pinched = 0;
   for (uint64_t seed = 1; seed <= runs(1200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -168,7 +168,7 @@ std::vector<CornerIds> remove_patch(Mesh& mesh, Random& random) {
 }
 
 // Part of the removed faces is added again, in parts. In between each vertex leads to live faces.
-TEST(AddFaces, in_parts_leads_to_the_same_mesh_to_the_bit_as_at_once) {
+TEST(AddFaces, in_slices_gives_the_same_mesh_bit_for_bit) {
   for (uint64_t seed = 1; seed <= runs(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -211,7 +211,7 @@ TEST(AddFaces, in_parts_leads_to_the_same_mesh_to_the_bit_as_at_once) {
 
 // Part of the removed faces is added again, the rest stays open. Faces around a vertex that are not connected
 // over edges have a vertex each; only vertices of the added faces may split.
-TEST(AddFaces, parts_vertices_at_which_faces_do_not_hang_together) {
+TEST(AddFaces, splits_vertices_whose_faces_are_not_connected) {
   size_t parted = 0;
   for (uint64_t seed = 1; seed <= runs(1200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -251,7 +251,7 @@ TEST(AddFaces, parts_vertices_at_which_faces_do_not_hang_together) {
   EXPECT_GT(parted, runs(1200) / 10);
 }
 
-TEST(AddFaces, with_a_new_vertex_closes_each_hole_by_a_cone) {
+TEST(AddFaces, closes_each_hole_with_a_fan_around_a_new_vertex) {
   size_t closed = 0;
   for (uint64_t seed = 1; seed <= runs(600); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -282,7 +282,7 @@ TEST(AddFaces, with_a_new_vertex_closes_each_hole_by_a_cone) {
   EXPECT_GT(closed, runs(600) / 4);
 }
 
-TEST(AddFaces, gives_faces_their_data_and_nothing_else) {
+TEST(AddFaces, sets_the_data_of_added_faces_only) {
   Mesh mesh = build(sphere(6, 8, 1)).mesh;
   const FaceColumn<uint32_t> tag = mesh.columns().attach_copied<uint32_t>();
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) mesh.columns().set(tag, FaceId(f), f + 1);
@@ -309,7 +309,7 @@ TEST(AddFaces, gives_faces_their_data_and_nothing_else) {
 }
 
 // Three sheets that share an edge elsewhere stay linked, and take part in later splits.
-TEST(AddFaces, leaves_a_mesh_whose_edges_split_as_before) {
+TEST(AddFaces, keeps_edges_splittable) {
   for (uint64_t seed = 1; seed <= runs(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);

@@ -8,7 +8,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(BuildMesh, keeps_every_made_mesh_conforming_and_accounts_for_its_faces) {
+TEST(BuildMesh, produces_conforming_meshes_and_accounts_for_every_face) {
   for (const auto& [name, soup] : mesh_classes()) {
     const BuiltMesh built = build(soup);
     const MeshReport& r = built.report;
@@ -23,7 +23,7 @@ TEST(BuildMesh, keeps_every_made_mesh_conforming_and_accounts_for_its_faces) {
   }
 }
 
-TEST(BuildMesh, knows_the_topology_of_the_classics) {
+TEST(BuildMesh, computes_the_topology_of_classic_shapes) {
   struct Expected {
     Soup soup;
     long euler;
@@ -42,7 +42,7 @@ TEST(BuildMesh, knows_the_topology_of_the_classics) {
   }
 }
 
-TEST(BuildMesh, turns_reversed_faces_round_and_counts_them) {
+TEST(BuildMesh, flips_and_counts_reversed_faces) {
   Soup soup = sphere(10, 14, 1);
   Random random(3);
   size_t reversed = 0;
@@ -58,7 +58,7 @@ TEST(BuildMesh, turns_reversed_faces_round_and_counts_them) {
   EXPECT_EQ(find_fault(built.mesh), "");
 }
 
-TEST(BuildMesh, joins_all_sheets_of_a_book_at_its_back) {
+TEST(BuildMesh, connects_all_sheets_of_a_book_at_its_spine) {
   const BuiltMesh built = build(book(7));
   EXPECT_EQ(built.report.non_manifold_edges, 1u);
   EXPECT_EQ(built.report.components, 1u);
@@ -72,7 +72,7 @@ TEST(BuildMesh, joins_all_sheets_of_a_book_at_its_back) {
   EXPECT_EQ(on_back, 7u);
 }
 
-TEST(BuildMesh, drops_and_counts_what_cannot_be_used) {
+TEST(BuildMesh, drops_and_counts_unusable_faces) {
   Soup soup = plate(1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   soup.positions.push_back({nan, 0, 0});
@@ -88,7 +88,7 @@ TEST(BuildMesh, drops_and_counts_what_cannot_be_used) {
   EXPECT_EQ(r.repairs.isolated_vertices_dropped, 2u);
 }
 
-TEST(BuildMesh, keeps_faces_without_area_as_connectors) {
+TEST(BuildMesh, keeps_zero_area_faces_as_connectors) {
   Soup soup;
   soup.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, -1, 0}};
   soup.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 2, 4}};
@@ -98,7 +98,7 @@ TEST(BuildMesh, keeps_faces_without_area_as_connectors) {
   EXPECT_EQ(r.components, 1u);
 }
 
-TEST(BuildMesh, says_so_when_no_face_is_left) {
+TEST(BuildMesh, reports_an_error_if_no_face_remains) {
   Soup soup;
   soup.positions = {{0, 0, 0}, {1, 0, 0}};
   soup.triangles = {{0, 1, 1}};
@@ -108,7 +108,7 @@ TEST(BuildMesh, says_so_when_no_face_is_left) {
   EXPECT_NE(built.error().message.find("no face"), std::string::npos);
 }
 
-TEST(BuildMesh, gives_one_result_whatever_the_sign_of_zero) {
+TEST(BuildMesh, ignores_the_sign_of_zero) {
   Soup soup = grid(2, 1);
   for (Vec3& p : soup.positions) p.y = -0.0;
   Soup twin = both(soup, grid(2, 1));

@@ -29,7 +29,7 @@ std::vector<bool> enclosed(const Soup& soup) {
 
 using Flags = std::vector<bool>;
 
-TEST(EnclosedPatches, are_those_within_a_closed_one) {
+TEST(EnclosedPatches, are_inside_a_closed_patch) {
   const Soup ball = sphere(8, 12, 1);
   EXPECT_EQ(enclosed(both(ball, moved(ball, {0.1, 0.05, 0}, 0.5))), (Flags{false, true}));
   EXPECT_EQ(enclosed(both(ball, moved(ball, {2.2, 0.05, 0}, 0.5))), (Flags{false, false}));
@@ -37,7 +37,7 @@ TEST(EnclosedPatches, are_those_within_a_closed_one) {
       << "open ones, too";
 }
 
-TEST(EnclosedPatches, are_not_in_the_hole_of_a_ring_nor_in_a_tube) {
+TEST(EnclosedPatches, are_not_inside_the_hole_of_a_torus_or_a_tube) {
   const Soup ball = sphere(8, 12, 1);
   EXPECT_EQ(enclosed(both(torus(24, 16, 1, 0.3), moved(ball, {0.02, 0.01, 0.03}, 0.2))),
             (Flags{false, false}));
@@ -45,13 +45,13 @@ TEST(EnclosedPatches, are_not_in_the_hole_of_a_ring_nor_in_a_tube) {
 }
 
 // With a third part far along the axis of the ring, rays go along the ring's plane and meet it twice.
-TEST(EnclosedPatches, are_not_between_what_a_ray_enters_and_leaves) {
+TEST(EnclosedPatches, are_not_detected_by_a_ray_that_enters_and_leaves) {
   const Soup ball = sphere(8, 12, 1), ring = torus(24, 16, 1, 0.3);
   const Soup beside = both(moved(ball, {0.02, 0.01, 0.03}, 0.2), moved(ball, {0, 50, 0}, 1));
   EXPECT_EQ(enclosed(both(ring, beside)), (Flags{false, false, false}));
 }
 
-TEST(EnclosedPatches, may_lie_in_each_other) {
+TEST(EnclosedPatches, may_be_nested) {
   const Soup ball = sphere(8, 12, 1);
   const Soup three = both(ball, both(moved(ball, {0.1, 0.05, 0}, 0.7), moved(ball, {0.12, 0.04, 0}, 0.3)));
   EXPECT_EQ(enclosed(three), (Flags{false, true, true}));
@@ -61,7 +61,7 @@ TEST(EnclosedPatches, may_lie_in_each_other) {
 
 // A cube that passes through the wall of another one, with a bounding box inside that of both: some of its
 // vertices are inside, others are not.
-TEST(EnclosedPatches, have_all_their_rays_inside) {
+TEST(EnclosedPatches, require_all_rays_to_be_inside) {
   const Soup ball = sphere(8, 12, 1), through = moved(ball, {0.6, 0.6, 0.1}, 0.35);
   EXPECT_EQ(enclosing(both(ball, through), 8), (std::vector<uint32_t>{0, 0}));
 }

@@ -23,7 +23,7 @@ EnclosedVolume volume_of_mesh(const Soup& soup, const Vec3& origin = Vec3(0)) {
   return enclosed_volume(build(soup).mesh, origin);
 }
 
-TEST(EnclosedVolume, of_a_box_is_the_product_of_its_sides_from_any_origin) {
+TEST(EnclosedVolume, of_a_box_is_the_product_of_its_sides_for_any_origin) {
   const Soup box = brick({0.5, 0.3, 0.9});
   for (const Vec3& origin : {Vec3(0), Vec3(0.25, 0.15, 0.45), Vec3(-3, 7, 2)}) {
     const EnclosedVolume found = volume_of_mesh(box, origin);
@@ -38,7 +38,7 @@ TEST(EnclosedVolume, of_a_box_turned_inside_out_is_negative) {
   EXPECT_NEAR(found.volume, -0.5 * 0.3 * 0.9, 1e-15);
 }
 
-TEST(EnclosedVolume, a_box_that_lacks_any_face_or_has_one_turned_is_open) {
+TEST(EnclosedVolume, a_box_with_a_missing_or_flipped_face_is_open) {
   const Soup box = brick({1, 1, 1});
   for (size_t t = 0; t < box.triangles.size(); ++t) {
     Soup lacking = box, turned = box;
@@ -51,7 +51,7 @@ TEST(EnclosedVolume, a_box_that_lacks_any_face_or_has_one_turned_is_open) {
 }
 
 // The error of an inscribed mesh is proportional to the square of the angle of a sector.
-TEST(EnclosedVolume, of_ever_finer_balls_converges_to_that_of_the_ball) {
+TEST(EnclosedVolume, of_refined_balls_converges_to_that_of_a_ball) {
   const double ball = 4.0 / 3 * std::numbers::pi * 0.125;
   double before = 0;
   for (const int rings : {12, 24, 48}) {
@@ -64,7 +64,7 @@ TEST(EnclosedVolume, of_ever_finer_balls_converges_to_that_of_the_ball) {
   }
 }
 
-TEST(EnclosedVolume, of_a_pipe_is_that_of_the_prism_around_a_regular_polygon) {
+TEST(EnclosedVolume, of_a_pipe_matches_the_prism_around_a_regular_polygon) {
   const int n = 40;
   const double inner = 0.2, outer = 0.3, length = 0.7;
   const double polygon = 0.5 * n * std::sin(2 * std::numbers::pi / n);  // of radius 1
@@ -74,7 +74,7 @@ TEST(EnclosedVolume, of_a_pipe_is_that_of_the_prism_around_a_regular_polygon) {
   EXPECT_FALSE(volume_of_mesh(tube(3, n, outer, length)).closed);
 }
 
-TEST(EnclosedVolume, a_cavity_counts_negative_and_one_open_part_leaves_the_whole_open) {
+TEST(EnclosedVolume, a_cavity_counts_as_negative_and_one_open_part_opens_the_whole) {
   const Soup hollow = both(brick({1, 1, 1}), inside_out(moved(brick({1, 1, 1}), Vec3(0.25), 0.5)));
   EXPECT_TRUE(volume_of_soup(hollow).closed);
   EXPECT_NEAR(volume_of_soup(hollow).volume, 1 - 0.125, 1e-14);
@@ -83,7 +83,7 @@ TEST(EnclosedVolume, a_cavity_counts_negative_and_one_open_part_leaves_the_whole
 
 // Four faces meet in the common edge of two boxes, which have vertices of their own there, at equal
 // positions.
-TEST(EnclosedVolume, sheets_with_vertices_of_their_own_at_equal_positions_are_closed) {
+TEST(EnclosedVolume, sheets_with_duplicate_vertices_at_equal_positions_are_closed) {
   const Soup boxes = both(brick({1, 1, 1}), moved(brick({1, 1, 1}), {1, 1, 0}, 1));
   const BuiltMesh built = build(boxes);
   ASSERT_GT(built.report.non_manifold_edges, 0u);
@@ -92,7 +92,7 @@ TEST(EnclosedVolume, sheets_with_vertices_of_their_own_at_equal_positions_are_cl
   EXPECT_NEAR(found.volume, 2, 1e-14);
 }
 
-TEST(EnclosedVolume, some_faces_are_asked_about_by_themselves) {
+TEST(EnclosedVolume, can_be_computed_for_a_subset_of_faces) {
   const Mesh mesh = build(both(brick({1, 1, 1}), moved(brick({1, 1, 1}), {5, 0, 0}, 0.5))).mesh;
   std::vector<FaceId> second;
   for (uint32_t f = 12; f < 24; ++f) second.emplace_back(f);
@@ -102,7 +102,7 @@ TEST(EnclosedVolume, some_faces_are_asked_about_by_themselves) {
   EXPECT_FALSE(enclosed_volume(mesh, second, {5, 0, 0}).closed);
 }
 
-TEST(ClosedPieces, are_told_by_their_labels) {
+TEST(ClosedPieces, are_identified_by_label) {
   Mesh mesh = build(both(brick({1, 1, 1}), moved(brick({1, 1, 1}), {1, 0, 0}, 1))).mesh;
   for (uint32_t f = 12; f < 24; ++f) mesh.edit_data(FaceId(f)).piece = 2;
   EXPECT_EQ(closed_pieces(mesh, 4), (std::vector<bool>{true, false, true, false}));

@@ -72,7 +72,7 @@ void expect_same_columns(const Mesh& a, const Mesh& b, const Columns& columns) {
   }
 }
 
-TEST(FaceColumns, follow_strokes_of_both_schemes_and_rims_and_their_undo) {
+TEST(FaceColumns, follow_strokes_with_all_schemes_and_rims_and_their_undo) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= 8; ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -99,7 +99,7 @@ TEST(FaceColumns, follow_strokes_of_both_schemes_and_rims_and_their_undo) {
   }
 }
 
-TEST(FaceColumns, share_by_area_what_splits_in_whatever_order) {
+TEST(FaceColumns, divide_by_area_on_splits_in_any_order) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     World world = world_of(torus(10, 8, 0.5, 0.2));
     Mesh& mesh = only_body(world).mesh;
@@ -117,7 +117,7 @@ TEST(FaceColumns, share_by_area_what_splits_in_whatever_order) {
   }
 }
 
-TEST(FaceColumns, keep_the_sum_of_two_faces_whose_edge_is_turned) {
+TEST(FaceColumns, keep_the_sum_of_two_faces_when_their_edge_is_flipped) {
   Mesh mesh = build(plate(1)).mesh;
   const Columns columns(mesh);
   mesh.columns().set(columns.heat, FaceId(0), 1.0);
@@ -139,7 +139,7 @@ TEST(FaceColumns, keep_the_sum_of_two_faces_whose_edge_is_turned) {
   EXPECT_EQ(columns.tag_of(mesh, FaceId(1)), 7u);
 }
 
-TEST(FaceColumns, go_with_the_faces_that_are_extracted_and_detached) {
+TEST(FaceColumns, move_with_extracted_and_detached_faces) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = world_of(grid(12, 1));

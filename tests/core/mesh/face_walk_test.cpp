@@ -42,7 +42,7 @@ void edit(Mesh& mesh, FaceId f, Random& random) {
 }
 
 // Faces that were reached before some edits, and dead ones, are visited like any others.
-TEST(FaceWalk, finds_what_lies_around_faces_however_the_mesh_was_edited_since_they_were_reached) {
+TEST(FaceWalk, finds_neighbours_of_faces_visited_before_edits) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     Random random(seed);
     for (const auto& [name, soup] : mesh_classes()) {

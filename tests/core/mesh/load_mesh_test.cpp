@@ -17,7 +17,7 @@ TEST(LoadMesh, reads_a_file_and_builds_its_mesh) {
   EXPECT_NEAR(built->report.area, 1, 1e-12);
 }
 
-TEST(LoadMesh, names_the_file_of_which_no_face_is_left_or_that_cannot_be_read) {
+TEST(LoadMesh, names_a_file_that_is_unreadable_or_has_no_faces) {
   test::TemporaryFolder folder;
   test::write_text(folder / "flat.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
   for (const char* name : {"flat.obj", "gone.obj"}) {
@@ -27,7 +27,7 @@ TEST(LoadMesh, names_the_file_of_which_no_face_is_left_or_that_cannot_be_read) {
   }
 }
 
-TEST(LoadMesh, reports_what_is_done_and_can_be_stopped) {
+TEST(LoadMesh, reports_progress_and_can_be_cancelled) {
   test::TemporaryFolder folder;
   test::write_text(folder / "plate.obj", test::kPlateObj);
   double last = 0;

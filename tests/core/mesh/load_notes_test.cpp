@@ -7,7 +7,7 @@ namespace {
 
 using Notes = std::vector<std::string>;
 
-TEST(LoadNotes, says_nothing_of_a_file_without_fault) {
+TEST(LoadNotes, are_empty_for_a_valid_file) {
   MeshReport report;
   report.faces = report.faces_in_file = report.triangles_in_file = 12;
   report.boundary_edges = 4;
@@ -16,7 +16,7 @@ TEST(LoadNotes, says_nothing_of_a_file_without_fault) {
   EXPECT_TRUE(load_notes(report).empty());
 }
 
-TEST(LoadNotes, counts_in_the_singular_and_the_plural) {
+TEST(LoadNotes, use_singular_and_plural) {
   MeshReport report;
   report.repairs.zero_area_faces = 1;
   EXPECT_EQ(load_notes(report), Notes{"1 face has no area and was kept, because it connects others."});
@@ -24,7 +24,7 @@ TEST(LoadNotes, counts_in_the_singular_and_the_plural) {
   EXPECT_EQ(load_notes(report), Notes{"3 faces have no area and were kept, because they connect others."});
 }
 
-TEST(LoadNotes, begins_with_what_was_dropped_and_ends_with_what_the_reader_warned_of) {
+TEST(LoadNotes, list_dropped_elements_first_and_reader_warnings_last) {
   MeshReport report;
   report.repairs.reoriented_faces = 12;
   report.repairs.invalid_faces_dropped = 2;
@@ -37,7 +37,7 @@ TEST(LoadNotes, begins_with_what_was_dropped_and_ends_with_what_the_reader_warne
   EXPECT_EQ(notes[3], report.warnings[0]);
 }
 
-TEST(LoadNotes, mentions_everything_that_was_dropped_and_nothing_else_as_dropped) {
+TEST(LoadNotes, list_exactly_the_dropped_elements_as_dropped) {
   Repairs repairs;
   repairs.zero_area_faces = repairs.reoriented_faces = repairs.isolated_vertices_dropped = 5;
   EXPECT_TRUE(dropped_notes(repairs).empty());

@@ -30,7 +30,7 @@ void expect_angles_above_half_of_their_base(const Mesh& mesh, const std::vector<
   }
 }
 
-TEST(LongestEdge, bisecting_leaves_area_boundary_and_topology_as_they_were) {
+TEST(LongestEdge, bisection_preserves_area_boundary_and_topology) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -52,7 +52,7 @@ TEST(LongestEdge, bisecting_leaves_area_boundary_and_topology_as_they_were) {
   }
 }
 
-TEST(LongestEdge, bisecting_leaves_real_meshes_as_they_were) {
+TEST(LongestEdge, bisection_preserves_real_meshes) {
   const auto files = real_meshes(6000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
   Random random(78);
@@ -107,7 +107,7 @@ TEST(LongestEdge, splits_each_face_at_its_longest_edge) {
 }
 
 // All edges of the grid's squares have equal lengths, so only the order of ties prevents cycles.
-TEST(LongestEdge, ends_where_all_edges_are_equal) {
+TEST(LongestEdge, terminates_if_all_edges_are_equal) {
   Soup soup;
   const double h = std::sqrt(3.0) / 2;
   const auto at = [](int i, int j) { return static_cast<uint32_t>(j * 13 + i); };
@@ -129,7 +129,7 @@ TEST(LongestEdge, ends_where_all_edges_are_equal) {
   EXPECT_EQ(find_fault(mesh), "");
 }
 
-TEST(LongestEdge, goes_on_where_green_pairs_lie) {
+TEST(LongestEdge, continues_across_green_pairs) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = build(torus(9, 7, 1, 0.4)).mesh;
@@ -151,7 +151,7 @@ TEST(LongestEdge, goes_on_where_green_pairs_lie) {
   }
 }
 
-TEST(LongestEdge, leaves_a_face_as_it_is_whose_longest_edge_has_no_midpoint_of_its_own) {
+TEST(LongestEdge, skips_a_face_whose_longest_edge_has_no_representable_midpoint) {
   Soup soup;
   const double next = std::nextafter(1.0, 2.0);
   soup.positions = {{1, 1, 1}, {next, 1, 1}, {1, next, 1}};

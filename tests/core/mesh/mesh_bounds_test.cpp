@@ -8,7 +8,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(MeshBounds, are_those_of_the_corners_of_live_faces_whatever_was_removed) {
+TEST(MeshBounds, cover_the_corners_of_live_faces_after_removals) {
   Random random(1);
   Mesh mesh = build(grid(12, 3)).mesh;
   while (mesh.live_faces() > 0) {
@@ -28,7 +28,7 @@ TEST(MeshBounds, are_those_of_the_corners_of_live_faces_whatever_was_removed) {
   EXPECT_TRUE(bounds_of(mesh, nullptr)->is_none());
 }
 
-TEST(MeshBounds, are_not_found_where_that_is_stopped) {
+TEST(MeshBounds, computation_can_be_cancelled) {
   const Progress stopped{[](double) { return false; }};
   const auto found = bounds_of(build(grid(4, 1)).mesh, &stopped);
   EXPECT_FALSE(found);

@@ -11,7 +11,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(OneToFour, splitting_leaves_area_boundary_and_topology_as_they_were) {
+TEST(OneToFour, splitting_preserves_area_boundary_and_topology) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -31,7 +31,7 @@ TEST(OneToFour, splitting_leaves_area_boundary_and_topology_as_they_were) {
   }
 }
 
-TEST(OneToFour, splitting_leaves_real_meshes_as_they_were) {
+TEST(OneToFour, splitting_preserves_real_meshes) {
   const auto files = real_meshes(6000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
   Random random(77);
@@ -79,7 +79,7 @@ TEST(OneToFour, restores_the_parent_of_a_green_pair_before_it_is_split_again) {
   }
 }
 
-TEST(OneToFour, keeps_neighbouring_elements_within_one_level) {
+TEST(OneToFour, keeps_neighbours_within_one_level) {
   Mesh mesh = build(sphere(6, 8, 1)).mesh;
   OneToFour refinement;
   std::vector<Replacement> replaced;
@@ -95,7 +95,7 @@ TEST(OneToFour, keeps_neighbouring_elements_within_one_level) {
   EXPECT_EQ(find_fault(mesh), "");
 }
 
-TEST(OneToFour, tells_of_every_slot_that_it_changed) {
+TEST(OneToFour, reports_every_changed_slot) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     Mesh mesh = build(torus(10, 6, 1, 0.4)).mesh;
     OneToFour refinement;
@@ -118,7 +118,7 @@ TEST(OneToFour, tells_of_every_slot_that_it_changed) {
   }
 }
 
-TEST(OneToFour, refuses_a_face_whose_edges_have_no_midpoint_of_their_own) {
+TEST(OneToFour, rejects_a_face_whose_edges_have_no_representable_midpoint) {
   Soup soup;
   const double next = std::nextafter(1.0, 2.0);
   soup.positions = {{1, 0, 0}, {next, 0, 0}, {1, 1, 0}};

@@ -67,7 +67,7 @@ std::vector<uint32_t> overlapping(const Soup& soup) {
   return overlapping_patches(positions, triangles, *patches);
 }
 
-TEST(OverlappingPatches, are_those_that_do_not_take_turns_in_facing_outward_and_inward) {
+TEST(OverlappingPatches, do_not_alternate_between_outward_and_inward) {
   using Found = std::vector<uint32_t>;
   const Soup ball = sphere(8, 12, 1), inner = moved(ball, {0.1, 0.05, 0}, 0.7),
              marble = moved(ball, {0.12, 0.04, 0}, 0.3);
@@ -137,7 +137,7 @@ std::vector<Corners> oriented_faces(const Mesh& mesh) {
   return faces;
 }
 
-TEST(Orient, turns_closed_parts_outward_and_keeps_what_may_be_a_cavity) {
+TEST(Orient, turns_closed_parts_outward_and_keeps_possible_cavities) {
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -153,7 +153,7 @@ TEST(Orient, turns_closed_parts_outward_and_keeps_what_may_be_a_cavity) {
   }
 }
 
-TEST(Orient, gives_the_same_faces_in_whatever_order_they_come) {
+TEST(Orient, does_not_depend_on_the_order_of_faces) {
   for (uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -165,7 +165,7 @@ TEST(Orient, gives_the_same_faces_in_whatever_order_they_come) {
   }
 }
 
-TEST(Orient, turns_a_part_in_the_bounding_box_of_another_but_not_inside_it) {
+TEST(Orient, turns_a_part_inside_the_bounding_box_but_outside_the_solid) {
   EXPECT_GT(volume(angle()), 0);
   const Soup beside = moved(sphere(6, 8, 0.5), {2.5, 2.5, 1}, 1),
              inside = moved(sphere(6, 8, 0.3), {2.5, 0.5, 1}, 1);
@@ -177,7 +177,7 @@ TEST(Orient, turns_a_part_in_the_bounding_box_of_another_but_not_inside_it) {
   EXPECT_LT(sphere_of(inside), 0);
 }
 
-TEST(Orient, turns_parts_outward_that_touch_along_an_edge) {
+TEST(Orient, turns_parts_that_share_an_edge_outward) {
   Soup wedge = plate(1);
   wedge.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0.5, 1, 0}};
   wedge.triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}};
@@ -193,7 +193,7 @@ TEST(Orient, turns_parts_outward_that_touch_along_an_edge) {
   }
 }
 
-TEST(Orient, leaves_open_and_flat_parts_as_they_are) {
+TEST(Orient, leaves_open_and_flat_parts_unchanged) {
   Soup flat = plate(1);
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
   flat.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};  // a tetrahedron without volume
@@ -204,7 +204,7 @@ TEST(Orient, leaves_open_and_flat_parts_as_they_are) {
   }
 }
 
-TEST(Orient, turns_a_real_part_outward_whose_faces_look_inward) {
+TEST(Orient, turns_a_real_inside_out_part_outward) {
   const auto files = real_meshes(3000);
   const auto file =
       std::find_if(files.begin(), files.end(), [](const auto& f) { return f.filename() == "boeing.off"; });

@@ -23,7 +23,7 @@ struct Welded {
   Patches patches;
 };
 
-TEST(Patches, of_closed_and_open_meshes_are_their_components) {
+TEST(Patches, of_manifold_meshes_are_their_components) {
   const Soup ball = sphere(6, 8, 1);
   const Welded two(both(ball, moved(grid(3, 1), {5, 0, 0}, 1)));
   ASSERT_EQ(two.patches.count(), 2u);
@@ -34,13 +34,13 @@ TEST(Patches, of_closed_and_open_meshes_are_their_components) {
   for (const uint32_t t : two.patches.triangles_of(1)) EXPECT_EQ(two.patches.patch_of[t], 1u);
 }
 
-TEST(Patches, end_at_an_edge_of_three_triangles_and_components_do_not) {
+TEST(Patches, end_at_an_edge_of_three_triangles_unlike_components) {
   const Welded pages(book(5));
   EXPECT_EQ(pages.patches.count(), 5u);
   EXPECT_EQ(pages.components(), 1u);
 }
 
-TEST(Patches, that_are_wound_against_each_other_bound_no_volume) {
+TEST(Patches, with_inconsistent_winding_are_not_closed) {
   Soup ball = sphere(6, 8, 1);
   EXPECT_TRUE(Welded(ball).patches.closed[0]);
   std::swap(ball.triangles[10][0], ball.triangles[10][1]);

@@ -27,7 +27,7 @@ double sampled_distance(const Vec3& p, const Triangle& t) {
   return least;
 }
 
-TEST(PointToTriangle, is_the_least_distance_of_all_its_points) {
+TEST(PointToTriangle, is_the_minimum_over_all_points_of_the_triangle) {
   Random random(9);
   for (int i = 0; i < 200; ++i) {
     const Triangle t{random_point(random), random_point(random), random_point(random)};
@@ -39,7 +39,7 @@ TEST(PointToTriangle, is_the_least_distance_of_all_its_points) {
   }
 }
 
-TEST(PointToTriangle, is_exact_above_it_beside_an_edge_and_beyond_a_corner) {
+TEST(PointToTriangle, is_exact_above_the_face_next_to_an_edge_and_beyond_a_corner) {
   const Triangle t{Vec3(0), Vec3(2, 0, 0), Vec3(0, 0, 2)};
   EXPECT_NEAR(squared_distance({0.5, 3, 0.5}, t), 9, 1e-12);
   EXPECT_NEAR(squared_distance({1, 1, -2}, t), 5, 1e-12);
@@ -47,7 +47,7 @@ TEST(PointToTriangle, is_exact_above_it_beside_an_edge_and_beyond_a_corner) {
   EXPECT_EQ(nearest_point({0.5, 3, 0.5}, t), Vec3(0.5, 0, 0.5));
 }
 
-TEST(PointToTriangle, of_a_degenerate_one_is_that_to_its_line_or_point) {
+TEST(PointToTriangle, of_a_degenerate_triangle_is_measured_to_its_line_or_point) {
   EXPECT_NEAR(squared_distance({1, 2, 0}, {Vec3(0), Vec3(4, 0, 0), Vec3(2, 0, 0)}), 4, 1e-12);
   EXPECT_NEAR(squared_distance({1, 2, 2}, {Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0)}), 8, 1e-12);
 }

@@ -18,7 +18,7 @@ std::string refusal(const std::filesystem::path& path) {
   return soup ? "" : soup.error().message.substr(path.string().size());
 }
 
-TEST(ReadMesh, goes_by_content_whatever_the_ending) {
+TEST(ReadMesh, detects_the_format_by_content_not_extension) {
   const test::TemporaryFolder folder;
   for (const test::Sample& sample : test::sample_files()) {
     for (const char* ending : {".obj", ".ply", ".stl", ".off", ".txt", ""}) {
@@ -31,7 +31,7 @@ TEST(ReadMesh, goes_by_content_whatever_the_ending) {
   }
 }
 
-TEST(ReadMesh, refuses_what_is_no_regular_file) {
+TEST(ReadMesh, rejects_anything_but_a_regular_file) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "d.obj");
   ASSERT_EQ(::mkfifo((folder / "f.stl").c_str(), 0600), 0);
@@ -46,7 +46,7 @@ TEST(ReadMesh, refuses_what_is_no_regular_file) {
             ": this is not a supported mesh format; Kerf reads OBJ, PLY, STL, OFF, glTF and 3MF.");
 }
 
-TEST(ReadMesh, says_what_a_file_is_that_is_no_mesh_whatever_its_ending) {
+TEST(ReadMesh, names_the_actual_type_of_a_file_that_is_not_a_mesh) {
   const test::TemporaryFolder folder;
   const std::pair<std::string, std::string> files[] = {
       {"\x89PNG\r\n\x1a\n", "a PNG image"},
@@ -75,7 +75,7 @@ TEST(ReadMesh, says_what_a_file_is_that_is_no_mesh_whatever_its_ending) {
   EXPECT_EQ(refusal(folder / "wide.stl"), ": this is UTF-16 text; save it as UTF-8.");
 }
 
-TEST(ReadMesh, refuses_more_than_four_gibibytes) {
+TEST(ReadMesh, rejects_files_above_4_gib) {
   const test::TemporaryFolder folder;
   test::write_text(folder / "big.stl", "x");
   std::error_code unsupported;
@@ -84,7 +84,7 @@ TEST(ReadMesh, refuses_more_than_four_gibibytes) {
   EXPECT_EQ(refusal(folder / "big.stl"), ": the file exceeds the limit of 4 GiB.");
 }
 
-TEST(ReadMesh, reports_progress_that_never_goes_back_and_stops_when_asked) {
+TEST(ReadMesh, reports_increasing_progress_and_can_be_cancelled) {
   const test::TemporaryFolder folder;
   std::string text;
   for (int i = 0; i < 2000; ++i) text += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\n";
@@ -101,7 +101,7 @@ TEST(ReadMesh, reports_progress_that_never_goes_back_and_stops_when_asked) {
   EXPECT_EQ(stopped.error().message, "cancelled");
 }
 
-TEST(ReadMesh, reads_on_many_threads_at_once) {
+TEST(ReadMesh, reads_on_several_threads_concurrently) {
   const test::TemporaryFolder folder;
   const auto samples = test::sample_files();
   for (const auto& sample : samples) test::write_text(folder / sample.name, sample.bytes);
@@ -134,7 +134,7 @@ std::vector<std::filesystem::path> entries_below(const std::filesystem::path& ro
   return entries;
 }
 
-TEST(ReadMesh, counts_what_an_independent_reader_counts_in_real_files) {
+TEST(ReadMesh, matches_an_independent_reader_on_real_files) {
   const auto root = outside_meshes("real");
   if (!root) GTEST_SKIP() << "KERF_TEST_MESHES names no folder with real meshes";
   const auto expected = nlohmann::json::parse(std::ifstream(*root / "expected.json"));
@@ -155,7 +155,7 @@ TEST(ReadMesh, counts_what_an_independent_reader_counts_in_real_files) {
   }
 }
 
-TEST(ReadMesh, keeps_the_area_of_concave_polygons_in_real_files) {
+TEST(ReadMesh, preserves_the_area_of_concave_polygons_in_real_files) {
   const auto root = outside_meshes("real");
   if (!root) GTEST_SKIP() << "KERF_TEST_MESHES names no folder with real meshes";
   // Newell areas of the polygons, computed by another program.
@@ -169,7 +169,7 @@ TEST(ReadMesh, keeps_the_area_of_concave_polygons_in_real_files) {
   }
 }
 
-TEST(ReadMesh, tells_what_is_wrong_with_malformed_files) {
+TEST(ReadMesh, reports_errors_of_malformed_files) {
   const auto root = outside_meshes("malformed");
   if (!root) GTEST_SKIP() << "KERF_TEST_MESHES names no folder with malformed meshes";
   for (const auto& path : entries_below(*root)) {

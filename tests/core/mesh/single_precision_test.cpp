@@ -18,7 +18,7 @@ struct Plate {
   }
 };
 
-TEST(SinglePrecision, loses_nothing_that_matters_near_the_origin) {
+TEST(SinglePrecision, is_sufficient_near_the_origin) {
   const Plate sheet{test::grid(4, 0.1)};
   for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kGlb, MeshFormat::kGltf}) {
     const PrecisionLoss loss = sheet.loss(format);
@@ -49,14 +49,14 @@ TEST(SinglePrecision, merges_vertices_of_an_stl_far_from_the_origin) {
   EXPECT_NEAR(loss.shortest_edge, 0.1, 1e-8);
 }
 
-TEST(SinglePrecision, of_gltf_is_about_the_middle_and_other_formats_hold_doubles) {
+TEST(SinglePrecision, of_gltf_is_relative_to_the_centre_and_other_formats_use_doubles) {
   const Plate sheet{test::moved(test::grid(4, 0.1), {5.4e6, 0, 0}, 1)};
   EXPECT_FALSE(sheet.loss(MeshFormat::kGlb).matters());
   for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff})
     EXPECT_EQ(sheet.loss(format).max_move, 0);
 }
 
-TEST(SinglePrecision, is_told_with_the_numbers_of_all_files) {
+TEST(SinglePrecision, loss_is_reported_for_all_files_together) {
   PrecisionLoss loss{.max_move = 0.25, .shortest_edge = 3.1e-5, .merged = 2000, .vertices = 9000};
   loss += {.max_move = 1e-8, .shortest_edge = 0.5, .merged = 0, .vertices = 100};
   EXPECT_EQ(precision_note(loss, MeshFormat::kStl, "write OBJ"),

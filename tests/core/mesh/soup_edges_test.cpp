@@ -44,7 +44,7 @@ TEST(SoupEdges, group_the_sides_of_every_class_of_mesh) {
   }
 }
 
-TEST(SoupEdges, of_a_book_hold_all_its_sheets) {
+TEST(SoupEdges, of_a_book_group_all_its_sheets) {
   const Soup soup = book(7);
   const SoupEdges edges = group_sides(soup.triangles, soup.positions.size());
   size_t most = 0;

@@ -19,14 +19,14 @@ double distance(const std::vector<Triangle>& one, const std::vector<Triangle>& o
   return *surface_distance(one, other, nullptr);
 }
 
-TEST(SurfaceDistance, is_none_for_the_same_surface_and_the_gap_of_parallel_ones) {
+TEST(SurfaceDistance, is_zero_for_equal_surfaces_and_the_gap_of_parallel_ones) {
   const std::vector<Triangle> plate{{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)}};
   const std::vector<Triangle> above{{Vec3(0, 0, 0.25), Vec3(1, 0, 0.25), Vec3(0, 1, 0.25)}};
   EXPECT_EQ(distance(plate, plate), 0);
   EXPECT_DOUBLE_EQ(distance(plate, above), 0.25);
 }
 
-TEST(SurfaceDistance, is_measured_both_ways) {
+TEST(SurfaceDistance, is_symmetric) {
   const std::vector<Triangle> small{{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)}};
   std::vector<Triangle> large = small;
   large.push_back({Vec3(0), Vec3(0, 1, 0), Vec3(-3, 0, 0)});
@@ -35,7 +35,7 @@ TEST(SurfaceDistance, is_measured_both_ways) {
 }
 
 // Compared with a search of all triangles for each corner, for spheres of few and of many faces.
-TEST(SurfaceDistance, is_that_of_a_search_of_all_triangles) {
+TEST(SurfaceDistance, matches_a_brute_force_search) {
   const std::vector<Triangle> coarse = triangles_of(build(sphere(6, 8, 1)).mesh);
   const std::vector<Triangle> fine = triangles_of(build(sphere(20, 30, 1)).mesh);
   double most = 0;
@@ -50,7 +50,7 @@ TEST(SurfaceDistance, is_that_of_a_search_of_all_triangles) {
   EXPECT_LT(distance(fine, coarse), 1.05 * std::sqrt(most));
 }
 
-TEST(SurfaceDistance, can_be_stopped) {
+TEST(SurfaceDistance, can_be_cancelled) {
   const std::vector<Triangle> ball = triangles_of(build(sphere(20, 30, 1)).mesh);
   const Progress stop{[](double) { return false; }};
   EXPECT_FALSE(surface_distance(ball, ball, &stop).ok());

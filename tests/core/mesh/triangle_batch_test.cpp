@@ -17,7 +17,7 @@ Mesh worn(const Soup& soup, Random& random) {
   return mesh;
 }
 
-TEST(TriangleBatch, has_the_triangles_of_the_live_faces_in_order) {
+TEST(TriangleBatch, contains_the_triangles_of_live_faces_in_order) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name + ", seed 3");
     Random random(3);
@@ -38,7 +38,7 @@ TEST(TriangleBatch, has_the_triangles_of_the_live_faces_in_order) {
   }
 }
 
-TEST(TriangleBatch, has_the_corners_of_any_faces_in_their_order) {
+TEST(TriangleBatch, contains_the_corners_of_given_faces_in_their_order) {
   Random random(4);
   const Mesh mesh = worn(torus(30, 20, 1, 0.3), random);
   std::vector<FaceId> faces;

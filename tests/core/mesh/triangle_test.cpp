@@ -7,19 +7,19 @@
 namespace kerf {
 namespace {
 
-TEST(Triangle, has_the_area_of_half_its_base_times_its_height) {
+TEST(Triangle, area_is_half_base_times_height) {
   EXPECT_NEAR(triangle_area({Vec3(1, 2, 3), Vec3(5, 2, 3), Vec3(3, 2, 9)}), 12, 1e-12);
   EXPECT_EQ(triangle_area({Vec3(0), Vec3(1, 1, 1), Vec3(2, 2, 2)}), 0);
 }
 
-TEST(Triangle, knows_its_longest_edge_whichever_it_is) {
+TEST(Triangle, finds_its_longest_edge_at_any_position) {
   const Vec3 a(0), b(3, 0, 0), c(0, 4, 0);
   EXPECT_EQ(longest_edge2({a, b, c}), 25);
   EXPECT_EQ(longest_edge2({b, c, a}), 25);
   EXPECT_EQ(longest_edge2({c, a, b}), 25);
 }
 
-TEST(Triangle, has_the_cosine_of_its_smallest_angle) {
+TEST(Triangle, computes_the_cosine_of_its_smallest_angle) {
   EXPECT_NEAR(largest_cosine({Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)}), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(largest_cosine({Vec3(0), Vec3(1, 0, 0), Vec3(0.5, std::sqrt(0.75), 0)}), 0.5, 1e-12);
   EXPECT_EQ(largest_cosine({Vec3(0), Vec3(1, 0, 0), Vec3(0)}), 1) << "a degenerate one";

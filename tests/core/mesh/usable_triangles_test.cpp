@@ -19,13 +19,13 @@ Soup square() {
   return soup;
 }
 
-TEST(UsableTriangles, are_named_by_their_welded_positions) {
+TEST(UsableTriangles, use_welded_vertex_indices) {
   Soup soup = square();
   soup.triangles = {{1, 2, 3}};
   EXPECT_EQ(usable(soup).triangles, (std::vector<Soup::Triangle>{{1, 2, 0}}));
 }
 
-TEST(UsableTriangles, leave_out_and_count_what_makes_no_face) {
+TEST(UsableTriangles, exclude_and_count_degenerate_triangles) {
   Soup soup = square();
   soup.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 1, 2}, {0, 1, 4}, {1, 2, 3}};
   soup.materials = {1, 2, 3, 4, 5};
@@ -36,7 +36,7 @@ TEST(UsableTriangles, leave_out_and_count_what_makes_no_face) {
   EXPECT_EQ(found.materials, (std::vector<uint16_t>{1, 5}));
 }
 
-TEST(UsableTriangles, keep_the_parts_that_have_any) {
+TEST(UsableTriangles, keep_the_parts_that_are_not_empty) {
   Soup soup = square();
   soup.triangles = {{0, 1, 3}, {0, 1, 2}, {0, 1, 3}, {1, 2, 3}};
   soup.parts = {{"gone", 0, 1}, {"first", 0, 2}, {"all", 0, 4}, {"last", 2, 4}};

@@ -72,7 +72,7 @@ void draw(Document& document, const RandomStroke& stroke, const CutSettings& set
 
 // A colour that is linear in the position stays so wherever edges are split, which checks every split up to
 // accumulated rounding. A vertex that moves onto a smooth rim keeps its colour.
-TEST(VertexColours, are_interpolated_in_every_cut_and_come_back_with_undo) {
+TEST(VertexColours, are_interpolated_in_cuts_and_restored_by_undo) {
   uint64_t seed = 0;
   for (const NamedSoup& made : mesh_classes()) {
     for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
@@ -102,7 +102,7 @@ TEST(VertexColours, are_interpolated_in_every_cut_and_come_back_with_undo) {
   }
 }
 
-TEST(VertexColours, change_neither_the_cut_nor_its_hash) {
+TEST(VertexColours, do_not_affect_the_cut_or_its_hash) {
   Random random(3);
   const Soup plain = sphere(24, 32, 1);
   Document without(world_of(plain)), with(world_of(coloured(plain)));
@@ -111,7 +111,7 @@ TEST(VertexColours, change_neither_the_cut_nor_its_hash) {
   EXPECT_EQ(state_hash(without.world()), state_hash(with.world()));
 }
 
-TEST(VertexColours, of_a_simplified_mesh_are_those_of_the_surface) {
+TEST(VertexColours, of_a_simplified_mesh_match_the_surface) {
   const Soup soup = coloured(sphere(48, 64, 1));
   const LinearColour linear(soup);
   const BuiltMesh built = build(soup);
@@ -130,7 +130,7 @@ VertexColour any_colour(Random& random) {
   return colour;
 }
 
-TEST(VertexColours, are_read_back_as_they_were_written) {
+TEST(VertexColours, round_trip_through_files) {
   const TemporaryFolder folder;
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
@@ -161,7 +161,7 @@ TEST(VertexColours, are_read_back_as_they_were_written) {
   }
 }
 
-TEST(VertexColours, of_a_piece_are_those_of_its_vertices) {
+TEST(VertexColours, of_a_piece_match_its_vertices) {
   const Soup soup = coloured(both(sphere(8, 12, 1), moved(grid(4, 1), {5, 0, 0}, 1)));
   const LinearColour linear(soup);
   World world = world_of(soup);
@@ -177,7 +177,7 @@ TEST(VertexColours, of_a_piece_are_those_of_its_vertices) {
 const VertexColour kRed{{VertexColour::kFull, 0, 0, VertexColour::kFull}};
 const VertexColour kWhite;
 
-TEST(VertexColours, follow_the_coordinates_in_obj) {
+TEST(VertexColours, follow_coordinates_in_obj) {
   const auto soup =
       read_obj("v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 1 0 0 0.5\nv 0 1 0 0.5\nf 1 2 3 4\n", "a.obj", nullptr);
   ASSERT_TRUE(soup);
@@ -202,7 +202,7 @@ std::string ply_with(const std::string& type, const std::string& prefix, const s
   return text + "3 0 1 2\n";
 }
 
-TEST(VertexColours, are_properties_of_vertices_in_ply_whatever_their_type) {
+TEST(VertexColours, are_vertex_properties_of_any_type_in_ply) {
   for (const auto& [type, full] :
        {std::pair("uchar", "255"), {"ushort", "65535"}, {"float", "1"}, {"short", "32767"}}) {
     for (const char* prefix : {"", "diffuse_"}) {
@@ -216,7 +216,7 @@ TEST(VertexColours, are_properties_of_vertices_in_ply_whatever_their_type) {
   EXPECT_EQ(out_of_range->colours[0].part[0], 0);
 }
 
-TEST(VertexColours, of_welded_vertices_are_those_of_the_first_and_a_note_says_so) {
+TEST(VertexColours, of_welded_vertices_come_from_the_first_with_a_note) {
   const auto soup = read_obj("v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0 0 1 0\nv 0 1 0\nf 1 2 3\nf 4 3 5\n",
                              "a.obj", nullptr);
   ASSERT_TRUE(soup);
@@ -231,7 +231,7 @@ TEST(VertexColours, of_welded_vertices_are_those_of_the_first_and_a_note_says_so
             "1 vertex has a different colour from an earlier one at its position, whose colour was kept.");
 }
 
-TEST(VertexColours, linear_light_and_back_is_the_same_colour) {
+TEST(VertexColours, linear_light_conversion_round_trips) {
   for (uint32_t part = 0; part <= VertexColour::kFull; ++part)
     ASSERT_EQ(part_of_linear(linear_light(static_cast<uint16_t>(part))), part);
 }

@@ -11,7 +11,7 @@ namespace {
 
 using Indices = std::vector<uint32_t>;
 
-TEST(Weld, names_the_first_of_equal_positions) {
+TEST(Weld, maps_to_the_first_of_equal_positions) {
   Random random(5);
   std::vector<Vec3> positions;
   for (int i = 0; i < 500; ++i)
@@ -24,13 +24,13 @@ TEST(Weld, names_the_first_of_equal_positions) {
   }
 }
 
-TEST(Weld, takes_zero_of_either_sign_for_one_and_what_is_no_number_for_itself) {
+TEST(Weld, treats_signed_zeros_as_equal_and_nans_as_distinct) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(weld_positions(std::vector{Vec3(0.0, 1, 2), Vec3(-0.0, 1, 2), Vec3(nan, 0, 0), Vec3(nan, 0, 0)}),
             (Indices{0, 0, 2, 3}));
 }
 
-TEST(Weld, joins_nothing_that_is_only_near) {
+TEST(Weld, does_not_join_nearby_positions) {
   EXPECT_EQ(weld_positions(std::vector{Vec3(1, 0, 0), Vec3(1 + 1e-15, 0, 0)}), (Indices{0, 1}));
   EXPECT_TRUE(weld_positions(std::vector<Vec3>()).empty());
 }

@@ -57,7 +57,7 @@ bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   });
 }
 
-TEST(WriteMesh, reads_back_bit_equal) {
+TEST(WriteMesh, round_trips_bit_for_bit) {
   const test::TemporaryFolder folder;
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
@@ -78,7 +78,7 @@ TEST(WriteMesh, reads_back_bit_equal) {
   }
 }
 
-TEST(WriteMesh, names_the_mtl_file_of_an_obj_file_and_describes_every_material_in_it) {
+TEST(WriteMesh, references_the_mtl_file_of_an_obj_and_describes_every_material) {
   Random random(16);
   const RandomMesh mesh = random_mesh(random);
   MeshView view = mesh.view();
@@ -108,7 +108,7 @@ TEST(WriteMesh, writes_stl_to_the_precision_of_float) {
   }
 }
 
-TEST(WriteMesh, refuses_stl_beyond_float) {
+TEST(WriteMesh, rejects_stl_beyond_the_range_of_float) {
   const test::TemporaryFolder folder;
   const std::vector<Vec3> positions{{1e39, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}};
@@ -118,7 +118,7 @@ TEST(WriteMesh, refuses_stl_beyond_float) {
   EXPECT_FALSE(std::filesystem::exists(folder / "t.stl"));
 }
 
-TEST(WriteMesh, knows_formats_by_name) {
+TEST(WriteMesh, finds_formats_by_name) {
   EXPECT_EQ(mesh_format("obj"), MeshFormat::kObj);
   EXPECT_EQ(mesh_format(".STL"), MeshFormat::kStl);
   EXPECT_EQ(mesh_format("om"), std::nullopt);
@@ -139,7 +139,7 @@ TEST(WriteFileAtomically, replaces_a_file_and_keeps_its_permissions) {
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
-TEST(WriteFileAtomically, follows_a_link) {
+TEST(WriteFileAtomically, writes_through_a_symlink) {
   const test::TemporaryFolder folder;
   test::write_text(folder / "a", "old");
   std::filesystem::create_symlink("a", folder / "link");
@@ -148,7 +148,7 @@ TEST(WriteFileAtomically, follows_a_link) {
   EXPECT_EQ(test::read_text(folder / "a"), "new");
 }
 
-TEST(WriteFileAtomically, says_in_one_sentence_that_a_device_is_full) {
+TEST(WriteFileAtomically, reports_a_full_device_in_one_sentence) {
   const Status status = write_file_atomically("/dev/full", "bytes");
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::kFailed);
@@ -156,7 +156,7 @@ TEST(WriteFileAtomically, says_in_one_sentence_that_a_device_is_full) {
 }
 
 // A limit on the size of files simulates a full disk: the write fails half-way.
-TEST(WriteFileAtomically, leaves_what_was_there_when_the_disk_is_full) {
+TEST(WriteFileAtomically, keeps_the_old_file_when_the_disk_is_full) {
   const test::TemporaryFolder folder;
   test::write_text(folder / "a", "old");
   rlimit before{};
@@ -172,7 +172,7 @@ TEST(WriteFileAtomically, leaves_what_was_there_when_the_disk_is_full) {
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
-TEST(WriteFileAtomically, writes_parts_in_their_order) {
+TEST(WriteFileAtomically, writes_chunks_in_order) {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(write_file_atomically(folder / "a", [](const ByteSink& sink) {
     for (const char* part : {"one, ", "", "two, ", "three"}) EXPECT_TRUE(sink(part));
@@ -181,7 +181,7 @@ TEST(WriteFileAtomically, writes_parts_in_their_order) {
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
-TEST(WriteFileAtomically, tells_the_source_of_parts_that_no_more_are_wanted) {
+TEST(WriteFileAtomically, stops_the_chunk_source_on_failure) {
   int parts = 0;
   const Status status = write_file_atomically("/dev/full", [&](const ByteSink& sink) {
     while (++parts < 10 && sink("bytes")) {
@@ -191,7 +191,7 @@ TEST(WriteFileAtomically, tells_the_source_of_parts_that_no_more_are_wanted) {
   EXPECT_FALSE(status);
 }
 
-TEST(WriteFileAtomically, leaves_what_was_there_where_making_the_parts_throws) {
+TEST(WriteFileAtomically, keeps_the_old_file_if_the_source_throws) {
   const test::TemporaryFolder folder;
   test::write_text(folder / "a", "old");
   const auto produce = [](const ByteSink& sink) {
@@ -203,7 +203,7 @@ TEST(WriteFileAtomically, leaves_what_was_there_where_making_the_parts_throws) {
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
-TEST(WriteFileAtomically, fails_where_nothing_can_be_written) {
+TEST(WriteFileAtomically, fails_if_the_path_is_not_writable) {
   const test::TemporaryFolder folder;
   for (const auto& path :
        {folder / "missing/a", folder.path(), folder.path() / "", std::filesystem::path()}) {

@@ -40,7 +40,7 @@ Soup ply(const Words& words) {
   return soup ? *soup : Soup();
 }
 
-TEST(ColourNumbers, up_to_255_are_bytes_in_every_format_that_does_not_say_so) {
+TEST(ColourNumbers, up_to_255_are_bytes_in_formats_without_a_declared_unit) {
   const Words words{"255 128 0", "0 0 1", "7 7 7"};
   const Colours expected{
       {{kFull, byte(128), 0, kFull}}, {{0, 0, byte(1), kFull}}, {{byte(7), byte(7), byte(7), kFull}}};
@@ -50,7 +50,7 @@ TEST(ColourNumbers, up_to_255_are_bytes_in_every_format_that_does_not_say_so) {
   }
 }
 
-TEST(ColourNumbers, up_to_one_are_fractions_and_nothing_is_said) {
+TEST(ColourNumbers, up_to_one_are_fractions_without_a_note) {
   const Words words{"1 0.5 0", "0 0 1", "0.25 0 0"};
   const Colours expected{{{kFull, 32768, 0, kFull}}, {{0, 0, kFull, kFull}}, {{16384, 0, 0, kFull}}};
   for (const Soup& soup : {obj(words), off("COFF", words), ply(words)}) {
@@ -59,7 +59,7 @@ TEST(ColourNumbers, up_to_one_are_fractions_and_nothing_is_said) {
   }
 }
 
-TEST(ColourNumbers, slightly_above_one_are_light_and_far_above_it_are_bytes) {
+TEST(ColourNumbers, slightly_above_one_are_clamped_and_far_above_are_bytes) {
   const Soup bright = obj({"1.5 0.5 0", "0 0 1", "0 0 0"});
   EXPECT_EQ(bright.colours[0].part[0], kFull);
   EXPECT_EQ(bright.colours[0].part[1], 32768);
@@ -69,20 +69,20 @@ TEST(ColourNumbers, slightly_above_one_are_light_and_far_above_it_are_bytes) {
   EXPECT_EQ(averaged.warnings, (std::vector<std::string>{kBytes}));
 }
 
-TEST(ColourNumbers, of_opacity_are_in_a_unit_of_their_own) {
+TEST(ColourNumbers, of_opacity_have_a_separate_unit) {
   EXPECT_EQ(obj({"255 0 0 1", "0 255 0 1", "0 0 9 1"}).colours[0], (VertexColour{{kFull, 0, 0, kFull}}));
   EXPECT_EQ(obj({"255 0 0 51", "0 255 0 1", "0 0 9 1"}).colours[0], (VertexColour{{kFull, 0, 0, byte(51)}}));
   EXPECT_EQ(obj({"0.5 0 0 255", "0 0 0 255", "0 0 0 51"}).colours[0], (VertexColour{{32768, 0, 0, kFull}}));
   EXPECT_EQ(obj({"1 0 0 255", "0 0 0 255", "0 0 0 51"}).colours[0], (VertexColour{{byte(1), 0, 0, kFull}}));
 }
 
-TEST(ColourNumbers, of_vertices_that_have_none_are_opaque_white) {
+TEST(ColourNumbers, default_to_opaque_white) {
   const Soup soup = obj({"", "200 0 0", ""});
   EXPECT_EQ(soup.colours, (Colours{{}, {{byte(200), 0, 0, kFull}}, {}}));
   EXPECT_TRUE(obj({"", "", ""}).colours.empty());
 }
 
-TEST(ColourNumbers, of_off_stand_behind_normals_and_before_texture_coordinates) {
+TEST(ColourNumbers, in_off_follow_normals_and_precede_texture_coordinates) {
   const VertexColour colour{{byte(200), byte(100), 0, byte(50)}};
   const auto first = [](const std::string& keyword, const std::string& words) {
     return off(keyword, {words, words, words}).colours;

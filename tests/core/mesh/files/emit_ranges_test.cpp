@@ -21,7 +21,7 @@ std::string numbers(size_t items) {
   return all;
 }
 
-TEST(EmitRanges, hands_on_all_items_in_order_with_any_number_of_threads) {
+TEST(EmitRanges, emits_all_items_in_order_for_any_thread_count) {
   for (const size_t items : {0u, 1u, 70'000u, 300'001u}) {
     std::string expected;
     for (size_t i = 0; i < items; ++i) expected += std::to_string(i) + ",";
@@ -31,7 +31,7 @@ TEST(EmitRanges, hands_on_all_items_in_order_with_any_number_of_threads) {
   }
 }
 
-TEST(EmitRanges, ends_with_the_sink) {
+TEST(EmitRanges, stops_when_the_sink_stops) {
   size_t parts = 0;
   const bool done = emit_ranges(
       1'000'000, [&](std::string_view) { return ++parts < 2; },

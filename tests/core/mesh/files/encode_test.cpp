@@ -26,7 +26,7 @@ struct RandomMesh {
   std::vector<std::array<uint32_t, 3>> triangles;
 };
 
-TEST(Encode, is_read_back_to_the_bit_and_in_order) {
+TEST(Encode, round_trips_exactly_and_in_order) {
   const RandomMesh mesh(3000);
   for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff}) {
     const std::string bytes = encoded(mesh.view(), format);
@@ -38,7 +38,7 @@ TEST(Encode, is_read_back_to_the_bit_and_in_order) {
   }
 }
 
-TEST(Encode, as_stl_keeps_the_corners_in_single_precision) {
+TEST(Encode, stl_rounds_corners_to_single_precision) {
   const RandomMesh mesh(300);
   const auto soup =
       test::reader_of(MeshFormat::kStl)(encoded(mesh.view(), MeshFormat::kStl), "mesh", nullptr);
@@ -51,7 +51,7 @@ TEST(Encode, as_stl_keeps_the_corners_in_single_precision) {
   }
 }
 
-TEST(Encode, ends_where_the_sink_wants_no_more) {
+TEST(Encode, stops_when_the_sink_stops) {
   const RandomMesh mesh(20'000);
   for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff}) {
     size_t taken = 0;

@@ -10,17 +10,17 @@ namespace {
 constexpr FileFrame kGame = {FileUnit::kMetre, UpAxis::kY};
 constexpr FileFrame kCad = {FileUnit::kMillimetre, UpAxis::kZ};
 
-TEST(FileFrame, takes_a_printed_part_for_millimetres_with_z_upwards) {
+TEST(FileFrame, treats_a_3d_print_as_millimetres_with_z_up) {
   EXPECT_EQ(guess_frame(MeshFormat::kStl, {-7.5, -12, 0}, {7.5, 25, 9.5}), kCad);
   EXPECT_EQ(guess_frame(MeshFormat::kStl, {-22.9, -22.9, -28}, {22.9, 22.9, 13}), kCad);
 }
 
-TEST(FileFrame, takes_a_game_model_for_metres_with_y_upwards) {
+TEST(FileFrame, treats_a_game_model_as_metres_with_y_up) {
   EXPECT_EQ(guess_frame(MeshFormat::kObj, {-1.4, 0.001, -2.43}, {1.4, 2.58, 2.44}), kGame);
   EXPECT_EQ(guess_frame(MeshFormat::kPly, {-0.095, 0.033, -0.062}, {0.061, 0.187, 0.059}), kGame);
 }
 
-TEST(FileFrame, guesses_the_unit_of_a_car_from_its_length) {
+TEST(FileFrame, infers_the_unit_of_a_car_from_its_length) {
   for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff}) {
     EXPECT_EQ(guess_frame(format, {-0.9, -0.1, -2.2}, {0.9, 1.4, 2.3}).unit, FileUnit::kMetre);
     EXPECT_EQ(guess_frame(format, {-90, -10, -220}, {90, 140, 230}).unit, FileUnit::kCentimetre);
@@ -28,11 +28,11 @@ TEST(FileFrame, guesses_the_unit_of_a_car_from_its_length) {
   }
 }
 
-TEST(FileFrame, takes_a_small_stl_for_metres) {
+TEST(FileFrame, treats_a_small_stl_as_metres) {
   EXPECT_EQ(guess_frame(MeshFormat::kStl, {-0.4, -0.3, -0.1}, {0.4, 0.3, 0.2}).unit, FileUnit::kMetre);
 }
 
-TEST(FileFrame, lets_the_ground_on_which_a_mesh_stands_decide_the_axis) {
+TEST(FileFrame, infers_the_up_axis_from_the_side_that_touches_the_ground) {
   for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff}) {
     EXPECT_EQ(guess_frame(format, {-1, 0, -1}, {1, 2, 1}).up, UpAxis::kY);
     EXPECT_EQ(guess_frame(format, {-1, -1, 0}, {1, 1, 2}).up, UpAxis::kZ);
@@ -42,7 +42,7 @@ TEST(FileFrame, lets_the_ground_on_which_a_mesh_stands_decide_the_axis) {
   EXPECT_EQ(guess_frame(MeshFormat::kObj, {0, 1, 0}, {1, 2, 0}).up, UpAxis::kY) << "flat: it does not stand";
 }
 
-TEST(FileFrame, guesses_something_for_every_box) {
+TEST(FileFrame, makes_a_guess_for_every_box) {
   constexpr uint64_t kSeed = 16;
   SCOPED_TRACE(kSeed);
   Random random(kSeed);
@@ -62,7 +62,7 @@ TEST(FileFrame, guesses_something_for_every_box) {
   }
 }
 
-TEST(FileFrame, turns_z_upwards_to_y_upwards_and_keeps_the_hand) {
+TEST(FileFrame, rotates_z_up_to_y_up_and_keeps_handedness) {
   EXPECT_EQ(to_y_up({0, 0, 1}, UpAxis::kZ), Vec3(0, 1, 0));
   EXPECT_EQ(to_y_up({1, 2, 3}, UpAxis::kY), Vec3(1, 2, 3));
   const Vec3 a(1, 2, 3), b(-4, 5, 0.5);
@@ -70,7 +70,7 @@ TEST(FileFrame, turns_z_upwards_to_y_upwards_and_keeps_the_hand) {
             to_y_up(glm::cross(a, b), UpAxis::kZ));
 }
 
-TEST(FileFrame, turning_upright_and_back_is_exact_and_keeps_heights) {
+TEST(FileFrame, conversion_to_y_up_and_back_is_exact_and_keeps_heights) {
   const Vec3 v(0.1, -2.7, 1e17);
   for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
     EXPECT_EQ(from_y_up(to_y_up(v, up), up), v);

@@ -76,7 +76,7 @@ struct GltfBuilder {
 
 const std::vector<float> kCorners{0, 0, 0, 1, 0, 0, 0, 1, 0};
 
-TEST(GltfSparse, values_replace_those_of_the_view) {
+TEST(GltfSparse, values_replace_those_of_the_buffer_view) {
   for (const bool has_view : {true, false}) {
     GltfBuilder gltf;
     json accessor{{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}};
@@ -92,7 +92,7 @@ TEST(GltfSparse, values_replace_those_of_the_view) {
   }
 }
 
-TEST(GltfSparse, damage_is_refused) {
+TEST(GltfSparse, damage_is_rejected) {
   const auto refusal = [](const char* pointer, const json& value) {
     GltfBuilder gltf;
     json accessor{
@@ -165,7 +165,7 @@ void expect_quantised(int component) {
   }
 }
 
-TEST(GltfQuantization, all_types_are_read) {
+TEST(GltfQuantization, reads_all_types) {
   expect_quantised<int8_t>(5120);
   expect_quantised<uint8_t>(5121);
   expect_quantised<int16_t>(5122);
@@ -173,7 +173,7 @@ TEST(GltfQuantization, all_types_are_read) {
 }
 
 // Random instances under a random node: each is a part at its place, with outward faces and right normals.
-TEST(GltfInstances, are_parts_at_their_places) {
+TEST(GltfInstances, become_parts_at_their_positions) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -225,7 +225,7 @@ TEST(GltfInstances, are_parts_at_their_places) {
   }
 }
 
-TEST(GltfInstances, damage_is_refused) {
+TEST(GltfInstances, damage_is_rejected) {
   const auto refusal = [](const auto& damage) {
     GltfBuilder gltf;
     gltf.set_mesh({{"POSITION", gltf.add("VEC3", 5126, 3, kCorners)}});
@@ -256,7 +256,7 @@ TEST(GltfInstances, damage_is_refused) {
 }
 
 // A sparse quantised square, twice, one of them mirrored; then with damage anywhere.
-TEST(GltfInstances, of_sparse_quantised_meshes_survive_damage) {
+TEST(GltfInstances, of_sparse_quantized_meshes_survive_damage) {
   std::ifstream in(assets_folder().parent_path() / "tests/fuzz/corpus/gltf/instances.gltf");
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   const auto soup = read_gltf(text, "a.gltf");

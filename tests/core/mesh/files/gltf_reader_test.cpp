@@ -61,7 +61,7 @@ double signed_area_xy(const Soup& soup) {
   return twice / 2;
 }
 
-TEST(Gltf, nodes_place_their_meshes) {
+TEST(Gltf, node_transforms_apply_to_their_meshes) {
   json file = square();
   file["scenes"][0]["nodes"] = {0, 1};
   file["nodes"] = json::parse(R"([{"mesh": 0, "name": "a", "translation": [0, 0, 2]},
@@ -79,14 +79,14 @@ TEST(Gltf, nodes_place_their_meshes) {
   EXPECT_EQ(soup.parts[2].first, 4u);
 }
 
-TEST(Gltf, a_matrix_that_mirrors_turns_the_faces_round) {
+TEST(Gltf, a_mirroring_matrix_flips_faces) {
   json file = square();
   file["nodes"][0]["matrix"] = {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   EXPECT_NEAR(signed_area_xy(soup_of(file)), 1, 1e-12);
   EXPECT_NEAR(signed_area_xy(soup_of(square())), 1, 1e-12);
 }
 
-TEST(Gltf, strips_fans_and_meshes_without_indices_are_read) {
+TEST(Gltf, reads_strips_fans_and_meshes_without_indices) {
   json file = square();
   json& primitive = file["meshes"][0]["primitives"][0];
   primitive.erase("indices");
@@ -99,7 +99,7 @@ TEST(Gltf, strips_fans_and_meshes_without_indices_are_read) {
   EXPECT_EQ(strip.triangles, (std::vector<Soup::Triangle>{{0, 1, 2}, {1, 3, 2}}));
 }
 
-TEST(Gltf, materials_have_names_and_points_are_passed_over) {
+TEST(Gltf, reads_material_names_and_skips_points) {
   json file = square();
   file["materials"] = json::parse(R"([{"name": "red"}, {}])");
   json& primitives = file["meshes"][0]["primitives"];
@@ -123,7 +123,7 @@ TEST(Gltf, an_index_out_of_range_is_an_invalid_face) {
   EXPECT_EQ(soup.invalid_faces_dropped, 1u);
 }
 
-TEST(Gltf, buffers_lie_beside_the_file_or_below) {
+TEST(Gltf, reads_buffers_next_to_the_file_or_in_subfolders) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "in a");
   std::ofstream(folder / "in a/x.bin", std::ios::binary) << square_buffer();
@@ -141,7 +141,7 @@ TEST(Gltf, buffers_lie_beside_the_file_or_below) {
   refusal_of(square("in%20a/x.bin"));  // without a folder no file is read
 }
 
-TEST(Gltf, what_is_not_read_is_named) {
+TEST(Gltf, unsupported_content_is_named) {
   const auto with = [](const char* pointer, const json& value) {
     json file = square();
     file[json::json_pointer(pointer)] = value;
@@ -177,7 +177,7 @@ TEST(Gltf, what_is_not_read_is_named) {
   EXPECT_EQ(soup_of(looks).triangles.size(), 2u);
 }
 
-TEST(Gltf, what_is_written_is_read_back_wherever_the_mesh_lies) {
+TEST(Gltf, written_files_round_trip_at_any_position) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -208,7 +208,7 @@ TEST(Gltf, what_is_written_is_read_back_wherever_the_mesh_lies) {
   }
 }
 
-TEST(Base64, gives_the_bytes_back) {
+TEST(Base64, round_trips) {
   Random random(3);
   std::string bytes;
   for (int size = 0; size < 40; ++size) {

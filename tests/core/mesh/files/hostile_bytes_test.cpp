@@ -47,7 +47,7 @@ std::string mutated(std::string bytes, Random& random) {
   return bytes;
 }
 
-TEST(HostileBytes, samples_read_as_one_square) {
+TEST(HostileBytes, valid_samples_read_as_one_square) {
   for (const Sample& sample : test::sample_files()) {
     const Result<Soup> soup = test::reader_of(sample.format)(sample.bytes, sample.name, nullptr);
     ASSERT_TRUE(soup) << soup.error().message;
@@ -57,7 +57,7 @@ TEST(HostileBytes, samples_read_as_one_square) {
   }
 }
 
-TEST(HostileBytes, a_file_cut_at_any_byte_ends_well) {
+TEST(HostileBytes, a_file_truncated_at_any_byte_fails_cleanly) {
   for (const Sample& sample : test::sample_files()) {
     for (size_t n = 0; n < sample.bytes.size(); ++n) {
       expect_result_or_one_line(sample, sample.bytes.substr(0, n),
@@ -66,7 +66,7 @@ TEST(HostileBytes, a_file_cut_at_any_byte_ends_well) {
   }
 }
 
-TEST(HostileBytes, a_counted_format_that_is_cut_is_never_taken_for_whole) {
+TEST(HostileBytes, a_truncated_file_with_counts_is_never_accepted_as_complete) {
   for (const Sample& sample : test::sample_files()) {
     if (sample.format == MeshFormat::kObj) continue;
     // The last line end, and in text the digits before it, may be missing.
@@ -80,7 +80,7 @@ TEST(HostileBytes, a_counted_format_that_is_cut_is_never_taken_for_whole) {
   }
 }
 
-TEST(HostileBytes, changed_bytes_end_well) {
+TEST(HostileBytes, changed_bytes_fail_cleanly) {
   const uint64_t seed = 20240611;
   RecordProperty("seed", std::to_string(seed));
   Random random(seed);
@@ -93,7 +93,7 @@ TEST(HostileBytes, changed_bytes_end_well) {
   }
 }
 
-TEST(HostileBytes, every_reader_refuses_random_bytes) {
+TEST(HostileBytes, every_reader_handles_random_bytes) {
   Random random(7);
   for (const Sample& sample : test::sample_files()) {
     for (int i = 0; i < 300; ++i) {

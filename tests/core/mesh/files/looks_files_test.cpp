@@ -38,7 +38,7 @@ void expect_near(const LookChannel<T>& a, const LookChannel<T>& b, float error) 
   }
 }
 
-TEST(LooksOfObj, have_values_at_the_corners) {
+TEST(LooksOfObj, have_values_per_corner) {
   const auto soup = read_obj(
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
       "f 1/1/1 2/2/1 3/3/1 4/4/1\nf -4/-1/-1 -2/3 -1//1\n",
@@ -59,7 +59,7 @@ TEST(LooksOfObj, have_values_at_the_corners) {
   EXPECT_TRUE(soup->warnings.empty());
 }
 
-TEST(LooksOfObj, survive_damage_with_a_warning) {
+TEST(LooksOfObj, damaged_references_yield_a_warning) {
   const auto soup = read_obj(
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt one two\nvt 0\nvn 1 2\nf 1/1/1 2/2/1 3/9/1\nf 3/-7/1 2//2 1/2/\n",
       "a.obj");
@@ -71,7 +71,7 @@ TEST(LooksOfObj, survive_damage_with_a_warning) {
   EXPECT_EQ(built->looks, nullptr);
 }
 
-TEST(LooksOfObj, are_none_without_attributes) {
+TEST(LooksOfObj, are_empty_without_attributes) {
   const auto soup = read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nvt 0 0\n", "a.obj");
   ASSERT_TRUE(soup.ok());
   EXPECT_FALSE(soup->looks.any());
@@ -110,7 +110,7 @@ struct PaintedFolder {
   Soup read() const { return *read_mesh(folder / "mesh/a.obj"); }
 };
 
-TEST(LooksOfObj, include_images_in_the_folder_only) {
+TEST(LooksOfObj, include_only_images_in_the_folder) {
   const PaintedFolder painted;
   const Soup soup = painted.read();
   ASSERT_NE(soup.surfaces, nullptr);
@@ -123,7 +123,7 @@ TEST(LooksOfObj, include_images_in_the_folder_only) {
                                       "1 material is not in a material library."}));
 }
 
-TEST(LooksOfGltf, come_back_from_obj) {
+TEST(LooksOfGltf, round_trip_from_obj) {
   const PaintedFolder painted;
   const Soup soup = painted.read();
   const MeshView view{
@@ -186,7 +186,7 @@ TEST(UvTransform, is_that_of_the_base_colour_map_and_survives_conversion) {
 }
 
 // A second round trip through a format changes nothing.
-TEST(LooksOfGltf, are_exact_from_gltf_to_gltf) {
+TEST(LooksOfGltf, round_trip_exactly_between_gltf_files) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -236,7 +236,7 @@ TEST(LooksOfGltf, are_exact_from_gltf_to_gltf) {
   }
 }
 
-TEST(LooksOfPly, come_from_vertices_or_from_corners) {
+TEST(LooksOfPly, are_read_per_vertex_or_per_corner) {
   const std::string head =
       "ply\nformat ascii 1.0\ncomment TextureFile paint.png\nelement vertex 3\n"
       "property float x\nproperty float y\nproperty float z\n";

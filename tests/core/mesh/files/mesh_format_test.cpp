@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(MeshFormat, is_named_by_the_extension_in_upper_and_lower_case) {
+TEST(MeshFormat, is_found_by_extension_in_any_case) {
   EXPECT_EQ(mesh_format("obj"), MeshFormat::kObj);
   EXPECT_EQ(mesh_format(".PLY"), MeshFormat::kPly);
   EXPECT_EQ(mesh_format("Stl"), MeshFormat::kStl);
@@ -20,13 +20,13 @@ TEST(MeshFormat, is_named_by_the_extension_in_upper_and_lower_case) {
   }
 }
 
-TEST(MeshFormat, of_a_file_is_recognised_by_its_bytes_whatever_its_name) {
+TEST(MeshFormat, of_a_file_is_detected_by_content_not_name) {
   for (const test::Sample& sample : test::sample_files())
     for (const char* ending : {"obj", "ply", "stl", "off", "txt", ""})
       EXPECT_EQ(recognise_format(sample.bytes, ending), sample.format) << sample.name << " as ." << ending;
 }
 
-TEST(MeshFormat, of_damaged_bytes_is_that_of_the_name) {
+TEST(MeshFormat, of_damaged_content_falls_back_to_the_name) {
   EXPECT_EQ(recognise_format("\x01\x02\x03", "off"), MeshFormat::kOff);
   EXPECT_FALSE(recognise_format("\x01\x02\x03", "txt"));
   EXPECT_EQ(recognise_format("", "ply"), MeshFormat::kPly);

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(Number, reads_what_files_write) {
+TEST(Number, parses_common_notations) {
   EXPECT_EQ(parse_number("-1.5e-3"), -1.5e-3);
   EXPECT_EQ(parse_number("+2."), 2.0);
   EXPECT_EQ(parse_number(".5"), 0.5);
@@ -17,7 +17,7 @@ TEST(Number, reads_what_files_write) {
   EXPECT_EQ(parse_number("4.9406564584124654e-324"), std::numeric_limits<double>::denorm_min());
 }
 
-TEST(Number, takes_the_spellings_of_nan_and_infinity) {
+TEST(Number, parses_all_spellings_of_nan_and_infinity) {
   for (const char* word :
        {"nan", "-nan", "NaN", "inf", "-Infinity", "+inf", "1.#IND", "-1.#INF", "1.#QNAN"}) {
     ASSERT_TRUE(parse_number(word)) << word;
@@ -25,7 +25,7 @@ TEST(Number, takes_the_spellings_of_nan_and_infinity) {
   }
 }
 
-TEST(Number, is_infinite_beyond_the_range_of_double_and_zero_below_it) {
+TEST(Number, overflows_to_infinity_and_underflows_to_zero) {
   EXPECT_EQ(parse_number("1e400"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(parse_number("-1e400"), -std::numeric_limits<double>::infinity());
   EXPECT_EQ(parse_number("1" + std::string(400, '0')), std::numeric_limits<double>::infinity());
@@ -35,7 +35,7 @@ TEST(Number, is_infinite_beyond_the_range_of_double_and_zero_below_it) {
   EXPECT_EQ(parse_number("0e400"), 0.0);
 }
 
-TEST(Number, takes_a_garbled_number_for_nan_and_no_word_at_all) {
+TEST(Number, parses_a_garbled_number_as_nan_and_rejects_words) {
   EXPECT_TRUE(std::isnan(*parse_number("3.1+e2")));
   EXPECT_TRUE(std::isnan(*parse_number("1.2.3")));
   for (const char* word : {"", "-", "e", "abc", "3f", "0,5", "0x10", "nanometre", "1.0f"}) {
@@ -43,7 +43,7 @@ TEST(Number, takes_a_garbled_number_for_nan_and_no_word_at_all) {
   }
 }
 
-TEST(Number, keeps_integers_within_64_bits) {
+TEST(Number, clamps_integers_to_64_bits) {
   EXPECT_EQ(parse_integer("-12"), -12);
   EXPECT_EQ(parse_integer("+7"), 7);
   EXPECT_EQ(parse_integer(std::string(1000, '9')), std::numeric_limits<int64_t>::max());

@@ -22,7 +22,7 @@ std::string obj_refusal(const std::string& text) {
   return soup ? "" : soup.error().message;
 }
 
-TEST(ObjReader, counts_a_face_with_an_index_out_of_range_and_reads_on) {
+TEST(ObjReader, counts_a_face_with_an_index_out_of_range_and_continues) {
   for (const char* corners :
        {"1 2 4", "0 1 2", "-4 1 2", "1 2 99999999999999999999", "/ / /", "/1/1 /1/1 /1/1"}) {
     const Soup soup = read(kTriangle + "f " + corners + "\nf 1 2 3\n");
@@ -39,7 +39,7 @@ TEST(ObjReader, counts_an_invalid_polygon_as_all_its_triangles) {
   EXPECT_EQ(soup.invalid_faces_dropped, 3u);
 }
 
-TEST(ObjReader, takes_any_line_end_a_byte_order_mark_and_comments_behind_data) {
+TEST(ObjReader, accepts_any_line_ending_a_bom_and_trailing_comments) {
   for (const char* end : {"\n", "\r\n", "\r"}) {
     std::string text = "\xef\xbb\xbfv 0 0 0#a|v 1 0 0 # b||v 0 1 0|# c \\|f 1 2 3 # d|f 3 \\|2 1";
     for (size_t at; (at = text.find('|')) != std::string::npos;) text.replace(at, 1, end);
@@ -48,16 +48,16 @@ TEST(ObjReader, takes_any_line_end_a_byte_order_mark_and_comments_behind_data) {
   }
 }
 
-TEST(ObjReader, counts_negative_indices_from_the_last_vertex_so_far) {
+TEST(ObjReader, resolves_negative_indices_from_the_last_vertex) {
   const Soup soup = read(kTriangle + "f -3 -2 -1\nv 5 5 5\nf -1 -2 -3\n");
   EXPECT_EQ(soup.triangles, (std::vector<Soup::Triangle>{{0, 1, 2}, {3, 2, 1}}));
 }
 
-TEST(ObjReader, lets_faces_come_before_their_vertices) {
+TEST(ObjReader, accepts_faces_before_their_vertices) {
   EXPECT_EQ(read("f 1 2 3\n" + kTriangle).triangles.size(), 1u);
 }
 
-TEST(ObjReader, keeps_positions_that_are_not_finite) {
+TEST(ObjReader, keeps_non_finite_positions) {
   const Soup soup = read("v nan inf 1.#IND\nv 1e400 0 0\nv 0 1 3.1+e2\nf 1 2 3\n");
   EXPECT_TRUE(std::isnan(soup.positions[0].x));
   EXPECT_TRUE(std::isinf(soup.positions[0].y));
@@ -81,7 +81,7 @@ std::vector<std::string> part_names(const Soup& soup) {
   return names;
 }
 
-TEST(ObjReader, keeps_a_hash_in_every_kind_of_name) {
+TEST(ObjReader, keeps_hash_signs_in_names_of_every_kind) {
   const Soup soup =
       read(kTriangle +
            "o rig #1 # a\ng left#1 #2 shared \\\n  last#3\nusemtl br.png^[colorize:#4ab:255 # b\n"
@@ -91,20 +91,20 @@ TEST(ObjReader, keeps_a_hash_in_every_kind_of_name) {
   EXPECT_EQ(soup.triangles.size(), 2u);
 }
 
-TEST(ObjReader, has_no_material_list_for_one_material) {
+TEST(ObjReader, has_no_material_list_for_a_single_material) {
   EXPECT_TRUE(read(kTriangle + "f 1 2 3\n").material_names.empty());
   const Soup soup = read(kTriangle + "usemtl a\nf 1 2 3\n");
   EXPECT_TRUE(soup.materials.empty());
   EXPECT_EQ(soup.material_names, (std::vector<std::string>{"a"}));
 }
 
-TEST(ObjReader, keeps_materials_beside_the_triangles_when_polygons_are_dropped) {
+TEST(ObjReader, keeps_materials_aligned_when_polygons_are_dropped) {
   const Soup soup = read(kTriangle + "v 1 1 0\nf 1 2 4 3\nusemtl b\nf 1 2 9\nf 1 2\nf 1 2 3\n");
   EXPECT_EQ(soup.triangles.size(), 3u);
   EXPECT_EQ(soup.materials, (std::vector<uint16_t>{0, 0, 1}));
 }
 
-TEST(ObjReader, names_the_line_and_the_word_of_what_is_wrong) {
+TEST(ObjReader, names_the_line_and_word_of_an_error) {
   EXPECT_EQ(obj_refusal("v 0 0 0\nv 1 zero 0\n"), "t.obj, line 2: expected the y coordinate, found 'zero'.");
   EXPECT_EQ(obj_refusal("v 0 0 0\r\nv 1 0\r\n"),
             "t.obj, line 2: the line ends where the z coordinate is expected.");
@@ -116,24 +116,24 @@ TEST(ObjReader, names_the_line_and_the_word_of_what_is_wrong) {
             "t.obj, line 1: the file ends where the z coordinate is expected; it is truncated.");
 }
 
-TEST(ObjReader, refuses_a_file_of_which_no_face_is_left) {
+TEST(ObjReader, rejects_a_file_without_valid_faces) {
   EXPECT_EQ(obj_refusal(kTriangle), "t.obj: the file has no faces.");
   EXPECT_EQ(obj_refusal(kTriangle + "f 7 8 9\n"),
             "t.obj: no face is usable: all 1 refer to missing vertices.");
 }
 
-TEST(ObjReader, refuses_binary_bytes_and_other_encodings) {
+TEST(ObjReader, rejects_binary_data_and_other_encodings) {
   EXPECT_EQ(obj_refusal(std::string("v 0 0 0\0", 8)), "t.obj, byte 7: a zero byte, so this is not OBJ text.");
   EXPECT_EQ(obj_refusal(std::string("\xff\xfev\0 \0", 6)), "t.obj: this is UTF-16 text; save it as UTF-8.");
 }
 
-TEST(ObjReader, says_what_it_passed_over) {
+TEST(ObjReader, reports_skipped_content) {
   const Soup soup = read(kTriangle + "l 1 2\nblah\nf 1 2 3\n");
   ASSERT_EQ(soup.warnings.size(), 1u);
   EXPECT_EQ(soup.warnings[0], "2 statements that define no face were skipped, the first 'l'.");
 }
 
-TEST(ObjReader, stops_when_it_is_asked_to) {
+TEST(ObjReader, can_be_cancelled) {
   const Progress stop{[](double) { return false; }};
   const Result<Soup> soup = read_obj(kTriangle + "f 1 2 3\n", "t.obj", &stop);
   ASSERT_FALSE(soup);

@@ -12,7 +12,7 @@ std::string off_refusal(const std::string& text) {
   return soup ? "" : soup.error().message;
 }
 
-TEST(OffReader, takes_headers_of_every_kind) {
+TEST(OffReader, accepts_every_header_variant) {
   const std::string data = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const char* header :
        {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF\n# by hand\n\n3 1 3\n", "# first\nOFF\n3 1\n", "OFF3 1 0\n",
@@ -24,7 +24,7 @@ TEST(OffReader, takes_headers_of_every_kind) {
   }
 }
 
-TEST(OffReader, passes_over_what_follows_position_and_corners) {
+TEST(OffReader, ignores_values_after_positions_and_corners) {
   const Result<Soup> soup =
       read_off("COFF\n4 1 0\n0 0 0 9 9 9\n1 0 0#red\n1 1 0 1 # c\n0 1 0\n4 0 1 2 3 .5 .5 .5\n", "");
   ASSERT_TRUE(soup);
@@ -32,7 +32,7 @@ TEST(OffReader, passes_over_what_follows_position_and_corners) {
   EXPECT_EQ(test::area(*soup), 1.0);
 }
 
-TEST(OffReader, counts_faces_with_indices_that_are_not_there) {
+TEST(OffReader, counts_faces_with_missing_vertices) {
   const Result<Soup> soup =
       read_off("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n4 0 1 2 -1\n3 0 1 2\n", "t.off");
   ASSERT_TRUE(soup);
@@ -40,7 +40,7 @@ TEST(OffReader, counts_faces_with_indices_that_are_not_there) {
   EXPECT_EQ(soup->invalid_faces_dropped, 3u);
 }
 
-TEST(OffReader, refuses_counts_that_the_file_cannot_hold) {
+TEST(OffReader, rejects_counts_that_exceed_the_file) {
   EXPECT_EQ(off_refusal("OFF\n3 2000000000 0\n0 0 0\n"),
             "t.off, line 2: declares 2000000000 faces, but the 9 bytes that follow cannot hold them.");
   EXPECT_EQ(off_refusal("OFF\n-1 1 0\n0 0 0\n"),
@@ -48,13 +48,13 @@ TEST(OffReader, refuses_counts_that_the_file_cannot_hold) {
   EXPECT_NE(off_refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"), "");
 }
 
-TEST(OffReader, refuses_data_that_end_early) {
+TEST(OffReader, rejects_truncated_data) {
   EXPECT_EQ(off_refusal("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
             "t.off, line 7: the file ends where the number of corners of face 1 of 2 is expected; it is "
             "truncated.");
 }
 
-TEST(OffReader, refuses_binary_and_other_dimensions) {
+TEST(OffReader, rejects_binary_data_and_other_dimensions) {
   EXPECT_EQ(off_refusal("OFF BINARY\n"),
             "t.off, line 1: binary OFF is not supported; save it as text, or as PLY.");
   EXPECT_EQ(off_refusal("4OFF\n"), "t.off, line 1: OFF with other than three coordinates is not supported.");

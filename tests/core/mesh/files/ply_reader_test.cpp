@@ -22,7 +22,7 @@ std::string ply_refusal(const std::string& bytes) {
   return soup ? "" : soup.error().message;
 }
 
-TEST(PlyReader, takes_every_integer_type_of_list_counts) {
+TEST(PlyReader, accepts_every_integer_type_for_list_counts) {
   for (const char* type : {"char", "uchar", "short", "ushort", "int", "uint", "int8", "uint8", "int16",
                            "uint16", "int32", "uint32", "int64", "uint64"}) {
     const std::string faces =
@@ -31,7 +31,7 @@ TEST(PlyReader, takes_every_integer_type_of_list_counts) {
   }
 }
 
-TEST(PlyReader, reads_strips_with_restarts_and_turns_every_second_triangle) {
+TEST(PlyReader, reads_strips_with_restarts_and_flips_every_second_triangle) {
   const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
   const Result<Soup> soup =
       read_ply(file("element vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + strips,
@@ -42,7 +42,7 @@ TEST(PlyReader, reads_strips_with_restarts_and_turns_every_second_triangle) {
   EXPECT_EQ(soup->faces_in_file, 3u);
 }
 
-TEST(PlyReader, counts_faces_with_indices_that_are_not_there) {
+TEST(PlyReader, counts_faces_with_missing_vertices) {
   const std::string faces = "element face 3\nproperty list uchar int vertex_indices\n";
   const Result<Soup> soup =
       read_ply(file(kVertices + faces, "0 0 0\n1 0 0\n0 1 0\n3 0 1 70000\n4 0 1 2 -5\n3 0 1 2\n"), "t.ply");
@@ -51,7 +51,7 @@ TEST(PlyReader, counts_faces_with_indices_that_are_not_there) {
   EXPECT_EQ(soup->invalid_faces_dropped, 3u);
 }
 
-TEST(PlyReader, does_not_take_a_line_feed_of_the_data_for_the_end_of_the_header) {
+TEST(PlyReader, does_not_take_a_newline_in_the_data_for_the_end_of_the_header) {
   std::string elements = "element vertex 3\nproperty char x\nproperty char y\nproperty char z\n" + kFaces;
   std::string data("\n\0\0\0\n\0\0\0\n\3\0\0\0\0\1\0\0\0\2\0\0\0", 22);
   const Result<Soup> soup = read_ply(file(elements, data, "binary_little_endian"), "t.ply");
@@ -59,14 +59,14 @@ TEST(PlyReader, does_not_take_a_line_feed_of_the_data_for_the_end_of_the_header)
   EXPECT_EQ(soup->positions[0], Vec3(10, 0, 0));
 }
 
-TEST(PlyReader, finds_a_line_of_text_that_lacks_a_value_or_has_one_too_many) {
+TEST(PlyReader, reports_lines_with_a_missing_or_extra_value) {
   EXPECT_EQ(ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n")),
             "t.ply, line 12: the line continues after the properties of 'vertex' 1; a property before may be "
             "missing.");
   EXPECT_NE(ply_refusal(file(kVertices + kFaces, "0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), "");
 }
 
-TEST(PlyReader, refuses_counts_that_the_file_cannot_hold) {
+TEST(PlyReader, rejects_counts_that_exceed_the_file) {
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const std::string huge =
         "element vertex 4294967295\nproperty float x\nproperty float y\nproperty float z\n";
@@ -78,11 +78,11 @@ TEST(PlyReader, refuses_counts_that_the_file_cannot_hold) {
   EXPECT_EQ(ply_refusal(file("element vertex -3\n", "")), "t.ply, line 3: declares -3 elements.");
 }
 
-TEST(PlyReader, is_not_held_up_by_countless_elements_without_properties) {
+TEST(PlyReader, is_fast_for_a_huge_element_without_properties) {
   EXPECT_EQ(ply_refusal(file("element nothing 9000000000000000000\n" + kVertices + kFaces, kData)), "");
 }
 
-TEST(PlyReader, refuses_a_header_that_is_none) {
+TEST(PlyReader, rejects_an_invalid_header) {
   EXPECT_EQ(ply_refusal("ply\nformat ascii 1.0\n"),
             "t.ply: the header has no 'end_header'; the file is truncated.");
   EXPECT_EQ(ply_refusal(file("property float x\n", "")),
@@ -99,7 +99,7 @@ TEST(PlyReader, refuses_a_header_that_is_none) {
   EXPECT_EQ(ply_refusal("ply\nend_header\n"), "t.ply, line 2: the header has no 'format'.");
 }
 
-TEST(PlyReader, passes_over_stray_lines_before_the_first_element_and_notes_them) {
+TEST(PlyReader, skips_stray_lines_before_the_first_element_with_a_note) {
   const std::string blender = "Created by Blender3D 2.46 - www.blender.org, source file: cube.blend\n";
   for (const char* line_end : {"\n", "\r\n"}) {
     std::string bytes = file(blender + kVertices + kFaces, kData);
@@ -120,7 +120,7 @@ TEST(PlyReader, passes_over_stray_lines_before_the_first_element_and_notes_them)
       std::vector<std::string>{"2 stray lines before the first element, the first in line 2, were skipped."});
 }
 
-TEST(PlyReader, refuses_stray_lines_where_no_element_follows_or_one_came_before) {
+TEST(PlyReader, rejects_stray_lines_elsewhere_in_the_header) {
   const std::string stray = "Created by hand\n";
   const std::string why = "expected 'element', 'property' or 'end_header', found 'Created'.";
   EXPECT_EQ(ply_refusal(file(stray, "")), "t.ply, line 3: " + why);
@@ -133,7 +133,7 @@ TEST(PlyReader, refuses_stray_lines_where_no_element_follows_or_one_came_before)
   EXPECT_EQ(ply_refusal(file(bytes + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
 }
 
-TEST(PlyReader, keeps_double_precision) {
+TEST(PlyReader, preserves_double_precision) {
   const std::string vertices = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
   const Result<Soup> soup =
       read_ply(file(vertices + kFaces, "1000000.123456 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "");

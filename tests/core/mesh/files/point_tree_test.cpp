@@ -46,7 +46,7 @@ class RandomPoints : public testing::Test {
   PointTree tree_;
 };
 
-TEST_F(RandomPoints, in_a_triangle_are_all_visited_once) {
+TEST_F(RandomPoints, inside_a_triangle_are_visited_exactly_once) {
   for (int i = 0; i < 100; ++i) {
     const auto triangle = random_triangle();
     std::multiset<uint32_t> visited;
@@ -60,7 +60,7 @@ TEST_F(RandomPoints, in_a_triangle_are_all_visited_once) {
   }
 }
 
-TEST_F(RandomPoints, that_are_forgotten_are_not_visited_again) {
+TEST_F(RandomPoints, are_not_visited_after_removal) {
   const std::array<Vec2, 3> all{Vec2(-9, -9), Vec2(9, -9), Vec2(0, 9)};
   uint64_t work = 0;
   size_t first = 0, second = 0;
@@ -77,7 +77,7 @@ TEST_F(RandomPoints, that_are_forgotten_are_not_visited_again) {
   EXPECT_EQ(second, 333u);
 }
 
-TEST_F(RandomPoints, are_visited_until_it_is_stopped) {
+TEST_F(RandomPoints, visit_ends_on_request) {
   uint64_t work = 0;
   size_t visited = 0;
   EXPECT_TRUE(tree_.visit({Vec2(-9, -9), Vec2(9, -9), Vec2(0, 9)}, work,

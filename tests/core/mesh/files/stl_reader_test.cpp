@@ -21,7 +21,7 @@ TEST(StlReader, warns_of_bytes_after_the_last_triangle) {
   EXPECT_EQ(soup->warnings, (std::vector<std::string>{"1 byte after the last triangle was ignored."}));
 }
 
-TEST(StlReader, refuses_a_binary_file_that_is_cut_short) {
+TEST(StlReader, rejects_a_truncated_binary_file) {
   std::string bytes = binary_sample();
   bytes.pop_back();
   EXPECT_EQ(
@@ -29,7 +29,7 @@ TEST(StlReader, refuses_a_binary_file_that_is_cut_short) {
       "t.stl, byte 80: declares 2 triangles, but the file holds only 1; it is truncated or not an STL file.");
 }
 
-TEST(StlReader, takes_a_binary_file_that_says_solid) {
+TEST(StlReader, accepts_a_binary_file_that_begins_with_solid) {
   std::string bytes = binary_sample();
   bytes.replace(0, 5, "solid");
   EXPECT_TRUE(read_stl(bytes, "t.stl"));
@@ -43,7 +43,7 @@ std::string announcing(uint32_t count) {
   return bytes;
 }
 
-TEST(StlReader, reads_whole_triangles_whatever_number_a_binary_file_announces) {
+TEST(StlReader, reads_all_complete_triangles_despite_a_wrong_count) {
   for (const uint32_t count : {0u, 1u, 3u, 0xffffffffu}) {
     const Result<Soup> soup = read_stl(announcing(count), "t.stl");
     ASSERT_TRUE(soup) << count;
@@ -56,7 +56,7 @@ TEST(StlReader, reads_whole_triangles_whatever_number_a_binary_file_announces) {
   }
 }
 
-TEST(StlReader, does_not_take_other_bytes_of_that_length_for_triangles) {
+TEST(StlReader, does_not_read_other_data_of_that_length_as_triangles) {
   std::string bytes = announcing(3);
   bytes.replace(84 + 12, 4, "\xff\xff\xff\xff");  // a coordinate that is no number
   EXPECT_NE(stl_refusal(bytes), "");
@@ -73,7 +73,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 constexpr const char* kFacet =
     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n";
 
-TEST(StlReader, reads_text_as_sloppy_programs_write_it_and_says_where_it_strays) {
+TEST(StlReader, accepts_sloppy_text_files_and_warns_with_the_location) {
   const std::string facet = kFacet, split = replaced(facet, "end", "end ");
   const struct {
     std::string text, warning;
@@ -100,7 +100,7 @@ TEST(StlReader, reads_text_as_sloppy_programs_write_it_and_says_where_it_strays)
   }
 }
 
-TEST(StlReader, reads_on_behind_lines_that_it_passes_over_between_solids) {
+TEST(StlReader, continues_after_skipped_lines_between_solids) {
   const std::string facet = kFacet;
   const Result<Soup> soup =
       read_stl("solid\n" + facet + "endsolid\n; two\nsolid solid two\n" + facet, "t.stl");
@@ -108,7 +108,7 @@ TEST(StlReader, reads_on_behind_lines_that_it_passes_over_between_solids) {
   EXPECT_EQ(soup->triangles_in_file, 2u);
 }
 
-TEST(StlReader, reads_several_solids_of_text) {
+TEST(StlReader, reads_several_text_solids) {
   std::string text = test::sample_files()[5].bytes;
   const Result<Soup> soup = read_stl(text + text, "t.stl");
   ASSERT_TRUE(soup);
@@ -116,7 +116,7 @@ TEST(StlReader, reads_several_solids_of_text) {
   EXPECT_EQ(test::area(*soup), 2.0);
 }
 
-TEST(StlReader, names_the_line_where_text_is_wrong) {
+TEST(StlReader, names_the_line_of_a_text_error) {
   const std::string start = "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
   EXPECT_EQ(stl_refusal(start + "endloop\n"), "t.stl, line 5: expected 'vertex', found 'endloop'.");
   EXPECT_EQ(stl_refusal(start + "vertex 0 one 0\n"), "t.stl, line 5: expected a number, found 'one'.");

@@ -88,7 +88,7 @@ Polygon moved(Polygon polygon, const Vec3& u, const Vec3& v, const Vec3& offset)
   return polygon;
 }
 
-TEST(Triangulate, cuts_quadrangles_inside) {
+TEST(Triangulate, cuts_quads_along_an_inner_diagonal) {
   const Polygon dart{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
   for (size_t turn = 0; turn < 4; ++turn) {
     Polygon turned = dart;
@@ -112,7 +112,7 @@ TEST(Triangulate, covers_concave_polygons_in_any_plane) {
   }
 }
 
-TEST(Triangulate, makes_no_flat_triangle_of_straight_corners) {
+TEST(Triangulate, creates_no_flat_triangles_at_collinear_corners) {
   Polygon polygon;
   for (int i = 0; i < 10; ++i) polygon.push_back({i, 0, 0});
   for (int i = 0; i < 10; ++i) polygon.push_back({10, i, 0});
@@ -153,7 +153,7 @@ TEST(Triangulate, covers_random_stars_of_all_sizes) {
   }
 }
 
-TEST(Triangulate, covers_coordinates_at_the_ends_of_double) {
+TEST(Triangulate, covers_polygons_at_the_limits_of_double) {
   for (const double size : {1e-300, 1e-160, 1e160, 1e300}) {
     const auto triangles = triangulate({{0, 0, 0},
                                         {2 * size, 0, 0},
@@ -168,7 +168,7 @@ TEST(Triangulate, covers_coordinates_at_the_ends_of_double) {
   }
 }
 
-TEST(Triangulate, makes_two_triangles_less_than_corners_of_anything) {
+TEST(Triangulate, creates_n_minus_2_triangles_for_any_polygon) {
   Random random(11);
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   for (size_t n = 3; n < 60; ++n) {

@@ -197,7 +197,7 @@ void cut_and_count(World world, uint64_t seed, bool chance_allowed) {
   }
 }
 
-TEST(OpenMeshCounts, are_those_of_every_class_of_mesh_after_random_strokes) {
+TEST(OpenMeshCounts, match_for_every_class_of_mesh_after_random_strokes) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= runs(4); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -207,7 +207,7 @@ TEST(OpenMeshCounts, are_those_of_every_class_of_mesh_after_random_strokes) {
   }
 }
 
-TEST(OpenMeshCounts, are_those_of_random_soups_after_random_strokes) {
+TEST(OpenMeshCounts, match_for_random_soups_after_random_strokes) {
   for (uint64_t seed = 1; seed <= runs(30); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -215,7 +215,7 @@ TEST(OpenMeshCounts, are_those_of_random_soups_after_random_strokes) {
   }
 }
 
-TEST(OpenMeshCounts, are_those_of_real_meshes_after_random_strokes) {
+TEST(OpenMeshCounts, match_for_real_meshes_after_random_strokes) {
   const auto files = real_meshes(20'000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
   for (const auto& file : files) {

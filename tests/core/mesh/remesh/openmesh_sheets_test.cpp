@@ -46,7 +46,7 @@ void expect_same_after_a_copy_there_and_back(const Soup& soup) {
     EXPECT_EQ(again.mesh.data(FaceId(t)).material, mesh.data(back.origins[t]).material);
 }
 
-TEST(Sheets, every_class_of_mesh_is_the_same_after_a_copy_there_and_back) {
+TEST(Sheets, every_class_of_mesh_survives_a_round_trip) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);
     expect_same_after_a_copy_there_and_back(soup);
@@ -54,7 +54,7 @@ TEST(Sheets, every_class_of_mesh_is_the_same_after_a_copy_there_and_back) {
   }
 }
 
-TEST(Sheets, random_soups_are_the_same_after_a_copy_there_and_back) {
+TEST(Sheets, random_soups_survive_a_round_trip) {
   for (uint64_t seed = 1; seed <= runs(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -62,7 +62,7 @@ TEST(Sheets, random_soups_are_the_same_after_a_copy_there_and_back) {
   }
 }
 
-TEST(Sheets, a_mesh_of_any_size_anywhere_is_the_same_after_a_copy_there_and_back) {
+TEST(Sheets, a_mesh_of_any_size_and_position_survives_a_round_trip) {
   for (const double scale : {1e-30, 1e-6, 1.0, 1e6, 1e39, 1e60}) {
     SCOPED_TRACE(scale);
     expect_same_after_a_copy_there_and_back(moved(torus(12, 8, 1, 0.3), Vec3(0), scale));
@@ -72,7 +72,7 @@ TEST(Sheets, a_mesh_of_any_size_anywhere_is_the_same_after_a_copy_there_and_back
   }
 }
 
-TEST(Sheets, the_ends_of_features_and_shared_positions_are_locked) {
+TEST(Sheets, feature_ends_and_shared_positions_are_locked) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);
     const Mesh mesh = build(in_two_materials(soup)).mesh;
@@ -101,7 +101,7 @@ TEST(Sheets, the_ends_of_features_and_shared_positions_are_locked) {
   }
 }
 
-TEST(Sheets, faces_that_are_dead_are_left_out) {
+TEST(Sheets, dead_faces_are_skipped) {
   Mesh mesh = build(torus(12, 8, 1, 0.3)).mesh;
   for (uint32_t f = 0; f < 40; ++f) mesh.remove_face(FaceId(3 * f));
   const Sheets sheets = sheets_of(mesh);

@@ -31,7 +31,7 @@ Soup rough_sheet(Random& random) {
   return soup;
 }
 
-TEST(Smooth, features_and_topology_of_every_class_of_mesh_stay) {
+TEST(Smooth, features_and_topology_of_every_class_of_mesh_are_preserved) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);
     const Mesh mesh = build(in_two_materials(soup)).mesh;
@@ -45,7 +45,7 @@ TEST(Smooth, features_and_topology_of_every_class_of_mesh_stay) {
   }
 }
 
-TEST(Smooth, a_rough_sheet_becomes_flatter_each_time) {
+TEST(Smooth, a_rough_sheet_becomes_flatter_with_each_pass) {
   Random random(3);
   const Mesh mesh = build(rough_sheet(random)).mesh;
   double before = count_numbers(mesh).area;
@@ -58,7 +58,7 @@ TEST(Smooth, a_rough_sheet_becomes_flatter_each_time) {
 }
 
 // Half way to the mean of the neighbours, computed from positions alone.
-TEST(Smooth, vertices_move_half_the_way_to_the_mean_of_their_neighbours) {
+TEST(Smooth, vertices_move_halfway_to_the_mean_of_their_neighbours) {
   const Mesh mesh = build(torus(20, 12, 1, 0.3)).mesh;
   std::map<Place, std::set<Place>> neighbours;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
@@ -80,7 +80,7 @@ TEST(Smooth, vertices_move_half_the_way_to_the_mean_of_their_neighbours) {
   }
 }
 
-TEST(Smooth, twice_once_is_once_twice) {
+TEST(Smooth, two_passes_equal_one_pass_twice) {
   Random random(4);
   const Mesh mesh = build(rough_sheet(random)).mesh;
   const Mesh once = smoothed_mesh(smoothed(mesh, 1), mesh);
@@ -89,7 +89,7 @@ TEST(Smooth, twice_once_is_once_twice) {
   for (size_t i = 0; i < twice.size(); ++i) EXPECT_LT(glm::length(twice[i] - again[i]), 1e-15);
 }
 
-TEST(Smooth, the_vertices_of_faces_that_must_stay_do) {
+TEST(Smooth, vertices_of_locked_faces_do_not_move) {
   const Mesh mesh = build(sphere(12, 16, 1)).mesh;
   const std::array kept{FaceId(20), FaceId(70)};
   const Remeshed made = smoothed(mesh, 10, kept);
@@ -99,7 +99,7 @@ TEST(Smooth, the_vertices_of_faces_that_must_stay_do) {
   }
 }
 
-TEST(Smooth, stops_when_it_is_told_to) {
+TEST(Smooth, can_be_cancelled) {
   const Mesh mesh = build(sphere(12, 16, 1)).mesh;
   for (int most = 0; most < 10; ++most) {
     int asked = 0;

@@ -45,7 +45,7 @@ Soup octahedron() {
   return soup;
 }
 
-TEST(Subdivide, makes_three_or_four_faces_of_one_and_leaves_the_topology) {
+TEST(Subdivide, creates_three_or_four_faces_per_face_and_keeps_the_topology) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (const Subdivision scheme : kSchemes) {
       SCOPED_TRACE(name + ", " + kSubdivisionNames[static_cast<size_t>(scheme)]);
@@ -63,7 +63,7 @@ TEST(Subdivide, makes_three_or_four_faces_of_one_and_leaves_the_topology) {
 }
 
 // Otherwise sheets that touch would separate.
-TEST(Subdivide, features_are_split_at_their_midpoints_or_not_at_all) {
+TEST(Subdivide, features_are_split_at_midpoints_or_not_at_all) {
   for (const auto& [name, soup] : mesh_classes()) {
     // Which edges close the strip depends on the order of its faces; inner edges of copies of a face
     // coincide.
@@ -79,7 +79,7 @@ TEST(Subdivide, features_are_split_at_their_midpoints_or_not_at_all) {
   }
 }
 
-TEST(Subdivide, sheets_of_random_soups_stay_together) {
+TEST(Subdivide, sheets_of_random_soups_stay_connected) {
   for (uint64_t seed = 1; seed <= runs(40); ++seed) {
     Random random(seed);
     const Mesh mesh = build(random_soup(20 + static_cast<int>(random.below(100)), random)).mesh;
@@ -93,7 +93,7 @@ TEST(Subdivide, sheets_of_random_soups_stay_together) {
   }
 }
 
-TEST(Subdivide, midpoints_leave_the_surface) {
+TEST(Subdivide, midpoint_scheme_preserves_the_surface) {
   const Mesh mesh = build(in_two_materials(torus(20, 12, 1, 0.3))).mesh;
   const Remeshed made = subdivided(mesh, Subdivision::kMidpoint);
   for (size_t t = 0; t < made.triangles.size(); ++t) {
@@ -109,7 +109,7 @@ TEST(Subdivide, midpoints_leave_the_surface) {
 
 // Loop: a corner of an octahedron has four neighbours and moves by 1 - (40 - 3^2) / 64; the middle of an edge
 // of length sqrt 2 becomes 3/8 of its ends and 1/8 of the two opposite corners.
-TEST(Subdivide, vertices_move_by_the_stencils_of_the_papers) {
+TEST(Subdivide, vertices_follow_the_published_stencils) {
   const Mesh mesh = build(octahedron()).mesh;
   const double corner = 1 - (40 - 9) / 64.0, middle = 3.0 / 8;
   for (const Vec3& p : subdivided(mesh, Subdivision::kLoop).positions) {
@@ -129,7 +129,7 @@ TEST(Subdivide, vertices_move_by_the_stencils_of_the_papers) {
   }
 }
 
-TEST(Subdivide, a_vertex_of_any_number_of_neighbours_stays_on_the_axis_of_its_fan) {
+TEST(Subdivide, a_vertex_of_any_valence_stays_on_the_axis_of_its_fan) {
   for (const int sectors : {3, 7, 60, 500}) {
     const Mesh mesh = build(sphere(6, sectors, 1)).mesh;
     for (const Subdivision scheme : kSchemes) {
@@ -144,7 +144,7 @@ TEST(Subdivide, a_vertex_of_any_number_of_neighbours_stays_on_the_axis_of_its_fa
   }
 }
 
-TEST(Subdivide, the_vertices_of_faces_that_must_stay_do) {
+TEST(Subdivide, vertices_of_locked_faces_do_not_move) {
   const Mesh mesh = build(sphere(12, 16, 1)).mesh;
   const std::array kept{FaceId(20), FaceId(70)};
   for (const Subdivision scheme : kSchemes) {
@@ -156,7 +156,7 @@ TEST(Subdivide, the_vertices_of_faces_that_must_stay_do) {
   }
 }
 
-TEST(Subdivide, stops_when_it_is_told_to) {
+TEST(Subdivide, can_be_cancelled) {
   const Mesh mesh = build(sphere(12, 16, 1)).mesh;
   const Progress stop{[](double) { return false; }};
   for (const Subdivision scheme : kSchemes) EXPECT_FALSE(subdivide(mesh, scheme, {}, &stop).ok());

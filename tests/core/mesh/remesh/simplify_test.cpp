@@ -52,7 +52,7 @@ void expect_same_topology(const Mesh& before, const Mesh& after) {
   EXPECT_NEAR(a.boundary_length, b.boundary_length, 1e-9 * (1 + a.boundary_length));
 }
 
-TEST_P(Simplify, reaches_the_number_of_faces_of_a_smooth_surface) {
+TEST_P(Simplify, reaches_the_face_count_on_a_smooth_surface) {
   for (const auto& [soup, faces] : {std::pair(sphere(30, 40, 1), 500), std::pair(torus(60, 40, 1, 0.3), 800),
                                     std::pair(moved(torus(60, 40, 1, 0.3), Vec3(1e6), 1e-3), 800)}) {
     const Mesh mesh = build(soup).mesh;
@@ -64,14 +64,14 @@ TEST_P(Simplify, reaches_the_number_of_faces_of_a_smooth_surface) {
 }
 
 // All errors are 0 or, by rounding, less.
-TEST_P(Simplify, leaves_little_of_a_flat_sheet) {
+TEST_P(Simplify, reduces_a_flat_sheet_to_few_faces) {
   const Mesh mesh = build(moved(grid(20, 1), {0.1, 0.7, 0.3}, 1 / 3.0)).mesh;
   const Mesh made = mesh_of(simplified(mesh, {.faces = 1}), mesh);
   EXPECT_LE(made.live_faces(), 80u);  // 80 edges on the boundary, which has no vertex inside
   EXPECT_NEAR(count_numbers(made).area, count_numbers(mesh).area, 1e-12);
 }
 
-TEST_P(Simplify, features_components_and_boundaries_of_every_class_of_mesh_stay) {
+TEST_P(Simplify, features_components_and_boundaries_are_preserved) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (const Soup& some : {soup, in_two_materials(soup)}) {
       SCOPED_TRACE(name);
@@ -86,7 +86,7 @@ TEST_P(Simplify, features_components_and_boundaries_of_every_class_of_mesh_stay)
   }
 }
 
-TEST_P(Simplify, features_and_components_of_random_soups_stay) {
+TEST_P(Simplify, features_and_components_of_random_soups_are_preserved) {
   for (uint64_t seed = 1; seed <= runs(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -99,7 +99,7 @@ TEST_P(Simplify, features_and_components_of_random_soups_stay) {
 
 // Two roofs that meet only at the ends of their ridges. Without the vertices on the ridges, these would
 // coincide.
-TEST_P(Simplify, sheets_that_touch_at_corners_are_not_joined) {
+TEST_P(Simplify, sheets_that_touch_at_vertices_are_not_joined) {
   Soup roofs;
   roofs.positions = {{-0.1, 0, 0}, {0.1, 0, 0}};
   for (const auto& [along, low, side] : {std::tuple(-0.02, Vec3(0, -0.3, 0), Vec3(0, 0, 1)),
@@ -117,7 +117,7 @@ TEST_P(Simplify, sheets_that_touch_at_corners_are_not_joined) {
   EXPECT_EQ(count_numbers(made).components, 2u);
 }
 
-TEST_P(Simplify, every_triangle_has_the_material_of_the_face_from_which_it_stems) {
+TEST_P(Simplify, every_triangle_keeps_the_material_of_its_source_face) {
   const Mesh mesh = build(in_two_materials(sphere(30, 40, 1))).mesh;
   const Remeshed made = simplified(mesh, {.faces = 600});
   const std::vector<uint16_t> materials = materials_of(made, mesh);
@@ -128,7 +128,7 @@ TEST_P(Simplify, every_triangle_has_the_material_of_the_face_from_which_it_stems
   }
 }
 
-TEST_P(Simplify, faces_that_must_stay_do) {
+TEST_P(Simplify, locked_faces_are_preserved) {
   const Mesh mesh = build(sphere(30, 40, 1)).mesh;
   std::vector<FaceId> kept;
   for (uint32_t f = 100; f < 200; ++f) kept.emplace_back(f);
@@ -144,7 +144,7 @@ TEST_P(Simplify, faces_that_must_stay_do) {
 
 // Two cones on one base, and the same flat, whose rim is a boundary. The neighbours of vertices with many
 // faces are removed before these.
-TEST_P(Simplify, vertices_of_many_faces_do_not_hold_up_those_around_them) {
+TEST_P(Simplify, vertices_of_high_valence_do_not_block_their_surroundings) {
   if (GetParam() != &simplify) GTEST_SKIP() << "OpenMesh takes quadratic time there";
   const int around = 3000;
   for (const bool is_flat : {false, true}) {
@@ -185,7 +185,7 @@ std::vector<FaceId> all_faces(const Mesh& mesh) {
 }
 
 // On a sheet that stays flat the parts of the area keep their places, within the size of the quarters.
-TEST_P(Simplify, says_which_triangles_lie_where_the_followed_faces_did) {
+TEST_P(Simplify, maps_tracked_faces_to_the_triangles_that_replace_them) {
   const Mesh mesh = build(grid(24, 1)).mesh;
   const std::vector<FaceId> all = all_faces(mesh);
   const auto made = GetParam()(mesh, {.faces = 300}, {}, nullptr, all);
@@ -207,7 +207,7 @@ TEST_P(Simplify, says_which_triangles_lie_where_the_followed_faces_did) {
 }
 
 // Two sheets that are nearer to each other than the size of their faces.
-TEST_P(Simplify, never_hands_on_a_followed_face_to_another_sheet) {
+TEST_P(Simplify, never_maps_a_tracked_face_to_another_sheet) {
   const Soup low = grid(24, 1);
   const Mesh mesh = build(both(low, moved(low, {0, 0.002, 0}, 1))).mesh;
   const auto made = GetParam()(mesh, {.faces = 500}, {}, nullptr, all_faces(mesh));
@@ -218,7 +218,7 @@ TEST_P(Simplify, never_hands_on_a_followed_face_to_another_sheet) {
   }
 }
 
-TEST_P(Simplify, the_same_mesh_gives_the_same_triangles) {
+TEST_P(Simplify, is_deterministic) {
   const Mesh mesh = build(torus(40, 30, 1, 0.3)).mesh;
   const Remeshed first = simplified(mesh, {.faces = 400}), second = simplified(mesh, {.faces = 400});
   EXPECT_EQ(first.positions, second.positions);
@@ -226,7 +226,7 @@ TEST_P(Simplify, the_same_mesh_gives_the_same_triangles) {
   EXPECT_EQ(first.origins, second.origins);
 }
 
-TEST_P(Simplify, stops_when_it_is_told_to) {
+TEST_P(Simplify, can_be_cancelled) {
   const Mesh mesh = build(sphere(40, 50, 1)).mesh;
   int reports = 0;
   const Progress counted{[&](double) { return ++reports > 0; }};
@@ -240,7 +240,7 @@ TEST_P(Simplify, stops_when_it_is_told_to) {
   }
 }
 
-TEST_P(Simplify, stays_within_the_error_both_ways) {
+TEST_P(Simplify, stays_within_the_error_in_both_directions) {
   Random random(5);
   for (const auto& soup : {sphere(40, 50, 1), moved(torus(50, 40, 1, 0.3), {5, 5, 5}, 100)}) {
     const BuiltMesh built = build(soup);
@@ -270,13 +270,13 @@ double beside_openmesh(const Mesh& mesh, size_t divisor) {
          error_of(mesh, *simplify_by_openmesh(mesh, target, {}, nullptr));
 }
 
-TEST(SimplifyBeside, openmesh_the_error_on_made_surfaces_is_no_larger) {
+TEST(SimplifyVersusOpenMesh, error_on_generated_surfaces_is_no_larger) {
   for (const Soup& soup : {torus(90, 60, 1, 0.3), sphere(60, 80, 1)}) {
     for (const size_t divisor : {4, 10}) EXPECT_LE(beside_openmesh(build(soup).mesh, divisor), 1.1);
   }
 }
 
-TEST(SimplifyBeside, openmesh_the_error_on_real_meshes_is_smaller_in_the_mean_and_seldom_larger) {
+TEST(SimplifyVersusOpenMesh, error_on_real_meshes_is_smaller_on_average) {
   double sum = 0;
   int count = 0, worse = 0;
   for (const auto& file : real_meshes(10'000)) {
@@ -301,7 +301,7 @@ std::optional<BuiltMesh> bunny_of_70k() {
   return std::nullopt;
 }
 
-TEST_P(Simplify, the_bunny_with_a_tenth_of_its_faces_is_within_three_thousandths_of_its_size) {
+TEST_P(Simplify, the_bunny_at_a_tenth_of_its_faces_is_within_0_3_percent) {
   const auto bunny = bunny_of_70k();
   if (!bunny) GTEST_SKIP() << kNoRealMeshes;
   const double size = glm::length(bunny->report.max - bunny->report.min);
@@ -316,7 +316,7 @@ TEST_P(Simplify, the_bunny_with_a_tenth_of_its_faces_is_within_three_thousandths
   EXPECT_LE(in, 0.003);
 }
 
-TEST_P(Simplify, the_bunny_stays_within_the_error_both_ways) {
+TEST_P(Simplify, the_bunny_stays_within_the_error_in_both_directions) {
   const auto bunny = bunny_of_70k();
   if (!bunny) GTEST_SKIP() << kNoRealMeshes;
   const double size = glm::length(bunny->report.max - bunny->report.min), error = 0.002 * size;

@@ -9,9 +9,9 @@ namespace kerf {
 namespace {
 
 // Two plates above each other near the ground, and a third one elsewhere.
-class SearchOfPlates : public testing::Test {
+class ContactSearchTest : public testing::Test {
  protected:
-  SearchOfPlates() {
+  ContactSearchTest() {
     around_.ground = 0;
     sheets_.add(test::rectangle(1, 1, 1), {0, 0.003, 0});
     sheets_.add(test::rectangle(1, 1, 1), {0, 0.008, 0});
@@ -29,7 +29,7 @@ class SearchOfPlates : public testing::Test {
   std::vector<BodyJoint> joints_;
 };
 
-TEST_F(SearchOfPlates, finds_the_contacts_of_pairs_and_with_the_ground_in_order) {
+TEST_F(ContactSearchTest, finds_contacts_of_pairs_and_with_the_ground_in_order) {
   ContactSearch search = found();
   ASSERT_EQ(search.pairs().size(), 2u + 1u);
   const auto is = [&](size_t i, uint32_t first, uint32_t second) {
@@ -40,7 +40,7 @@ TEST_F(SearchOfPlates, finds_the_contacts_of_pairs_and_with_the_ground_in_order)
   EXPECT_EQ(search.candidates(), 1u);
 }
 
-TEST_F(SearchOfPlates, has_each_pair_once_whoever_asks_for_it) {
+TEST_F(ContactSearchTest, returns_each_pair_once_even_if_added_twice) {
   ContactSearch search = found();
   search.allow_intersection(0, 1);
   ASSERT_EQ(search.pairs().size(), 3u);
@@ -49,19 +49,19 @@ TEST_F(SearchOfPlates, has_each_pair_once_whoever_asks_for_it) {
   EXPECT_EQ(search.pairs().size(), 4u);
 }
 
-TEST_F(SearchOfPlates, looks_at_no_pair_that_a_joint_connects) {
+TEST_F(ContactSearchTest, skips_pairs_connected_by_a_joint) {
   const Joint joint{};
   joints_ = {{0, 1, &joint}};
   ContactSearch search = found();
   for (const TouchingPair& pair : search.pairs()) EXPECT_EQ(pair.second, TouchingPair::kGround);
 }
 
-TEST_F(SearchOfPlates, leaves_what_sleeps_alone) {
+TEST_F(ContactSearchTest, skips_sleeping_bodies) {
   for (uint32_t i = 0; i < 3; ++i) sheets_.body(i).motion.asleep = true;
   EXPECT_TRUE(found().pairs().empty());
 }
 
-TEST_F(SearchOfPlates, counts_for_how_long_a_pair_has_intersected_since_it_met) {
+TEST_F(ContactSearchTest, counts_the_ticks_a_pair_has_intersected) {
   sheets_.body(1).placement.orientation = glm::angleAxis(1.57, Vec3(1, 0, 0));
   ContactSearch first = found();
   EXPECT_EQ(first.pairs()[0].memory.crossed, 1u);
@@ -71,7 +71,7 @@ TEST_F(SearchOfPlates, counts_for_how_long_a_pair_has_intersected_since_it_met) 
   EXPECT_EQ(found().pairs()[0].memory.crossed, 0u) << "a pair that was apart is not judged anew";
 }
 
-TEST_F(SearchOfPlates, has_bodies_keep_their_speed_only_in_the_first_of_the_ticks_in_which_they_are_held) {
+TEST_F(ContactSearchTest, preserves_speed_only_in_the_first_tick_of_a_limited_contact) {
   // The edges of two plates in one plane, which meet within the tick.
   test::MovingSheets sheets;
   sheets.add(test::rectangle(1, 1, 1), Vec3(0));
@@ -97,7 +97,7 @@ TEST_F(SearchOfPlates, has_bodies_keep_their_speed_only_in_the_first_of_the_tick
   EXPECT_TRUE(remember()) << "after a tick in which they were not held";
 }
 
-TEST_F(SearchOfPlates, lets_a_pair_cross_that_is_told_so) {
+TEST_F(ContactSearchTest, allows_a_pair_to_intersect_on_request) {
   using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
   ContactSearch search = found();
   EXPECT_EQ(search.pairs_apart(), (Pairs{{0, 1}}));

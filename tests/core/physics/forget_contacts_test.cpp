@@ -37,13 +37,13 @@ class SleepingSheets : public testing::Test {
   std::array<BodyId, 3> ids_;
 };
 
-TEST_F(SleepingSheets, are_left_alone_by_a_change_of_nothing) {
+TEST_F(SleepingSheets, stay_asleep_on_an_empty_delta) {
   forget_contacts(world_, Delta{});
   EXPECT_EQ(awake(), "");
   EXPECT_EQ(known(), 2u);
 }
 
-TEST_F(SleepingSheets, wake_with_what_they_touched_when_one_of_them_was_moved) {
+TEST_F(SleepingSheets, wake_with_their_neighbours_when_one_is_moved) {
   Delta delta;
   delta.moved = {ids_[1]};
   forget_contacts(world_, delta);
@@ -53,7 +53,7 @@ TEST_F(SleepingSheets, wake_with_what_they_touched_when_one_of_them_was_moved) {
   EXPECT_EQ(world_.body(ids_[0]).motion.quiet, 0u);
 }
 
-TEST_F(SleepingSheets, wake_when_faces_were_born_or_went_and_not_when_they_were_only_recoloured) {
+TEST_F(SleepingSheets, wake_when_faces_are_added_or_removed_but_not_recoloured) {
   Delta delta;
   delta.bodies.emplace_back().body = ids_[2];
   forget_contacts(world_, delta);
@@ -72,7 +72,7 @@ TEST_F(SleepingSheets, all_wake_when_gravity_changes) {
   EXPECT_EQ(known(), 0u);
 }
 
-TEST_F(SleepingSheets, keep_which_pairs_they_are_when_details_are_forgotten) {
+TEST_F(SleepingSheets, keep_their_pairs_when_contact_details_are_cleared) {
   forget_details(world_);
   EXPECT_EQ(awake(), "");
   ASSERT_EQ(known(), 2u);

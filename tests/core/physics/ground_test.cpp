@@ -118,7 +118,7 @@ TEST(Ground, keeps_every_vertex_of_thirty_meshes_above_it) {
   }
 }
 
-TEST(Ground, lets_out_within_a_second_what_was_pushed_into_it) {
+TEST(Ground, releases_a_sunken_body_within_a_second) {
   for (uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = one_above_the_other(2, seed);
@@ -130,7 +130,7 @@ TEST(Ground, lets_out_within_a_second_what_was_pushed_into_it) {
   }
 }
 
-TEST(Ground, holds_a_mesh_of_which_every_sheet_is_there_twice) {
+TEST(Ground, supports_a_mesh_with_doubled_sheets) {
   World world = test::world_with_ground();
   Soup box = test::closed_box({0.5, 0.5, 0.5});
   const std::vector<std::array<uint32_t, 3>> once(box.triangles.begin(), box.triangles.end());
@@ -140,7 +140,7 @@ TEST(Ground, holds_a_mesh_of_which_every_sheet_is_there_twice) {
   EXPECT_GT(lowest(world), -0.001);
 }
 
-TEST(Ground, and_piles_on_it_are_the_same_for_any_number_of_threads) {
+TEST(Ground, with_piles_is_the_same_for_any_thread_count) {
   std::vector<uint64_t> hashes;
   for (const size_t threads : {1u, 2u, 16u}) {
     const ThreadLimit limit(threads);

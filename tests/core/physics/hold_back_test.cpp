@@ -38,13 +38,13 @@ class PlateOverSheet : public testing::Test {
   ContactMemory before_;
 };
 
-TEST_F(PlateOverSheet, goes_all_of_its_way_where_nothing_is) {
+TEST_F(PlateOverSheet, moves_its_full_path_without_obstacles) {
   EXPECT_EQ(go(0.09), 0u);
   EXPECT_NEAR(height(), 0.01, 1e-12);
   EXPECT_NEAR(speed(), 0.09, 1e-12);
 }
 
-TEST_F(PlateOverSheet, goes_the_largest_share_of_its_way_that_leaves_it_on_its_side) {
+TEST_F(PlateOverSheet, moves_the_largest_fraction_that_stays_on_its_side) {
   for (const auto& [way, share] : {std::pair{0.15, 0.5}, {0.3, 0.25}, {0.9, 0.0}}) {
     sheets_.body(0).placement.position = {0, 0.1, 0};
     EXPECT_EQ(go(way), 1u);
@@ -53,7 +53,7 @@ TEST_F(PlateOverSheet, goes_the_largest_share_of_its_way_that_leaves_it_on_its_s
   }
 }
 
-TEST_F(PlateOverSheet, that_is_much_lighter_does_not_hold_what_it_meets) {
+TEST_F(PlateOverSheet, does_not_stop_a_much_heavier_body) {
   sheets_.body(1).pinned = false;
   sheets_.body(1).motion.velocity = {0, 0.01 / kTick, 0};
   EXPECT_EQ(go(0.15), 1u);
@@ -61,13 +61,13 @@ TEST_F(PlateOverSheet, that_is_much_lighter_does_not_hold_what_it_meets) {
   EXPECT_LT(0.1 - height(), 0.15);
 }
 
-TEST_F(PlateOverSheet, sweeps_aside_what_is_too_light_to_stop_it) {
+TEST_F(PlateOverSheet, pushes_aside_a_body_too_light_to_stop_it) {
   sheets_.body(1).pinned = false;
   EXPECT_EQ(go(0.15, 1e6), 0u);
   EXPECT_NEAR(height(), 0.1 - 0.15, 1e-9);
 }
 
-TEST(HoldBack, shortens_the_way_of_a_body_that_meets_two_others_once_where_that_is_enough) {
+TEST(LimitPenetration, limits_a_body_that_meets_two_others_only_once) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(1, 0.4, 4), {0, 0.1, 0});
   for (const double x : {-0.3, 0.3}) {

@@ -82,7 +82,7 @@ TEST(Joints, a_door_swings_on_its_hinge_with_the_period_of_a_pendulum) {
   EXPECT_NEAR((crossed_last - crossed_first) / (crossings - 1), period, 0.02 * period);
 }
 
-TEST(Joints, a_door_stops_at_the_limits_of_its_hinge_and_does_not_bounce) {
+TEST(Joints, a_door_stops_at_its_hinge_limits_without_bouncing) {
   World world = door_world(0.5, Interval{-25, 15});
   Body& door = door_of(world);
   Physics physics;
@@ -103,7 +103,7 @@ TEST(Joints, a_door_stops_at_the_limits_of_its_hinge_and_does_not_bounce) {
   }
 }
 
-TEST(Joints, a_weld_between_two_bodies_keeps_them_together_as_they_fall) {
+TEST(Joints, a_weld_keeps_two_falling_bodies_together) {
   World world;
   {
     const std::vector<NamedSheet> sheets{{"plate", test::rectangle(0.5, 0.5, 4)},
@@ -152,7 +152,7 @@ World cart() {
   return world;
 }
 
-TEST(Joints, parts_that_turn_on_joints_are_not_pushed_apart) {
+TEST(Joints, jointed_parts_are_not_pushed_apart) {
   const World world = cart();
   for (const BodyId id : world.ids()) EXPECT_TRUE(world.body(id).motion.at_rest());
 }
@@ -174,7 +174,7 @@ TEST(Joints, wheels_roll_on_their_hubs) {
   }
 }
 
-TEST(Joints, a_part_that_was_moved_away_by_hand_is_let_go) {
+TEST(Joints, a_part_moved_away_by_hand_is_released) {
   for (const double way : {0.01, 2.0}) {
     World world = cart();
     world.set_environment({.gravity = {0, -9.81, 0}, .ground = 0});
@@ -229,7 +229,7 @@ void burn_hinge(Document& document, double x) {
   ASSERT_TRUE(test::run_all(document).ok());
 }
 
-TEST(Joints, a_door_swings_about_its_last_hinge_and_drops_without_it) {
+TEST(Joints, a_door_swings_on_its_last_hinge_and_drops_without_it) {
   Document document = door_on_two_hinges();
   const auto depth = [&] {
     const Body& door = document.world().body(document.world().ids()[1]);
@@ -251,7 +251,7 @@ TEST(Joints, a_door_swings_about_its_last_hinge_and_drops_without_it) {
   EXPECT_GT(depth() - before, 0.8 * 9.81 * 0.5 * 0.5 / 2);
 }
 
-TEST(Joints, a_sleeping_door_wakes_when_the_faces_of_the_frame_that_held_it_are_gone) {
+TEST(Joints, a_sleeping_door_wakes_when_its_frame_loses_its_faces) {
   Document document = door_on_two_hinges();
   const auto door = [&]() -> const Body& { return document.world().body(document.world().ids()[1]); };
   document.apply(Play{});
@@ -276,7 +276,7 @@ TEST(Joints, a_sleeping_door_wakes_when_the_faces_of_the_frame_that_held_it_are_
   EXPECT_LT(door().placement.position.y - before, -0.8 * 9.81 * 0.5 * 0.5 / 2);
 }
 
-TEST(Joints, undo_hangs_a_door_up_again_and_redo_repeats_its_fall_to_the_bit) {
+TEST(Joints, undo_restores_a_hanging_door_and_redo_repeats_its_fall_exactly) {
   Document document = door_on_two_hinges();
   document.apply(Play{});
   play(document, 0.25);
@@ -294,7 +294,7 @@ TEST(Joints, undo_hangs_a_door_up_again_and_redo_repeats_its_fall_to_the_bit) {
   EXPECT_EQ(state_hash(document.world()), fallen);
 }
 
-TEST(Joints, physics_that_is_made_anew_at_any_tick_goes_on_to_the_bit) {
+TEST(Joints, physics_rebuilt_at_any_tick_continues_bit_for_bit) {
   Random random(7);
   World one = cart(), other = one;
   for (World* world : {&one, &other}) {
@@ -310,7 +310,7 @@ TEST(Joints, physics_that_is_made_anew_at_any_tick_goes_on_to_the_bit) {
   }
 }
 
-TEST(Joints, are_remembered_once_for_each_pair_in_whatever_order_they_come) {
+TEST(Joints, are_stored_once_per_pair_in_any_order) {
   test::MovingSheets sheets;
   for (int i = 0; i < 4; ++i) sheets.add(test::rectangle(0.1, 0.1, 1), {0.2 * i, 0, 0});
   const std::vector<MovingBody>& bodies = sheets.bodies();
@@ -334,7 +334,7 @@ TEST(Joints, are_remembered_once_for_each_pair_in_whatever_order_they_come) {
   EXPECT_EQ(pairs, expected);
 }
 
-TEST(Physics, makes_a_collider_anew_and_leaves_the_joints_known_after_a_change_without_faces) {
+TEST(Physics, rebuilds_a_collider_and_keeps_joints_on_a_change_without_faces) {
   World world;
   const BodyId id = test::add(world, test::rectangle(1, 1, 4), Vec3(0));
   Physics physics;

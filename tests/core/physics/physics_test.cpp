@@ -34,7 +34,7 @@ TEST(Fall, a_plate_falls_to_the_ground_and_sleeps_there) {
   EXPECT_NEAR(height(world, plate), 0.001, 0.0005);
 }
 
-TEST(Contacts, of_a_body_that_left_are_forgotten) {
+TEST(Contacts, of_a_removed_body_are_cleared) {
   World world = world_with_ground();
   const BodyId table = test::add(world, test::rectangle(1, 1, 1), {0, 1, 0});
   world.body(table).pinned = true;
@@ -52,7 +52,7 @@ TEST(Contacts, of_a_body_that_left_are_forgotten) {
   EXPECT_EQ(known(), 0);
 }
 
-TEST(Tick, reports_as_moved_and_awake_what_neither_sleeps_nor_is_pinned) {
+TEST(Tick, reports_unpinned_awake_bodies_as_moved) {
   World world = world_with_ground();
   const BodyId table = test::add(world, test::rectangle(1, 1, 1), {0, 1, 0});
   world.body(table).pinned = true;
@@ -70,7 +70,7 @@ TEST(Tick, reports_as_moved_and_awake_what_neither_sleeps_nor_is_pinned) {
 }
 
 // Many more vertices than the points by which bodies touch each other.
-TEST(Fall, a_curved_body_rests_on_its_lowest_vertices_whichever_they_are) {
+TEST(Fall, a_curved_body_rests_on_its_lowest_vertices) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -119,7 +119,7 @@ double energy(const World& world) {
   return joules;
 }
 
-TEST(Fall, a_stack_gains_no_energy_by_itself) {
+TEST(Fall, a_stack_gains_no_energy) {
   World world = world_with_ground();
   add_stack(world, 10);
   Physics physics;
@@ -134,7 +134,7 @@ TEST(Fall, a_stack_gains_no_energy_by_itself) {
   EXPECT_LT(gained, 0.01 * at_first);
 }
 
-TEST(Fall, goes_on_to_the_bit_when_its_caches_are_made_anew_at_any_tick) {
+TEST(Fall, continues_bit_for_bit_when_caches_are_rebuilt_at_any_tick) {
   Random random(7);
   World whole = world_with_ground(), torn = world_with_ground();
   for (World* world : {&whole, &torn}) {
@@ -155,7 +155,7 @@ TEST(Fall, goes_on_to_the_bit_when_its_caches_are_made_anew_at_any_tick) {
   }
 }
 
-TEST(Fall, halves_on_both_sides_of_a_kerf_do_not_push_each_other) {
+TEST(Fall, halves_across_a_kerf_do_not_push_each_other) {
   World world = world_with_ground();
   const BodyId left = test::add(world, test::rectangle(1, 1, 5), {-0.502, 0.3, 0});
   const BodyId right = test::add(world, test::rectangle(1, 1, 5), {0.502, 0.3, 0});
@@ -185,7 +185,7 @@ TEST(Fall, a_disc_falls_through_its_own_hole) {
   EXPECT_LT(height(world, disc), 0.3);
 }
 
-TEST(Fall, nothing_passes_a_sheet_that_is_pinned_however_fast) {
+TEST(Fall, nothing_passes_a_pinned_sheet_at_any_speed) {
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     for (const double speed : {30.0, 80.0}) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " at " + std::to_string(speed) + " m/s");
@@ -210,7 +210,7 @@ TEST(Fall, nothing_passes_a_sheet_that_is_pinned_however_fast) {
 
 // Four plates, one over the other, that fall, slide and come to rest; in a unit of 1/1024 m they do it alike,
 // as a power of two changes no digit.
-TEST(Fall, a_world_in_another_unit_falls_and_comes_to_rest_like_one_in_metres) {
+TEST(Fall, a_world_in_another_unit_behaves_like_one_in_metres) {
   const auto made = [](double metre) {
     World world;
     world.set_environment({.gravity = {0, -9.81 * metre, 0}, .ground = 0, .metre = metre});

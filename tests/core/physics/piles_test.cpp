@@ -36,7 +36,7 @@ double fastest(const World& world) {
   return most;
 }
 
-TEST(Piles, of_falling_sheets_hardly_ever_interlock) {
+TEST(Piles, of_falling_sheets_rarely_interlock) {
   size_t touching = 0, interlocked = 0;
   for (uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(seed);
@@ -69,7 +69,7 @@ TEST(Piles, friction_holds_a_plate_at_29_degrees_and_lets_it_slide_at_33) {
   EXPECT_GT(slid(33), 0.05);
 }
 
-TEST(Piles, sheets_that_intersect_from_the_beginning_are_not_shot) {
+TEST(Piles, initially_intersecting_sheets_are_not_ejected) {
   World world = test::world_with_ground();
   const glm::dquat upright = glm::normalize(glm::dquat(1, 1, 0, 0)),
                    tilted = glm::normalize(glm::dquat(1, 0, 0.3, 0.7));
@@ -95,7 +95,7 @@ double farthest_way(const Placement& from, const Body& to) {
   return most;
 }
 
-TEST(Piles, plates_that_are_born_crossing_come_apart_slowly_and_sleep) {
+TEST(Piles, plates_created_crossing_separate_slowly_and_sleep) {
   for (const double depth : {0.01, 0.05, 0.09}) {
     SCOPED_TRACE("depth " + std::to_string(depth));
     World world;
@@ -139,7 +139,7 @@ double depth(const Body& a, const Body& b, Random& random) {
 
 // What is left are walls of tubes that intersect in closed curves, far from their rims, and pairs whose way
 // out the ground bars.
-TEST(Piles, of_two_hundred_pairs_born_in_each_other_nine_of_ten_are_apart_after_four_seconds) {
+TEST(Piles, nine_of_ten_interpenetrating_pairs_separate_in_four_seconds) {
   Random random(1);
   size_t pairs = 0, apart = 0;
   for (uint64_t seed = 1; pairs < 200; ++seed) {

@@ -25,7 +25,7 @@ class PulledPlate : public testing::Test {
   BodyId plate_;
 };
 
-TEST_F(PulledPlate, is_accelerated_towards_the_end_of_the_spring_at_the_point_that_it_holds) {
+TEST_F(PulledPlate, accelerates_the_held_point_towards_the_spring_end) {
   const Vec3 corner(0.9, 0, 0.4);
   hold(corner, body().placement.to_world(corner) + Vec3(0, 0.1, 0));
   apply_spring(world_, kTick);
@@ -35,13 +35,13 @@ TEST_F(PulledPlate, is_accelerated_towards_the_end_of_the_spring_at_the_point_th
   EXPECT_GT(glm::length(body().motion.spin), 0.01) << "a corner turns the plate";
 }
 
-TEST_F(PulledPlate, is_accelerated_no_more_than_that) {
+TEST_F(PulledPlate, has_limited_acceleration) {
   hold(Vec3(0), {3, 50, 0});
   apply_spring(world_, kTick);
   EXPECT_NEAR(body().motion.velocity.y, kMaxSpringAcceleration * kTick, 1e-9);
 }
 
-TEST_F(PulledPlate, comes_to_rest_at_the_end_of_the_spring_without_swinging_over) {
+TEST_F(PulledPlate, settles_at_the_spring_end_without_overshoot) {
   hold(Vec3(0), {3, 1.5, 0});
   for (int t = 0; t < 120; ++t) {
     apply_spring(world_, kTick);
@@ -52,7 +52,7 @@ TEST_F(PulledPlate, comes_to_rest_at_the_end_of_the_spring_without_swinging_over
   EXPECT_LT(glm::length(body().motion.velocity), 0.01);
 }
 
-TEST_F(PulledPlate, stays_where_it_is_pinned_hidden_or_not_held) {
+TEST_F(PulledPlate, stays_in_place_if_pinned_hidden_or_not_held) {
   apply_spring(world_, kTick);
   EXPECT_TRUE(body().motion.asleep) << "there is no spring";
   hold(Vec3(0), {3, 5, 0});

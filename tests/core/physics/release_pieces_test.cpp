@@ -47,7 +47,7 @@ class CutPlate : public testing::Test {
   Delta delta_;
 };
 
-TEST_F(CutPlate, falls_in_two_bodies_that_keep_their_momentum) {
+TEST_F(CutPlate, falls_as_two_bodies_that_keep_their_momentum) {
   EXPECT_TRUE(has_pieces_off(world_.body(plate_)));
   const Vec3 before = momentum();
   const std::vector<BodyId> ids = release();
@@ -58,7 +58,7 @@ TEST_F(CutPlate, falls_in_two_bodies_that_keep_their_momentum) {
   for (const BodyId id : ids) EXPECT_EQ(world_.body(id).motion.spin, Vec3(0, 0.5, 0));
 }
 
-TEST_F(CutPlate, is_pushed_apart_along_the_line_between_the_centres) {
+TEST_F(CutPlate, is_separated_along_the_line_between_the_centres) {
   world_.body(plate_).motion = Motion{};
   const std::vector<BodyId> ids = release();
   const Vec3 apart = world_.body(ids[1]).motion.velocity - world_.body(ids[0]).motion.velocity;
@@ -66,7 +66,7 @@ TEST_F(CutPlate, is_pushed_apart_along_the_line_between_the_centres) {
   EXPECT_NEAR(std::abs(apart.x), kPushApart, 1e-4);
 }
 
-TEST_F(CutPlate, that_is_pinned_stays_and_the_piece_is_free) {
+TEST_F(CutPlate, stays_if_pinned_and_frees_the_other_piece) {
   world_.body(plate_).motion = Motion{};
   world_.body(plate_).pinned = true;
   release();
@@ -79,7 +79,7 @@ TEST_F(CutPlate, that_is_pinned_stays_and_the_piece_is_free) {
   EXPECT_EQ(pinned, 1u);
 }
 
-TEST_F(CutPlate, that_is_hidden_is_left_whole) {
+TEST_F(CutPlate, is_not_split_if_hidden) {
   world_.body(plate_).hidden = true;
   EXPECT_FALSE(has_pieces_off(world_.body(plate_)));
   EXPECT_EQ(release().size(), 1u);

@@ -28,7 +28,7 @@ bool is_above(const Body& body, double height) {
   return true;
 }
 
-TEST(Rest, a_leaning_plate_stays) {
+TEST(Rest, a_leaning_plate_stays_in_place) {
   World world = world_with_ground();
   const glm::dquat upright(std::sqrt(0.5), std::sqrt(0.5), 0, 0);  // turns y = 0 to z = 0
   const BodyId wall = test::add(world, test::rectangle(2, 2, 4), {0, 1, 0}, upright);
@@ -63,7 +63,7 @@ TEST(Rest, a_stack_that_may_not_sleep_hardly_jitters) {
   EXPECT_LT(std::sqrt(sum / count), 0.001);
 }
 
-TEST(Rest, a_piece_that_rattles_does_not_keep_what_lies_far_from_it_awake) {
+TEST(Rest, a_rattling_piece_does_not_keep_distant_bodies_awake) {
   World world = world_with_ground();
   std::vector<BodyId> row;  // of plates that overlap like tiles
   for (int i = 0; i < 6; ++i) {
@@ -80,7 +80,7 @@ TEST(Rest, a_piece_that_rattles_does_not_keep_what_lies_far_from_it_awake) {
   EXPECT_TRUE(world.body(row.back()).motion.asleep);
 }
 
-TEST(Rest, nothing_passes_the_ground_however_fast) {
+TEST(Rest, nothing_passes_the_ground_at_any_speed) {
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     for (const double speed : {30.0, 80.0}) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " at " + std::to_string(speed) + " m/s");
@@ -97,7 +97,7 @@ TEST(Rest, nothing_passes_the_ground_however_fast) {
   }
 }
 
-TEST(Rest, nothing_passes_a_free_sheet_however_fast) {
+TEST(Rest, nothing_passes_a_free_sheet_at_any_speed) {
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     for (const double speed : {30.0, 80.0}) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " at " + std::to_string(speed) + " m/s");
@@ -117,7 +117,7 @@ TEST(Rest, nothing_passes_a_free_sheet_however_fast) {
   }
 }
 
-TEST(Rest, of_random_falling_sheets_none_leaves_the_world) {
+TEST(Rest, random_falling_sheets_stay_in_the_world) {
   World world = test::rain(20, 11, 0.4);
   Physics physics;
   for (Ticks t = 0; t < 3 * kTicksPerSecond; ++t) {

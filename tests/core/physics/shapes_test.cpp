@@ -60,7 +60,7 @@ Soup half_at_wavy_kerf(bool left, double bulge = 0) {
   return soup;
 }
 
-TEST(Shapes, halves_on_both_sides_of_a_wavy_kerf_do_not_move_by_themselves) {
+TEST(Shapes, halves_across_a_wavy_kerf_do_not_move_by_themselves) {
   for (const double bulge : {0.0, 0.1}) {
     SCOPED_TRACE("bulge " + std::to_string(bulge));
     World world;
@@ -78,7 +78,7 @@ TEST(Shapes, halves_on_both_sides_of_a_wavy_kerf_do_not_move_by_themselves) {
   }
 }
 
-TEST(Shapes, halves_on_both_sides_of_a_wavy_kerf_lie_still_on_the_ground) {
+TEST(Shapes, halves_across_a_wavy_kerf_rest_on_the_ground) {
   World world = test::world_with_ground();
   const BodyId left = test::add(world, half_at_wavy_kerf(true), {0, 0.002, 0}),
                right = test::add(world, half_at_wavy_kerf(false), {0, 0.002, 0});

@@ -42,19 +42,19 @@ class QuietRow : public testing::Test {
   bool woke_ = false;
 };
 
-TEST_F(QuietRow, sleeps_and_stands_still) {
+TEST_F(QuietRow, falls_asleep_and_stops) {
   sheets_.body(2).motion.velocity = {0.01, 0, 0};
   EXPECT_EQ(awake(true), "");
   EXPECT_EQ(sheets_.body(2).motion.velocity, Vec3(0));
 }
 
-TEST_F(QuietRow, is_kept_awake_two_bodies_around_a_restless_one_and_no_farther) {
+TEST_F(QuietRow, stays_awake_within_two_bodies_of_a_restless_one) {
   sheets_.body(0).motion.quiet = kHalfASecond - 1;
   EXPECT_EQ(awake(false), "0");
   EXPECT_EQ(awake(true), "012");
 }
 
-TEST_F(QuietRow, wakes_with_what_a_joint_connects) {
+TEST_F(QuietRow, wakes_along_joints) {
   for (uint32_t i = 0; i < 5; ++i) sheets_.body(i).motion.asleep = true;
   sheets_.body(1).motion.quiet = 0;
   const Joint joint{};
@@ -65,13 +65,13 @@ TEST_F(QuietRow, wakes_with_what_a_joint_connects) {
   EXPECT_FALSE(woke_) << "they were awake";
 }
 
-TEST_F(QuietRow, is_not_woken_through_what_is_pinned) {
+TEST_F(QuietRow, does_not_wake_through_a_pinned_body) {
   sheets_.body(0).motion.quiet = 0;
   sheets_.body(1).pinned = true;
   EXPECT_EQ(awake(true), "01") << "what is pinned neither sleeps nor wakes";
 }
 
-TEST_F(QuietRow, wakes_what_touched_before_it_fell_asleep) {
+TEST_F(QuietRow, wakes_bodies_in_contact_before_they_fell_asleep) {
   for (uint32_t i = 0; i < 5; ++i) sheets_.body(i).motion.asleep = true;
   const auto ids = sheets_.world.ids();
   PairMemory touched{ids[2], ids[3], {}, {}, {}};
@@ -83,7 +83,7 @@ TEST_F(QuietRow, wakes_what_touched_before_it_fell_asleep) {
 
 // The first is restless, and wakes the second if it touches it before the tick is over. They are 3 mm apart,
 // and quiet speeds close that gap within a tick only if both go towards each other.
-TEST_F(QuietRow, wakes_what_comes_near_within_the_tick_as_seen_from_the_other) {
+TEST_F(QuietRow, wakes_bodies_that_come_near_within_the_tick) {
   const auto second_wakes = [&](double first, double second) {
     sheets_.body(0).motion.quiet = 0;
     sheets_.body(1).motion.quiet = kHalfASecond;
@@ -116,14 +116,14 @@ bool is_quiet(double speed, double spin, bool on_hinge = false, uint32_t crossed
   return sheets.body(0).motion.quiet == 8;
 }
 
-TEST(Quiet, is_slower_than_its_limits) {
+TEST(Quiet, means_speeds_below_both_limits) {
   EXPECT_TRUE(is_quiet(0.39, 0));
   EXPECT_FALSE(is_quiet(0.41, 0));
   EXPECT_TRUE(is_quiet(0, 0.99));
   EXPECT_FALSE(is_quiet(0, 1.01));
 }
 
-TEST(Quiet, on_a_hinge_is_much_slower_and_while_pushed_out_nothing) {
+TEST(Quiet, is_stricter_on_a_hinge_and_impossible_while_pushed_out) {
   EXPECT_TRUE(is_quiet(0.039, 0, true));
   EXPECT_FALSE(is_quiet(0.041, 0, true));
   EXPECT_FALSE(is_quiet(0, 0, false, 3));

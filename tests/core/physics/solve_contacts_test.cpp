@@ -41,7 +41,7 @@ TEST_F(SolvedPlate, falls_freely) {
   EXPECT_NEAR(sheets_.body(0).placement.position.y, 1 + kTick * motion().velocity.y, 1e-9);
 }
 
-TEST_F(SolvedPlate, is_carried_by_its_contacts_whose_impulses_are_its_weight) {
+TEST_F(SolvedPlate, is_supported_by_contact_impulses_equal_to_its_weight) {
   touch_ground(0);
   for (int i = 0; i < 10; ++i) solve();
   EXPECT_NEAR(motion().velocity.y, 0, 0.01 * kFall);
@@ -53,14 +53,14 @@ TEST_F(SolvedPlate, is_carried_by_its_contacts_whose_impulses_are_its_weight) {
   EXPECT_NEAR(sum, mass() * kFall, 0.05 * mass() * kFall);
 }
 
-TEST_F(SolvedPlate, comes_as_near_as_the_distance_of_its_contacts_and_no_nearer) {
+TEST_F(SolvedPlate, approaches_to_exactly_the_contact_distance) {
   motion().velocity = {0, -3, 0};
   touch_ground(0.01);
   solve();
   EXPECT_NEAR(sheets_.body(0).placement.position.y, 1 - 0.01, 0.002);
 }
 
-TEST_F(SolvedPlate, is_slowed_by_friction_as_its_weight_allows) {
+TEST_F(SolvedPlate, is_slowed_by_friction_proportional_to_its_weight) {
   motion().velocity = {2, 0, 0};
   touch_ground(0);
   constexpr int kTicks = 20;
@@ -69,7 +69,7 @@ TEST_F(SolvedPlate, is_slowed_by_friction_as_its_weight_allows) {
   EXPECT_NEAR(motion().velocity.z, 0, 1e-6);
 }
 
-TEST_F(SolvedPlate, that_is_fixed_or_asleep_stays_as_it_is) {
+TEST_F(SolvedPlate, does_not_move_if_pinned_or_asleep) {
   sheets_.add(test::rectangle(1, 1, 1), {5, 5, 5});
   sheets_.body(1).pinned = true;
   motion().asleep = true;

@@ -35,19 +35,17 @@ class TwoPlates : public testing::Test {
   test::MovingSheets sheets_;
 };
 
-TEST_F(TwoPlates, get_no_faster_than_they_were_and_a_little_more) { EXPECT_NEAR(shot(false), 1.2, 1e-9); }
+TEST_F(TwoPlates, gain_only_a_little_speed_when_apart) { EXPECT_NEAR(shot(false), 1.2, 1e-9); }
 
-TEST_F(TwoPlates, get_no_faster_than_the_faster_one_that_they_touch_or_that_a_joint_connects) {
+TEST_F(TwoPlates, gain_speed_up_to_the_faster_touching_or_jointed_body) {
   EXPECT_NEAR(shot(true), 5.2, 1e-9);
   sheets_.body(0).motion.velocity = {1, 0, 0};
   EXPECT_NEAR(shot(false, true), 5.2, 1e-9);
 }
 
-TEST_F(TwoPlates, never_get_faster_than_300_metres_a_second) {
-  EXPECT_NEAR(shot(false, false, 1e4), 300, 1e-9);
-}
+TEST_F(TwoPlates, never_exceed_300_metres_per_second) { EXPECT_NEAR(shot(false, false, 1e4), 300, 1e-9); }
 
-TEST_F(TwoPlates, keep_a_motion_that_is_allowed) {
+TEST_F(TwoPlates, keep_an_allowed_motion) {
   std::vector<MovingBody>& bodies = sheets_.bodies();
   const SpeedLimit limit(bodies, {}, {}, 0.1);
   sheets_.body(0).motion.velocity = {0.5, 0.5, 0};
@@ -57,7 +55,7 @@ TEST_F(TwoPlates, keep_a_motion_that_is_allowed) {
   EXPECT_EQ(sheets_.body(0).motion.spin, Vec3(0, 1, 0));
 }
 
-TEST_F(TwoPlates, spin_no_faster_than_their_rims_may_move) {
+TEST_F(TwoPlates, spin_no_faster_than_the_speed_limit_at_their_edges) {
   std::vector<MovingBody>& bodies = sheets_.bodies();
   const SpeedLimit limit(bodies, {}, {}, 0);
   sheets_.body(0).motion.spin = {0, 1e6, 0};

@@ -14,7 +14,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
-TEST(BroadPhase, of_random_boxes_finds_the_pairs_that_meet_and_one_of_which_moves) {
+TEST(BroadPhase, finds_overlapping_pairs_with_a_moving_body_among_random_boxes) {
   Random random(4);
   test::MovingSheets sheets;
   for (int i = 0; i < 40; ++i) {
@@ -38,7 +38,7 @@ TEST(BroadPhase, of_random_boxes_finds_the_pairs_that_meet_and_one_of_which_move
   }
 }
 
-TEST(BroadPhase, finds_a_pair_that_meets_on_its_way_only) {
+TEST(BroadPhase, finds_a_pair_that_meets_during_its_motion) {
   test::MovingSheets sheets;
   sheets.add(test::closed_box({0.1, 0.1, 0.1}), {-1, 0, 0});
   sheets.add(test::closed_box({0.1, 0.1, 0.1}), {1, 0, 0});
@@ -48,7 +48,7 @@ TEST(BroadPhase, finds_a_pair_that_meets_on_its_way_only) {
 }
 
 // Two long boxes across each other lie apart, though their bounds in the world overlap.
-TEST(BroadPhase, passes_a_pair_that_lies_apart_in_the_frame_of_one) {
+TEST(BroadPhase, skips_a_pair_separated_in_a_local_frame) {
   const glm::dquat turned = glm::normalize(glm::dquat(1, 0, std::tan(3.14159265358979 / 8), 0));
   test::MovingSheets sheets;
   sheets.add(test::closed_box({4, 0.1, 0.1}), {0, 0, 0}, turned);
@@ -58,7 +58,7 @@ TEST(BroadPhase, passes_a_pair_that_lies_apart_in_the_frame_of_one) {
   EXPECT_TRUE(near_pairs(bodies).empty());
 }
 
-TEST(BroadPhase, leaves_out_what_glides_beside_what_is_fixed) {
+TEST(BroadPhase, skips_bodies_sliding_along_fixed_ones) {
   test::MovingSheets sheets;
   sheets.add(test::closed_box({1, 1, 1}), {0, 0, 0});
   sheets.add(test::closed_box({1, 1, 1}), {0.5, 0, 0});

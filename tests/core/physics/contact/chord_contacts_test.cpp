@@ -41,7 +41,7 @@ TEST_F(CrossedEdges, touch_where_they_cross) {
   EXPECT_GE(found[0].feature, uint64_t{1} << 32);
 }
 
-TEST_F(CrossedEdges, are_found_within_their_reach_and_farther_where_they_come_near) {
+TEST_F(CrossedEdges, are_found_within_reach_and_farther_if_approaching) {
   EXPECT_TRUE(find(kContactLengths.reach * 1.1).empty());
   for (const bool upside_down : {false, true}) {
     EXPECT_EQ(find(0.05, 0.06 * 120, upside_down).size(), 1u);
@@ -49,7 +49,7 @@ TEST_F(CrossedEdges, are_found_within_their_reach_and_farther_where_they_come_ne
   }
 }
 
-TEST(ChordContacts, of_parallel_edges_are_left_to_points_and_faces) {
+TEST(ChordContacts, ignore_parallel_edges) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(1, 1, 1), {0, 0.504, 0}, kUpright);
   sheets.add(test::rectangle(1, 1, 1), {0, -0.5, 0}, kUpright);

@@ -25,7 +25,7 @@ class PlateAcrossBar : public testing::Test {
   std::vector<PointMemory> memory_;
 };
 
-TEST_F(PlateAcrossBar, gets_points_within_its_chords_that_go_through) {
+TEST_F(PlateAcrossBar, adds_points_on_chords_that_pierce_it) {
   sheets_.body(1).placement.orientation = glm::angleAxis(0.3, Vec3(0, 0, 1));
   const std::vector<MovingBody>& bodies = sheets_.bodies();
   remember_piercing_points(bodies[0], bodies[1], memory_);
@@ -39,14 +39,14 @@ TEST_F(PlateAcrossBar, gets_points_within_its_chords_that_go_through) {
   }
 }
 
-TEST_F(PlateAcrossBar, that_does_not_come_so_far_gets_none) {
+TEST_F(PlateAcrossBar, adds_none_without_intersection) {
   sheets_.body(0).motion.velocity = {0, -0.01 / kTick, 0};
   const std::vector<MovingBody>& bodies = sheets_.bodies();
   EXPECT_FALSE(remember_piercing_points(bodies[0], bodies[1], memory_));
   EXPECT_TRUE(memory_.empty());
 }
 
-TEST_F(PlateAcrossBar, remembers_each_place_once_and_in_order) {
+TEST_F(PlateAcrossBar, stores_each_place_once_in_order) {
   sheets_.body(1).placement.orientation = glm::angleAxis(0.3, Vec3(0, 0, 1));
   const std::vector<MovingBody>& bodies = sheets_.bodies();
   remember_piercing_points(bodies[0], bodies[1], memory_);
@@ -57,7 +57,7 @@ TEST_F(PlateAcrossBar, remembers_each_place_once_and_in_order) {
                              [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
 }
 
-TEST(ChordPoints, at_a_rim_that_a_chord_met_askew_are_to_leave_in_the_plane_of_the_face) {
+TEST(ChordPoints, at_an_oblique_rim_separate_in_the_plane_of_the_face) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(0.4, 0.4, 1), {0.03, 0.01, 0.3});  // its edges along x fall across a rim along z
   const glm::dquat standing(std::sqrt(0.5), 0, 0, std::sqrt(0.5));  // in x = 0
@@ -73,7 +73,7 @@ TEST(ChordPoints, at_a_rim_that_a_chord_met_askew_are_to_leave_in_the_plane_of_t
   }
 }
 
-TEST(ChordPoints, are_told_from_those_of_the_collider) {
+TEST(ChordPoints, have_distinct_ids_from_collider_points) {
   EXPECT_FALSE(is_on_chord(5));
   EXPECT_TRUE(is_on_chord(kOnChord | 5));
   EXPECT_FALSE(is_at_rim(kOnChord | 5));

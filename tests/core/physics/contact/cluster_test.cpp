@@ -43,7 +43,7 @@ Visit visit(const Clusters& clusters, const Box& box) {
 
 const Box kEverywhere{Vec3(-1e9), Vec3(1e9)};
 
-TEST(Clusters, hold_each_item_once_in_the_order_of_the_list) {
+TEST(Clusters, contain_each_item_once_in_list_order) {
   Random random(1);
   for (const size_t count : {1u, 8u, 9u, 100u, 777u}) {
     Clustering clustering = make_clusters(random_segments(count, random));
@@ -73,7 +73,7 @@ TEST(Clusters, find_every_item_near_a_box) {
   }
 }
 
-TEST(Clusters, of_a_long_row_are_left_out_with_few_tests) {
+TEST(Clusters, prune_a_long_row_with_few_tests) {
   Segments segments;
   for (int i = 0; i < 4096; ++i) segments.push_back({Vec3(37 * i % 4096, 0, 0), Vec3(37 * i % 4096, 0, 0)});
   const Visit at_the_end = visit(make_clusters(segments).clusters, {Vec3(4095), Vec3(4096)});
@@ -83,7 +83,7 @@ TEST(Clusters, of_a_long_row_are_left_out_with_few_tests) {
   EXPECT_LT(near.tested, 40u) << "of 512 clusters of items";
 }
 
-TEST(Clusters, end_a_search_with_the_first_item_that_is_wanted) {
+TEST(Clusters, any_of_stops_at_the_first_match) {
   Random random(3);
   const Clustering clustering = make_clusters(random_segments(100, random));
   const auto near = [](const Cluster&) { return true; };
@@ -96,7 +96,7 @@ TEST(Clusters, end_a_search_with_the_first_item_that_is_wanted) {
   EXPECT_FALSE(clustering.clusters.any_of(near, [](uint32_t) { return false; }));
 }
 
-TEST(Clusters, of_nothing_are_none) {
+TEST(Clusters, are_empty_without_items) {
   EXPECT_TRUE(visit(make_clusters({}).clusters, kEverywhere).items.empty());
 }
 

@@ -28,13 +28,13 @@ TEST(Collider, of_a_closed_smooth_mesh_has_no_chord) {
   EXPECT_TRUE(make_collider(test::build(test::sphere(24, 48, 1)).mesh).chords.empty());
 }
 
-TEST(Collider, points_of_a_rim_know_where_the_sheet_ends) {
+TEST(Collider, rim_points_store_the_outward_direction) {
   for (const Collider::Point& p : make_collider(test::build(test::disc(1, 32)).mesh).points) {
     if (glm::length(p.at) > 0.5) EXPECT_GT(glm::dot(p.outward, p.at), 0.9);
   }
 }
 
-TEST(Collider, has_no_more_than_is_asked_for) {
+TEST(Collider, stays_within_its_limits) {
   const ColliderSettings few{.max_points = 10, .max_chords = 12, .chord_error = 1e-9};
   const Collider collider = make_collider(test::build(test::tube(5, 200, 1, 1)).mesh, few);
   EXPECT_LE(collider.points.size(), 10u);

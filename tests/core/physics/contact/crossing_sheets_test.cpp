@@ -13,7 +13,7 @@
 namespace kerf {
 namespace {
 
-TEST(CrossingSheets, are_those_of_which_an_edge_goes_through_a_face) {
+TEST(CrossingSheets, have_an_edge_that_pierces_a_face) {
   Random random(6);
   size_t crossing = 0;
   for (int i = 0; i < 60; ++i) {
@@ -45,7 +45,7 @@ bool falls_through(double way) {
   return pass_through(bodies[0], bodies[1]);
 }
 
-TEST(CrossingSheets, that_pass_each_other_within_a_tick_got_through) {
+TEST(CrossingSheets, passing_within_a_tick_count_as_tunnelled) {
   EXPECT_FALSE(falls_through(0.09));
   EXPECT_TRUE(falls_through(0.11));
   EXPECT_TRUE(falls_through(3)) << "they do not intersect at its end";

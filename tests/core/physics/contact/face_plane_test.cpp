@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(FacePlane, faces_the_side_from_which_a_ray_comes) {
+TEST(FacePlane, faces_the_origin_of_the_ray) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(1, 1, 2), {7, 8, 9});
   const MovingBody& sheet = sheets.bodies()[0];
@@ -21,7 +21,7 @@ TEST(FacePlane, faces_the_side_from_which_a_ray_comes) {
   }
 }
 
-TEST(FacePlane, is_that_of_the_first_face_within_the_length) {
+TEST(FacePlane, is_the_plane_of_the_first_face_within_the_length) {
   test::MovingSheets sheets;
   sheets.add(test::closed_box({1, 1, 1}), Vec3(0));
   const MovingBody& box = sheets.bodies()[0];

@@ -35,7 +35,7 @@ size_t creases(const std::vector<FeatureEdge>& edges) {
       std::count_if(edges.begin(), edges.end(), [](const FeatureEdge& e) { return !e.rim; }));
 }
 
-TEST(FeatureEdges, are_the_rim_and_folds_of_more_than_forty_degrees) {
+TEST(FeatureEdges, are_the_rim_and_folds_above_40_degrees) {
   EXPECT_EQ(features_of(test::build(folded(39)).mesh).size(), 6u);
   const auto sharp = features_of(test::build(folded(41)).mesh);
   EXPECT_EQ(sharp.size(), 7u);
@@ -48,14 +48,14 @@ TEST(FeatureEdges, of_a_closed_box_are_its_twelve_creases) {
   EXPECT_EQ(creases(edges), 12u);
 }
 
-TEST(FeatureEdges, of_a_disc_join_to_one_closed_line) {
+TEST(FeatureEdges, of_a_disc_join_into_one_closed_line) {
   const auto lines = joined(features_of(test::build(test::disc(1, 20)).mesh));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].size(), 21u);
   EXPECT_EQ(lines[0].front(), lines[0].back());
 }
 
-TEST(FeatureEdges, join_in_lines_that_end_where_three_of_them_meet) {
+TEST(FeatureEdges, join_into_lines_that_end_where_three_meet) {
   const auto lines = joined(features_of(test::build(test::closed_box({1, 1, 1})).mesh));
   EXPECT_EQ(lines.size(), 12u) << "three creases meet in each corner";
   for (const FeatureLine& line : lines) EXPECT_EQ(line.size(), 2u);

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(GroundContacts, are_where_the_lowest_corners_are) {
+TEST(GroundContacts, are_at_the_lowest_corners) {
   test::MovingSheets sheets;
   sheets.add(test::closed_box({0.4, 0.4, 0.4}), {0, 0.205, 0});
   Environment around;
@@ -29,7 +29,7 @@ TEST(GroundContacts, are_where_the_lowest_corners_are) {
       << "on its way";
 }
 
-TEST(GroundContacts, of_a_body_that_is_sunk_tell_how_deep_its_lowest_corner_is) {
+TEST(GroundContacts, report_the_depth_of_the_lowest_sunken_corner) {
   test::MovingSheets sheets;
   sheets.add(test::closed_box({0.4, 0.4, 0.4}), {0, 0.15, 0}, glm::angleAxis(0.1, Vec3(0, 0, 1)));
   Environment around;

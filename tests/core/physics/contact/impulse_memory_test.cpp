@@ -27,7 +27,7 @@ class RememberedPoints : public testing::Test {
   PairMemory memory_;
 };
 
-TEST_F(RememberedPoints, at_rims_are_forgotten_in_their_body_alone_where_they_were_not_pressed) {
+TEST_F(RememberedPoints, at_rims_are_dropped_from_their_body_if_unloaded) {
   for (const bool of_second : {false, true}) {
     PairMemory memory = memory_;
     remember_impulses({contact(kRimPoint, of_second, 0), contact(kPoint, of_second, 0)}, memory);
@@ -37,7 +37,7 @@ TEST_F(RememberedPoints, at_rims_are_forgotten_in_their_body_alone_where_they_we
   }
 }
 
-TEST_F(RememberedPoints, stay_and_give_their_contacts_the_impulses_where_they_were_pressed) {
+TEST_F(RememberedPoints, persist_with_their_impulses_if_loaded) {
   std::vector<Contact> contacts{contact(kRimPoint, true, 3), contact(kRimPoint, false, 2),
                                 contact(kPoint, false, 0)};
   remember_impulses(contacts, memory_);

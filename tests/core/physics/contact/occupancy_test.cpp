@@ -17,7 +17,7 @@ Box random_box(Random& random, double size) {
   return box;
 }
 
-TEST(Occupancy, meets_all_boxes_that_meet_one_that_was_added) {
+TEST(Occupancy, overlaps_every_box_that_overlaps_an_added_one) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -38,7 +38,7 @@ TEST(Occupancy, meets_all_boxes_that_meet_one_that_was_added) {
   }
 }
 
-TEST(Occupancy, of_nothing_meets_nothing) {
+TEST(Occupancy, is_empty_without_boxes) {
   EXPECT_FALSE(Occupancy().meets({Vec3(-1), Vec3(1)}));
   EXPECT_FALSE(Occupancy({Vec3(0), Vec3(1)}).meets({Vec3(-1), Vec3(1)}));
 }

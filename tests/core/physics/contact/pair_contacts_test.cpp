@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-TEST(PairContacts, are_no_more_than_eight_and_the_deepest_is_among_them) {
+TEST(PairContacts, are_at_most_eight_including_the_deepest) {
   Soup soup = test::disc(0.5, 64);
   soup.positions[6].y = -0.002;  // of 64 on the rim
   test::MovingSheets sheets;
@@ -25,7 +25,7 @@ TEST(PairContacts, are_no_more_than_eight_and_the_deepest_is_among_them) {
   EXPECT_NEAR(deepest, 0.004 - kContactLengths.skin, 1e-9);
 }
 
-TEST(PairContacts, found_by_points_of_the_second_body_lie_on_the_first_and_push_it) {
+TEST(PairContacts, found_from_the_second_body_lie_on_the_first_and_push_it) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(4, 4, 1), {0, 0.006, 0});
   sheets.add(test::rectangle(0.4, 0.4, 1), Vec3(0));
@@ -38,7 +38,7 @@ TEST(PairContacts, found_by_points_of_the_second_body_lie_on_the_first_and_push_
   EXPECT_EQ(memory.points_of_second.size(), 4u);
 }
 
-TEST(PairContacts, take_up_the_impulses_of_the_last_tick_by_their_features) {
+TEST(PairContacts, reuse_impulses_of_the_last_tick_by_feature) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(0.4, 0.4, 1), {0, 0.006, 0});
   sheets.add(test::rectangle(4, 4, 1), Vec3(0));

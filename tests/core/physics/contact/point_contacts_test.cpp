@@ -28,7 +28,7 @@ class PlateOverPlate : public testing::Test {
   std::vector<PointMemory> memory_;
 };
 
-TEST_F(PlateOverPlate, touches_with_its_corners_on_the_side_where_it_is) {
+TEST_F(PlateOverPlate, touches_with_its_corners_on_its_side) {
   for (const double side : {1.0, -1.0}) {
     memory_.clear();
     const auto found = find(0.006 * side);
@@ -43,14 +43,14 @@ TEST_F(PlateOverPlate, touches_with_its_corners_on_the_side_where_it_is) {
   }
 }
 
-TEST_F(PlateOverPlate, is_not_found_out_of_reach_unless_it_comes) {
+TEST_F(PlateOverPlate, is_found_out_of_reach_only_if_approaching) {
   EXPECT_TRUE(find(0.011).empty());
   EXPECT_TRUE(memory_.empty());
   EXPECT_EQ(find(0.3, 0.4 * 120).size(), 4u);
   EXPECT_TRUE(find(0.3, 0.2 * 120).empty());
 }
 
-TEST_F(PlateOverPlate, that_got_a_little_too_far_is_still_on_its_side) {
+TEST_F(PlateOverPlate, stays_on_its_side_after_slight_penetration) {
   find(0.001);
   sheets_.body(0).motion.velocity = Vec3(0);
   const auto found = find(0.0001);

@@ -27,7 +27,7 @@ class PlateThroughPlate : public testing::Test {
   }
 };
 
-TEST_F(PlateThroughPlate, is_pushed_out_on_the_shortest_way) {
+TEST_F(PlateThroughPlate, is_pushed_out_along_the_shortest_path) {
   const auto up = push(0.02, 1), down = push(0.48, 1);
   ASSERT_TRUE(up && down);
   EXPECT_NEAR(up->normal.y, 1, 1e-9);
@@ -36,14 +36,14 @@ TEST_F(PlateThroughPlate, is_pushed_out_on_the_shortest_way) {
   EXPECT_NEAR(-up->distance * kSolvedShare / kTick, kPushOut, 1e-12);
 }
 
-TEST_F(PlateThroughPlate, is_not_pushed_where_that_would_take_too_long) {
+TEST_F(PlateThroughPlate, is_not_pushed_if_that_would_take_too_long) {
   EXPECT_TRUE(push(0.119, 1));
   EXPECT_FALSE(push(0.121, 1));
   EXPECT_TRUE(push(0.119, static_cast<uint32_t>(kMaxPush * kTicksPerSecond) - 1));
   EXPECT_FALSE(push(0.001, static_cast<uint32_t>(kMaxPush * kTicksPerSecond)));
 }
 
-TEST(PushOut, keeps_the_way_of_the_last_tick_and_turns_it_to_where_it_is_shorter) {
+TEST(PushOut, keeps_the_last_direction_and_turns_it_to_a_shorter_one) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(0.12, 0.12, 4), {0, 0.01, 0}, kStanding);  // the way up is the shorter one
   sheets.add(test::rectangle(0.3, 0.3, 4), {0.003, 0, 0.01});
@@ -59,7 +59,7 @@ TEST(PushOut, keeps_the_way_of_the_last_tick_and_turns_it_to_where_it_is_shorter
   EXPECT_EQ(memory.way_out, contact->normal);
 }
 
-TEST(PushOut, of_sheets_that_do_not_intersect_is_none) {
+TEST(PushOut, is_none_without_intersection) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(0.5, 0.5, 4), {0, 0.3, 0}, kStanding);
   sheets.add(test::rectangle(4, 4, 2), Vec3(0));

@@ -22,7 +22,7 @@ std::vector<Contact> random_contacts(size_t count, const Vec3& extent, double de
   return contacts;
 }
 
-TEST(ReducedContacts, are_eight_in_their_order_with_the_deepest_among_them) {
+TEST(ReducedContacts, are_eight_in_order_including_the_deepest) {
   Random random(1);
   for (int turn = 0; turn < 50; ++turn) {
     for (const bool on_plane : {false, true}) {
@@ -36,7 +36,7 @@ TEST(ReducedContacts, are_eight_in_their_order_with_the_deepest_among_them) {
   }
 }
 
-TEST(ReducedContacts, of_four_wheels_have_the_lowest_point_of_each) {
+TEST(ReducedContacts, of_four_wheels_keep_the_lowest_point_of_each) {
   Random random(2);
   std::vector<Contact> contacts;
   std::vector<uint64_t> lowest;
@@ -56,7 +56,7 @@ TEST(ReducedContacts, of_four_wheels_have_the_lowest_point_of_each) {
   }
 }
 
-TEST(ReducedContacts, stay_while_no_other_is_much_deeper) {
+TEST(ReducedContacts, stay_until_another_is_much_deeper) {
   Random random(4);
   std::vector<Contact> contacts = random_contacts(100, {1, 0, 1}, 1e-5, random);
   std::vector<Contact> first = contacts;
@@ -69,7 +69,7 @@ TEST(ReducedContacts, stay_while_no_other_is_much_deeper) {
   EXPECT_GE(same, 6u) << "of eight";
 }
 
-TEST(ReducedContacts, of_a_needle_lie_on_both_its_sides) {
+TEST(ReducedContacts, of_a_needle_lie_on_both_sides) {
   Random random(3);
   for (int turn = 0; turn < 50; ++turn) {
     std::vector<Contact> contacts = random_contacts(100, {1, 0, 0.004}, 0.001, random);

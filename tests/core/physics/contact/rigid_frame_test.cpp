@@ -14,7 +14,7 @@ namespace kerf {
 namespace {
 
 // Closed forms of thin shells of surface density s: a plate a x b, a tube of radius r and length l.
-TEST(RigidFrame, has_the_mass_and_inertia_of_closed_forms) {
+TEST(RigidFrame, has_the_analytic_mass_and_inertia) {
   World world;
   const BodyId plate = test::add(world, test::rectangle(0.6, 0.4, 3), {5, 6, 7});
   RigidFrame frame = rigid_frame(world.body(plate));
@@ -27,7 +27,7 @@ TEST(RigidFrame, has_the_mass_and_inertia_of_closed_forms) {
   EXPECT_NEAR(inertia[2], m * 0.52 / 12, 1e-12);
 }
 
-TEST(RigidFrame, gives_back_the_placement_it_was_put_in) {
+TEST(RigidFrame, placement_round_trips) {
   World world;
   const Soup soup = test::moved(test::rectangle(0.6, 0.4, 3), {3, -2, 8}, 1);
   const BodyId id = test::add(world, soup, {5, 6, 7}, glm::normalize(glm::dquat(1, 2, -1, 0.5)));
@@ -39,7 +39,7 @@ TEST(RigidFrame, gives_back_the_placement_it_was_put_in) {
             1e-12);
 }
 
-TEST(RigidFrame, of_a_solid_body_is_that_of_the_solid) {
+TEST(RigidFrame, of_a_solid_body_has_solid_mass_properties) {
   World world = test::world_of(test::brick({1, 2, 3}));
   Body& body = test::only_body(world);
   const double as_sheet = rigid_frame(body).mass;
@@ -58,7 +58,7 @@ TEST(RigidFrame, of_a_solid_body_is_that_of_the_solid) {
 }
 
 // A solid box of which a sheet, with a label of its own, is a part.
-TEST(RigidFrame, of_a_closed_and_an_open_piece_is_that_of_a_solid_and_a_sheet) {
+TEST(RigidFrame, combines_a_closed_solid_and_an_open_sheet) {
   World world = test::world_of(test::both(test::brick({1, 1, 1}), test::moved(test::plate(2), {5, 0, 0}, 1)));
   Body& body = test::only_body(world);
   body.solid = true;

@@ -26,7 +26,7 @@ TEST(SimplifiedLine, stays_within_its_error) {
   }
 }
 
-TEST(SimplifiedLine, of_every_error_follows_from_those_of_the_least) {
+TEST(SimplifiedLine, for_larger_errors_is_a_subset_of_that_for_the_smallest) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     std::vector<Vec3> line(2 + random.below(60));

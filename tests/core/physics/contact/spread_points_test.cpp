@@ -18,7 +18,7 @@ double apart(const std::vector<Vec3>& points, const Indices& selected, size_t co
   return least;
 }
 
-TEST(SpreadPoints, are_each_the_farthest_from_those_before) {
+TEST(SpreadPoints, are_each_farthest_from_the_previous_ones) {
   Random random(2);
   std::vector<Vec3> points(200);
   for (Vec3& p : points) p = {random.unit(), random.unit(), random.unit()};
@@ -32,7 +32,7 @@ TEST(SpreadPoints, are_each_the_farthest_from_those_before) {
   }
 }
 
-TEST(SpreadPoints, end_where_no_point_lies_apart) {
+TEST(SpreadPoints, stop_at_coinciding_points) {
   const std::vector<Vec3> points{Vec3(0), Vec3(1, 0, 0), Vec3(0), Vec3(1, 0, 0)};
   Indices selected;
   select_spread_points(points, 4, selected);
@@ -41,7 +41,7 @@ TEST(SpreadPoints, end_where_no_point_lies_apart) {
   EXPECT_EQ(selected.size(), 2u);
 }
 
-TEST(SpreadPoints, that_are_extreme_are_the_corners_of_a_box_and_each_is_there_once) {
+TEST(SpreadPoints, include_the_corners_of_a_box_exactly_once) {
   std::vector<Vec3> points;
   for (int i = 0; i < 27; ++i) points.emplace_back(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
   Indices selected{0};

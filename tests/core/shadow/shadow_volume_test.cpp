@@ -50,7 +50,7 @@ const LightPoint kSun{{0.3, 1, 0.2}, 0};
 const LightPoint kLamp{{0.4, 2.5, -0.7}, 1};
 
 // By hand, in whole numbers: the plane 2x + 3y + 6z = 12 through (6,0,0), (0,4,0), (0,0,2).
-TEST(ShadowVolume, the_sign_is_the_side_of_the_plane_that_the_light_is_on) {
+TEST(ShadowVolume, the_sign_is_the_side_of_the_plane_facing_the_light) {
   const std::array<glm::vec3, 3> t{glm::vec3(6, 0, 0), glm::vec3(0, 4, 0), glm::vec3(0, 0, 2)};
   EXPECT_EQ(light_side(t, {{3, 3, 3}, 1}), 1);
   EXPECT_EQ(light_side(t, {{1, 1, 1}, 1}), -1);
@@ -61,7 +61,7 @@ TEST(ShadowVolume, the_sign_is_the_side_of_the_plane_that_the_light_is_on) {
   EXPECT_EQ(light_side({t[0], t[2], t[1]}, {{3, 3, 3}, 1}), -1);
 }
 
-TEST(ShadowVolume, is_closed_at_every_vertex_of_every_class_of_mesh) {
+TEST(ShadowVolume, is_closed_at_every_vertex_of_all_mesh_classes) {
   for (const test::NamedSoup& named : test::mesh_classes()) {
     const BuiltMesh built = test::build(named.soup);
     const ShadowCaster caster(built.mesh, frame_of(built.mesh));
@@ -106,7 +106,7 @@ TEST(ShadowVolume, counts_every_sheet_on_an_edge) {
   }
 }
 
-TEST(ShadowVolume, the_papers_volume_drops_what_two_polygons_share) {
+TEST(ShadowVolume, the_paper_method_drops_edges_shared_by_two_polygons) {
   const BuiltMesh ball = test::build(test::sphere(12, 16, 1));
   const ShadowCaster caster(ball.mesh, frame_of(ball.mesh));
   const ShadowVolume one = volume_of(caster, kSun, ShadowMethod::kPaperOneVolume);
@@ -116,7 +116,7 @@ TEST(ShadowVolume, the_papers_volume_drops_what_two_polygons_share) {
   EXPECT_EQ(silhouette_of(caster, two), silhouette_of(caster, robust));
 }
 
-TEST(ShadowVolume, a_light_in_the_plane_of_a_sheet_casts_nothing) {
+TEST(ShadowVolume, a_light_in_the_plane_of_a_sheet_casts_no_shadow) {
   const BuiltMesh sheet = test::build(test::grid(3, 1));
   const ShadowCaster caster(sheet.mesh, frame_of(sheet.mesh));
   const ShadowVolume volume = volume_of(caster, {{5, 0, 1}, 0});
@@ -125,7 +125,7 @@ TEST(ShadowVolume, a_light_in_the_plane_of_a_sheet_casts_nothing) {
             static_cast<long>(caster.face_slots()));
 }
 
-TEST(ShadowCaster, of_triangles_that_lie_on_one_another_the_lowest_casts) {
+TEST(ShadowCaster, the_lowest_of_coinciding_triangles_casts) {
   Soup twice = test::both(test::plate(1), test::plate(1));
   BuiltMesh built = test::build(twice);
   const FloatFrame frame = frame_of(built.mesh);
@@ -145,7 +145,7 @@ TEST(ShadowCaster, of_triangles_that_lie_on_one_another_the_lowest_casts) {
   EXPECT_EQ(change.faces, (std::vector<uint32_t>{0, 2}));
 }
 
-TEST(ShadowVolume, a_piece_that_is_not_drawn_casts_nothing) {
+TEST(ShadowVolume, a_hidden_piece_casts_no_shadow) {
   const BuiltMesh ball = test::build(test::sphere(6, 8, 1));
   const ShadowCaster caster(ball.mesh, frame_of(ball.mesh));
   ShadowVolume volume;
@@ -154,7 +154,7 @@ TEST(ShadowVolume, a_piece_that_is_not_drawn_casts_nothing) {
 }
 
 // Counted, not timed: what a removed of fifty faces of a hundred thousand looks at.
-TEST(ShadowVolume, a_bite_looks_at_its_own_faces_and_edges_alone) {
+TEST(ShadowVolume, an_update_visits_only_changed_faces_and_edges) {
   BuiltMesh built = test::build(test::torus(250, 200, 1, 0.4));
   ShadowCaster caster(built.mesh, frame_of(built.mesh));
   ShadowVolume volume = volume_of(caster, kLamp);
@@ -170,7 +170,7 @@ TEST(ShadowVolume, a_bite_looks_at_its_own_faces_and_edges_alone) {
 }
 
 // Counted: no vertex and no edge is made for a piece that comes off and is put back.
-TEST(ShadowCaster, a_label_that_changes_over_a_whole_piece_keeps_vertices_and_edges) {
+TEST(ShadowCaster, relabelling_a_whole_piece_keeps_vertices_and_edges) {
   BuiltMesh built =
       test::build(test::both(test::torus(20, 30, 1, 0.4), test::moved(test::grid(9, 1), {0, 2, 0}, 1)));
   ShadowCaster caster(built.mesh, frame_of(built.mesh));
@@ -190,7 +190,7 @@ TEST(ShadowCaster, a_label_that_changes_over_a_whole_piece_keeps_vertices_and_ed
 }
 
 // By patches that meet at edges and corners, some of faces that lie on one another.
-TEST(ShadowCaster, random_labels_end_where_building_anew_ends) {
+TEST(ShadowCaster, random_relabelling_matches_a_rebuild) {
   const Soup soup = test::both(test::both(test::grid(6, 2), test::grid(6, 2)), test::sphere(6, 8, 1));
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -224,7 +224,7 @@ TEST(ShadowCaster, random_labels_end_where_building_anew_ends) {
 }
 
 // After every step of many strokes the volumes that were followed are those that are built from nothing.
-TEST(ShadowVolume, following_deltas_ends_where_building_anew_ends) {
+TEST(ShadowVolume, incremental_updates_match_a_rebuild) {
   Random random(11);
   const Soup plates = test::both(test::grid(8, 2), test::moved(test::sphere(8, 12, 1), {0.3, 0.2, 0}, 0.7));
   for (const Soup& soup :

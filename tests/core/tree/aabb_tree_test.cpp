@@ -70,7 +70,7 @@ void expect_touched_equals_brute_force(AabbTree& tree, const Mesh& mesh, const F
   }
 }
 
-TEST(AabbTree, touched_equals_brute_force_through_random_edits) {
+TEST(AabbTree, touched_faces_equal_brute_force_through_random_edits) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);
     BuiltMesh built = build(soup);
@@ -116,7 +116,7 @@ TEST(AabbTree, is_empty_when_the_last_face_is_removed) {
   EXPECT_TRUE(found.empty());
 }
 
-TEST(AabbTree, boxes_hold_their_children_and_shrink_after_a_removal) {
+TEST(AabbTree, boxes_contain_their_children_and_shrink_after_a_removal) {
   Mesh mesh = build(grid(8, 1)).mesh;
   AabbTree tree(mesh);
   const double width = tree.bounds().max.x - tree.bounds().min.x;
@@ -128,7 +128,7 @@ TEST(AabbTree, boxes_hold_their_children_and_shrink_after_a_removal) {
   EXPECT_NEAR(tree.bounds().max.x - tree.bounds().min.x, width / 2, 1e-6);
 }
 
-TEST(AabbTree, shows_the_boxes_around_faces_that_were_hit) {
+TEST(AabbTree, reports_boxes_of_hit_faces) {
   Mesh mesh = build(grid(8, 1)).mesh;
   const AabbTree tree(mesh);
   const auto hit_boxes = [&](bool leaves) {
@@ -148,7 +148,7 @@ TEST(AabbTree, shows_the_boxes_around_faces_that_were_hit) {
   EXPECT_LT(counts.faces, 20u);
 }
 
-TEST(AabbTree, counts_the_boxes_that_it_shows) {
+TEST(AabbTree, counts_the_reported_boxes) {
   Random random(51);
   Mesh mesh = build(grid(6, 1)).mesh;
   AabbTree tree(mesh);
@@ -196,7 +196,7 @@ TEST(AabbTree, crossings_equal_brute_force) {
 }
 
 // Through vertices, middles of edges and middles of faces of closed surfaces: in as often as out.
-TEST(AabbTree, crosses_a_closed_surface_an_even_number_of_times) {
+TEST(AabbTree, crossings_of_a_closed_surface_are_even) {
   Random random(41);
   for (const Soup& soup :
        {sphere(9, 14, 0.5), torus(14, 9, 0.5, 0.2), moved(sphere(9, 14, 0.5), {1e5, 0, 0}, 1)}) {

@@ -143,7 +143,7 @@ void expect_answers_as_brute_force(Edited& e, Random& random) {
 }
 
 // Splits are told late, several at a time and one within another, among removals.
-TEST(TreeEdits, all_queries_equal_brute_force_and_each_other_after_random_edits) {
+TEST(TreeEdits, all_queries_equal_brute_force_after_random_edits) {
   for (const uint64_t seed : {61u, 62u, 63u}) {
     for (const auto& [name, soup] : mesh_classes()) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -187,7 +187,7 @@ void edit_at_random(Edited& e, Random& random) {
   e.tell();
 }
 
-TEST(TreeEdits, all_queries_equal_brute_force_among_faces_that_are_added) {
+TEST(TreeEdits, all_queries_equal_brute_force_with_added_faces) {
   for (const uint64_t seed : {64u, 65u, 66u}) {
     for (const auto& [name, soup] : mesh_classes()) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -244,7 +244,7 @@ TEST(TreeEdits, all_queries_equal_brute_force_after_undo_and_redo) {
 }
 
 // Down to a ten-millionth of the mesh, around one point.
-TEST(TreeEdits, finds_faces_of_a_ten_millionth_of_the_mesh) {
+TEST(TreeEdits, finds_faces_a_ten_millionth_the_size_of_the_mesh) {
   Edited e(sphere(9, 14, 0.5));
   Random random(71);
   const Pose ray{{0.11, 2, 0.07}, {0, -1, 0}};
@@ -270,7 +270,7 @@ TEST(TreeEdits, finds_faces_of_a_ten_millionth_of_the_mesh) {
 
 // The first replacement is told when its faces have been split again, so its boxes are too small for the
 // last.
-TEST(TreeEdits, boxes_grow_when_a_replacement_is_told_late) {
+TEST(TreeEdits, boxes_grow_after_a_late_replacement_update) {
   Edited e(plate(1));
   const double width = e.best.bounds().max.x - e.best.bounds().min.x;
   for (int i = 0; i < 40; ++i) e.split(FaceId(0));  // the slot of a part that gets smaller and smaller
@@ -308,7 +308,7 @@ TEST(TreeEdits, every_box_shrinks_to_its_leaves_after_removals) {
 }
 
 // The same mesh with other positions stands for one whose vertices have moved.
-TEST(TreeEdits, finds_faces_where_they_moved_to_after_a_refit) {
+TEST(TreeEdits, finds_moved_faces_after_a_refit) {
   Soup soup = grid(10, 1);
   const Mesh before = build(soup).mesh;
   AabbTree tree(before);
@@ -328,14 +328,14 @@ TEST(TreeEdits, finds_faces_where_they_moved_to_after_a_refit) {
   }
 }
 
-TEST(TreeEdits, bytes_grow_with_the_tree) {
+TEST(TreeEdits, reported_bytes_grow_with_the_tree) {
   const Edited small(grid(4, 1)), large(grid(40, 1));
   EXPECT_GT(small.best.bytes(), 32 * small.best.leaf_count());
   EXPECT_GT(large.best.bytes(), 50 * large.best.leaf_count());
   EXPECT_LT(large.best.bytes(), 120 * large.best.leaf_count());
 }
 
-TEST(TreeEdits, a_copy_is_a_tree_of_its_own) {
+TEST(TreeEdits, a_copy_is_independent) {
   Edited e(grid(6, 1));
   const AabbTree copy = e.best;
   const size_t leaves = copy.leaf_count();

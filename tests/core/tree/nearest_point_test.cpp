@@ -22,7 +22,7 @@ std::vector<PointOnFace> brute_points(const Mesh& mesh, const Vec3& at) {
   return points;
 }
 
-TEST(NearestPoint, is_that_of_a_search_over_all_faces) {
+TEST(NearestPoint, matches_a_brute_force_search) {
   Random random(7);
   for (const NamedSoup& named : mesh_classes()) {
     const BuiltMesh built = build(named.soup);

@@ -9,7 +9,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(SideOf, is_exact_where_products_round_alike) {
+TEST(SideOf, is_exact_if_products_round_alike) {
   const double e = 0x1p-52;
   // (1 + e)^2 and 1 + 2e round to the same double.
   EXPECT_EQ(side_of({1 + e, 1 + 2 * e}, {1, 1 + e}), 1);
@@ -20,7 +20,7 @@ TEST(SideOf, is_exact_where_products_round_alike) {
   EXPECT_EQ(side_of({0, 0}, {7, 1}), 0);
 }
 
-TEST(SideOf, is_exact_where_products_underflow_or_overflow) {
+TEST(SideOf, is_exact_if_products_underflow_or_overflow) {
   EXPECT_EQ(side_of({1e-200, 1e-200}, {1e-200, 2e-200}), 1);
   EXPECT_EQ(side_of({1e-200, 1e-200}, {2e-200, 1e-200}), -1);
   EXPECT_EQ(side_of({1e200, 1e200}, {2e200, 1e200}), -1);
@@ -28,7 +28,7 @@ TEST(SideOf, is_exact_where_products_underflow_or_overflow) {
   EXPECT_EQ(side_of({5e-324, 0.5}, {5e-324, 0.75}), 1);
 }
 
-TEST(ShearedRay, crosses_a_triangle_at_one_length_however_it_is_turned) {
+TEST(ShearedRay, crosses_a_triangle_at_the_same_length_in_any_orientation) {
   Random random(11);
   for (int i = 0; i < 1000; ++i) {
     const Triangle t{random_direction(random), random_direction(random), random_direction(random)};
@@ -40,14 +40,14 @@ TEST(ShearedRay, crosses_a_triangle_at_one_length_however_it_is_turned) {
   }
 }
 
-TEST(ShearedRay, passes_by_a_triangle_that_it_sees_as_a_point) {
+TEST(ShearedRay, misses_a_triangle_it_sees_as_a_point) {
   const Triangle t{Vec3(1, 0, 1), Vec3(1, 3, 1), Vec3(1, 5, 1)};
   EXPECT_FALSE(ShearedRay({{0, -9, 0}, {0, 1, 0}}).cross(t));
   EXPECT_FALSE(ShearedRay({{1, -9, 1}, {0, 1, 0}}).cross(t));
 }
 
 // A ray through a vertex or the middle of an edge goes in as often as out.
-TEST(Crossings, of_real_closed_meshes_are_even_through_every_vertex_and_edge) {
+TEST(Crossings, of_real_closed_meshes_are_even_through_all_vertices_and_edges) {
   const auto files = real_meshes(120000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
   constexpr uint32_t kMaxFaces = 12000;  // a mesh, spread over it

@@ -15,7 +15,7 @@ void sort(SortProgress& progress, size_t faces) {
   sort(progress, faces - faces / 2);
 }
 
-TEST(SortProgress, rises_to_all_of_the_work_in_a_hundred_reports_at_most) {
+TEST(SortProgress, rises_to_completion_in_at_most_a_hundred_reports) {
   std::vector<double> told;
   const Progress progress{[&](double done) {
     if (!told.empty()) EXPECT_GE(done, told.back());
@@ -31,7 +31,7 @@ TEST(SortProgress, rises_to_all_of_the_work_in_a_hundred_reports_at_most) {
   EXPECT_FALSE(sorting.stopped());
 }
 
-TEST(SortProgress, is_stopped_once_and_reports_no_more) {
+TEST(SortProgress, ends_after_a_single_cancellation) {
   size_t reports = 0;
   const Progress progress{[&](double) { return ++reports < 3; }};
   SortProgress sorting(&progress, 10'000);

@@ -59,7 +59,7 @@ std::pair<double, double> sampled(const Scene& s, int grid, int moments) {
   return {nearest, farthest};
 }
 
-TEST(SweptCylinder, touches_what_sampling_finds_in_a_translating_beam) {
+TEST(SweptCylinder, matches_sampling_for_a_translating_beam) {
   Random random(11);
   int touched = 0, missed = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -81,7 +81,7 @@ TEST(SweptCylinder, touches_what_sampling_finds_in_a_translating_beam) {
   EXPECT_GT(missed, 300);
 }
 
-TEST(SweptCylinder, never_misses_when_it_moves_along_its_axis_or_tilts) {
+TEST(SweptCylinder, never_misses_when_moving_along_its_axis_or_tilting) {
   Random random(12);
   for (int i = 0; i < 2000; ++i) {
     Scene s = random_scene(random, true);
@@ -98,7 +98,7 @@ TEST(SweptCylinder, never_misses_when_it_moves_along_its_axis_or_tilts) {
   }
 }
 
-TEST(SweptCylinder, ends_flat_at_its_range) {
+TEST(SweptCylinder, ends_in_a_plane_at_its_range) {
   const Pose pose{{0, 1, 0}, {0, -1, 0}};
   const SweptCylinder beam(pose, pose, 0.1, {0.5, 0.9});
   const auto flat = [](double y) { return Triangle{Vec3(-1, y, -1), Vec3(1, y, -1), Vec3(0, y, 2)}; };
@@ -108,7 +108,7 @@ TEST(SweptCylinder, ends_flat_at_its_range) {
   EXPECT_FALSE(beam.touches(flat(0.0999)));
 }
 
-TEST(SweptCylinder, is_closed_at_its_radius) {
+TEST(SweptCylinder, includes_its_boundary) {
   const Pose pose{{0, 1, 0}, {0, -1, 0}};
   const SweptCylinder beam(pose, pose, 0.25, {0, 2});
   EXPECT_TRUE(beam.touches({Vec3(0.25, 0, 0), Vec3(1, 0, -1), Vec3(1, 0, 1)}));
@@ -117,7 +117,7 @@ TEST(SweptCylinder, is_closed_at_its_radius) {
 
 // Every ray through a fan of triangles around a vertex touches at least one of them, also exactly through
 // edges.
-TEST(SweptCylinder, of_radius_zero_never_slips_between_neighbours) {
+TEST(SweptCylinder, never_slips_between_neighbours_at_radius_zero) {
   Random random(13);
   for (int i = 0; i < 2000; ++i) {
     const Vec3 axis = random_direction(random);

@@ -11,7 +11,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(TreeFrame, brings_a_mesh_of_any_size_anywhere_between_minus_two_and_two) {
+TEST(TreeFrame, normalises_any_mesh_to_between_minus_two_and_two) {
   for (const double size : {1e-300, 1e-6, 1.0, 1e6, 1e39}) {
     for (const Vec3 place : {Vec3(0), size * Vec3(3, -700, 12)}) {
       const Mesh mesh = build(moved(sphere(6, 8, 1), place, size)).mesh;
@@ -32,7 +32,7 @@ TEST(TreeFrame, brings_a_mesh_of_any_size_anywhere_between_minus_two_and_two) {
   }
 }
 
-TEST(TreeFrame, of_a_mesh_without_faces_is_the_identity) {
+TEST(TreeFrame, is_the_identity_for_an_empty_mesh) {
   const TreeFrame frame = TreeFrame::around(Bounds::none());
   EXPECT_EQ(frame.origin, Vec3(0));
   EXPECT_EQ(frame.scale, 1);

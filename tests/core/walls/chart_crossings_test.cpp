@@ -114,7 +114,7 @@ void append_loop(std::vector<ChartVertex>& vertices, std::vector<ChartEdge>& edg
   }
 }
 
-TEST(ChartCrossings, are_found_exactly_where_edges_cross_or_touch) {
+TEST(ChartCrossings, are_found_exactly_for_crossing_or_touching_edges) {
   Meetings all;
   for (uint64_t seed = 1; seed <= runs(60000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -134,7 +134,7 @@ TEST(ChartCrossings, are_found_exactly_where_edges_cross_or_touch) {
 }
 
 // One vertex of loops that are in order is moved anywhere.
-TEST(ChartCrossings, are_found_exactly_where_a_moved_vertex_makes_edges_meet) {
+TEST(ChartCrossings, are_found_exactly_after_a_vertex_moves) {
   Meetings all;
   for (uint64_t seed = 1; seed <= runs(1200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -75,7 +75,7 @@ void expect_covers(const std::vector<ChartTriangle>& triangles, std::span<const 
   }
 }
 
-TEST(ChartRegion, is_covered_by_triangles_between_its_loops) {
+TEST(ChartRegion, is_triangulated_between_its_loops) {
   size_t triangulated = 0, wrapping = 0;
   for (uint64_t seed = 1; seed <= runs(4000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -121,7 +121,7 @@ int count_windings(std::span<const ChartVertex> vertices, std::span<const ChartE
   return windings;
 }
 
-TEST(ChartRegion, winds_as_often_as_a_ray_from_each_place_crosses_its_edges) {
+TEST(ChartRegion, winding_number_matches_ray_crossings) {
   size_t above = 0;
   for (uint64_t seed = 1; seed <= runs(1200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -170,7 +170,7 @@ TEST(ChartRegion, winds_as_often_as_a_ray_from_each_place_crosses_its_edges) {
 }
 
 // Two squares, one in the other, both counter-clockwise.
-TEST(ChartRegion, names_a_vertex_where_it_is_covered_twice) {
+TEST(ChartRegion, names_a_vertex_if_covered_twice) {
   const std::vector<ChartVertex> vertices{{0, 0},   {90, 0},  {90, 90}, {0, 90},
                                           {30, 30}, {60, 30}, {60, 60}, {30, 60}};
   std::vector<ChartEdge> edges;

@@ -189,7 +189,7 @@ DiscMoves random_moves(Random& random) {
   return moves;
 }
 
-TEST(Outline, lies_on_the_boundary_and_encloses_the_area_that_discs_sweep) {
+TEST(Outline, lies_on_the_boundary_and_encloses_the_swept_area) {
   size_t holes = 0;
   for (uint64_t seed = 1; seed <= runs(1200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -205,7 +205,7 @@ TEST(Outline, lies_on_the_boundary_and_encloses_the_area_that_discs_sweep) {
 }
 
 // Where regions touch in a point or along a line, there may be nothing.
-TEST(Outline, of_lines_on_a_lattice_is_right_wherever_there_is_one) {
+TEST(Outline, of_lattice_lines_is_correct_whenever_it_exists) {
   constexpr double kSteps[] = {0.5, 1, 1.5, 2};  // of the lattice, over the radius
   const uint64_t count = runs(2400);
   size_t nothing = 0;
@@ -241,7 +241,7 @@ void expect_curves(const DiscMoves& moves, double radius, double area, size_t ho
             holes);
 }
 
-TEST(Outline, of_a_line_is_a_stadium_in_one_part_or_many_there_and_back) {
+TEST(Outline, of_a_line_is_a_stadium_in_one_or_many_parts_and_retraced) {
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -263,7 +263,7 @@ TEST(Outline, of_a_line_is_a_stadium_in_one_part_or_many_there_and_back) {
   }
 }
 
-TEST(Outline, of_a_cross_leaves_out_what_both_lines_have_in_common) {
+TEST(Outline, of_a_cross_excludes_the_overlap_of_both_lines) {
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -277,7 +277,7 @@ TEST(Outline, of_a_cross_leaves_out_what_both_lines_have_in_common) {
   }
 }
 
-TEST(Outline, of_a_polygon_around_a_place_has_that_place_as_a_hole) {
+TEST(Outline, of_a_closed_polygon_has_a_hole) {
   for (int corners = 3; corners <= 200; corners += corners < 12 ? 1 : 47) {
     SCOPED_TRACE(corners);
     const double r = 0.1, size = 1, half = kPi / corners;
@@ -291,7 +291,7 @@ TEST(Outline, of_a_polygon_around_a_place_has_that_place_as_a_hole) {
   }
 }
 
-TEST(Outline, of_lines_that_are_apart_has_a_curve_for_each) {
+TEST(Outline, of_separate_lines_has_one_curve_each) {
   const DiscMoves moves{{{0, 0}, {1, 0}}, {{0, 0.5}, {1, 0.5}}, {{0, 1}, {1, 1}}};
   const std::vector<OutlineCurve> curves = run_to_completion(outline_of(moves, 0.1));
   ASSERT_EQ(curves.size(), 3u);
@@ -307,7 +307,7 @@ size_t parts_of_work(const DiscMoves& moves, double radius) {
 }
 
 // The number of moves that lie within a radius of each other grows with that of all.
-TEST(Outline, of_four_times_as_many_moves_on_the_same_way_takes_about_four_times_the_work) {
+TEST(Outline, of_four_times_the_moves_takes_about_four_times_the_work) {
   const auto on_circle = [](int count) { return circle_of_points({2, -1}, 0.3, count); };
   const auto on_lines = [](int count) {
     std::vector<Vec2> points;

@@ -23,7 +23,7 @@ std::vector<BeamMove> zigzag(Random& random, bool from_apex) {
   return moves;
 }
 
-TEST(WallChart, lists_corners_in_the_order_of_their_places) {
+TEST(WallChart, lists_corners_in_order_of_position) {
   for (uint64_t seed = 1; seed <= runs(50); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -42,7 +42,7 @@ TEST(WallChart, lists_corners_in_the_order_of_their_places) {
 }
 
 // Points on the boundary are found at their own place, wherever along the outline that is.
-TEST(WallChart, finds_the_place_of_each_of_its_points) {
+TEST(WallChart, finds_the_position_of_each_point) {
   size_t tried = 0;
   for (uint64_t seed = 1; seed <= runs(200); ++seed) {
     SCOPED_TRACE(seed);

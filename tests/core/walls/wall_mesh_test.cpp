@@ -77,7 +77,7 @@ std::map<std::pair<uint32_t, uint32_t>, int> sides_of(const WallMesh& wall) {
   return sides;
 }
 
-TEST(WallMesh, that_is_graded_has_no_long_thin_triangles_and_the_same_rim) {
+TEST(WallMesh, graded_has_no_long_thin_triangles_and_keeps_its_rim) {
   for (uint64_t seed = 1; seed <= runs(40); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -105,7 +105,7 @@ TEST(WallMesh, that_is_graded_has_no_long_thin_triangles_and_the_same_rim) {
 }
 
 // A cylinder of radius 1, along its axis: an edge may span a tenth of a radian.
-TEST(WallMesh, that_is_bent_is_graded_along_the_bend_only_so_far_that_triangles_are_sixteen_times_longer) {
+TEST(WallMesh, graded_along_a_bend_keeps_the_aspect_ratio_below_16) {
   Random random(7);
   FlatWall flat(random, 2, 40);
   const auto on_cylinder = [](const ChartVertex& v) {

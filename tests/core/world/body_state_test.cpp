@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(BodyState, is_told_of_bodies_that_move_or_have_moved) {
+TEST(BodyState, is_stored_for_bodies_that_move_or_have_moved) {
   World world;
   const auto add = [&] { return test::add(world, test::rectangle(1, 1, 1), {1, 2, 3}); };
   add();
@@ -25,7 +25,7 @@ TEST(BodyState, is_told_of_bodies_that_move_or_have_moved) {
   EXPECT_EQ(states[2].id, quiet);
 }
 
-TEST(KnownPairs, are_told_and_set_without_details) {
+TEST(StoredPairs, are_read_and_set_without_details) {
   World world;
   PairMemory pair{BodyId{1, 0}, BodyId{2, 0}, {{3, {0, 1, 0}}}, {}, {{4, {1, 2, 3}}}};
   pair.touching = true;

@@ -29,14 +29,14 @@ Delta chained(Delta a, const Delta& b) {
   return a;
 }
 
-TEST(Delta, what_came_and_went_is_nothing) {
+TEST(Delta, created_then_destroyed_is_empty) {
   EXPECT_TRUE(chained(with(&Delta::created, kB), with(&Delta::destroyed, kB)).empty());
   const Delta moved =
       chained(chained(with(&Delta::created, kB), with(&Delta::moved, kB)), with(&Delta::destroyed, kB));
   EXPECT_TRUE(moved.empty());
 }
 
-TEST(Delta, what_went_and_came_is_another_body) {
+TEST(Delta, destroyed_then_created_is_another_body) {
   const Delta delta = chained(with(&Delta::destroyed, kA), with(&Delta::created, kA));
   EXPECT_EQ(delta.destroyed, std::vector{kA});
   EXPECT_EQ(delta.created, std::vector{kA});
@@ -44,13 +44,13 @@ TEST(Delta, what_went_and_came_is_another_body) {
   EXPECT_TRUE(chained(delta, with(&Delta::destroyed, kA)).created.empty());
 }
 
-TEST(Delta, lists_what_moved_once_and_not_where_it_came_or_went) {
+TEST(Delta, moved_bodies_are_listed_once_and_not_if_created_or_destroyed) {
   EXPECT_EQ(chained(with(&Delta::moved, kA), with(&Delta::moved, kA)).moved, std::vector{kA});
   EXPECT_TRUE(chained(with(&Delta::created, kA), with(&Delta::moved, kA)).moved.empty());
   EXPECT_TRUE(chained(with(&Delta::moved, kA), with(&Delta::destroyed, kA)).moved.empty());
 }
 
-TEST(Delta, what_was_left_open_goes_by_its_last_id_and_volumes_add_up) {
+TEST(Delta, left_open_uses_the_last_id_and_volumes_add_up) {
   Delta open, detached;
   open.left_open = {{kA, "first"}};
   open.solid = {3, 0.5, 0.25};
@@ -66,7 +66,7 @@ TEST(Delta, what_was_left_open_goes_by_its_last_id_and_volumes_add_up) {
   EXPECT_EQ(delta.solid.removed_volume, 0.75);
 }
 
-TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
+TEST(Delta, edits_of_a_continued_body_use_its_last_id) {
   Delta edited, detached;
   edited.bodies.push_back({kA, {FaceId(3)}, {}, {}, {}, {}});
   edited.moved = {kA};
@@ -86,7 +86,7 @@ TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
   EXPECT_TRUE(removed.bodies.empty() && removed.moved.empty());
 }
 
-TEST(Delta, taken_back_and_done_again_leaves_no_trace_but_faces) {
+TEST(Delta, undo_and_redo_cancel_except_for_faces) {
   Delta detached;
   detached.detached = {{kA, 2, kC, true}};
   detached.created = {kA};
@@ -184,7 +184,7 @@ void append_steps(Document& document, Delta& delta) {
 
 // One delta after several edits says what those did together; moves of the beam wait meanwhile, so that some
 // edits walk them.
-TEST(Delta, whoever_follows_knows_the_world) {
+TEST(Delta, applying_every_delta_reproduces_the_world) {
   const TemporaryFolder folder;
   const auto mesh = folder / "plate.obj";
   for (uint64_t seed = 1; seed <= 60; ++seed) {

@@ -20,7 +20,7 @@ World hot_world() {
 
 double stored(World& world) { return only_body(world).heat.stored(only_body(world).mesh); }
 
-TEST(HeatFlow, spreads_and_is_lost_to_the_ledger) {
+TEST(HeatFlow, spreads_and_records_losses_in_the_ledger) {
   World world = hot_world();
   EXPECT_TRUE(is_hot(world));
   const double before = stored(world), peak = hottest(world);
@@ -30,20 +30,20 @@ TEST(HeatFlow, spreads_and_is_lost_to_the_ledger) {
   EXPECT_NEAR(stored(world) + world.energy().lost, before, 1e-6 * before);
 }
 
-TEST(HeatFlow, ends_at_the_ambient) {
+TEST(HeatFlow, converges_to_ambient) {
   World world = hot_world();
   for (int i = 0; i < 400; ++i) step_heat(world, 10);
   EXPECT_NEAR(hottest(world), kAmbient, 0.5);
 }
 
-TEST(HeatFlow, of_nothing_hot_is_none) {
+TEST(HeatFlow, is_zero_without_hot_faces) {
   World world = world_of(grid(4, 0.1));
   EXPECT_FALSE(is_hot(world));
   step_heat(world, 10);
   EXPECT_EQ(stored(world), 0);
 }
 
-TEST(HeatFlow, does_not_depend_on_how_ticks_are_divided) {
+TEST(HeatFlow, does_not_depend_on_the_grouping_of_ticks) {
   World at_once = hot_world(), one_by_one = hot_world();
   const auto pass = [](World& world, Ticks ticks) {
     world.pass(ticks);

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(Joint, is_carried_by_the_faces_of_either_side_of_its_body) {
+TEST(Joint, is_carried_by_faces_on_both_sides) {
   Joints joints;
   Joint& joint = joints.all.emplace_back();
   joint.body = BodyId{3, 1};

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(LoadBody, makes_a_body_of_a_file_with_its_tree_and_its_piece) {
+TEST(LoadBody, creates_a_body_with_tree_and_piece_from_a_file) {
   test::TemporaryFolder folder;
   test::write_text(folder / "plate.obj", test::kPlateObj);
   const auto body = load_body("plate", folder / "plate.obj", nullptr);
@@ -20,7 +20,7 @@ TEST(LoadBody, makes_a_body_of_a_file_with_its_tree_and_its_piece) {
   EXPECT_NEAR(body->pieces[0].area, 1, 1e-12);
 }
 
-TEST(LoadBody, names_a_file_that_is_missing) {
+TEST(LoadBody, names_a_missing_file) {
   const auto body = load_body("plate", "/nowhere/plate.obj", nullptr);
   ASSERT_FALSE(body);
   EXPECT_NE(body.error().message.find("/nowhere/plate.obj"), std::string::npos);

@@ -40,7 +40,7 @@ Soup box(const Vec3& size) {
   return soup;
 }
 
-TEST(ShellMass, of_a_plate_is_that_of_a_rectangle_however_it_is_triangulated_and_where_it_lies) {
+TEST(ShellMass, of_a_plate_matches_a_rectangle_for_any_triangulation_and_position) {
   for (const int cells : {1, 2, 9}) {
     for (const Vec3& at : {Vec3(0), Vec3(1000, -2000, 500)}) {
       const double size = 0.8, mass = kSigma * size * size, i = mass * size * size / 12;
@@ -50,7 +50,7 @@ TEST(ShellMass, of_a_plate_is_that_of_a_rectangle_however_it_is_triangulated_and
   }
 }
 
-TEST(ShellMass, of_a_box_is_that_of_its_six_sides) {
+TEST(ShellMass, of_a_box_matches_its_six_sides) {
   const Vec3 s(0.5, 0.3, 0.9);
   double mass = 0;
   Vec3 spread(0);  // integral of x^2, y^2, z^2 about the centre
@@ -67,7 +67,7 @@ TEST(ShellMass, of_a_box_is_that_of_its_six_sides) {
 }
 
 // Inscribed meshes converge to the smooth shapes with the square of the angle of a sector.
-TEST(ShellMass, of_a_fine_tube_is_that_of_a_thin_cylinder) {
+TEST(ShellMass, of_a_fine_tube_matches_a_thin_cylinder) {
   const double r = 0.3, length = 0.8, mass = kSigma * 2 * kPi * r * length;
   const MassProperties found = mass_of(tube(10, 400, r, length));
   EXPECT_NEAR(found.mass, mass, 1e-4 * mass);
@@ -80,12 +80,12 @@ TEST(ShellMass, of_a_fine_tube_is_that_of_a_thin_cylinder) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(inertia[k], k == axis ? along : across, 2e-4 * across) << k;
 }
 
-TEST(ShellMass, of_a_fine_sphere_is_two_thirds_of_its_mass_times_its_radius_squared) {
+TEST(ShellMass, inertia_of_a_fine_sphere_is_two_thirds_of_mass_times_radius_squared) {
   const double r = 0.25, mass = kSigma * 4 * kPi * r * r, i = 2.0 / 3 * mass * r * r;
   expect_mass(mass_of(sphere(200, 400, r)), mass, Vec3(0), {i, i, i}, 3e-4);
 }
 
-TEST(ShellMass, of_nothing_is_nothing_at_the_origin) {
+TEST(ShellMass, of_an_empty_mesh_is_zero_at_the_origin) {
   const MassProperties found = shell_mass(0, {}, {1, 2, 3}, kThickness, kDensity);
   EXPECT_EQ(found.mass, 0);
   EXPECT_EQ(found.centre, Vec3(1, 2, 3));

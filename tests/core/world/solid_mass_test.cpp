@@ -30,7 +30,7 @@ void expect_solid(const MassProperties& found, double mass, const Vec3& centre, 
   }
 }
 
-TEST(SolidMass, of_a_box_is_that_of_a_box_wherever_it_lies_and_from_any_origin_near_it) {
+TEST(SolidMass, of_a_box_is_exact_at_any_position_and_nearby_origin) {
   const Vec3 s(0.5, 0.3, 0.9), square = s * s;
   const double mass = kKgPerCubicMetre * s.x * s.y * s.z;
   const Vec3 inertia = mass / 12 * Vec3(square.y + square.z, square.z + square.x, square.x + square.y);
@@ -41,7 +41,7 @@ TEST(SolidMass, of_a_box_is_that_of_a_box_wherever_it_lies_and_from_any_origin_n
 }
 
 // What an inscribed mesh lacks falls with the square of the angle of a sector, and so do all the sums.
-TEST(SolidMass, of_ever_finer_balls_converges_to_that_of_the_ball) {
+TEST(SolidMass, of_refined_balls_converges_to_that_of_a_ball) {
   const double r = 0.25, mass = kKgPerCubicMetre * 4 / 3 * std::numbers::pi * r * r * r;
   double before = 0;
   for (const int rings : {16, 32, 64}) {
@@ -56,7 +56,7 @@ TEST(SolidMass, of_ever_finer_balls_converges_to_that_of_the_ball) {
 
 // The moments of a regular polygon with n corners at radius r are those of its area times r^2 / 12 *
 // (2 + cos(2 pi / n)) about each axis in its plane.
-TEST(SolidMass, of_a_pipe_is_that_of_the_prism_around_a_regular_polygon) {
+TEST(SolidMass, of_a_pipe_matches_the_prism_around_a_regular_polygon) {
   const int n = 12;
   const double inner = 0.2, outer = 0.3, length = 0.7, turn = 2 * std::numbers::pi / n;
   const auto mass_in = [&](double r) { return kKgPerCubicMetre * length * 0.5 * n * r * r * std::sin(turn); };
@@ -67,7 +67,7 @@ TEST(SolidMass, of_a_pipe_is_that_of_the_prism_around_a_regular_polygon) {
                {across, 2 * spread, across}, 1e-12);
 }
 
-TEST(SolidMass, of_half_a_ball_lies_three_eighths_of_the_radius_off_its_middle) {
+TEST(SolidMass, centre_of_half_a_ball_is_three_eighths_of_the_radius_off_centre) {
   const double r = 0.5;
   Soup half;
   const Soup ball = sphere(64, 128, r);
@@ -86,7 +86,7 @@ TEST(SolidMass, of_half_a_ball_lies_three_eighths_of_the_radius_off_its_middle) 
   expect_solid(found, mass, {0, 3.0 / 8 * r, 0}, {across, along, across}, 5e-3);
 }
 
-TEST(SolidMass, of_what_encloses_nothing_is_nothing_at_the_origin) {
+TEST(SolidMass, is_zero_at_the_origin_without_volume) {
   for (const VolumeMoments& moments : {VolumeMoments{}, VolumeMoments{.volume = -1}}) {
     const MassProperties found = solid_mass(moments, {1, 2, 3}, kKgPerCubicMetre);
     EXPECT_EQ(found.mass, 0);
@@ -95,7 +95,7 @@ TEST(SolidMass, of_what_encloses_nothing_is_nothing_at_the_origin) {
   }
 }
 
-TEST(Together, two_halves_of_a_box_are_the_box) {
+TEST(CombineMass, two_halves_of_a_box_equal_the_box) {
   const Vec3 s(0.5, 0.3, 0.9), half(0.25, 0.3, 0.9);
   const MassProperties left = solid_of(brick(half), Vec3(0)),
                        right = solid_of(moved(brick(half), {0.25, 0, 0}, 1), Vec3(0)),
@@ -104,7 +104,7 @@ TEST(Together, two_halves_of_a_box_are_the_box) {
   expect_solid(both_halves, whole.mass, whole.centre, inertia, 1e-12);
 }
 
-TEST(Together, what_has_no_mass_changes_nothing) {
+TEST(CombineMass, adding_zero_mass_changes_nothing) {
   const MassProperties box = solid_of(brick({1, 2, 3}), Vec3(0)), nothing{0, {7, 8, 9}, glm::dmat3(0.0)};
   for (const MassProperties& found : {combine(box, nothing), combine(nothing, box)}) {
     EXPECT_EQ(found.mass, box.mass);

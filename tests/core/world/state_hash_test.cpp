@@ -20,7 +20,7 @@ TEST(StateHash, does_not_depend_on_the_order_of_faces_or_corners) {
   EXPECT_NE(state_hash(world_of(soup)), state_hash(world_of(other)));
 }
 
-TEST(StateHash, is_of_all_that_a_command_can_change_and_of_nothing_else) {
+TEST(StateHash, covers_exactly_the_state_that_commands_can_change) {
   const World before = world_of(torus(9, 7, 1, 0.3));
   const uint64_t hash = state_hash(before);
   const auto after = [&](auto change) {

@@ -59,7 +59,7 @@ void expect_same_report(const MeshReport& a, const MeshReport& b) {
   EXPECT_EQ(a.repairs.zero_area_faces, b.repairs.zero_area_faces);
 }
 
-TEST(ThreadCount, mesh_tree_and_hash_have_the_same_bits_with_1_2_and_16_threads) {
+TEST(ThreadCount, mesh_tree_and_hash_are_bit_identical_with_1_2_and_16_threads) {
   for (uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -78,7 +78,7 @@ TEST(ThreadCount, mesh_tree_and_hash_have_the_same_bits_with_1_2_and_16_threads)
   }
 }
 
-TEST(ThreadCount, files_have_the_same_bytes_with_1_2_and_16_threads) {
+TEST(ThreadCount, files_are_identical_with_1_2_and_16_threads) {
   Random random(5);
   const Soup soup = torus(300, 200, 1, 0.3);
   std::vector<uint16_t> materials;

@@ -41,7 +41,7 @@ void expect_same_sums(const Piece& a, const Piece& b) {
   EXPECT_EQ(a.moments, b.moments);
 }
 
-TEST(Weigh, finds_what_edits_have_kept_up) {
+TEST(UpdateMass, matches_sums_maintained_by_edits) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = cut_at_random(torus(24, 16, 0.5, 0.2), seed);
@@ -50,7 +50,7 @@ TEST(Weigh, finds_what_edits_have_kept_up) {
   }
 }
 
-TEST(Weigh, depends_neither_on_slots_nor_on_the_order_of_corners_nor_on_the_edits_before) {
+TEST(UpdateMass, does_not_depend_on_slots_corner_order_or_previous_edits) {
   bool kept_up_differ = false;
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -71,7 +71,7 @@ TEST(Weigh, depends_neither_on_slots_nor_on_the_order_of_corners_nor_on_the_edit
   EXPECT_TRUE(kept_up_differ) << "or there is nothing to show here";
 }
 
-TEST(Weigh, changes_nothing_of_pieces_that_were_detached_from_a_weighed_body) {
+TEST(UpdateMass, changes_nothing_in_pieces_detached_after_an_update) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = cut_at_random(torus(24, 16, 0.5, 0.2), seed);
@@ -91,7 +91,7 @@ TEST(Weigh, changes_nothing_of_pieces_that_were_detached_from_a_weighed_body) {
 }
 
 // The areas of faces that a search is about to relabel count for their new pieces already, their moments not.
-TEST(Weigh, leaves_a_search_that_is_open_alone) {
+TEST(UpdateMass, does_not_affect_an_open_search) {
   for (uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -109,7 +109,7 @@ TEST(Weigh, leaves_a_search_that_is_open_alone) {
 }
 
 // Lengths that are multiplied by a power of two multiply areas and moments by powers of two.
-TEST(Weigh, of_any_size_and_place_is_as_exact) {
+TEST(UpdateMass, scales_exactly_to_any_size_and_position) {
   const auto weighed = [](const Soup& soup) {
     Body body = make_body("sphere", build(soup));
     update_mass_properties(body);
@@ -142,7 +142,7 @@ Body solid_body(const Soup& soup) {
   return body;
 }
 
-TEST(WeighSolid, finds_volume_centre_and_inertia_of_what_is_closed) {
+TEST(UpdateSolidMass, computes_volume_centre_and_inertia_of_closed_pieces) {
   const Vec3 s(1, 2, 3), at(20, 0, -7);
   const Body box = solid_body(moved(brick(s), at, 1));
   ASSERT_NE(enclosed_of(box), nullptr);
@@ -153,7 +153,7 @@ TEST(WeighSolid, finds_volume_centre_and_inertia_of_what_is_closed) {
   EXPECT_NEAR(solid.inertia[0][1], 0, 1e-12);
 }
 
-TEST(WeighSolid, knows_nothing_of_what_is_open_or_flat_or_no_solid) {
+TEST(UpdateSolidMass, has_no_value_for_open_flat_or_non_solid_pieces) {
   EXPECT_EQ(enclosed_of(solid_body(tube(3, 12, 1, 1))), nullptr);
   EXPECT_EQ(enclosed_of(solid_body(pillow())), nullptr);
   Body box = solid_body(brick({1, 1, 1}));
@@ -162,7 +162,7 @@ TEST(WeighSolid, knows_nothing_of_what_is_open_or_flat_or_no_solid) {
   EXPECT_EQ(enclosed_of(box), nullptr);
 }
 
-TEST(WeighSolid, knows_nothing_of_faces_that_have_changed_since) {
+TEST(UpdateSolidMass, has_no_value_for_faces_changed_since) {
   World world = world_of(sphere(12, 16, 0.5));
   Body& body = only_body(world);
   body.solid = true;
@@ -179,7 +179,7 @@ TEST(WeighSolid, knows_nothing_of_faces_that_have_changed_since) {
   EXPECT_EQ(enclosed_of(body), nullptr);
 }
 
-TEST(WeighSolid, depends_on_the_faces_alone_to_the_bit) {
+TEST(UpdateSolidMass, depends_only_on_the_faces_bit_for_bit) {
   const Soup soup = moved(torus(24, 16, 0.5, 0.2), {3, 1, -2}, 1);
   const Body one = solid_body(soup);
   for (uint64_t seed = 1; seed <= 4; ++seed) {
@@ -193,7 +193,7 @@ TEST(WeighSolid, depends_on_the_faces_alone_to_the_bit) {
 }
 
 // A grain that is left of a large part is weighed from its own middle.
-TEST(WeighSolid, of_what_is_left_of_a_large_part_is_as_exact) {
+TEST(UpdateSolidMass, of_a_small_remnant_of_a_large_part_is_as_exact) {
   World world = world_of(both(brick(Vec3(1000)), moved(brick(Vec3(1)), {400, 700, 1200}, 1e-3)));
   Body& body = only_body(world);
   body.solid = true;
@@ -206,7 +206,7 @@ TEST(WeighSolid, of_what_is_left_of_a_large_part_is_as_exact) {
   EXPECT_NEAR(enclosed_of(body)->solid.inertia[0][0] / (1e-15 / 6), 1, 1e-8);
 }
 
-TEST(WeighSolid, is_carried_along_by_what_is_detached) {
+TEST(UpdateSolidMass, is_passed_on_to_detached_pieces) {
   World world = world_of(both(brick({1, 2, 3}), moved(brick({1, 1, 1}), {5, 0, 0}, 1)));
   Body& body = only_body(world);
   body.solid = true;

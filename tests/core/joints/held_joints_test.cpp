@@ -52,24 +52,24 @@ TEST_F(DoorOnHinge, is_held_by_its_frame) {
   EXPECT_EQ(part_of(world_.ids().front(), body(), FaceId(0)), held[0].parts[0]);
 }
 
-TEST_F(DoorOnHinge, is_let_go_when_no_face_is_left_that_carries_it) {
+TEST_F(DoorOnHinge, is_released_when_no_carrying_face_is_left) {
   remove_between(0.25, 0.6);
   EXPECT_TRUE(held_joints(world_).empty());
 }
 
-TEST_F(DoorOnHinge, is_held_as_long_as_some_are_left_that_hang_together) {
+TEST_F(DoorOnHinge, is_held_while_some_connected_faces_are_left) {
   remove_between(0.44, 0.51);
   EXPECT_EQ(held_joints(world_).size(), 1u);
 }
 
-TEST_F(DoorOnHinge, that_is_cut_far_from_its_hinge_is_still_held) {
+TEST_F(DoorOnHinge, stays_held_when_cut_far_from_its_hinge) {
   remove_between(-0.3, -0.2);
   const auto held = held_joints(world_);
   ASSERT_EQ(held.size(), 1u);
   EXPECT_EQ(held[0].parts[0].label, part_of(world_.ids().front(), body(), FaceId(199)).label);
 }
 
-TEST(HeldJoints, of_a_world_without_joints_are_none) {
+TEST(HeldJoints, are_empty_in_a_world_without_joints) {
   World world;
   add(world, rectangle(1, 1, 2), Vec3(0));
   EXPECT_TRUE(held_joints(world).empty());

@@ -72,7 +72,7 @@ uint32_t label_of(const World& world, const std::string& part) {
   return 0;
 }
 
-TEST(HoldParts, everything_stays_in_its_piece_while_joints_hold) {
+TEST(SeparateByJoints, changes_nothing_while_all_joints_hold) {
   World world = car_of_sheets();
   EXPECT_EQ(held_joints(world).size(), 3u);
   for (const JointMode mode : {JointMode::kRigid, JointMode::kArticulated}) {
@@ -83,7 +83,7 @@ TEST(HoldParts, everything_stays_in_its_piece_while_joints_hold) {
   EXPECT_EQ(world.live_pieces(), 1u);
 }
 
-TEST(HoldParts, a_part_goes_with_the_piece_that_it_is_welded_to) {
+TEST(SeparateByJoints, a_part_follows_the_piece_it_is_welded_to) {
   World world = car_of_sheets();
   const uint64_t hash = state_hash(world);
   const StepResult result = cut(world, {0.15, 0, -0.3}, {0.15, 0, 0.3}, 0.005);
@@ -99,7 +99,7 @@ TEST(HoldParts, a_part_goes_with_the_piece_that_it_is_welded_to) {
   EXPECT_EQ(result.delta.bodies[0].new_pieces, std::vector<uint32_t>{cut_off});
 }
 
-TEST(HoldParts, a_part_whose_weld_is_burnt_away_becomes_a_piece_with_what_is_welded_to_it) {
+TEST(SeparateByJoints, a_part_with_a_burnt_weld_becomes_a_piece_with_its_attachments) {
   World world = car_of_sheets();
   cut(world, {0.3, 0, -0.02}, {0.3, 0, 0.02}, 0.08);  // from between the sheet and the shell
   EXPECT_EQ(held_joints(world).size(), 2u);
@@ -120,7 +120,7 @@ size_t counted_parts(const Body& body) {
   return parts;
 }
 
-TEST(HoldParts, pieces_that_joints_hold_are_cut_apart_like_any_others) {
+TEST(SeparateByJoints, jointed_pieces_are_cut_like_any_others) {
   for (const uint64_t seed : {1, 2, 3}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -137,7 +137,7 @@ TEST(HoldParts, pieces_that_joints_hold_are_cut_apart_like_any_others) {
   }
 }
 
-TEST(HoldParts, a_cut_through_the_faces_that_carry_a_weld_makes_it_let_go) {
+TEST(SeparateByJoints, cutting_the_faces_of_a_weld_releases_it) {
   World world = car_of_sheets();
   cut(world, {-0.3, 0, -0.3}, {-0.3, 0, 0.3}, 0.003);  // divides the faces of the sheet below the handle
   EXPECT_EQ(held_joints(world).size(), 2u);
@@ -174,7 +174,7 @@ void cut_between(World& world, double x, double high, double low, double radius)
 
 // A bar on a sheet, and on the bar a rail that is welded to it at both ends. The bar is cut in two below the
 // rail, then off the sheet: what is left of the bar is held, by the rail, to what was cut off it.
-TEST(HoldParts, what_is_left_of_a_part_stays_another_piece_than_what_was_cut_off_it) {
+TEST(SeparateByJoints, the_rest_of_a_part_stays_separate_from_pieces_cut_off_it) {
   const std::vector<NamedSheet> sheets{{"sheet", test::rectangle(1, 0.4, 20)},
                                        {"bar", test::rectangle(0.8, 0.04, 20), {0, 0.02, 0}},
                                        {"rail", test::rectangle(0.7, 0.02, 20), {0, 0.04, 0}}};
@@ -197,7 +197,7 @@ TEST(HoldParts, what_is_left_of_a_part_stays_another_piece_than_what_was_cut_off
   EXPECT_EQ(world.live_pieces(), 3u);
 }
 
-TEST(HoldParts, undo_and_redo_of_a_stroke_take_what_joints_did_with_them) {
+TEST(SeparateByJoints, undo_and_redo_of_a_stroke_include_joint_changes) {
   Document document(car_of_sheets());
   const World before = document.world();
   const Vec3 down(0, -1, 0);

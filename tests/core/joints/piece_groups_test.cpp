@@ -40,7 +40,7 @@ uint32_t goes_with(const Body& body, const PieceGroups& groups, FaceId f) {
   return group < body.pieces.size() ? group : groups.loose.at(group - body.pieces.size()).goes_with;
 }
 
-TEST(PieceGroups, loose_parts_go_with_the_nearer_half) {
+TEST(PieceGroups, loose_parts_belong_to_the_nearer_half) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -62,7 +62,7 @@ TEST(PieceGroups, loose_parts_go_with_the_nearer_half) {
   }
 }
 
-TEST(PieceGroups, the_centre_of_a_piece_is_that_of_all_that_goes_with_it) {
+TEST(PieceGroups, the_centre_of_a_piece_includes_its_loose_parts) {
   const Body body = cut_sheet({{0.5, 0.3, 0.2}, {-0.6, 0.2, -0.4}, {-0.3, -0.3, 0.5}});
   const PieceGroups groups = group_pieces(body);
   std::vector<double> area(body.pieces.size());
@@ -85,7 +85,7 @@ TEST(PieceGroups, an_uncut_body_has_no_loose_parts) {
   EXPECT_LT(glm::length(groups.middles.at(0) - Vec3(1.5, 0, 0)), 1e-12);
 }
 
-TEST(PieceGroups, regrouped_faces_are_those_whose_group_differs) {
+TEST(PieceGroups, regrouped_faces_are_those_with_a_different_group) {
   const Body body = cut_sheet({{0.5, 0.3, 0.2}, {-0.6, 0.2, -0.4}});
   const PieceGroups groups = group_pieces(body);
   ASSERT_FALSE(groups.loose.empty());

@@ -9,7 +9,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(Subdivide, goes_from_pose_to_pose_without_gaps_in_moves_no_longer_than_the_radius) {
+TEST(Subdivide, covers_pose_to_pose_in_segments_no_longer_than_the_radius) {
   Random random(17);
   for (int i = 0; i < 200; ++i) {
     const Pose from{random_direction(random), random_direction(random)};
@@ -34,7 +34,7 @@ TEST(Subdivide, goes_from_pose_to_pose_without_gaps_in_moves_no_longer_than_the_
   }
 }
 
-TEST(Subdivide, turns_evenly_along_the_shorter_arc) {
+TEST(Subdivide, rotates_evenly_along_the_shorter_arc) {
   const Pose from{{0, 0, 0}, {1, 0, 0}}, to{{0, 0, 0}, glm::normalize(Vec3(-0.5, 1, 0))};
   const auto moves = subdivide({from, to}, 0.1, 1);
   const double step = std::acos(glm::dot(from.direction, to.direction)) / static_cast<double>(moves.size());
@@ -45,7 +45,7 @@ TEST(Subdivide, turns_evenly_along_the_shorter_arc) {
   }
 }
 
-TEST(Subdivide, keeps_the_bits_of_a_direction_that_does_not_change) {
+TEST(Subdivide, keeps_a_constant_direction_bit_identical) {
   const Vec3 d = glm::normalize(Vec3(0.05, -1, 0.02));
   for (const BeamMove& m : subdivide({{{0, 0, 0}, d}, {{1, 0, 0.3}, d}}, 0.01, 5)) {
     EXPECT_EQ(m.from.direction, d);
@@ -53,7 +53,7 @@ TEST(Subdivide, keeps_the_bits_of_a_direction_that_does_not_change) {
   }
 }
 
-TEST(SweepBeam, puts_four_rays_on_a_circle_of_the_radius) {
+TEST(SweepBeam, places_four_rays_on_a_circle_of_the_radius) {
   Laser laser;
   laser.radius = 0.3;
   laser.range = {0, 9};

@@ -18,13 +18,13 @@ double share_within(const std::vector<BundleRay>& rays, double radius) {
   return sum;
 }
 
-TEST(RayBundle, shares_the_whole_power) {
+TEST(RayBundle, distributes_the_whole_power) {
   for (const double face : kFaces) EXPECT_NEAR(share_within(ray_bundle(Pattern::kVolume, face), 9), 1, 1e-12);
   EXPECT_EQ(ray_bundle(Pattern::kRays4, 1).size(), 4u);
 }
 
 // The power within a radius R of a Gaussian beam is 1 - exp(-2 R^2 / w^2); its second moment is w^2 / 2.
-TEST(RayBundle, has_the_profile_of_a_gaussian_beam_the_better_the_finer_it_is) {
+TEST(RayBundle, approximates_a_gaussian_profile_better_with_more_rays) {
   double last = 1;
   for (const double face : {1.0, 0.25, 0.1}) {
     const std::vector<BundleRay> rays = ray_bundle(Pattern::kVolume, face);
@@ -43,7 +43,7 @@ TEST(RayBundle, is_finer_than_the_faces) {
   for (const double face : kFaces) EXPECT_LT(bundle_spacing(face), std::max(face, 0.05));
 }
 
-TEST(RayBundle, turns_by_the_number_of_the_pose_and_stays_the_same_otherwise) {
+TEST(RayBundle, is_rotated_by_the_pose_index_only) {
   const std::vector<BundleRay> rays = ray_bundle(Pattern::kVolume, 1);
   for (const uint64_t number : {0u, 1u, 2u, 77u, 4095u, 4096u}) {
     const std::vector<BundleRay> turned = turned_bundle(rays, number);
@@ -95,7 +95,7 @@ TEST(RayBundle, widens_from_its_focus_as_a_gaussian_beam_does) {
   }
 }
 
-TEST(EmittedEnergy, is_the_power_times_the_time_for_which_pulses_are_on) {
+TEST(EmittedEnergy, is_the_power_times_the_pulse_on_time) {
   Laser laser;
   laser.power = 100;
   EXPECT_DOUBLE_EQ(emitted_energy(laser, 0.5, 2), 150);

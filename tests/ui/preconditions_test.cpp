@@ -42,7 +42,7 @@ TEST_F(PreconditionDeathTest, of_the_laser) {
   EXPECT_DEATH(LaserTool().fire(document, Pose{{0, 0, 0}, {0, 0, 2}}, 1, {}, 0), "assertion failed");
 }
 
-TEST_F(PreconditionDeathTest, of_what_is_being_opened) {
+TEST_F(PreconditionDeathTest, of_opening_a_file) {
   EXPECT_DEATH(FileLoader().order(), "assertion failed");
   Opening opening;
   Message message;

@@ -43,9 +43,11 @@ std::vector<std::string> rows_of_readme() {
   return rows;
 }
 
-TEST_F(Actions, the_readme_lists_what_the_sheet_lists) { EXPECT_EQ(rows_of_readme(), rows_of_sheet()); }
+TEST_F(Actions, the_readme_lists_the_same_shortcuts_as_the_sheet) {
+  EXPECT_EQ(rows_of_readme(), rows_of_sheet());
+}
 
-TEST_F(Actions, have_stable_ids_of_their_own) {
+TEST_F(Actions, have_unique_stable_ids) {
   const std::regex form("[a-z_]+(\\.[a-z0-9_]+)+");
   std::set<std::string> ids;
   for (const UserAction& a : actions) {
@@ -62,21 +64,21 @@ TEST_F(Actions, no_two_actions_share_a_key) {
   }
 }
 
-TEST_F(Actions, what_is_written_in_the_menu_is_what_is_pressed) {
+TEST_F(Actions, shortcut_text_is_shown_exactly_if_a_key_is_bound) {
   for (const UserAction& a : actions) EXPECT_EQ(!a.shortcut.empty(), a.key != 0) << a.name;
 }
 
-TEST_F(Actions, either_do_something_or_open_a_menu) {
+TEST_F(Actions, either_run_or_open_a_menu) {
   for (const UserAction& a : actions) EXPECT_TRUE((a.run != nullptr) != (a.items != nullptr)) << a.name;
 }
 
-TEST_F(Actions, every_action_of_a_menu_says_what_it_does) {
+TEST_F(Actions, every_menu_action_has_a_tooltip) {
   for (const UserAction& a : actions) {
     EXPECT_TRUE(a.items != nullptr || !a.tip.empty()) << a.name;
   }
 }
 
-TEST_F(Actions, a_key_flips_a_switch_of_the_view_and_one_that_cannot_be_done_says_why) {
+TEST_F(Actions, a_key_toggles_a_view_switch_and_a_disabled_action_reports_why) {
   for (const ViewSwitch& s : view_switches()) {
     if (s.key == 0) continue;
     const size_t before = s.get(workspace.view.look);
@@ -111,13 +113,13 @@ class LayoutTable : public testing::Test {
   test::EditorFeatures editor;
 };
 
-TEST_F(LayoutTable, names_each_action_of_the_features_once_and_no_other) {
+TEST_F(LayoutTable, lists_each_action_exactly_once) {
   Ids named = ids_of(menu_layout());
   named.merge(ids_of(palette_layout()));
   EXPECT_EQ(named, provided<std::vector<UserAction>>(&Feature::actions));
 }
 
-TEST_F(LayoutTable, names_each_part_of_a_panel_once_and_no_other) {
+TEST_F(LayoutTable, lists_each_part_of_a_panel_exactly_once) {
   Ids named;
   std::set<std::string> panels;
   for (const TabLayout& tab : tab_layout()) {
@@ -129,12 +131,12 @@ TEST_F(LayoutTable, names_each_part_of_a_panel_once_and_no_other) {
   EXPECT_EQ(named, provided<std::vector<PanelPart>>(&Feature::panel_parts));
 }
 
-TEST_F(LayoutTable, names_each_gesture_once_and_no_other) {
+TEST_F(LayoutTable, lists_each_gesture_exactly_once) {
   EXPECT_EQ(Ids(gesture_layout().begin(), gesture_layout().end()),
             provided<std::vector<Gesture>>(&Feature::gestures));
 }
 
-TEST_F(LayoutTable, separates_actions_and_nothing_else) {
+TEST_F(LayoutTable, has_separators_only_between_actions) {
   for (const MenuLayout& menu : menu_layout()) {
     EXPECT_STRNE(menu.actions.front(), MenuLayout::kLine) << menu.title;
     EXPECT_STRNE(menu.actions.back(), MenuLayout::kLine) << menu.title;

@@ -53,7 +53,7 @@ class SaveWork : public testing::Test {
   std::vector<RecoverableDocument> left_work_;
 };
 
-TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
+TEST_F(SaveWork, a_star_in_the_title_marks_unsaved_changes) {
   EXPECT_EQ(title(), "plate.obj - Kerf");
   cut();
   EXPECT_EQ(title(), "plate.obj* - Kerf");
@@ -64,7 +64,7 @@ TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
   EXPECT_EQ(title(), "mine.kerf* - Kerf");
 }
 
-TEST_F(SaveWork, nothing_is_unsaved_once_all_that_came_since_is_undone) {
+TEST_F(SaveWork, nothing_is_unsaved_after_all_changes_are_undone) {
   cut();
   session_.document.apply(Undo{});
   EXPECT_FALSE(unsaved());
@@ -82,7 +82,7 @@ TEST_F(SaveWork, nothing_is_unsaved_once_all_that_came_since_is_undone) {
   EXPECT_TRUE(unsaved());
 }
 
-TEST_F(SaveWork, what_was_saved_opens_with_its_lights_and_its_view) {
+TEST_F(SaveWork, a_saved_document_reopens_with_its_lights_and_view) {
   cut();
   view_.look.lights.front().at = {0, 7, 0};
   ASSERT_TRUE(save(folder_ / "mine.kerf"));
@@ -95,7 +95,7 @@ TEST_F(SaveWork, what_was_saved_opens_with_its_lights_and_its_view) {
   EXPECT_TRUE(work->scene.view.has_value());
 }
 
-TEST_F(SaveWork, a_scene_holds_all_but_the_cuts_and_says_so) {
+TEST_F(SaveWork, a_scene_stores_everything_but_the_cuts_and_reports_it) {
   ASSERT_TRUE(save(folder_ / "mine.json"));
   cut();
   EXPECT_FALSE(save(folder_ / "mine.json"));
@@ -104,7 +104,7 @@ TEST_F(SaveWork, a_scene_holds_all_but_the_cuts_and_says_so) {
   EXPECT_TRUE(open_file(folder_ / "mine.json").ok());
 }
 
-TEST_F(SaveWork, a_file_that_cannot_be_written_leaves_the_work_unsaved) {
+TEST_F(SaveWork, a_failed_save_leaves_the_document_unsaved) {
   cut();
   EXPECT_FALSE(save(folder_.path() / "no" / "mine.kerf"));
   EXPECT_TRUE(message_.is_error);
@@ -112,7 +112,7 @@ TEST_F(SaveWork, a_file_that_cannot_be_written_leaves_the_work_unsaved) {
   EXPECT_TRUE(session_.file.empty());
 }
 
-TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
+TEST_F(SaveWork, unsaved_changes_are_confirmed_before_closing) {
   EXPECT_TRUE(may_go());
   cut();
   const struct {
@@ -136,7 +136,7 @@ TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
   }
 }
 
-TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
+TEST_F(SaveWork, recovered_work_is_named_after_the_opened_file) {
   cut();
   ASSERT_TRUE(record_hashes(session_.scene).ok());
   {
@@ -150,7 +150,7 @@ TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
       << decisions_.question.text;
 }
 
-TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor_left) {
+TEST_F(SaveWork, a_stray_letter_key_does_not_discard_recovered_work) {
   cut();
   ASSERT_TRUE(record_hashes(session_.scene).ok());
   {

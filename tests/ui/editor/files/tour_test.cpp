@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(Tour, goes_on_when_each_step_is_done_and_ends_after_the_last) {
+TEST(Tour, advances_when_each_step_is_done_and_ends_after_the_last) {
   TourMoment now;
   now.edge = 1;
   Tour tour;
@@ -38,7 +38,7 @@ TEST(Tour, goes_on_when_each_step_is_done_and_ends_after_the_last) {
   EXPECT_FALSE(tour.is_on());
 }
 
-TEST(Tour, can_be_skipped_and_gone_back) {
+TEST(Tour, can_be_skipped_and_stepped_back) {
   Tour tour;
   EXPECT_FALSE(tour.is_on());
   tour.begin(first_five_minutes(ViewState()), {});
@@ -51,7 +51,7 @@ TEST(Tour, can_be_skipped_and_gone_back) {
   EXPECT_FALSE(tour.is_on());
 }
 
-TEST(Tour, names_the_keys_as_they_are_bound) {
+TEST(Tour, names_the_bound_keys) {
   ViewState view;
   view.shortcuts = {{"edit.undo", "Ctrl+Backspace"}};
   EXPECT_TRUE(first_five_minutes(view)[1].text.starts_with("Ctrl+Backspace "));

@@ -32,7 +32,7 @@ TEST(FaceFacts, agree_with_the_mesh_on_every_face) {
   }
 }
 
-TEST(FaceFacts, name_a_slot_of_the_tree_that_no_other_face_has) {
+TEST(FaceFacts, name_a_unique_slot_of_the_tree) {
   const Body body = make_body("ball", test::build(test::sphere(9, 12, 1)));
   std::set<std::pair<uint32_t, uint32_t>> slots;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
@@ -46,7 +46,7 @@ TEST(FaceFacts, name_a_slot_of_the_tree_that_no_other_face_has) {
   EXPECT_FALSE(tree_slot(body.tree, body.mesh, FaceId(body.mesh.face_slots())));
 }
 
-TEST(FaceFacts, are_told_in_lines_with_borders_and_rings_named) {
+TEST(FaceFacts, are_listed_with_border_edges_and_non_manifold_edges_named) {
   Soup three;  // three triangles on one edge
   three.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0.2, 0}, {0, 1, 0}};
   three.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
@@ -61,7 +61,7 @@ TEST(FaceFacts, are_told_in_lines_with_borders_and_rings_named) {
   EXPECT_NE(all.find("90.0"), std::string::npos) << all;
 }
 
-TEST(PlacementAngles, are_those_of_the_orientation_that_they_give) {
+TEST(PlacementAngles, round_trip_through_the_orientation) {
   Random random(3);
   for (int round = 0; round < 200; ++round) {
     const Vec3 angles(random.uniform(-179, 179), random.uniform(-89, 89), random.uniform(-179, 179));

@@ -29,7 +29,7 @@ TEST(FaceScalars, measure_edges_and_angles_of_each_face) {
   for (const float angle : face_scalars(body, FaceQuantity::kMinAngle, nullptr)) EXPECT_NEAR(angle, 45, 1e-3);
 }
 
-TEST(FaceScalars, a_dead_face_has_none) {
+TEST(FaceScalars, a_dead_face_has_no_value) {
   Body body = sheet();
   body.mesh.remove_face(FaceId(3));
   for (const FaceQuantity q :
@@ -40,7 +40,7 @@ TEST(FaceScalars, a_dead_face_has_none) {
   }
 }
 
-TEST(FaceScalars, a_heated_face_has_its_temperature_and_the_others_the_ambient) {
+TEST(FaceScalars, a_heated_face_has_its_temperature_and_others_the_ambient) {
   Body body = sheet();
   body.heat.set_energy(body.mesh, FaceId(5), 500);
   const FaceScalars values = face_scalars(body, FaceQuantity::kTemperature, nullptr);
@@ -48,7 +48,7 @@ TEST(FaceScalars, a_heated_face_has_its_temperature_and_the_others_the_ambient) 
   EXPECT_FLOAT_EQ(values.at(6), kAmbient);
 }
 
-TEST(FaceScalars, what_was_not_cut_has_no_rim_although_it_has_a_border) {
+TEST(FaceScalars, an_uncut_sheet_has_a_border_but_no_rim) {
   const Body body = sheet();
   const LoadedShading loaded = shading_of(body);
   const FaceScalars values = face_scalars(body, FaceQuantity::kRimDistance, &loaded);
@@ -56,7 +56,7 @@ TEST(FaceScalars, what_was_not_cut_has_no_rim_although_it_has_a_border) {
 }
 
 // The column of cells at the left is taken away: the rim is a line along z.
-TEST(FaceScalars, the_distance_to_the_rim_is_that_of_the_nearest_corner_in_metres) {
+TEST(FaceScalars, the_rim_distance_is_that_of_the_nearest_corner_in_metres) {
   Body body = sheet();
   const LoadedShading loaded = shading_of(body);
   const double left = body.loaded.min.x, rim = left + 0.25 * (body.loaded.max.x - left);
@@ -73,7 +73,7 @@ TEST(FaceScalars, the_distance_to_the_rim_is_that_of_the_nearest_corner_in_metre
   }
 }
 
-TEST(FaceScalars, labels_have_the_units_of_the_file) {
+TEST(FaceScalars, labels_use_the_units_of_the_file) {
   EXPECT_EQ(quantity_text(FaceQuantity::kLongestEdge, 2.75, FileUnit::kMillimetre), "2.75 mm");
   EXPECT_EQ(quantity_text(FaceQuantity::kLevel, 3, FileUnit::kMetre), "3");
   EXPECT_EQ(quantity_text(FaceQuantity::kTemperature, 410.2, FileUnit::kMetre), "410 K");

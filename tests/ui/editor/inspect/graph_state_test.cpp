@@ -29,7 +29,7 @@ void run_queue(Document& document) {
   while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
 }
 
-TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
+TEST(GraphState, updates_only_when_no_stroke_is_being_cut) {
   Document document = sheet_to_cut();
   GraphState graph;
   EXPECT_TRUE(graph.follow(document));
@@ -45,7 +45,7 @@ TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
   EXPECT_FALSE(graph.closings().empty());
 }
 
-TEST(GraphState, follows_the_document_between_single_steps) {
+TEST(GraphState, updates_between_single_steps) {
   Document document = sheet_to_cut();
   GraphState graph;
   graph.follow(document);
@@ -60,7 +60,7 @@ TEST(GraphState, follows_the_document_between_single_steps) {
   EXPECT_GT(changes, 10u);
 }
 
-TEST(GraphState, is_read_again_while_time_passes_only_when_pieces_become_bodies) {
+TEST(GraphState, is_rebuilt_during_play_only_when_pieces_become_bodies) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   run_queue(document);
@@ -85,7 +85,7 @@ TEST(GraphState, is_read_again_while_time_passes_only_when_pieces_become_bodies)
 }
 
 // Along with the body: by as much as it fell and turned since.
-TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
+TEST(GraphState, loops_and_nodes_move_with_their_bodies) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   document.apply(Play{});
@@ -124,7 +124,7 @@ TEST(GraphState, plays_the_traversal_to_its_end) {
   EXPECT_EQ(graph.marked(), graph.reached());
 }
 
-TEST(GraphState, starts_from_the_other_side_at_a_node_there) {
+TEST(GraphState, starts_at_a_node_on_the_other_side) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   run_queue(document);
@@ -139,7 +139,7 @@ TEST(GraphState, starts_from_the_other_side_at_a_node_there) {
   EXPECT_EQ(one + graph.reached(), both);
 }
 
-TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
+TEST(GraphState, maps_faces_to_nodes_and_back) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   run_queue(document);
@@ -156,7 +156,7 @@ TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
   EXPECT_FALSE(graph.node_of({document.world().ids()[0], FaceId(1'000'000)}));
 }
 
-TEST(GraphState, shows_a_piece_alone_and_the_cut_again) {
+TEST(GraphState, switches_between_a_single_piece_and_the_cut) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   run_queue(document);
@@ -179,7 +179,7 @@ TEST(GraphState, shows_a_piece_alone_and_the_cut_again) {
   EXPECT_EQ(graph.total(), whole);
 }
 
-TEST(GraphState, hands_on_the_removals_and_the_loops_that_they_closed) {
+TEST(GraphState, provides_removals_and_the_loops_they_closed) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   run_queue(document);
@@ -195,7 +195,7 @@ TEST(GraphState, hands_on_the_removals_and_the_loops_that_they_closed) {
   EXPECT_EQ(graph.drawn()->removals, graph.removed());
 }
 
-TEST(PieceTree, lists_under_each_piece_what_came_off_it_by_step) {
+TEST(PieceTree, lists_pieces_under_their_origin_by_step) {
   const BodyId body{0, 0};
   const auto piece = [&](uint32_t label) { return PieceId{body, label}; };
   const std::vector<PieceNode> origins{{piece(0), std::nullopt, 0},
@@ -209,7 +209,7 @@ TEST(PieceTree, lists_under_each_piece_what_came_off_it_by_step) {
   EXPECT_EQ(seen, expected) << "nothing is left of piece 4, so that piece 5 stands alone";
 }
 
-TEST(PieceTree, says_what_each_piece_came_off_and_what_holds_it) {
+TEST(PieceTree, describes_origin_and_support_of_each_piece) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
   run_queue(document);

@@ -11,7 +11,7 @@ using List = std::shared_ptr<const FaceScalars>;
 
 List list_of(FaceScalars values) { return std::make_shared<const FaceScalars>(std::move(values)); }
 
-TEST(Histogram, counts_every_value_once_and_passes_over_faces_without_one) {
+TEST(Histogram, counts_every_value_once_and_skips_faces_without_one) {
   const std::vector<List> lists{list_of({1, 2, kNoScalar, 5}), list_of({3, kNoScalar})};
   const Histogram h = histogram_of(lists, 4, false);
   EXPECT_EQ(h.faces, 4u);
@@ -21,7 +21,7 @@ TEST(Histogram, counts_every_value_once_and_passes_over_faces_without_one) {
   EXPECT_EQ(h.bins, (std::vector<size_t>{1, 1, 1, 1})) << "the largest value is in the last bin";
 }
 
-TEST(Histogram, whole_numbers_have_a_bin_each) {
+TEST(Histogram, integers_have_one_bin_each) {
   const std::vector<List> lists{list_of({0, 0, 1, 3, 3, 3})};
   const Histogram h = histogram_of(lists, 64, true);
   EXPECT_EQ(h.bins, (std::vector<size_t>{2, 1, 0, 3}));
@@ -29,7 +29,7 @@ TEST(Histogram, whole_numbers_have_a_bin_each) {
   EXPECT_EQ(h.to, 3.5);
 }
 
-TEST(Histogram, has_a_width_where_all_values_are_equal_and_where_there_are_none) {
+TEST(Histogram, has_a_positive_width_for_equal_or_missing_values) {
   const std::vector<List> equal{list_of({7, 7})}, none{list_of({kNoScalar})};
   for (const auto& lists : {equal, none}) {
     const Histogram h = histogram_of(lists, 8, false);
@@ -39,7 +39,7 @@ TEST(Histogram, has_a_width_where_all_values_are_equal_and_where_there_are_none)
   EXPECT_EQ(histogram_of(none, 8, false).faces, 0u);
 }
 
-TEST(Histogram, a_quantile_leaves_out_a_share_of_the_faces) {
+TEST(Histogram, a_quantile_excludes_a_fraction_of_the_faces) {
   FaceScalars values;
   for (int i = 0; i < 1000; ++i) values.push_back(static_cast<float>(i) / 1000);
   values.push_back(100);

@@ -46,7 +46,7 @@ struct RulerBench {
   Workspace& workspace = editor.workspace;
 };
 
-TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cut_nothing) {
+TEST(RulerFeature, two_clicks_add_a_measurement_to_the_document_and_cut_nothing) {
   RulerBench bench;
   bench.click({-0.5, 0, 0.8});
   EXPECT_TRUE(bench.kept().is_null());
@@ -59,7 +59,7 @@ TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cu
   EXPECT_TRUE(bench.kept().is_null());
 }
 
-TEST(RulerFeature, a_drag_of_an_end_moves_it_and_is_one_step_of_the_undo) {
+TEST(RulerFeature, dragging_an_end_moves_it_in_one_undo_entry) {
   RulerBench bench;
   bench.click({-0.5, 0, 0.8});
   bench.click({0.5, 0, 0.8});
@@ -74,7 +74,7 @@ TEST(RulerFeature, a_drag_of_an_end_moves_it_and_is_one_step_of_the_undo) {
   EXPECT_EQ(bench.kept(), before);
 }
 
-TEST(RulerFeature, shows_what_the_head_of_an_opened_document_holds) {
+TEST(RulerFeature, shows_the_measurements_of_an_opened_document) {
   RulerBench bench;
   bench.workspace.session.scene.others =
       R"({"rulers": [{"name": "axle", "from": [0, 0, 1], "to": [0, 1, 0]}]})";

@@ -15,7 +15,7 @@ RulerList two_marks() {
   return list;
 }
 
-TEST(RulerList, each_edit_is_undone_and_done_again) {
+TEST(RulerList, each_edit_can_be_undone_and_redone) {
   RulerList list = two_marks();
   list.begin_edit();
   list.rename(0, "height");
@@ -31,7 +31,7 @@ TEST(RulerList, each_edit_is_undone_and_done_again) {
   EXPECT_FALSE(list.can_redo());
 }
 
-TEST(RulerList, a_new_edit_ends_what_could_be_done_again) {
+TEST(RulerList, a_new_edit_clears_the_redo_history) {
   RulerList list = two_marks();
   list.undo();
   list.begin_edit();
@@ -40,7 +40,7 @@ TEST(RulerList, a_new_edit_ends_what_could_be_done_again) {
   EXPECT_TRUE(list.marks().empty());
 }
 
-TEST(RulerList, names_differ_also_after_one_was_removed) {
+TEST(RulerList, names_stay_unique_after_a_removal) {
   RulerList list = two_marks();
   list.begin_edit();
   list.remove(0);
@@ -50,7 +50,7 @@ TEST(RulerList, names_differ_also_after_one_was_removed) {
   EXPECT_EQ(list.marks()[1].name, "Distance 3");
 }
 
-TEST(RulerList, comes_back_from_the_head_of_a_document) {
+TEST(RulerList, round_trips_through_a_document) {
   const RulerList list = two_marks();
   RulerList read;
   read.read(list.to_json());
@@ -59,7 +59,7 @@ TEST(RulerList, comes_back_from_the_head_of_a_document) {
   EXPECT_TRUE(RulerList().to_json().is_null());
 }
 
-TEST(RulerList, leaves_out_entries_that_it_cannot_read) {
+TEST(RulerList, skips_invalid_entries) {
   RulerList list;
   list.read(nlohmann::json::parse(
       R"([{"name": "a", "from": [0, 0, 0], "to": [1, 0, 0]}, {"name": "b", "from": [0, 0]}, 7])"));
@@ -69,7 +69,7 @@ TEST(RulerList, leaves_out_entries_that_it_cannot_read) {
   EXPECT_TRUE(list.marks().empty());
 }
 
-TEST(RulerList, is_a_table_with_names_in_quotes) {
+TEST(RulerList, exports_a_table_with_quoted_names) {
   RulerList list = two_marks();
   list.begin_edit();
   list.rename(1, "a \"b\", c");

@@ -27,7 +27,7 @@ Delta changed(const World& world) {
   return delta;
 }
 
-TEST(ScalarMap, holds_nothing_while_nothing_is_shown) {
+TEST(ScalarMap, is_empty_while_nothing_is_shown) {
   ScalarMap map;
   const World world = sheet_world();
   map.follow(world, replaced());
@@ -37,7 +37,7 @@ TEST(ScalarMap, holds_nothing_while_nothing_is_shown) {
   EXPECT_EQ(map.field(FileUnit::kMetre), nullptr);
 }
 
-TEST(ScalarMap, its_range_fits_the_values_until_it_is_set) {
+TEST(ScalarMap, the_range_fits_the_values_until_it_is_set) {
   ScalarMap map;
   const World world = sheet_world();
   map.show(FaceQuantity::kLongestEdge);
@@ -55,7 +55,7 @@ TEST(ScalarMap, its_range_fits_the_values_until_it_is_set) {
   EXPECT_EQ(map.range().low, map.histogram().least);
 }
 
-TEST(ScalarMap, a_cut_adds_finer_faces_and_undo_takes_them_back) {
+TEST(ScalarMap, a_cut_adds_finer_faces_and_undo_removes_them) {
   Document document(sheet_world());
   ScalarMap map;
   map.show(FaceQuantity::kLevel);
@@ -86,7 +86,7 @@ TEST(ScalarMap, a_cut_adds_finer_faces_and_undo_takes_them_back) {
                 std::count_if(before->begin(), before->end(), [](float v) { return v != kNoScalar; })));
 }
 
-TEST(ScalarMap, values_that_stayed_the_same_stay_the_same_list) {
+TEST(ScalarMap, unchanged_values_keep_the_same_list) {
   ScalarMap map;
   const World world = sheet_world();
   map.show(FaceQuantity::kMinAngle);
@@ -97,7 +97,7 @@ TEST(ScalarMap, values_that_stayed_the_same_stay_the_same_list) {
   EXPECT_EQ(map.field(FileUnit::kMetre)->of_bodies, before->of_bodies);
 }
 
-TEST(ScalarMap, the_field_has_labels_from_one_end_to_the_other) {
+TEST(ScalarMap, the_scale_has_labels_from_end_to_end) {
   ScalarMap map;
   const World world = sheet_world();
   map.show(FaceQuantity::kMinAngle);

@@ -37,7 +37,7 @@ class CutProgressTest : public testing::Test {
   CutProgress progress;
 };
 
-TEST_F(CutProgressTest, tells_what_lasts_and_how_much_of_it_is_done) {
+TEST_F(CutProgressTest, reports_a_long_task_and_its_progress) {
   EXPECT_EQ(follow(1), "");
   draw();
   const size_t moves = document.waiting();
@@ -54,7 +54,7 @@ TEST_F(CutProgressTest, tells_what_lasts_and_how_much_of_it_is_done) {
   EXPECT_FALSE(progress.can_stop());
 }
 
-TEST_F(CutProgressTest, never_goes_back_after_the_last_move_is_queued) {
+TEST_F(CutProgressTest, never_decreases_after_the_last_move_is_queued) {
   draw();
   follow(0.1);
   draw();
@@ -69,7 +69,7 @@ TEST_F(CutProgressTest, never_goes_back_after_the_last_move_is_queued) {
   EXPECT_GT(before, 90);
 }
 
-TEST_F(CutProgressTest, what_is_stopped_is_no_longer_at_work) {
+TEST_F(CutProgressTest, a_cancelled_stroke_is_no_longer_reported) {
   draw();
   ASSERT_TRUE(document.step(4).ok());
   follow(0);
@@ -80,7 +80,7 @@ TEST_F(CutProgressTest, what_is_stopped_is_no_longer_at_work) {
   EXPECT_EQ(follow(1), "");
 }
 
-TEST_F(CutProgressTest, the_end_of_a_stroke_with_a_smooth_rim_is_told_and_not_stopped) {
+TEST_F(CutProgressTest, smoothing_the_rim_is_reported_and_cannot_be_cancelled) {
   draw(Rim::kSmooth);
   follow(0);
   while (document.queue().pending().holds_moves()) ASSERT_TRUE(document.step(1).ok());
@@ -89,7 +89,7 @@ TEST_F(CutProgressTest, the_end_of_a_stroke_with_a_smooth_rim_is_told_and_not_st
   EXPECT_FALSE(progress.can_stop());
 }
 
-TEST_F(CutProgressTest, time_and_what_is_held_back_are_no_work) {
+TEST_F(CutProgressTest, time_and_paused_strokes_are_not_reported) {
   document.apply(AdvanceTime{100, false, true});
   follow(0);
   EXPECT_EQ(follow(1), "");

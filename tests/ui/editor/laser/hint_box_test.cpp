@@ -16,7 +16,7 @@ std::optional<Area> place_beside(const Area& taken) {
   return free_place(kPicture, kSize, 20, [&](const Area& area) { return !meets_hull(area, corners); });
 }
 
-TEST(HintBox, stands_at_the_bottom_in_the_middle_and_gives_way_to_what_is_taken) {
+TEST(HintBox, stays_at_the_bottom_centre_and_avoids_occupied_areas) {
   EXPECT_EQ(place_beside({{0, 0}, {5, 5}})->at, Vec2(310, 620));
   EXPECT_EQ(place_beside({{400, 640}, {10, 10}})->at, Vec2(30, 620));
   EXPECT_EQ(place_beside({{10, 200}, {900, 530}})->at, Vec2(310, 50));
@@ -24,13 +24,13 @@ TEST(HintBox, stands_at_the_bottom_in_the_middle_and_gives_way_to_what_is_taken)
   EXPECT_FALSE(free_place(kPicture, {2000, 90}, 20, [](const Area&) { return true; }));
 }
 
-TEST(HintBox, a_triangle_beside_an_area_is_told_from_its_bounding_box) {
+TEST(HintBox, a_triangle_is_tested_by_its_hull_not_its_bounding_box) {
   const std::array<Vec2, 3> points{Vec2(0, 0), Vec2(100, 0), Vec2(0, 100)};
   EXPECT_FALSE(meets_hull({{70, 70}, {30, 30}}, points));
   EXPECT_TRUE(meets_hull({{40, 40}, {30, 30}}, points));
 }
 
-TEST(HintBox, covers_no_point_of_a_box_from_any_eye) {
+TEST(HintBox, covers_no_point_of_a_box_from_any_eye_point) {
   Random random(5);
   size_t placed = 0;
   for (int i = 0; i < 300; ++i) {

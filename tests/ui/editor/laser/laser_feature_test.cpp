@@ -14,7 +14,7 @@ const char* recut_disabled_reason(Feature& laser) {
   return "There is no such action.";
 }
 
-TEST(LaserFeature, the_last_stroke_can_be_cut_again_and_where_there_is_none_it_says_so) {
+TEST(LaserFeature, recomputes_the_last_stroke_or_reports_why_not) {
   Workspace workspace;
   World world;
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
@@ -30,7 +30,7 @@ TEST(LaserFeature, the_last_stroke_can_be_cut_again_and_where_there_is_none_it_s
   EXPECT_EQ(recut_disabled_reason(*laser), nullptr);
 }
 
-TEST(LaserFeature, esc_stops_a_stroke_as_soon_as_it_was_drawn_and_as_long_as_moves_wait) {
+TEST(LaserFeature, esc_stops_a_stroke_while_moves_are_queued) {
   Workspace workspace;
   World world;
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(Forecast, is_told_with_the_speed_of_the_path_and_without_one) {
+TEST(Forecast, is_shown_with_and_without_a_path_speed) {
   LaserControls laser;
   laser.radius = 0.0001;
   const SheetHit sheet;
@@ -16,7 +16,7 @@ TEST(Forecast, is_told_with_the_speed_of_the_path_and_without_one) {
   EXPECT_NE(with_speed.find("this sheet is 1 mm"), std::string::npos) << with_speed;
 }
 
-TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
+TEST(Forecast, reports_insufficient_power_at_any_speed) {
   LaserControls laser;
   laser.radius = 0.01;
   laser.power = 1;
@@ -24,7 +24,7 @@ TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
             std::string::npos);
 }
 
-TEST(Forecast, of_a_sheet_that_is_met_at_a_slant_is_slower) {
+TEST(Forecast, is_slower_for_an_oblique_sheet) {
   LaserControls laser;
   laser.radius = 0.0001;
   SheetHit met;
@@ -35,7 +35,7 @@ TEST(Forecast, of_a_sheet_that_is_met_at_a_slant_is_slower) {
   EXPECT_NEAR(cutting_speed(met.balance(laser.beam()), met.sheet.thickness), upright / 3, 1e-9);
 }
 
-TEST(PointersSpeed, is_told_with_whether_it_is_slow_enough) {
+TEST(PointerSpeed, reports_whether_it_is_slow_enough) {
   LaserControls laser;
   laser.radius = 0.0001;
   PointerAim aim;
@@ -48,7 +48,7 @@ TEST(PointersSpeed, is_told_with_whether_it_is_slow_enough) {
             "The pointer moves at 2 m/s, too fast to cut through");
 }
 
-TEST(RemediesOfAStroke, name_the_speed_the_power_and_the_radius_that_would_have_done) {
+TEST(StrokeRemedies, lists_the_sufficient_speed_power_and_radius) {
   StrokeWatch::Crossing crossing;
   crossing.settings.laser.radius = 1e-4;
   crossing.settings.laser.power = 2000;
@@ -66,7 +66,7 @@ TEST(RemediesOfAStroke, name_the_speed_the_power_and_the_radius_that_would_have_
   EXPECT_EQ(remedy_text(crossing, FileUnit::kMetre), "");
 }
 
-TEST(DepthOfTheStroke, is_told_in_per_cent_where_the_beam_met_something) {
+TEST(StrokeDepth, is_shown_in_percent_if_the_beam_hit_something) {
   StepStatistics statistics;
   EXPECT_EQ(depth_text(statistics), "");
   statistics.met_s = 2;

@@ -9,7 +9,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(SolidRow, says_what_a_solid_lacks) {
+TEST(SolidRow, reports_why_a_piece_is_not_a_solid) {
   LaserControls laser;
   EXPECT_EQ(solid_disabled_reason(true, laser), nullptr);
   EXPECT_NE(std::string(solid_disabled_reason(false, laser)).find("boundary edges"), std::string::npos);
@@ -22,7 +22,7 @@ TEST(SolidRow, says_what_a_solid_lacks) {
   EXPECT_NE(std::string(solid_disabled_reason(true, faces)).find("smooth rim"), std::string::npos);
 }
 
-TEST(KnownClosed, follows_the_faces_of_the_piece_that_is_asked_about) {
+TEST(KnownClosed, updates_with_the_faces_of_the_requested_piece) {
   World world = world_of(brick({1, 2, 3}));
   const BodyId open = world.add(make_body("plate", build(plate(1))));
   const BodyId box = world.ids().front();

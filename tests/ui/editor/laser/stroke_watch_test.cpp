@@ -10,9 +10,9 @@ namespace kerf {
 namespace {
 
 // A sheet of steel of 2 mm that a beam crosses while somebody watches.
-class Watched : public testing::Test {
+class StrokeWatchTest : public testing::Test {
  protected:
-  Watched() {
+  StrokeWatchTest() {
     World world;
     sheet_.thickness = 0.002;
     world.body(world.add(make_body("sheet", test::build(test::grid(4, 0.02))))).sheet = sheet_;
@@ -56,7 +56,7 @@ class Watched : public testing::Test {
   double last_speed_ = 0;
 };
 
-TEST_F(Watched, slow_stroke_gets_through_all_the_way) {
+TEST_F(StrokeWatchTest, slow_stroke_cuts_through_everywhere) {
   cross(0.6 * fastest());
   EXPECT_GT(open_, 40);
   EXPECT_EQ(shut_, 0);
@@ -65,7 +65,7 @@ TEST_F(Watched, slow_stroke_gets_through_all_the_way) {
   EXPECT_EQ(watch_.last(document_)->share, 1);
 }
 
-TEST_F(Watched, fast_stroke_does_not_and_is_remembered_with_its_speed_until_it_is_undone) {
+TEST_F(StrokeWatchTest, fast_stroke_does_not_cut_through_and_is_kept_until_undo) {
   cross(2.5 * fastest());
   EXPECT_EQ(open_, 0);
   EXPECT_GT(shut_, 40);

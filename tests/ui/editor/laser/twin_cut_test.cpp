@@ -36,7 +36,7 @@ class TwinCutTest : public testing::Test {
       fine{.edge_fraction = 0.25, .rim = Rim::kFaces};
 };
 
-TEST_F(TwinCutTest, the_same_resolution_gives_the_same_world_and_a_coarser_one_fewer_faces) {
+TEST_F(TwinCutTest, the_same_resolution_gives_the_same_world_and_a_coarser_one_differs) {
   draw_stroke(0);
   EXPECT_TRUE(twin.follow(first, fine));
   cut_twin();
@@ -46,7 +46,7 @@ TEST_F(TwinCutTest, the_same_resolution_gives_the_same_world_and_a_coarser_one_f
   EXPECT_LT(twin.world().live_faces(), first.world().live_faces());
 }
 
-TEST_F(TwinCutTest, goes_on_with_a_stroke_that_goes_on) {
+TEST_F(TwinCutTest, follows_a_continuing_stroke) {
   EXPECT_TRUE(twin.follow(first, fine));
   EXPECT_EQ(twin.waiting(), 0u);
   first.apply(BeginStroke{settings(0.025), {{-0.3, 0, 5}, {0, 0, -1}}});
@@ -59,7 +59,7 @@ TEST_F(TwinCutTest, goes_on_with_a_stroke_that_goes_on) {
   EXPECT_FALSE(twin.follow(first, fine));
 }
 
-TEST_F(TwinCutTest, only_the_last_stroke_is_another) {
+TEST_F(TwinCutTest, differs_only_in_the_last_stroke) {
   draw_stroke(0.4);
   draw_stroke(-0.4);
   twin.follow(first, fine);
@@ -67,7 +67,7 @@ TEST_F(TwinCutTest, only_the_last_stroke_is_another) {
   EXPECT_EQ(state_hash(twin.world()), state_hash(first.world()));
 }
 
-TEST_F(TwinCutTest, begins_anew_for_another_document) {
+TEST_F(TwinCutTest, restarts_for_another_document) {
   draw_stroke(0);
   twin.follow(first, coarse);
   twin.forget();

@@ -30,7 +30,7 @@ class WaitingStrokesTest : public testing::Test {
   WaitingStrokes waiting;
 };
 
-TEST_F(WaitingStrokesTest, behind_the_one_that_is_cut_are_shown_once_that_lasts) {
+TEST_F(WaitingStrokesTest, behind_a_long_cut_are_shown_after_a_delay) {
   draw(0.01);
   EXPECT_FALSE(follow(1));
   draw(0.3);
@@ -47,7 +47,7 @@ TEST_F(WaitingStrokesTest, behind_the_one_that_is_cut_are_shown_once_that_lasts)
   EXPECT_TRUE(waiting.strokes().empty());
 }
 
-TEST_F(WaitingStrokesTest, of_single_steps_are_shown_at_once_until_a_part_is_cut) {
+TEST_F(WaitingStrokesTest, of_step_mode_are_shown_immediately_until_a_stage_is_cut) {
   draw(0.01);
   EXPECT_TRUE(follow(0.01, true));
   ASSERT_EQ(waiting.strokes().size(), 1u);

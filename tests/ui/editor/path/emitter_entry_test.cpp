@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-TEST(EmitterEntry, brings_the_emitter_back_switched_off) {
+TEST(EmitterEntry, restores_the_emitter_switched_off) {
   Emitter emitter;
   emitter.place({1, 2, 3}, {0.1, 0, -0.2});
   emitter.in_shots = true;
@@ -21,7 +21,7 @@ TEST(EmitterEntry, brings_the_emitter_back_switched_off) {
   EXPECT_FALSE(read.firing);
 }
 
-TEST(EmitterEntry, is_none_without_an_emitter_and_none_stands_where_it_cannot_be_read) {
+TEST(EmitterEntry, is_null_without_an_emitter_and_ignored_if_invalid) {
   EXPECT_TRUE(emitter_entry(Emitter()).is_null());
   EXPECT_FALSE(emitter_of_entry(nullptr).placed());
   EXPECT_FALSE(emitter_of_entry({{"at", {0, 0, 0}}, {"target", {0, 0, 0}}}).placed());

@@ -27,7 +27,7 @@ std::vector<double> every(double seconds, double from, double until) {
   return times;
 }
 
-TEST(FirePace, fires_so_many_shots_a_second_whatever_the_frames_take) {
+TEST(FirePace, fires_a_fixed_number_of_shots_per_second_at_any_frame_rate) {
   for (const double per_second : {0.5, 3.0, 10.0}) {
     for (const double frame : {1.0 / 60, 1.0 / 37, 0.09}) {
       FirePace pace;
@@ -38,7 +38,7 @@ TEST(FirePace, fires_so_many_shots_a_second_whatever_the_frames_take) {
   }
 }
 
-TEST(FirePace, keeps_to_its_beat_where_frames_are_irregular) {
+TEST(FirePace, keeps_its_rhythm_with_irregular_frames) {
   Random random(5);
   FirePace pace;
   pace.set(4);
@@ -53,13 +53,13 @@ TEST(FirePace, keeps_to_its_beat_where_frames_are_irregular) {
   }
 }
 
-TEST(FirePace, leaves_out_shots_that_a_long_frame_missed) {
+TEST(FirePace, skips_shots_missed_by_a_long_frame) {
   FirePace pace;
   pace.set(10);
   EXPECT_EQ(shots(pace, {0, 5.05, 5.06, 5.08, 5.11, 5.15}), (std::vector<double>{0, 5.05, 5.11}));
 }
 
-TEST(FirePace, fires_at_once_when_it_begins_and_when_it_is_made_faster) {
+TEST(FirePace, fires_immediately_at_the_start_and_after_a_rate_increase) {
   FirePace pace;
   pace.set(0.1);
   EXPECT_EQ(shots(pace, {1, 2}), std::vector<double>{1});

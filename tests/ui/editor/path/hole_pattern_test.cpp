@@ -25,20 +25,20 @@ Drilled drill(const HolePattern& pattern, double radius) {
   return {document.world().live_pieces(), document.history().totals().removed_area};
 }
 
-TEST(HolePattern, a_disc_comes_off_a_plate_for_every_hole_of_a_grid) {
+TEST(HolePattern, every_hole_of_a_grid_cuts_a_disc_off_a_plate) {
   HolePattern grid;
   grid.rows = 2, grid.columns = 3, grid.spacing = 0.2, grid.hole_radius = 0.06;
   EXPECT_EQ(drill(grid, 0.01).pieces, 1 + 6u);
 }
 
-TEST(HolePattern, a_disc_comes_off_a_plate_for_every_hole_of_a_circle) {
+TEST(HolePattern, every_hole_of_a_circle_cuts_a_disc_off_a_plate) {
   HolePattern circle;
   circle.kind = HolePattern::Kind::kCircle;
   circle.count = 5, circle.circle_radius = 0.3, circle.hole_radius = 0.05;
   EXPECT_EQ(drill(circle, 0.01).pieces, 1 + 5u);
 }
 
-TEST(HolePattern, a_hole_no_wider_than_the_beam_is_one_burst_as_wide_as_the_hole) {
+TEST(HolePattern, a_hole_no_wider_than_the_beam_is_a_single_burst) {
   HolePattern grid;
   grid.rows = 2, grid.columns = 2, grid.spacing = 0.3, grid.hole_radius = 0.02;
   const std::vector<StrokePath> strokes = hole_strokes(grid, kDown, 0.05);
@@ -52,7 +52,7 @@ TEST(HolePattern, a_hole_no_wider_than_the_beam_is_one_burst_as_wide_as_the_hole
   EXPECT_NEAR(drilled.removed, 4 * 3.14159 * 0.02 * 0.02, 0.002);
 }
 
-TEST(HolePattern, strokes_are_closed_and_the_pattern_lies_across_the_beam_around_its_middle) {
+TEST(HolePattern, strokes_are_closed_and_centred_across_the_beam) {
   for (const Vec3& towards : {Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(0, 0, 2), Vec3(1, 2, -3)}) {
     HolePattern grid;
     const Pose beam{{1, 2, 3}, beam_direction(towards)};

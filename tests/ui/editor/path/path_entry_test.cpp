@@ -17,7 +17,7 @@ PathWork drawn_path() {
   return path;
 }
 
-TEST(PathEntry, brings_the_path_back_to_the_bit_with_what_its_points_aim_at_and_without_an_undo) {
+TEST(PathEntry, restores_the_path_exactly_with_targets_and_without_undo) {
   const PathWork path = drawn_path();
   const nlohmann::json entry = nlohmann::json::parse(path_entry(path).dump());
   const PathWork read = path_of_entry(entry, World());
@@ -35,7 +35,7 @@ TEST(PathEntry, brings_the_path_back_to_the_bit_with_what_its_points_aim_at_and_
   EXPECT_FALSE(read.can_undo());
 }
 
-TEST(PathEntry, is_none_for_an_empty_path_and_an_empty_path_where_it_cannot_be_read) {
+TEST(PathEntry, is_null_for_an_empty_path_and_reads_as_empty_if_invalid) {
   EXPECT_TRUE(path_entry(PathWork()).is_null());
   EXPECT_TRUE(path_of_entry(nullptr, World()).empty());
   EXPECT_TRUE(path_of_entry({{"strokes", "none"}}, World()).empty());
@@ -44,7 +44,7 @@ TEST(PathEntry, is_none_for_an_empty_path_and_an_empty_path_where_it_cannot_be_r
   EXPECT_TRUE(path_of_entry(damaged, World()).empty());
 }
 
-TEST(PathEntry, without_sound_distances_has_points_that_aim_at_the_world) {
+TEST(PathEntry, points_without_valid_distances_aim_at_the_world) {
   nlohmann::json damaged = path_entry(drawn_path());
   damaged["distances"][1] = {-1};
   const PathWork read = path_of_entry(damaged, World());

@@ -34,7 +34,7 @@ class PathToolTest : public testing::Test {
   PathTool tool;
 };
 
-TEST_F(PathToolTest, a_click_adds_a_point_whose_beam_stands_upright_on_the_surface) {
+TEST_F(PathToolTest, a_click_adds_a_point_with_the_beam_normal_to_the_surface) {
   EXPECT_EQ(press(middle() + Vec2(60, -40)), "");
   tool.release();
   ASSERT_EQ(path.points(), 1u);
@@ -45,13 +45,13 @@ TEST_F(PathToolTest, a_click_adds_a_point_whose_beam_stands_upright_on_the_surfa
   EXPECT_EQ(path.strokes().front().radius, 0.02);
 }
 
-TEST_F(PathToolTest, a_click_beside_everything_says_so_and_adds_nothing) {
+TEST_F(PathToolTest, a_click_on_empty_space_reports_it_and_adds_nothing) {
   EXPECT_NE(press(view.layout.first.at + Vec2(3, 3)), "");
   EXPECT_TRUE(path.empty());
   EXPECT_FALSE(path.can_undo());
 }
 
-TEST_F(PathToolTest, a_dragged_point_follows_over_the_surface_and_keeps_its_angle_in_one_step_of_undo) {
+TEST_F(PathToolTest, dragging_a_point_along_the_surface_keeps_its_angle_in_one_undo) {
   press(middle());
   tool.release();
   const Vec3 before = path.target({0, 0});
@@ -64,7 +64,7 @@ TEST_F(PathToolTest, a_dragged_point_follows_over_the_surface_and_keeps_its_angl
   EXPECT_EQ(path.target({0, 0}), before);
 }
 
-TEST_F(PathToolTest, a_click_on_a_point_chooses_it_without_an_edit) {
+TEST_F(PathToolTest, a_click_on_a_point_selects_it_without_an_edit) {
   press(middle());
   press(middle() + Vec2(80, 0));
   tool.release();
@@ -76,7 +76,7 @@ TEST_F(PathToolTest, a_click_on_a_point_chooses_it_without_an_edit) {
   EXPECT_EQ(path.changes(), changes);
 }
 
-TEST_F(PathToolTest, the_knob_turns_the_beam_about_the_place_that_it_aims_at) {
+TEST_F(PathToolTest, the_knob_rotates_the_beam_about_its_target) {
   press(middle() + Vec2(120, 0));
   tool.release();
   const Vec3 target = path.target({0, 0}), direction = path.pose({0, 0}).direction;
@@ -114,7 +114,7 @@ TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims
   EXPECT_EQ(emitter.target(), Vec3(0.5, 0.5, 0.5));
 }
 
-TEST(Emitter, never_stands_where_it_aims) {
+TEST(Emitter, never_coincides_with_its_target) {
   Emitter emitter;
   emitter.place({0, 1, 0}, {0, 0, 0});
   emitter.move_to({0, 0, 0});

@@ -19,7 +19,7 @@ PathWork two_strokes() {
   return path;
 }
 
-TEST(PathWork, points_come_after_the_chosen_one_or_begin_another_stroke) {
+TEST(PathWork, points_follow_the_selected_one_or_begin_a_new_stroke) {
   PathWork path = two_strokes();
   ASSERT_EQ(path.strokes().size(), 2u);
   path.select(PathPoint{0, 0});
@@ -31,7 +31,7 @@ TEST(PathWork, points_come_after_the_chosen_one_or_begin_another_stroke) {
   EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 0.25, 0.5}));
 }
 
-TEST(PathWork, a_point_that_is_moved_is_reached_at_the_speed_of_the_path) {
+TEST(PathWork, a_moved_point_is_reached_at_the_path_speed) {
   PathWork path = two_strokes();
   path.begin_edit();
   path.set({0, 1}, {{3, 1, 0}, kDownwards}, 1);
@@ -39,7 +39,7 @@ TEST(PathWork, a_point_that_is_moved_is_reached_at_the_speed_of_the_path) {
   EXPECT_EQ(path.strokes()[1].times, (std::vector<double>{0, 0.5}));
 }
 
-TEST(PathWork, an_edit_after_an_undo_leaves_nothing_to_redo) {
+TEST(PathWork, an_edit_after_undo_clears_the_redo_history) {
   PathWork path = two_strokes();
   path.undo();
   path.begin_edit();
@@ -47,7 +47,7 @@ TEST(PathWork, an_edit_after_an_undo_leaves_nothing_to_redo) {
   EXPECT_FALSE(path.can_redo());
 }
 
-TEST(PathWork, the_last_point_of_a_stroke_takes_the_stroke_with_it) {
+TEST(PathWork, deleting_the_last_point_deletes_the_stroke) {
   PathWork path = two_strokes();
   path.begin_edit();
   path.remove({1, 0});
@@ -60,7 +60,7 @@ TEST(PathWork, the_last_point_of_a_stroke_takes_the_stroke_with_it) {
   EXPECT_FALSE(path.selected().has_value());
 }
 
-TEST(PathWork, undo_and_redo_go_through_all_edits) {
+TEST(PathWork, undo_and_redo_cover_all_edits) {
   PathWork path = two_strokes();
   path.begin_edit();
   path.clear();
@@ -74,7 +74,7 @@ TEST(PathWork, undo_and_redo_go_through_all_edits) {
   EXPECT_TRUE(path.empty());
 }
 
-TEST(PathWork, a_run_comes_before_the_edits_in_the_order_of_undo_until_it_is_undone_or_the_path_edited) {
+TEST(PathWork, a_run_is_undone_before_older_edits) {
   PathWork path = two_strokes();
   EXPECT_TRUE(path.is_newer_than(7));
   path.record_run(3);
@@ -84,7 +84,7 @@ TEST(PathWork, a_run_comes_before_the_edits_in_the_order_of_undo_until_it_is_und
   EXPECT_TRUE(path.is_newer_than(5));
 }
 
-TEST(PathWork, points_of_a_file_lie_on_the_surface_and_keep_their_times_until_a_speed_is_set) {
+TEST(PathWork, points_of_a_file_lie_on_the_surface_and_keep_their_times) {
   World world;
   world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
   StrokePath stroke;

@@ -35,14 +35,14 @@ Names names(const std::vector<PieceFile>& files) {
   return all;
 }
 
-TEST(ExportPieces, makes_names_that_every_file_system_takes) {
+TEST(ExportPieces, creates_names_valid_on_every_file_system) {
   EXPECT_EQ(file_name_of("car 9"), "car-9");
   EXPECT_EQ(file_name_of("../a\\b:c*d\"<e>|\n"), "-.-a-b-c-d--e---");
   EXPECT_EQ(file_name_of(""), "piece");
   EXPECT_EQ(file_name_of("T\xc3\xbcr"), "T\xc3\xbcr");
 }
 
-TEST(ExportPieces, names_files_after_their_pieces_and_no_two_alike) {
+TEST(ExportPieces, gives_files_unique_names_from_their_pieces) {
   const World world = world_of({"car", "door left", "car"});
   EXPECT_EQ(names(files_to_export(world, all_selected(world), "/x/*.ply")),
             (Names{"/x/car.ply", "/x/door-left.ply", "/x/car-2.ply"}));
@@ -57,7 +57,7 @@ TEST(ExportPieces, names_files_after_their_pieces_and_no_two_alike) {
   EXPECT_TRUE(files_to_export(world, {}, "/x/*.off").empty());
 }
 
-TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an_obj_file) {
+TEST(ExportPieces, writes_the_mtl_materials_of_a_piece_next_to_an_obj_file) {
   const test::TemporaryFolder folder;
   const World world = world_of({"car"});
   const std::map<std::string, Paint> paints = {{"paint", {{1, 0, 0.5}, 1}}, {"tyre", {{0, 0, 0}, 0}}};
@@ -78,7 +78,7 @@ TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an
   EXPECT_TRUE(std::filesystem::exists(folder / "car.stl"));
 }
 
-TEST(ExportPieces, notes_what_single_precision_loses_far_from_the_origin) {
+TEST(ExportPieces, reports_single_precision_loss_far_from_the_origin) {
   const test::TemporaryFolder folder;
   World world;
   world.add(make_body("far", test::build(test::moved(test::grid(2, 0.7), {4.5e5, 0, 5.4e6}, 1))));
@@ -91,7 +91,7 @@ TEST(ExportPieces, notes_what_single_precision_loses_far_from_the_origin) {
   EXPECT_NE(written->note->find("single precision"), std::string::npos) << *written->note;
 }
 
-TEST(ExportPieces, refuses_other_endings_and_an_empty_choice) {
+TEST(ExportPieces, rejects_unknown_extensions_and_an_empty_selection) {
   const test::TemporaryFolder folder;
   const World world = world_of({"car"});
   EXPECT_FALSE(export_selected(world, all_selected(world), {}, folder / "car.txt").ok());

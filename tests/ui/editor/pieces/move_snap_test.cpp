@@ -23,7 +23,7 @@ class VertexNear : public testing::Test {
   const PieceId nothing{{7, 0}, 0};
 };
 
-TEST_F(VertexNear, is_found_beside_the_pointer_and_not_in_the_middle_of_a_face) {
+TEST_F(VertexNear, is_found_near_the_pointer_and_not_inside_a_face) {
   const Vec3 vertex = world.body(world.ids()[0]).mesh.triangle(FaceId(0))[0];
   const Vec3 inside = vertex * 0.99;
   const auto near = vertex_near(world, view, place_of(inside), nothing);
@@ -33,12 +33,12 @@ TEST_F(VertexNear, is_found_beside_the_pointer_and_not_in_the_middle_of_a_face) 
   EXPECT_FALSE(vertex_near(world, view, place_of((t[0] + t[1] + t[2]) / 3.0), nothing).has_value());
 }
 
-TEST_F(VertexNear, is_none_of_the_piece_that_is_moved) {
+TEST_F(VertexNear, excludes_the_moved_piece) {
   const Vec3 inside = world.body(world.ids()[0]).mesh.triangle(FaceId(0))[0] * 0.99;
   EXPECT_FALSE(vertex_near(world, view, place_of(inside), {world.ids()[0], 0}).has_value());
 }
 
-TEST(SnapStep, is_a_round_length_of_the_unit) {
+TEST(SnapStep, is_a_round_length_in_the_unit) {
   EXPECT_EQ(snap_step(FileUnit::kMetre), 0.01);
   EXPECT_EQ(snap_step(FileUnit::kCentimetre), 1);
   EXPECT_EQ(snap_step(FileUnit::kMillimetre), 1);

@@ -29,7 +29,7 @@ void type(PieceMove& move, const std::string& keys) {
         << c;  // GLFW's keys of these are their characters
 }
 
-TEST(PieceMove, typed_metres_go_along_the_axis_that_was_chosen) {
+TEST(PieceMove, typed_metres_move_along_the_selected_axis) {
   PieceMove move = begin(Kind::kMove);
   type(move, "Y0.25");
   EXPECT_EQ(move.placement().position, Vec3(0, 0.25, 0));
@@ -45,7 +45,7 @@ TEST(PieceMove, typed_metres_go_along_the_axis_that_was_chosen) {
   EXPECT_FALSE(move.key(GLFW_KEY_Q));
 }
 
-TEST(PieceMove, snaps_to_whole_steps_or_takes_the_pivot_to_a_vertex_and_leaves_typed_amounts_exact) {
+TEST(PieceMove, snaps_to_steps_or_vertices_and_keeps_typed_amounts_exact) {
   PieceMove move = begin(Kind::kMove, {0.3, 0, 0});
   move.point(from_the_front(), {0.31, 0.13});
   const Vec3 free = move.look().offset;
@@ -62,7 +62,7 @@ TEST(PieceMove, snaps_to_whole_steps_or_takes_the_pivot_to_a_vertex_and_leaves_t
   EXPECT_EQ(move.look().offset, Vec3(0, 0.1, 0));
 }
 
-TEST(PieceMove, snaps_a_turn_to_five_degrees) {
+TEST(PieceMove, snaps_rotation_to_five_degrees) {
   PieceMove turn(Kind::kTurn, {}, {}, Vec3(0), from_the_front(), {0.5, 0});
   turn.constrain(Axis::kZ);
   turn.point(from_the_front(), {0.5, 0.1});
@@ -72,7 +72,7 @@ TEST(PieceMove, snaps_a_turn_to_five_degrees) {
   EXPECT_NEAR(degrees, 5 * std::round(degrees / 5), 1e-9);
 }
 
-TEST(PieceMove, typed_degrees_turn_about_the_axis_and_leave_the_pivot_where_it_is) {
+TEST(PieceMove, typed_degrees_rotate_about_the_axis_and_keep_the_pivot) {
   const Vec3 pivot(1, 2, 3);
   PieceMove move = begin(Kind::kTurn, pivot, {{5, 0, 0}, {1, 0, 0, 0}});
   type(move, "Z90");
@@ -83,7 +83,7 @@ TEST(PieceMove, typed_degrees_turn_about_the_axis_and_leave_the_pivot_where_it_i
   EXPECT_NEAR(glm::length(to.orientation), 1, 1e-15);
 }
 
-TEST(PieceMove, what_the_picture_shows_is_where_the_piece_comes_to_stand) {
+TEST(PieceMove, the_preview_shows_the_final_placement) {
   Random random(5);
   const auto vector = [&] {
     return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
@@ -101,7 +101,7 @@ TEST(PieceMove, what_the_picture_shows_is_where_the_piece_comes_to_stand) {
   }
 }
 
-TEST(PieceMove, the_pivot_follows_the_pointer_in_the_plane_of_the_picture_and_along_an_axis) {
+TEST(PieceMove, the_pivot_follows_the_pointer_in_the_view_plane_or_along_an_axis) {
   const CameraView view = from_the_front();
   PieceMove move = begin(Kind::kMove);
   move.point(view, {0.4, -0.3});
@@ -117,7 +117,7 @@ TEST(PieceMove, the_pivot_follows_the_pointer_in_the_plane_of_the_picture_and_al
   EXPECT_EQ(move.placement().position, Vec3(0));
 }
 
-TEST(PieceMove, stays_where_it_is_while_the_view_changes_and_follows_the_pointer_from_there) {
+TEST(PieceMove, stays_in_place_during_a_view_change_then_follows_the_pointer) {
   const CameraView front = from_the_front(), aside = look_at({4, 1, 3}, {0, 0, 0}, 1.5);
   PieceMove move = begin(Kind::kMove);
   move.point(front, {0.4, -0.3});
@@ -136,7 +136,7 @@ TEST(PieceMove, stays_where_it_is_while_the_view_changes_and_follows_the_pointer
   EXPECT_EQ(turn.words("m"), words);
 }
 
-TEST(PieceMove, a_turn_follows_the_pointer_round_the_pivot_and_counts_whole_turns) {
+TEST(PieceMove, rotation_follows_the_pointer_around_the_pivot_with_full_turns) {
   const CameraView view = from_the_front();
   PieceMove move(Kind::kTurn, {}, {}, Vec3(0), view, {0.5, 0});
   for (int i = 1; i <= 40; ++i) {  // one and a quarter turns, counterclockwise
@@ -182,7 +182,7 @@ struct Bench {
   std::unique_ptr<Feature> feature = transform_feature(workspace);
 };
 
-TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
+TEST(Moving, previews_the_motion_and_requests_one_change_at_the_end) {
   Bench b;
   b.run("pieces.move");
   b.keys("Y2");
@@ -194,7 +194,7 @@ TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
   EXPECT_FALSE(b.key(GLFW_KEY_X));
 }
 
-TEST(Moving, ends_with_the_command_that_moves_the_piece) {
+TEST(Moving, ends_with_a_move_command) {
   Bench b;
   Moving moving(b.workspace.view);
   moving.begin(b.workspace.world(), Kind::kMove, b.workspace.input.pointer);
@@ -204,7 +204,7 @@ TEST(Moving, ends_with_the_command_that_moves_the_piece) {
   EXPECT_EQ(std::get<MovePiece>(*command).to.position, Vec3(0, 2, 0));
 }
 
-TEST(Moving, asks_for_nothing_when_it_is_cancelled_or_goes_nowhere) {
+TEST(Moving, requests_nothing_when_cancelled_or_unmoved) {
   Bench b;
   b.run("pieces.rotate");
   b.keys("X90");
@@ -226,7 +226,7 @@ TEST(Moving, needs_exactly_one_selected_piece) {
   EXPECT_NE(move_disabled_reason(looks), nullptr);
 }
 
-TEST(PieceHandles, are_found_where_they_are_drawn_and_only_with_the_tool_that_picks) {
+TEST(PieceHandles, are_picked_where_drawn_and_only_with_the_selection_tool) {
   Bench b;
   const std::vector<PieceHandle> handles = b.handles();
   ASSERT_EQ(handles.size(), 6u);

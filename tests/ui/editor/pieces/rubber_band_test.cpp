@@ -26,14 +26,14 @@ size_t selected(const World& world, Vec2 from, Vec2 to, const ViewOptions& look 
 
 Vec2 seen(const Vec3& p) { return Vec2(kView.project(p)); }
 
-TEST(RubberBand, drawn_from_left_to_right_it_chooses_what_lies_wholly_in_it) {
+TEST(RubberBand, left_to_right_selects_enclosed_pieces) {
   const World world = three_spheres();
   EXPECT_EQ(selected(world, seen({-2.7, -0.7, 0}), seen({0.7, 0.7, 0})), 2u);
   EXPECT_EQ(selected(world, seen({-2.7, -0.7, 0}), seen({0.2, 0.7, 0})), 1u);
   EXPECT_EQ(selected(world, seen({-0.1, -0.1, 0}), seen({0.1, 0.1, 0})), 0u);
 }
 
-TEST(RubberBand, drawn_from_right_to_left_it_chooses_what_it_touches) {
+TEST(RubberBand, right_to_left_selects_touched_pieces) {
   const World world = three_spheres();
   EXPECT_EQ(selected(world, seen({0.2, 0.7, 0}), seen({-2.7, -0.7, 0})), 2u);
   // Within a face.
@@ -41,7 +41,7 @@ TEST(RubberBand, drawn_from_right_to_left_it_chooses_what_it_touches) {
   EXPECT_EQ(selected(world, seen({1.2, 0.7, 0}), seen({0.7, -0.7, 0})), 0u);
 }
 
-TEST(RubberBand, looks_at_pieces_where_they_are_drawn_and_not_at_hidden_ones) {
+TEST(RubberBand, tests_pieces_at_their_drawn_position_and_skips_hidden_ones) {
   const World world = three_spheres();
   const PieceId middle{world.ids()[1], 0};
   const Vec2 low = seen({-0.7, -0.7, 0}), high = seen({0.7, 0.7, 0});
@@ -54,7 +54,7 @@ TEST(RubberBand, looks_at_pieces_where_they_are_drawn_and_not_at_hidden_ones) {
 }
 
 // Against points of the face, which lie closer together than the margin.
-TEST(RubberBand, touches_a_triangle_exactly_where_they_have_a_point_in_common) {
+TEST(RubberBand, touches_a_triangle_only_if_they_share_a_point) {
   constexpr int kSamples = 200;
   constexpr double kMargin = 0.02;
   for (uint64_t seed = 1; seed <= 200; ++seed) {

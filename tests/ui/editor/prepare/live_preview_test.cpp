@@ -31,7 +31,7 @@ class LivePreviewTest : public testing::Test {
   LivePreview preview_;
 };
 
-TEST_F(LivePreviewTest, shows_what_was_wanted_last) {
+TEST_F(LivePreviewTest, shows_the_latest_request) {
   follow({.faces = 500});
   EXPECT_TRUE(preview_.busy());
   EXPECT_EQ(preview_.shown(), nullptr);
@@ -47,7 +47,7 @@ TEST_F(LivePreviewTest, shows_what_was_wanted_last) {
   EXPECT_NEAR(static_cast<double>(preview_.shown()->after.faces), 500, 2);
 }
 
-TEST_F(LivePreviewTest, stays_until_another_number_is_ready_but_not_for_another_piece) {
+TEST_F(LivePreviewTest, stays_until_the_next_result_but_not_for_another_piece) {
   settle({.faces = 500});
   const auto wire = preview_.shown()->wire;
   follow({.faces = 500});
@@ -63,7 +63,7 @@ TEST_F(LivePreviewTest, stays_until_another_number_is_ready_but_not_for_another_
   EXPECT_EQ(preview_.shown()->wire->parts.size(), 1u);
 }
 
-TEST_F(LivePreviewTest, is_made_anew_of_another_world_after_it_was_dropped) {
+TEST_F(LivePreviewTest, is_recomputed_for_another_world_after_being_discarded) {
   settle({.tool = Tool::kSubdivide});
   follow({.tool = Tool::kSubdivide, .times = 2});
   preview_.drop();

@@ -11,7 +11,7 @@ namespace {
 
 using Tool = Preparation::Tool;
 
-TEST(PreparePanel, tells_the_numbers_in_the_unit_of_the_file) {
+TEST(PreparePanel, shows_numbers_in_the_unit_of_the_file) {
   const std::vector<PieceRow> pieces{{.id = {}, .name = "bunny", .faces = 69'666}};
   EXPECT_EQ(forecast_text(pieces, {.faces = 7000}, FileUnit::kMetre), "69 666 faces become about 7 000.");
   EXPECT_EQ(
@@ -22,7 +22,7 @@ TEST(PreparePanel, tells_the_numbers_in_the_unit_of_the_file) {
   EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSmooth}, FileUnit::kMetre), "69 666 faces move.");
 }
 
-TEST(PreparePanel, says_what_it_is_for) {
+TEST(PreparePanel, names_the_pieces_it_applies_to) {
   World world;
   const BodyId id = world.add(make_body("ball", build(sphere(6, 8, 1))));
   PieceMap looks;
@@ -31,7 +31,7 @@ TEST(PreparePanel, says_what_it_is_for) {
   EXPECT_EQ(prepared_text(pieces_to_prepare(world, looks), looks), "ball");
 }
 
-TEST(PreparePanel, proposes_half_of_the_faces_and_a_thousandth_of_the_size) {
+TEST(PreparePanel, defaults_to_half_the_faces_and_a_thousandth_of_the_size) {
   World world;
   world.add(make_body("plate", build(grid(10, 1))));
   const Preparation p = with_numbers({}, pieces_to_prepare(world, {}), world);

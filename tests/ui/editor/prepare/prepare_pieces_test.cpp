@@ -20,7 +20,7 @@ World two_spheres() {
 
 size_t faces_of(const World& world, size_t body) { return world.body(world.ids()[body]).mesh.live_faces(); }
 
-TEST(PreparePieces, are_the_chosen_ones_or_all) {
+TEST(PreparePieces, are_the_selected_ones_or_all) {
   const World world = two_spheres();
   PieceMap looks;
   EXPECT_EQ(pieces_to_prepare(world, looks).size(), 2u);
@@ -30,7 +30,7 @@ TEST(PreparePieces, are_the_chosen_ones_or_all) {
   EXPECT_EQ(selected[0].id.body, world.ids()[1]);
 }
 
-TEST(PreparePieces, are_told_their_numbers_before_and_have_them_afterwards) {
+TEST(PreparePieces, face_counts_match_the_forecast) {
   const World world = two_spheres();
   const auto pieces = pieces_to_prepare(world, {});
   const size_t before = faces_of(world, 0) + faces_of(world, 1);
@@ -51,7 +51,7 @@ TEST(PreparePieces, are_told_their_numbers_before_and_have_them_afterwards) {
   EXPECT_FALSE(forecast(pieces, {.tool = Tool::kSimplifyToError, .error = 0.1}).after.has_value());
 }
 
-TEST(PreparePieces, share_the_number_of_faces_by_those_that_they_have) {
+TEST(PreparePieces, divide_the_face_count_in_proportion) {
   const World world = two_spheres();
   Document document(world);
   const Preparation half{.tool = Tool::kSimplifyToFaces, .faces = world.live_faces() / 2};
@@ -61,7 +61,7 @@ TEST(PreparePieces, share_the_number_of_faces_by_those_that_they_have) {
                 0.5 * static_cast<double>(faces_of(world, body)), 3);
 }
 
-TEST(PreparePieces, are_all_as_they_were_where_it_is_stopped) {
+TEST(PreparePieces, are_unchanged_when_cancelled) {
   const World world = two_spheres();
   const Preparation preparation{.tool = Tool::kSubdivide, .times = 2};
   const auto pieces = pieces_to_prepare(world, {});
@@ -86,7 +86,7 @@ TEST(PreparePieces, are_all_as_they_were_where_it_is_stopped) {
   }
 }
 
-TEST(PreparePieces, say_why_they_cannot) {
+TEST(PreparePieces, report_why_they_cannot_be_prepared) {
   const World world = two_spheres();
   const auto pieces = pieces_to_prepare(world, {});
   EXPECT_NE(prepare_disabled_reason({}, {}), nullptr);

@@ -24,7 +24,7 @@ World plate_and_ball() {
 // The sides of a closed surface: three for two faces.
 size_t sides_of_closed(size_t faces) { return faces * 3 / 2; }
 
-TEST(Preview, tells_the_faces_that_the_command_then_makes_and_leaves_the_world) {
+TEST(Preview, shows_the_resulting_faces_without_changing_the_world) {
   const World world = plate_and_ball();
   const uint64_t before = state_hash(world);
   std::vector<PieceRow> ball = pieces_to_prepare(world, {});
@@ -57,7 +57,7 @@ TEST(Preview, measures_the_angles_and_the_distance) {
 }
 
 // The distance is what was asked for, or less.
-TEST(Preview, of_a_simplification_to_an_error_stays_within_it) {
+TEST(Preview, simplification_to_an_error_stays_within_it) {
   World world;
   world.add(make_body("ball", build(sphere(40, 40, 1))));
   const auto ball = pieces_to_prepare(world, {});
@@ -68,7 +68,7 @@ TEST(Preview, of_a_simplification_to_an_error_stays_within_it) {
   EXPECT_LT(coarse->distance, 0.06);
 }
 
-TEST(Preview, can_be_stopped_and_says_where_there_is_none) {
+TEST(Preview, can_be_cancelled_and_reports_if_unavailable) {
   const World world = plate_and_ball();
   const auto pieces = pieces_to_prepare(world, {});
   const Progress stop{[](double) { return false; }};

@@ -13,7 +13,7 @@ ViewState some_view() {
   return view;
 }
 
-TEST(AxesGizmo, a_click_on_an_end_looks_from_there) {
+TEST(AxesGizmo, clicking_an_axis_end_views_from_there) {
   for (size_t i = 0; i < 6; ++i) {
     ViewState view = some_view();
     const AxisEnd end = axis_ends(view).at(i);
@@ -29,7 +29,7 @@ TEST(AxesGizmo, a_click_on_an_end_looks_from_there) {
   }
 }
 
-TEST(AxesGizmo, lies_in_the_picture_and_only_where_there_is_room) {
+TEST(AxesGizmo, lies_in_the_viewport_and_only_if_there_is_room) {
   ViewState view = some_view();
   for (const AxisEnd& end : axis_ends(view)) EXPECT_TRUE(view.layout.first.contains(end.at));
   EXPECT_FALSE(is_on_axes(view, view.layout.first.at + view.layout.first.size * 0.5));

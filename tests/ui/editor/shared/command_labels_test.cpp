@@ -24,7 +24,7 @@ TEST(CommandLabels, show_lengths_in_the_unit_of_the_document) {
             "Recut the stroke, edges of 500 \xc2\xb5m");
 }
 
-TEST(StageLabels, count_one_face_several_and_none) {
+TEST(StageLabels, use_singular_plural_and_none_for_face_counts) {
   StageRecord record;
   record.kind = StageRecord::Kind::kRemove;
   EXPECT_EQ(stage_label(record, FileUnit::kMetre), "Remove: no face was removed.");

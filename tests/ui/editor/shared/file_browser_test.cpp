@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(FileBrowser, lists_folders_and_what_can_be_opened) {
+TEST(FileBrowser, lists_folders_and_supported_files) {
   const fs::path folder = fs::path(testing::TempDir()) / "kerf-file-browser";
   fs::create_directories(folder / "Zoo");
   fs::create_directories(folder / ".hidden");

@@ -15,7 +15,7 @@ SceneDescription scene_of(const char* mesh) {
   return scene;
 }
 
-TEST(FileFrames, are_guessed_for_a_mesh_file_and_asked_about_once_a_kind) {
+TEST(FileFrames, are_guessed_for_a_mesh_file_and_confirmed_once_per_format) {
   Settings settings;
   const FrameChoice first = select_frame(scene_of("part.STL"), true, kPart, settings);
   EXPECT_EQ(first.frame, (FileFrame{FileUnit::kMillimetre, UpAxis::kZ}));
@@ -31,7 +31,7 @@ TEST(FileFrames, are_guessed_for_a_mesh_file_and_asked_about_once_a_kind) {
   EXPECT_TRUE(select_frame(scene_of("part.obj"), true, kPart, settings).ask);
 }
 
-TEST(FileFrames, of_scenes_are_metres_and_y_upwards_unless_they_were_saved_otherwise) {
+TEST(FileFrames, of_scenes_default_to_metres_and_y_up) {
   SceneDescription scene = scene_of("part.stl");
   const FrameChoice plain = select_frame(scene, false, kPart, {});
   EXPECT_TRUE(plain.frame.is_default());
@@ -42,7 +42,7 @@ TEST(FileFrames, of_scenes_are_metres_and_y_upwards_unless_they_were_saved_other
   EXPECT_TRUE(select_frame(scene, false, kPart, {}).frame.is_default());
 }
 
-TEST(FileFrames, turn_lights_and_camera_and_leave_no_trace_when_they_are_turned_back) {
+TEST(FileFrames, rotating_lights_and_camera_back_is_exact) {
   ViewState view;
   view.camera.look({1, 2, 8}, {0, 0, 0});
   view.camera.finish();
@@ -56,7 +56,7 @@ TEST(FileFrames, turn_lights_and_camera_and_leave_no_trace_when_they_are_turned_
   EXPECT_EQ(view.seen().eye, eye);
 }
 
-TEST(FileFrames, lengths_are_labelled_in_the_unit_of_the_file) {
+TEST(FileFrames, lengths_use_the_unit_of_the_file) {
   EXPECT_EQ(length_label(12, FileUnit::kMillimetre), "12 mm");
   EXPECT_EQ(length_label(0.5, FileUnit::kMillimetre), "500 \xc2\xb5m");
   EXPECT_EQ(length_label(150, FileUnit::kCentimetre), "1.5 m");

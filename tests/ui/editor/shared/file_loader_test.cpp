@@ -29,7 +29,7 @@ Result<LoadedFiles> wait_for(FileLoader& loader) {
   }
 }
 
-TEST(FileLoader, hands_over_what_it_read_once) {
+TEST(FileLoader, returns_each_result_once) {
   FileLoader loader;
   EXPECT_FALSE(loader.take());
   loader.start(files({"knot.obj", "bracket.obj"}));
@@ -44,7 +44,7 @@ TEST(FileLoader, hands_over_what_it_read_once) {
 }
 
 // So that they are seen soon: their shadows follow.
-TEST(FileLoader, leaves_the_shadows_of_large_meshes_for_later) {
+TEST(FileLoader, defers_the_shadows_of_large_meshes) {
   const TemporaryFolder folder;
   for (const auto& [rings, later] : {std::pair{20, false}, {330, true}}) {
     const Soup soup = sphere(rings, rings, 1);
@@ -61,7 +61,7 @@ TEST(FileLoader, leaves_the_shadows_of_large_meshes_for_later) {
   }
 }
 
-TEST(FileLoader, says_why_a_file_cannot_be_read) {
+TEST(FileLoader, reports_why_a_file_cannot_be_read) {
   FileLoader loader;
   loader.start(files({"no_such_file.obj"}));
   const Result<LoadedFiles> loaded = wait_for(loader);
@@ -69,7 +69,7 @@ TEST(FileLoader, says_why_a_file_cannot_be_read) {
   EXPECT_NE(loaded.error().message.find("no_such_file.obj"), std::string::npos);
 }
 
-TEST(FileLoader, a_file_that_cannot_be_read_keeps_no_other_out) {
+TEST(FileLoader, an_unreadable_file_does_not_block_others) {
   LoadRequest order = files({"no_such_file.obj", "knot.obj", "none.kerf", "bracket.obj"});
   const Result<LoadedFiles> loaded = load_files(order, nullptr);
   ASSERT_TRUE(loaded.ok());
@@ -81,7 +81,7 @@ TEST(FileLoader, a_file_that_cannot_be_read_keeps_no_other_out) {
   EXPECT_FALSE(load_files(files({"no_such_file.obj", "none.obj"}), nullptr).ok());
 }
 
-TEST(FileLoader, what_was_given_up_never_comes) {
+TEST(FileLoader, a_cancelled_file_is_never_returned) {
   FileLoader loader;
   loader.start(files({"knot.obj"}));
   loader.start(files({"bracket.obj"}));
@@ -97,7 +97,7 @@ TEST(FileLoader, what_was_given_up_never_comes) {
   }
 }
 
-TEST(LoadProgress, shows_what_is_cut_again_from_the_uncut_world_on) {
+TEST(LoadProgress, shows_the_replay_from_the_uncut_world) {
   const std::filesystem::path scene = checkout() / "assets/scenes/car-cut.json";
   const Result<Scene> uncut = read_scene(scene, nullptr);
   ASSERT_TRUE(uncut.ok());
@@ -117,7 +117,7 @@ TEST(LoadProgress, shows_what_is_cut_again_from_the_uncut_world_on) {
   EXPECT_FALSE(news.take());
 }
 
-TEST(LoadProgress, shows_no_world_in_which_nothing_is_cut_again_and_none_to_nobody) {
+TEST(LoadProgress, shows_no_world_without_a_replay_or_an_observer) {
   LoadProgress watched, alone;
   watched.watch();
   ASSERT_TRUE(load_files(files({"knot.obj"}), nullptr, &watched).ok());
@@ -127,7 +127,7 @@ TEST(LoadProgress, shows_no_world_in_which_nothing_is_cut_again_and_none_to_nobo
 }
 
 // A ragged mesh of several components.
-class LoadingARaggedMesh : public testing::Test {
+class LoadingRaggedMesh : public testing::Test {
  protected:
   void SetUp() override {
     Random random(1);
@@ -150,7 +150,7 @@ class LoadingARaggedMesh : public testing::Test {
   std::vector<double> told_;
 };
 
-TEST_F(LoadingARaggedMesh, tells_how_far_it_is_in_small_steps) {
+TEST_F(LoadingRaggedMesh, reports_progress_in_small_steps) {
   ASSERT_TRUE(load_until(0).ok());
   EXPECT_LT(told_.size(), 1000u);
   EXPECT_GE(told_.front(), 0);
@@ -161,7 +161,7 @@ TEST_F(LoadingARaggedMesh, tells_how_far_it_is_in_small_steps) {
   for (size_t i = 1; i < told_.size(); ++i) EXPECT_LT(told_[i] - told_[i - 1], 0.15) << told_[i];
 }
 
-TEST_F(LoadingARaggedMesh, stops_wherever_it_is_told_to) {
+TEST_F(LoadingRaggedMesh, can_be_cancelled_at_any_report) {
   ASSERT_TRUE(load_until(0).ok());
   const size_t reports = told_.size();
   for (size_t stop = 1; stop <= reports; ++stop) {

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(FrameStatistics, tells_nearest_ranks) {
+TEST(FrameStatistics, returns_nearest_rank_percentiles) {
   FrameStatistics frames;
   EXPECT_EQ(frames.percentile(0.5), 0);
   for (int i = 100; i >= 1; --i) frames.add(i);

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(LaserControls, leave_heat_beside_a_geometric_cut_unless_it_is_turned_off) {
+TEST(LaserControls, add_heat_to_a_geometric_cut_unless_disabled) {
   LaserControls laser;
   laser.radius = 0.006;
   EXPECT_DOUBLE_EQ(laser.settings(5).heat_width, 0.012);
@@ -19,7 +19,7 @@ TEST(LaserControls, leave_heat_beside_a_geometric_cut_unless_it_is_turned_off) {
   EXPECT_EQ(laser.settings(5).heat_width, 0);
 }
 
-TEST(LaserControls, of_the_thermal_model_have_a_power_and_leave_heat_by_it_alone) {
+TEST(LaserControls, thermal_model_has_power_and_always_deposits_heat) {
   LaserControls laser;
   laser.model = Model::kThermal;
   laser.power = 350;

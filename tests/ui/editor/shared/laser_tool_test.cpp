@@ -27,7 +27,7 @@ class LaserToolTest : public testing::Test {
   const CameraView view = look_at({0, 0, 5}, {0, 0, 0}, 1.5);
 };
 
-TEST_F(LaserToolTest, a_drag_over_a_sphere_cuts_where_the_pointer_goes) {
+TEST_F(LaserToolTest, a_drag_over_a_sphere_cuts_along_the_pointer) {
   tool.press(document, view, {-0.2, 0}, controls, 7);
   tool.move(document, view, {0.2, 0}, 2.0 / 700, 7.5);
   tool.release(document);
@@ -39,7 +39,7 @@ TEST_F(LaserToolTest, a_drag_over_a_sphere_cuts_where_the_pointer_goes) {
   EXPECT_NEAR(*first_hit(document.world(), view.ray(0, 0.3)), 4, 0.2);
 }
 
-TEST_F(LaserToolTest, a_click_beside_everything_leaves_no_step_and_one_whose_edge_touches_does) {
+TEST_F(LaserToolTest, a_click_off_the_body_adds_no_step_unless_the_beam_edge_touches) {
   const auto click = [&](Vec2 at) {
     tool.press(document, view, at, controls, 7);
     tool.release(document);
@@ -55,7 +55,7 @@ TEST_F(LaserToolTest, a_click_beside_everything_leaves_no_step_and_one_whose_edg
   EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
-TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose) {
+TEST_F(LaserToolTest, a_drag_that_begins_off_the_body_keeps_its_first_pose) {
   tool.press(document, view, {-0.9, 0}, controls, 7);
   EXPECT_TRUE(document.journal().empty());
   tool.move(document, view, {0, 0}, 2.0 / 700, 7.5);
@@ -66,7 +66,7 @@ TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose)
   EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
-TEST_F(LaserToolTest, a_drag_over_an_empty_world_has_a_beam_in_any_view_and_misses) {
+TEST_F(LaserToolTest, a_drag_over_an_empty_world_has_a_beam_and_misses) {
   document = Document(World());
   for (const CameraView& from : {view, view.pulled(CameraView::kFarAway)}) {
     tool.press(document, from, {-0.2, 0}, controls, 7);
@@ -79,7 +79,7 @@ TEST_F(LaserToolTest, a_drag_over_an_empty_world_has_a_beam_in_any_view_and_miss
   }
 }
 
-TEST_F(LaserToolTest, a_drag_that_meets_nothing_leaves_the_history_and_what_can_be_redone) {
+TEST_F(LaserToolTest, a_drag_that_misses_keeps_history_and_redo) {
   tool.press(document, view, {-0.2, 0}, controls, 7);
   EXPECT_FALSE(tool.release(document));
   step();
@@ -103,7 +103,7 @@ TEST_F(LaserToolTest, a_drag_that_crosses_a_body_between_two_events_cuts_it) {
   EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
-TEST_F(LaserToolTest, a_drag_beside_everything_is_a_stroke_while_bodies_may_move_into_it) {
+TEST_F(LaserToolTest, a_drag_off_the_body_is_a_stroke_while_bodies_may_move_into_it) {
   tool.press(document, view, {-0.9, 0.9}, controls, 7);
   tool.move(document, view, {0.9, 0.9}, 2.0 / 700, 7.5);
   EXPECT_TRUE(document.journal().empty());
@@ -114,7 +114,7 @@ TEST_F(LaserToolTest, a_drag_beside_everything_is_a_stroke_while_bodies_may_move
   EXPECT_EQ(document.journal().size(), 4u);
 }
 
-TEST_F(LaserToolTest, a_move_of_less_than_half_a_pixel_is_dropped) {
+TEST_F(LaserToolTest, a_move_below_half_a_pixel_is_dropped) {
   tool.press(document, view, {0, 0}, controls, 7);
   const size_t commands = document.journal().size();
   tool.move(document, view, {0.0005, 0}, 2.0 / 700, 7.5);
@@ -167,7 +167,7 @@ TEST_F(LaserToolTest, a_stroke_in_an_orthographic_view_cuts_under_the_pointer) {
   EXPECT_LT(beam->from.z, 10);
 }
 
-TEST_F(LaserToolTest, the_beam_is_drawn_where_the_cut_has_come_to) {
+TEST_F(LaserToolTest, the_beam_is_drawn_at_the_current_end_of_the_cut) {
   tool.press(document, view, {-0.3, 0}, controls, 7);
   step();
   tool.move(document, view, {0.3, 0}, 2.0 / 700, 7.5);
@@ -184,7 +184,7 @@ TEST_F(LaserToolTest, the_beam_is_drawn_where_the_cut_has_come_to) {
   EXPECT_LT(first_hit(document.world(), view.ray(seen + 0.1, 0)).value_or(1e9), 4.5);
 }
 
-TEST_F(LaserToolTest, the_beam_strikes_the_rim_of_what_it_burnt) {
+TEST_F(LaserToolTest, the_beam_ends_at_the_rim_of_the_hole_it_made) {
   tool.press(document, view, {0, 0}, controls, 7);
   step();
   tool.find_impact(document);

@@ -34,7 +34,7 @@ struct Waiting {
   }
 };
 
-TEST(ChangeThread, goes_on_beside_and_is_finished_where_it_is_asked_to) {
+TEST(ChangeThread, runs_in_the_background_and_finishes_on_request) {
   Document document;
   Waiting waiting;
   ChangeThread thread;
@@ -52,7 +52,7 @@ TEST(ChangeThread, goes_on_beside_and_is_finished_where_it_is_asked_to) {
   EXPECT_FALSE(waiting.stopped);
 }
 
-TEST(ChangeThread, stops_when_it_is_asked_to) {
+TEST(ChangeThread, can_be_cancelled) {
   Document document;
   Waiting waiting;
   ChangeThread thread;

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-struct Places : ::testing::Test {
+struct PanelPlacesTest : ::testing::Test {
   Settings settings;
   PanelPlaces places{settings};
 
@@ -17,7 +17,7 @@ struct Places : ::testing::Test {
   }
 };
 
-TEST_F(Places, only_panels_behind_the_front_tab_are_seen) {
+TEST_F(PanelPlacesTest, only_panels_of_the_front_tab_are_visible) {
   add_all();
   EXPECT_EQ(places.tab(), Tab::kCut);
   EXPECT_TRUE(places.shows("laser"));
@@ -28,13 +28,13 @@ TEST_F(Places, only_panels_behind_the_front_tab_are_seen) {
   EXPECT_FALSE(places.shows("laser"));
 }
 
-TEST_F(Places, the_first_tab_is_that_of_the_first_panel_that_is_unfolded) {
+TEST_F(PanelPlacesTest, the_initial_tab_is_that_of_the_first_unfolded_panel) {
   settings.panels = {{"laser", false}, {"light", true}};
   add_all();
   EXPECT_EQ(places.tab(), Tab::kView);
 }
 
-TEST_F(Places, a_panel_beside_the_column_is_seen_whatever_the_column_shows) {
+TEST_F(PanelPlacesTest, a_panel_outside_the_sidebar_is_visible_with_any_tab) {
   add_all();
   EXPECT_FALSE(places.has_any(Dock::kStrip)) << "folded at first";
   places.show("graph");
@@ -47,7 +47,7 @@ TEST_F(Places, a_panel_beside_the_column_is_seen_whatever_the_column_shows) {
   EXPECT_FALSE(places.shows("graph"));
 }
 
-TEST_F(Places, docking_shows_a_panel_in_its_new_place) {
+TEST_F(PanelPlacesTest, docking_reveals_a_panel_at_its_new_place) {
   add_all();
   settings.side_shown = false;
   places.dock("graph", Dock::kColumn);
@@ -59,7 +59,7 @@ TEST_F(Places, docking_shows_a_panel_in_its_new_place) {
   EXPECT_EQ(places.tab(), Tab::kView);
 }
 
-TEST_F(Places, the_settings_know_a_panel_better_than_its_feature) {
+TEST_F(PanelPlacesTest, settings_override_the_defaults_of_a_feature) {
   settings.panels = {{"laser", false}};
   settings.docks = {{"graph", Dock::kSecondColumn}};
   add_all();

@@ -86,7 +86,7 @@ TEST_F(CutStrips, a_new_piece_has_the_number_of_its_label) {
   EXPECT_TRUE(looks.empty());
 }
 
-TEST_F(CutStrips, numbers_stay_with_their_places_through_recuts_undo_and_redo) {
+TEST_F(CutStrips, numbers_keep_their_positions_through_recuts_undo_and_redo) {
   cut({-0.4, -0.2, 0.4});
   const auto before = places();
   ASSERT_EQ(before.size(), 3u);
@@ -108,7 +108,7 @@ TEST_F(CutStrips, numbers_stay_with_their_places_through_recuts_undo_and_redo) {
 }
 
 // Parts that come off in another order have other labels, as after a recut.
-TEST_F(CutStrips, numbers_stay_with_their_places_where_labels_are_exchanged) {
+TEST_F(CutStrips, numbers_keep_their_positions_when_labels_are_swapped) {
   cut({-0.4, -0.2, 0.4});
   const auto before = places();
   World world;

@@ -14,7 +14,7 @@ namespace {
 
 PieceId key(uint32_t label) { return {BodyId{0, 0}, label}; }
 
-TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
+TEST(PieceSet, a_click_selects_one_and_shift_adds) {
   PieceMap looks;
   select_piece(looks, key(1), false);
   select_piece(looks, key(2), false);
@@ -47,7 +47,7 @@ class CutSphere : public testing::Test {
   PieceMap looks;
 };
 
-TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
+TEST_F(CutSphere, display_settings_follow_a_piece_hidden_and_shown_again) {
   const PieceId half = list_pieces(document.world())[1].id;
   select_piece(looks, half, false);
   const Outcome hid = document.apply(HidePiece{half, true});
@@ -63,7 +63,7 @@ TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
   EXPECT_TRUE(looks.empty());
 }
 
-TEST_F(CutSphere, a_piece_stays_chosen_when_it_is_detached_and_put_back) {
+TEST_F(CutSphere, a_piece_stays_selected_when_detached_and_reattached) {
   for (const PieceRow& row : list_pieces(document.world())) {
     select_piece(looks, row.id, false);
     const Outcome moved = document.apply(MovePiece{row.id, {{1, 2, 3}, {1, 0, 0, 0}}});
@@ -78,7 +78,7 @@ TEST_F(CutSphere, a_piece_stays_chosen_when_it_is_detached_and_put_back) {
   }
 }
 
-TEST_F(CutSphere, spreads_its_halves_apart) {
+TEST_F(CutSphere, explodes_its_halves) {
   const World& world = document.world();
   const std::vector<PieceRow> rows = list_pieces(world);
   ASSERT_EQ(rows.size(), 2u);
@@ -93,7 +93,7 @@ TEST_F(CutSphere, spreads_its_halves_apart) {
   EXPECT_TRUE(look.pieces.empty() && look.groups.empty());
 }
 
-TEST(PieceSet, parts_that_turn_on_joints_are_listed_behind_pieces_by_their_names_in_the_mesh_file) {
+TEST(PieceSet, articulated_parts_are_listed_after_pieces_by_mesh_name) {
   auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   Document document(std::move(scene->world));
@@ -119,7 +119,7 @@ TEST(PieceSet, parts_that_turn_on_joints_are_listed_behind_pieces_by_their_names
                                           "wheel_rear_right", "steering_wheel"}));
 }
 
-TEST(PieceSet, specks_are_set_apart_and_one_alone_stays_in_the_list) {
+TEST(PieceSet, specks_are_grouped_but_a_single_one_stays_in_the_list) {
   const auto row = [](uint32_t label, size_t faces) {
     return PieceRow{{{0, 0}, label}, label, "piece " + std::to_string(label), faces, 1};
   };

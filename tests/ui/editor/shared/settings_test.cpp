@@ -28,7 +28,7 @@ class SettingsTest : public testing::Test {
   const fs::path file = folder / "settings.json";
 };
 
-TEST_F(SettingsTest, come_back_as_they_were_written) {
+TEST_F(SettingsTest, round_trip) {
   Settings settings;
   settings.theme = Theme::kLight;
   settings.ui_scale = 1.5;
@@ -55,13 +55,13 @@ TEST_F(SettingsTest, come_back_as_they_were_written) {
   EXPECT_EQ(loaded.settings, settings);
 }
 
-TEST_F(SettingsTest, none_are_the_defaults) {
+TEST_F(SettingsTest, default_without_a_file) {
   const LoadedSettings loaded = read_settings(folder / "none.json");
   EXPECT_EQ(loaded.fault, "");
   EXPECT_EQ(loaded.settings, Settings());
 }
 
-TEST_F(SettingsTest, keys_of_a_later_version_are_kept) {
+TEST_F(SettingsTest, unknown_keys_are_preserved) {
   put(R"({"version": 1, "theme": "light", "night_mode": {"deep": [1, 2]}})");
   LoadedSettings loaded = read_settings(file);
   EXPECT_EQ(loaded.settings.theme, Theme::kLight);
@@ -70,7 +70,7 @@ TEST_F(SettingsTest, keys_of_a_later_version_are_kept) {
   EXPECT_EQ(nlohmann::json::parse(text())["night_mode"], nlohmann::json::parse(R"({"deep": [1, 2]})"));
 }
 
-TEST_F(SettingsTest, labels_of_version_1_become_ids_once) {
+TEST_F(SettingsTest, labels_of_version_1_are_converted_to_ids_once) {
   put(R"({"version": 1, "tab": "look",
           "bindings": {"Undo": "Ctrl+U", "Shadows: none, ground, all": "", "Tab: Move": "Q", "Not one": "R"},
           "panels": {"Scalar map": true, "Laser": false}, "docks": {"Graph": "window"},
@@ -88,7 +88,7 @@ TEST_F(SettingsTest, labels_of_version_1_become_ids_once) {
   EXPECT_EQ(read_settings(file).settings, settings);
 }
 
-TEST_F(SettingsTest, a_broken_file_is_set_aside_and_said) {
+TEST_F(SettingsTest, a_broken_file_is_set_aside_and_reported) {
   put("{\"theme\": ");
   const LoadedSettings loaded = read_settings(file);
   EXPECT_EQ(loaded.settings, Settings());
@@ -97,7 +97,7 @@ TEST_F(SettingsTest, a_broken_file_is_set_aside_and_said) {
   EXPECT_FALSE(fs::exists(file));
 }
 
-TEST_F(SettingsTest, values_without_sense_are_the_defaults) {
+TEST_F(SettingsTest, invalid_values_become_defaults) {
   put(R"({"ui_scale": 900, "side_width": "wide", "recent": [7, "/b.obj"], "panels": [], "width": -4})");
   const Settings settings = read_settings(file).settings;
   EXPECT_EQ(settings.ui_scale, Settings::kMaxScale);
@@ -106,7 +106,7 @@ TEST_F(SettingsTest, values_without_sense_are_the_defaults) {
   EXPECT_GE(settings.width, 480);
 }
 
-TEST(RecentFiles, are_ten_without_doubles_the_latest_first) {
+TEST(RecentFiles, are_the_ten_latest_without_duplicates) {
   Settings settings;
   for (int i = 0; i < 14; ++i) remember_recent(settings, "/none/" + std::to_string(i));
   remember_recent(settings, "/none/9");

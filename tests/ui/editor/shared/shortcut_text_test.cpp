@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(ShortcutText, names_the_key_that_an_action_has_at_the_moment) {
+TEST(ShortcutText, names_the_current_key_of_an_action) {
   ViewState view;
   view.shortcuts = {{"pieces.hide", "Ctrl+H"}, {"section.flip", ""}};
   EXPECT_EQ(with_shortcut(view, "Hides it.", "pieces.hide"), "Hides it (Ctrl+H).");

@@ -33,8 +33,7 @@ class StepGroupsTest : public testing::Test {
   StepGroups groups;
 };
 
-TEST_F(StepGroupsTest,
-       a_group_of_one_row_hides_the_positions_between_its_ends_until_a_step_of_it_is_dropped) {
+TEST_F(StepGroupsTest, a_single_row_group_hides_inner_positions_until_a_step_is_dropped) {
   hide_all_at_once(true);
   hide(false, 0, 2);
   groups.add(3, document, "Play", true);
@@ -47,7 +46,7 @@ TEST_F(StepGroupsTest,
   EXPECT_TRUE(groups.has_row(4));
 }
 
-TEST_F(StepGroupsTest, groups_are_undone_and_redone_one_after_the_other) {
+TEST_F(StepGroupsTest, groups_are_undone_and_redone_one_by_one) {
   hide_all_at_once(true);
   hide_all_at_once(false);
   for (const size_t from : {3u, 0u}) {
@@ -62,7 +61,7 @@ TEST_F(StepGroupsTest, groups_are_undone_and_redone_one_after_the_other) {
   EXPECT_EQ(at(false)->to, 3u);
 }
 
-TEST_F(StepGroupsTest, a_single_step_is_no_group_and_a_step_after_a_group_is_undone_alone) {
+TEST_F(StepGroupsTest, a_single_step_is_not_a_group_and_a_later_step_is_undone_alone) {
   hide(true, 0, 1);
   groups.add(0, document, "Hide");
   EXPECT_EQ(at(true), nullptr);
@@ -74,7 +73,7 @@ TEST_F(StepGroupsTest, a_single_step_is_no_group_and_a_step_after_a_group_is_und
   EXPECT_NE(at(true), nullptr);
 }
 
-TEST_F(StepGroupsTest, a_group_ends_when_another_step_takes_the_place_of_one_that_was_undone) {
+TEST_F(StepGroupsTest, a_group_ends_when_an_undone_step_is_replaced) {
   hide_all_at_once(true);
   for (const bool seen_between : {true, false}) {
     ASSERT_TRUE(document.apply(Undo{}).ok());
@@ -88,7 +87,7 @@ TEST_F(StepGroupsTest, a_group_ends_when_another_step_takes_the_place_of_one_tha
   EXPECT_EQ(at(true), nullptr);
 }
 
-TEST_F(StepGroupsTest, a_group_stays_when_its_last_step_is_undone_and_redone_and_another_follows) {
+TEST_F(StepGroupsTest, a_group_survives_undo_and_redo_of_its_last_step) {
   hide_all_at_once(true);
   ASSERT_TRUE(document.apply(Undo{}).ok());
   groups.follow(document);

@@ -34,7 +34,7 @@ void stroke_across(Document& document, double radius) {
   document.apply(EndStroke{});
 }
 
-TEST(StepWords, count_strokes_and_say_what_they_cut_in_the_unit_of_the_document) {
+TEST(StepWords, count_strokes_and_report_areas_in_document_units) {
   Document document = named_grid();
   stroke_across(document, 0.03);
   EXPECT_EQ(step_words(document.history(), 0, FileUnit::kMetre), "Cut 1: radius 30 mm") << "it waits";
@@ -51,7 +51,7 @@ TEST(StepWords, count_strokes_and_say_what_they_cut_in_the_unit_of_the_document)
   EXPECT_TRUE(step_words(document.history(), last - 1, FileUnit::kInch).starts_with("Rename "));
 }
 
-TEST(StepWords, of_an_edit_have_the_name_that_its_piece_had) {
+TEST(StepWords, use_the_piece_name_at_the_time_of_the_edit) {
   Document document = named_grid();
   const BodyId body = document.world().ids()[0];
   const std::string name = document.world().body(body).name_of(0);
@@ -63,7 +63,7 @@ TEST(StepWords, of_an_edit_have_the_name_that_its_piece_had) {
   EXPECT_EQ(step_words(document.history(), 2, FileUnit::kMetre), "Unpin sheet");
 }
 
-TEST(StepWords, of_a_recut_tell_of_the_stroke_that_is_cut_again) {
+TEST(StepWords, of_a_recut_mention_the_recomputed_stroke) {
   Document document = named_grid();
   stroke_across(document, 0.03);
   ASSERT_TRUE(test::run_all(document).ok());
@@ -77,7 +77,7 @@ TEST(StepWords, of_a_recut_tell_of_the_stroke_that_is_cut_again) {
   EXPECT_TRUE(words.ends_with("edges of 50 mm")) << words;
 }
 
-TEST(StepWords, of_a_stroke_beside_everything_say_nothing_was_cut) {
+TEST(StepWords, of_a_missed_stroke_report_nothing_cut) {
   Document document = named_grid();
   CutSettings settings;
   settings.laser.radius = 0.001;

@@ -30,7 +30,7 @@ class ThumbnailsTest : public testing::Test {
   Thumbnails thumbnails_{folder_ / "thumbnails"};
 };
 
-TEST_F(ThumbnailsTest, are_those_of_their_files_and_of_the_last_state_that_was_kept) {
+TEST_F(ThumbnailsTest, show_the_latest_saved_state_of_each_file) {
   EXPECT_FALSE(thumbnails_.find("/one.kerf"));
   ASSERT_TRUE(thumbnails_.keep("/one.kerf", of_one_colour(1200, 700, 10)).ok());
   ASSERT_TRUE(thumbnails_.keep("/two.kerf", of_one_colour(640, 900, 20)).ok());
@@ -41,13 +41,13 @@ TEST_F(ThumbnailsTest, are_those_of_their_files_and_of_the_last_state_that_was_k
   EXPECT_EQ(thumbnails_.find("/one.kerf")->size, Vec2(Thumbnails::kWidth, Thumbnails::kHeight));
 }
 
-TEST_F(ThumbnailsTest, last_beyond_a_session) {
+TEST_F(ThumbnailsTest, persist_across_sessions) {
   ASSERT_TRUE(thumbnails_.keep("/one.kerf", of_one_colour(800, 500, 10)).ok());
   thumbnails_ = Thumbnails(folder_ / "thumbnails");
   EXPECT_EQ(grey_of("/one.kerf"), 10);
 }
 
-TEST_F(ThumbnailsTest, of_other_files_go_and_nothing_else_in_the_folder) {
+TEST_F(ThumbnailsTest, of_dropped_files_are_deleted_and_nothing_else) {
   for (const char* file : {"/one.kerf", "/two.kerf", "/three.kerf"})
     ASSERT_TRUE(thumbnails_.keep(file, of_one_colour(800, 500, 10)).ok());
   write_text(folder_ / "thumbnails/notes.txt", "a user's");
@@ -58,7 +58,7 @@ TEST_F(ThumbnailsTest, of_other_files_go_and_nothing_else_in_the_folder) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "thumbnails"), {}), 2);
 }
 
-TEST_F(ThumbnailsTest, that_cannot_be_written_leave_the_earlier_one) {
+TEST_F(ThumbnailsTest, failed_write_keeps_the_previous_one) {
   ASSERT_TRUE(thumbnails_.keep("/one.kerf", of_one_colour(800, 500, 10)).ok());
   write_text(folder_ / "file", "");
   Thumbnails nowhere(folder_ / "file");

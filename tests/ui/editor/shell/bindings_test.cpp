@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-class BindingsOfActions : public testing::Test {
+class BindingsTest : public testing::Test {
  protected:
   test::EditorFeatures editor;
   Workspace& workspace = editor.workspace;
@@ -30,7 +30,7 @@ class BindingsOfActions : public testing::Test {
   }
 };
 
-TEST_F(BindingsOfActions, what_is_written_is_the_key_that_is_pressed_and_can_be_read_back) {
+TEST_F(BindingsTest, shortcut_text_matches_the_key_and_parses_back) {
   for (const UserAction& a : usual) {
     EXPECT_EQ(chord_text({a.key, a.mods}), a.shortcut) << a.name;
     if (a.shortcut.empty()) continue;
@@ -38,7 +38,7 @@ TEST_F(BindingsOfActions, what_is_written_is_the_key_that_is_pressed_and_can_be_
   }
 }
 
-TEST_F(BindingsOfActions, every_key_with_a_name_is_read_back) {
+TEST_F(BindingsTest, every_named_key_parses_back) {
   for (int key = 0; key <= GLFW_KEY_LAST; ++key) {
     for (const int mods : {0, GLFW_MOD_CONTROL, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT}) {
       const std::string text = chord_text({key, mods});
@@ -50,7 +50,7 @@ TEST_F(BindingsOfActions, every_key_with_a_name_is_read_back) {
     EXPECT_FALSE(parse_chord(wrong)) << wrong;
 }
 
-TEST_F(BindingsOfActions, presets_name_actions_and_clash_nowhere) {
+TEST_F(BindingsTest, presets_use_valid_actions_without_conflicts) {
   for (const BindingPreset& preset : binding_presets()) {
     SCOPED_TRACE(preset.name);
     for (const auto& [id, key] : preset.bindings) {
@@ -61,7 +61,7 @@ TEST_F(BindingsOfActions, presets_name_actions_and_clash_nowhere) {
   }
 }
 
-TEST_F(BindingsOfActions, a_key_is_taken_from_the_action_that_had_it_and_usual_keys_are_not_noted) {
+TEST_F(BindingsTest, a_key_is_taken_from_its_previous_action_and_defaults_are_not_stored) {
   Bindings bindings;
   rebind(bindings, usual, "view.wire", {'B', 0});
   const std::vector<UserAction> bound = bind_keys(usual, bindings);
@@ -74,19 +74,19 @@ TEST_F(BindingsOfActions, a_key_is_taken_from_the_action_that_had_it_and_usual_k
   EXPECT_TRUE(bindings.empty());
 }
 
-TEST_F(BindingsOfActions, the_key_of_an_action_that_has_it_only_at_times_does_not_clash_with_the_usual_one) {
+TEST_F(BindingsTest, a_context_key_does_not_conflict_with_the_default_one) {
   EXPECT_EQ(clash_of(usual, action(usual, "pieces.move"), {'G', 0}), nullptr);
   const UserAction* other = clash_of(usual, action(usual, "pieces.move"), {'R', 0});
   ASSERT_NE(other, nullptr);
   EXPECT_EQ(other->id, "pieces.rotate");
 }
 
-TEST_F(BindingsOfActions, what_the_settings_name_wrongly_changes_nothing) {
+TEST_F(BindingsTest, invalid_settings_change_nothing) {
   const std::vector<UserAction> bound = bind_keys(usual, {{"No such action", "A"}, {"view.wire", "Hyper+W"}});
   for (size_t i = 0; i < usual.size(); ++i) EXPECT_EQ(bound[i].shortcut, usual[i].shortcut);
 }
 
-TEST_F(BindingsOfActions, the_page_names_a_clash_before_it_takes_a_key) {
+TEST_F(BindingsTest, the_page_reports_a_conflict_before_it_assigns_a_key) {
   SettingsPage page{.shown = true, .waits_for = "view.wire"};
   Settings settings;
   const auto press = [&](int key, int mods = 0) { settings_page_key(page, settings, usual, key, mods); };

@@ -34,13 +34,13 @@ TEST_F(Palette, finds_an_action_by_parts_of_its_name) {
   EXPECT_EQ(best("qqqq"), "");
 }
 
-TEST_F(Palette, lists_every_action_in_the_order_of_the_menus_while_nothing_is_typed) {
+TEST_F(Palette, lists_every_action_in_menu_order_for_an_empty_query) {
   const std::vector<size_t> found = find_actions(all, "");
   ASSERT_EQ(found.size(), all.size());
   for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], i);
 }
 
-TEST_F(Palette, every_action_has_a_name_of_its_own_and_does_something) {
+TEST_F(Palette, every_action_has_a_unique_name_and_an_effect) {
   std::set<std::string> names;
   for (const UserAction& action : all) {
     EXPECT_TRUE(names.insert(action.name).second) << action.name;
@@ -49,7 +49,7 @@ TEST_F(Palette, every_action_has_a_name_of_its_own_and_does_something) {
   }
 }
 
-TEST_F(Palette, every_switch_of_the_view_and_every_panel_is_found_by_its_name) {
+TEST_F(Palette, every_view_switch_and_panel_is_found_by_name) {
   for (const ViewSwitch& s : view_switches()) {
     if (s.label[0] == '\0') continue;
     EXPECT_EQ(best(s.label), action_name(s));
@@ -58,7 +58,7 @@ TEST_F(Palette, every_switch_of_the_view_and_every_panel_is_found_by_its_name) {
     EXPECT_EQ(best((std::string("panels ") + panel.title).c_str()), std::string("Panels: ") + panel.title);
 }
 
-TEST_F(Palette, the_actions_of_panels_change_what_the_panels_show) {
+TEST_F(Palette, panel_actions_change_the_visible_panels) {
   const auto run = [&](const char* typed) { all[find_actions(all, typed).front()].run(); };
   const double before = workspace.laser.radius;
   run("wider beam");

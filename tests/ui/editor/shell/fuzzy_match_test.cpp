@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-TEST(FuzzyScore, finds_the_letters_of_a_word_in_their_order_in_either_case) {
+TEST(FuzzyScore, finds_letters_of_a_word_in_order_in_any_case) {
   EXPECT_TRUE(fuzzy_score("wre", "Wireframe").has_value());
   EXPECT_TRUE(fuzzy_score("WIRE", "Wireframe").has_value());
   EXPECT_FALSE(fuzzy_score("erw", "Wireframe").has_value());
@@ -17,14 +17,14 @@ TEST(FuzzyScore, finds_the_letters_of_a_word_in_their_order_in_either_case) {
   EXPECT_FALSE(fuzzy_score("a", "").has_value());
 }
 
-TEST(FuzzyScore, takes_words_in_any_order_and_an_empty_query_for_every_text) {
+TEST(FuzzyScore, accepts_words_in_any_order_and_an_empty_query) {
   EXPECT_TRUE(fuzzy_score("selected hide", "Hide Selected").has_value());
   EXPECT_FALSE(fuzzy_score("chosen show", "Hide Selected").has_value());
   EXPECT_EQ(fuzzy_score("", "anything"), 0);
   EXPECT_EQ(fuzzy_score("   ", ""), 0);
 }
 
-TEST(FuzzyScore, prefers_beginnings_of_words_and_letters_in_a_row) {
+TEST(FuzzyScore, prefers_word_starts_and_consecutive_letters) {
   EXPECT_GT(fuzzy_score("sv", "Shadow Volumes"), fuzzy_score("sv", "Dissolves"));
   EXPECT_GT(fuzzy_score("wire", "Wireframe"), fuzzy_score("wire", "Wider eaves"));
   EXPECT_GT(fuzzy_score("un", "Undo"), fuzzy_score("un", "Save as a new one"));

@@ -55,7 +55,7 @@ std::vector<InputEvent> arc() {
   return events;
 }
 
-TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames) {
+TEST(Mouse, events_of_one_slow_frame_cut_the_same_as_in_many_frames) {
   MouseBench slow, fast;
   for (const InputEvent& e : arc()) slow.handle(e);
   slow.cut();
@@ -67,7 +67,7 @@ TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames)
   EXPECT_EQ(slow.hash(), fast.hash());
 }
 
-TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
+TEST(Mouse, every_pointer_move_is_a_timed_pose_of_the_stroke) {
   MouseBench bench;
   for (const InputEvent& e : arc()) bench.handle(e);
   std::vector<double> times;
@@ -78,7 +78,7 @@ TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
   for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i + 1) / 40, 1e-12);
 }
 
-TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_closer) {
+TEST(Mouse, settings_scale_orbit_and_zoom) {
   const auto seen = [](double speed) {
     MouseBench bench;
     bench.workspace.settings.drag_speed = bench.workspace.settings.wheel_speed = speed;
@@ -100,7 +100,7 @@ TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_clo
   EXPECT_NEAR(nearer_twice, 2 * nearer, 1e-6);
 }
 
-TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
+TEST(Mouse, a_press_with_another_tool_cuts_nothing) {
   MouseBench bench;
   bench.workspace.input.tool = kPickTool;
   for (const InputEvent& e : arc()) bench.handle(e);
@@ -108,7 +108,7 @@ TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
   EXPECT_EQ(bench.workspace.input.held, nullptr);
 }
 
-TEST(Mouse, a_stroke_that_is_cancelled_lets_go_of_the_mouse) {
+TEST(Mouse, a_cancelled_stroke_releases_the_mouse) {
   MouseBench bench;
   bench.handle(arc()[0]);
   bench.handle(arc()[1]);

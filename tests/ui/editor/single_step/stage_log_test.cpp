@@ -72,7 +72,7 @@ TEST(StageLog, counts_the_moves_of_the_stroke_and_their_stages) {
   }
 }
 
-TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
+TEST(StageLog, marks_the_faces_hit_created_and_removed_by_each_stage) {
   Document document = sheet();
   SingleStep single(document);
   StageLog log;
@@ -107,7 +107,7 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
     EXPECT_TRUE(seen.contains(kind));
 }
 
-TEST(StageLog, walks_through_the_last_query_of_the_tree) {
+TEST(StageLog, steps_through_the_last_tree_query) {
   for (const bool turns : {false, true}) {
     Document document = sheet(turns);
     SingleStep single(document);
@@ -134,7 +134,7 @@ TEST(StageLog, walks_through_the_last_query_of_the_tree) {
   }
 }
 
-TEST(StageLog, draws_the_boxes_of_the_query_that_were_visited) {
+TEST(StageLog, draws_the_visited_boxes_of_the_query) {
   Document document = sheet();
   SingleStep single(document);
   StageLog log;
@@ -154,7 +154,7 @@ TEST(StageLog, draws_the_boxes_of_the_query_that_were_visited) {
   EXPECT_EQ(lines(*log.marks(document.world()), StageMarks::Kind::kLast), 0u);
 }
 
-TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
+TEST(StageLog, keeps_messages_of_later_stages_after_stepping_back) {
   Document document = sheet();
   SingleStep single(document);
   StageLog log;
@@ -180,7 +180,7 @@ TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
   EXPECT_EQ(log.told().size(), 0u);
 }
 
-TEST(StageState, says_why_there_is_nothing_to_step_through) {
+TEST(StageState, reports_why_there_is_nothing_to_step_through) {
   Document document = sheet();
   StageState stages;
   EXPECT_NE(next_stage_disabled_reason(stages, document), nullptr) << "off";
@@ -194,7 +194,7 @@ TEST(StageState, says_why_there_is_nothing_to_step_through) {
   EXPECT_NE(restart_disabled_reason(Document(World())), nullptr);
 }
 
-TEST(StageState, plays_from_where_it_is_and_at_the_end_from_the_start) {
+TEST(StageState, plays_from_the_current_stage_or_restarts_at_the_end) {
   Document document = sheet();
   StageState stages;
   play_or_pause(stages, document);

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(ReachedSpeed, is_seconds_of_the_world_a_second) {
+TEST(ReachedSpeed, is_simulated_seconds_per_second) {
   ReachedSpeed speed;
   Ticks clock = 100;
   speed.follow(true, clock, 0.1);
@@ -15,7 +15,7 @@ TEST(ReachedSpeed, is_seconds_of_the_world_a_second) {
   EXPECT_NEAR(*speed.of_real_time(), 0.25, 1e-9);
 }
 
-TEST(ReachedSpeed, begins_anew_with_each_play_and_when_time_goes_back) {
+TEST(ReachedSpeed, resets_on_each_play_and_when_time_is_undone) {
   ReachedSpeed speed;
   Ticks clock = 0;
   const auto play_a_second = [&] {

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(CameraText, comes_back_as_it_was_copied) {
+TEST(CameraText, round_trips) {
   const View view{{1.0 / 3, 2, -3e-7}, {0, 0.5, 0}};
   const auto parsed = parse_view_text(view_text(view));
   ASSERT_TRUE(parsed.ok());
@@ -13,7 +13,7 @@ TEST(CameraText, comes_back_as_it_was_copied) {
   EXPECT_EQ(parsed->target, view.target);
 }
 
-TEST(CameraText, takes_a_scene_and_refuses_what_is_no_view) {
+TEST(CameraText, accepts_a_scene_and_rejects_invalid_views) {
   EXPECT_TRUE(parse_view_text(R"({"view": {"eye": [1,2,3], "target": [0,0,0]}})").ok());
   for (const char* text : {"", "hello", "{}", "[1]", R"({"eye": [1,2], "target": [0,0,0]})",
                            R"({"eye": [1,2,3], "target": [1,2,3]})"}) {

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-TEST(Legends, every_view_with_colours_of_its_own_has_a_title_and_says_what_they_mean) {
+TEST(Legends, every_coloured_view_has_a_title_and_explains_its_colours) {
   EXPECT_TRUE(legends_of(ViewOptions(), {}).empty());
   for (const SwitchId id :
        {SwitchId::kSilhouette, SwitchId::kShadowVolumes, SwitchId::kShadowCounts, SwitchId::kFacing,
@@ -23,7 +23,7 @@ TEST(Legends, every_view_with_colours_of_its_own_has_a_title_and_says_what_they_
   }
 }
 
-TEST(Legends, colours_of_shadows_stand_beside_their_meanings) {
+TEST(Legends, shadow_colours_have_a_meaning_each) {
   ViewOptions look;
   look.show.shadow_stencil = look.show.silhouette = true;
   for (const Legend& legend : legends_of(look, {})) {
@@ -32,7 +32,7 @@ TEST(Legends, colours_of_shadows_stand_beside_their_meanings) {
   EXPECT_EQ(legends_of(look, {}).back().rows.back().meaning, "9 or more");
 }
 
-TEST(Legends, a_scalar_field_has_its_largest_value_at_the_top) {
+TEST(Legends, a_scalar_field_has_its_maximum_at_the_top) {
   ViewOptions look;
   ScalarField field;
   field.name = "Level";
@@ -44,7 +44,7 @@ TEST(Legends, a_scalar_field_has_its_largest_value_at_the_top) {
   EXPECT_GT(legend.rows.front().colour & 0xff00u, legend.rows.back().colour & 0xff00u);
 }
 
-TEST(Legends, the_boxes_say_which_of_them_are_drawn) {
+TEST(Legends, boxes_describe_which_of_them_are_drawn) {
   ViewOptions look;
   look.show.aabb = true;
   look.tree.deepest = 3;
@@ -53,7 +53,7 @@ TEST(Legends, the_boxes_say_which_of_them_are_drawn) {
   EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 2u);
 }
 
-TEST(Legends, the_comparison_says_what_it_counts) {
+TEST(Legends, the_comparison_describes_its_counts) {
   ViewOptions look;
   look.show.shadow_compare = true;
   ShadowStatistics statistics;
@@ -62,7 +62,7 @@ TEST(Legends, the_comparison_says_what_it_counts) {
   EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "1 234 pixels are in shadow with");
 }
 
-TEST(Legends, the_shadow_rays_say_how_far_they_are_until_their_result_is_there) {
+TEST(Legends, shadow_rays_show_progress_until_the_result_is_complete) {
   ViewOptions look;
   look.show.shadow_reference = true;
   ShadowStatistics statistics;
@@ -73,7 +73,7 @@ TEST(Legends, the_shadow_rays_say_how_far_they_are_until_their_result_is_there) 
   EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "viewport differs: 0 pixels");
 }
 
-TEST(Legends, a_stage_of_single_steps_names_the_marks_that_are_drawn) {
+TEST(Legends, a_single_step_stage_names_the_drawn_marks) {
   ViewOptions look;
   StageMarks marks;
   look.stage = std::make_shared<const StageMarks>(marks);

@@ -17,7 +17,7 @@ class LightHandleTest : public testing::Test {
   ViewState view;
 };
 
-TEST(LightFeature, a_press_on_a_handle_moves_the_light_while_the_panel_is_unfolded) {
+TEST(LightFeature, pressing_a_handle_moves_the_light_while_the_panel_is_unfolded) {
   Workspace workspace;
   workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
   workspace.view.camera.look({0, 1, 8}, {0, 0, 0});
@@ -33,7 +33,7 @@ TEST(LightFeature, a_press_on_a_handle_moves_the_light_while_the_panel_is_unfold
   EXPECT_EQ(feature->begin_interaction({event}), nullptr);
 }
 
-TEST_F(LightHandleTest, a_drag_takes_either_kind_of_light_to_the_pointer) {
+TEST_F(LightHandleTest, a_drag_moves_either_kind_of_light_to_the_pointer) {
   view.look.lights = {Light{}, Light{Light::Kind::kPoint, {1, 2, 0.5}, {1, 1, 1}, 1}};
   for (const size_t light : {size_t{0}, size_t{1}}) {
     const std::optional<Vec2> before = light_handle(view, light);
@@ -47,12 +47,12 @@ TEST_F(LightHandleTest, a_drag_takes_either_kind_of_light_to_the_pointer) {
   }
 }
 
-TEST_F(LightHandleTest, a_light_behind_the_eye_has_none) {
+TEST_F(LightHandleTest, a_light_behind_the_camera_has_no_handle) {
   view.look.lights = {Light{Light::Kind::kPoint, {0, 1, 20}, {1, 1, 1}, 1}};
   EXPECT_FALSE(light_handle(view, 0));
 }
 
-TEST(LightPresets, each_has_one_to_four_lights_that_shine_on_the_world) {
+TEST(LightPresets, each_has_one_to_four_lights_that_reach_the_world) {
   const World::Bounds bounds{{-2, 0, -1}, {3, 2, 1}};
   EXPECT_GE(light_presets().size(), 5u);
   for (const LightPreset& preset : light_presets()) {

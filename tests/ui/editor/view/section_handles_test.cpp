@@ -42,7 +42,7 @@ const std::vector<SectionPlane>& planes() {
   return all;
 }
 
-TEST(SectionHandles, are_there_while_the_plane_cuts_and_is_before_the_eye) {
+TEST(SectionHandles, are_shown_while_the_plane_cuts_and_is_in_front_of_the_camera) {
   ViewState view = view_of({{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(section_handles(view).size(), 3u);
   view.look.show.section = false;
@@ -53,7 +53,7 @@ TEST(SectionHandles, are_there_while_the_plane_cuts_and_is_before_the_eye) {
   EXPECT_TRUE(section_handles(view).empty());
 }
 
-TEST(SectionHandles, a_drag_of_the_arrow_takes_its_tip_along_the_normal_to_the_pointer) {
+TEST(SectionHandles, dragging_the_arrow_moves_its_tip_along_the_normal) {
   for (const bool parallel : {false, true}) {
     for (const SectionPlane& plane : planes()) {
       ViewState view = view_of(plane, parallel);
@@ -71,7 +71,7 @@ TEST(SectionHandles, a_drag_of_the_arrow_takes_its_tip_along_the_normal_to_the_p
   }
 }
 
-TEST(SectionHandles, a_drag_of_a_ring_turns_the_plane_as_the_pointer_goes) {
+TEST(SectionHandles, dragging_a_ring_rotates_the_plane_with_the_pointer) {
   for (const bool parallel : {false, true}) {
     for (const SectionPlane& plane : planes()) {
       for (const auto kind : {SectionDrag::Kind::kTilt, SectionDrag::Kind::kSwing}) {
@@ -95,7 +95,7 @@ TEST(SectionHandles, a_drag_of_a_ring_turns_the_plane_as_the_pointer_goes) {
   }
 }
 
-TEST(SectionHandles, the_axes_of_a_plane_are_perpendicular_and_one_is_level) {
+TEST(SectionHandles, the_axes_of_a_plane_are_perpendicular_and_one_is_horizontal) {
   for (const SectionPlane& plane : planes()) {
     for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
       const PlaneAxes axes = axes_of(plane, up);

@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(DebugKeys, each_digit_flips_a_debug_view_of_its_own_and_zero_switches_all_off) {
+TEST(DebugKeys, each_digit_toggles_a_debug_view_and_zero_disables_all) {
   std::set<SwitchId> flipped;
   for (char digit = '1'; digit <= '9'; ++digit) {
     ViewOptions look;

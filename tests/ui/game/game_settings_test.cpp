@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-TEST(GameSettings, come_back_as_they_were_written) {
+TEST(GameSettings, round_trip) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "kerf" / "game.json";
   GameSettings s;
@@ -27,7 +27,7 @@ TEST(GameSettings, come_back_as_they_were_written) {
   EXPECT_EQ(read_game_settings(file), s);
 }
 
-TEST(GameSettings, that_make_no_sense_give_defaults_and_limits) {
+TEST(GameSettings, invalid_values_become_defaults_or_are_clamped) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "game.json";
   std::ofstream(file) << R"({"sensitivity": 99, "volume": "loud", "preset": "best", "invert": 1})";
@@ -38,7 +38,7 @@ TEST(GameSettings, that_make_no_sense_give_defaults_and_limits) {
   EXPECT_FALSE(s.invert);
 }
 
-TEST(GameSettings, that_are_no_json_are_set_aside) {
+TEST(GameSettings, invalid_json_is_set_aside) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "game.json";
   std::ofstream(file) << "not json";
@@ -46,7 +46,7 @@ TEST(GameSettings, that_are_no_json_are_set_aside) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "game.json.bad"));
 }
 
-TEST(GameSettings, keep_no_difficulty_that_was_asked_for_one_session_until_the_player_chooses_another) {
+TEST(GameSettings, do_not_store_a_command_line_difficulty) {
   GameSettings kept, now;
   kept.difficulty = Difficulty::kEasy;
   now.difficulty = Difficulty::kHard;

@@ -26,7 +26,7 @@ TEST(HighScores, keep_the_best_of_each_game_in_order) {
   for (size_t i = 1; i < all.size(); ++i) EXPECT_GE(all[i - 1].score, all[i].score);
 }
 
-TEST(HighScores, that_are_damaged_are_set_aside) {
+TEST(HighScores, damaged_file_is_set_aside) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "scores.json";
   for (const char* text : {"{\"scores\": [", "[]", "{}", "{\"scores\": [7]}", ""}) {

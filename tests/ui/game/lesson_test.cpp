@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-class Taught : public testing::Test {
+class LessonTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto rules = load_rules(test::checkout() / "assets/games/lesson.json");
@@ -51,7 +51,7 @@ class Taught : public testing::Test {
   std::optional<Lesson> lesson_;
 };
 
-TEST_F(Taught, goes_from_driving_over_a_drum_to_a_wheel) {
+TEST_F(LessonTest, advances_from_hitting_a_drum_to_cutting_a_wheel) {
   const auto drive = lesson_->task(*match_);
   ASSERT_TRUE(drive);
   EXPECT_TRUE(drive->text.starts_with("Drive"));

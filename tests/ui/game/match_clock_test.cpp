@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(MatchClock, passes_as_many_ticks_as_frames_of_any_length_last) {
+TEST(MatchClock, advances_as_many_ticks_as_the_frames_last) {
   MatchClock clock;
   Random random(41);
   double seconds = 0;
@@ -21,14 +21,14 @@ TEST(MatchClock, passes_as_many_ticks_as_frames_of_any_length_last) {
   EXPECT_NEAR(ticks, 120 * seconds, 1.5);
 }
 
-TEST(MatchClock, drops_ticks_where_frames_are_too_long_and_does_not_make_up_for_them) {
+TEST(MatchClock, drops_ticks_of_long_frames_for_good) {
   MatchClock clock;
   EXPECT_EQ(clock.advance(0.5), MatchClock::kMaxTicks);
   EXPECT_EQ(clock.dropped(), 60 - MatchClock::kMaxTicks);
   EXPECT_LE(clock.advance(1.0 / 60), 2);
 }
 
-TEST(MatchClock, tells_which_share_of_real_time_the_machine_manages) {
+TEST(MatchClock, reports_the_achieved_fraction_of_real_time) {
   MatchClock clock;
   for (int i = 0; i < 200; ++i) clock.advance(1.0 / 60);
   EXPECT_NEAR(clock.speed(), 1, 1e-9);
@@ -38,7 +38,7 @@ TEST(MatchClock, tells_which_share_of_real_time_the_machine_manages) {
   EXPECT_NEAR(clock.speed(), 1, 0.01);
 }
 
-TEST(MatchClock, runs_at_a_quarter_of_its_speed_while_it_is_slow) {
+TEST(MatchClock, runs_at_quarter_speed_in_slow_motion) {
   MatchClock clock;
   clock.slow_down(0.5);
   int ticks = 0;

@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-TEST(MatchReplay, plays_the_moment_to_the_world_in_which_it_ended_with_the_vehicles_in_view) {
+TEST(MatchReplay, replays_the_moment_exactly_with_the_vehicles_in_view) {
   const MatchSetup setup{test::flat_rules(1, 1), 1, Difficulty::kEasy};
   Match match(setup);
   const WaveStart start = match.wave_start();
@@ -40,7 +40,7 @@ TEST(MatchReplay, plays_the_moment_to_the_world_in_which_it_ended_with_the_vehic
   EXPECT_EQ(state_hash(replay.match().world()), end);
 }
 
-TEST(MatchReplay, that_is_given_up_while_it_is_prepared_does_not_play_the_match_to_its_end) {
+TEST(MatchReplay, cancelled_during_preparation_stops_early) {
   const MatchSetup setup{test::flat_rules(1, 1), 1, Difficulty::kEasy};
   const MatchMoment moment{Match(setup).wave_start(), 1'000'000, 1'000'000, 1};
   const MatchReplay replay(setup, moment, std::vector<Controls>(1'000'000));

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-TEST(WhyItEnded, is_the_time_where_nobody_was_hit) {
+TEST(EndReason, is_the_time_if_nobody_was_hit) {
   auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
   rules->description.times.match = 0.1;
   for (EnemySkill& skill : rules->description.skills) skill.speed = skill.fire = 0;
@@ -19,7 +19,7 @@ TEST(WhyItEnded, is_the_time_where_nobody_was_hit) {
 }
 
 // The vehicle is changed behind the back of the match, as no beam does it so quickly.
-TEST(WhyItEnded, is_what_was_cut_off_and_by_whom) {
+TEST(EndReason, names_the_lost_part_and_the_attacker) {
   Match match({test::flat_rules(1, 1), 1, Difficulty::kNormal});
   auto& own = const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]);
   own.alive = false;
@@ -30,7 +30,7 @@ TEST(WhyItEnded, is_what_was_cut_off_and_by_whom) {
   EXPECT_EQ(end_reason(match), "Your engine was cut off");
 }
 
-TEST(NameOfWheel, is_that_of_its_part_in_words) {
+TEST(WheelName, is_unique_and_readable) {
   const VehicleDescription& what = test::hatchback()->description;
   std::set<std::string> names;
   for (size_t i = 0; i < what.wheels.size(); ++i) names.insert(name_of_wheel(what, i));

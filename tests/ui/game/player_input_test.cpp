@@ -19,7 +19,7 @@ Placement turned(double heading) {
   return placement;
 }
 
-TEST(PlayerInput, aims_ahead_of_the_vehicle_until_the_mouse_moves) {
+TEST(PlayerInput, aims_forward_until_the_mouse_moves) {
   PlayerInput input;
   for (const double heading : {0.0, 1.0, -2.5, 3.0}) {
     const Vec3 ahead = turned(heading).orientation * Vec3(0, 0, 1);
@@ -28,7 +28,7 @@ TEST(PlayerInput, aims_ahead_of_the_vehicle_until_the_mouse_moves) {
   }
 }
 
-TEST(PlayerInput, the_mouse_turns_the_aim_and_its_first_place_does_not) {
+TEST(PlayerInput, the_mouse_turns_the_aim_except_by_its_first_position) {
   PlayerInput input;
   const GameSettings settings;
   input.handle_events(std::vector{moved_to(500, 300)}, settings);
@@ -44,7 +44,7 @@ TEST(PlayerInput, the_mouse_turns_the_aim_and_its_first_place_does_not) {
   EXPECT_LT(other.controls({}).pitch, 0);
 }
 
-TEST(PlayerInput, keeps_within_the_limits_of_the_turret) {
+TEST(PlayerInput, stays_within_the_turret_limits) {
   PlayerInput input;
   input.limit({-0.5, 0.5}, {-0.1, 0.2});
   input.turn(4, 4);
@@ -55,7 +55,7 @@ TEST(PlayerInput, keeps_within_the_limits_of_the_turret) {
   EXPECT_NEAR(input.controls({}).heading * Controls::kAimStep, 3.5 - 2 * kPi, 1e-4);
 }
 
-TEST(PlayerInput, the_wheel_sets_the_width_of_the_beam_within_its_bounds) {
+TEST(PlayerInput, the_wheel_sets_the_beam_width_within_its_bounds) {
   PlayerInput input;
   InputEvent wheel;
   wheel.kind = InputEvent::Kind::kWheel;

@@ -24,7 +24,7 @@ bool is_crossed(const Match& match, const Vec3& from, const Vec3& to) {
 }
 
 // Two vehicles at random free places of the yard, near walls, containers and columns.
-TEST(ReplayCamera, stays_before_walls_and_containers_wherever_the_vehicles_are) {
+TEST(ReplayCamera, stays_in_front_of_walls_and_containers) {
   const auto rules = load_rules(test::checkout() / "assets/games/standard.json");
   ASSERT_TRUE(rules) << rules.error().message;
   Match match({*rules, 1, Difficulty::kNormal});

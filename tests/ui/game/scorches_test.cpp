@@ -27,7 +27,7 @@ class ScorchedGround : public testing::Test {
   Scorches scorches_;
 };
 
-TEST_F(ScorchedGround, is_burnt_where_a_beam_ends_on_it) {
+TEST_F(ScorchedGround, is_marked_where_a_beam_ends_on_it) {
   burn(5);
   ASSERT_EQ(places().size(), 1u);
   EXPECT_EQ(places()[0].at, Vec3(5, 0, -80));
@@ -35,12 +35,12 @@ TEST_F(ScorchedGround, is_burnt_where_a_beam_ends_on_it) {
   EXPECT_EQ(places()[0].heat, 1);
 }
 
-TEST_F(ScorchedGround, is_not_burnt_by_a_beam_that_ends_in_the_air) {
+TEST_F(ScorchedGround, is_not_marked_by_a_beam_that_ends_in_the_air) {
   burn(5, 1);
   EXPECT_TRUE(places().empty());
 }
 
-TEST_F(ScorchedGround, glows_again_where_it_is_burnt_twice) {
+TEST_F(ScorchedGround, glows_again_when_burnt_twice) {
   burn(5);
   scorches_.advance(0.7);
   EXPECT_NEAR(places()[0].heat, 0.5, 1e-9);
@@ -51,7 +51,7 @@ TEST_F(ScorchedGround, glows_again_where_it_is_burnt_twice) {
   EXPECT_EQ(places()[0].heat, 0) << "it stays as a mark";
 }
 
-TEST_F(ScorchedGround, keeps_the_latest_marks_only) {
+TEST_F(ScorchedGround, keeps_only_the_latest_marks) {
   for (size_t i = 0; i < Scorches::kMost + 10; ++i) burn(-40 + 0.1 * static_cast<double>(i));
   ASSERT_EQ(places().size(), Scorches::kMost);
   EXPECT_NEAR(places().front().at.x, -39, 1e-9);

@@ -30,7 +30,7 @@ class TwoVehicles : public testing::Test {
   Match match_{{test::flat_rules(1, 1), 1, Difficulty::kNormal}};
 };
 
-TEST_F(TwoVehicles, the_wheel_that_is_seen_is_named) {
+TEST_F(TwoVehicles, a_visible_wheel_is_named) {
   std::set<std::string> names;
   for (const WheelDescription& wheel : what().wheels) {
     const auto part = aim_at(wheel.hub);
@@ -49,24 +49,24 @@ TEST_F(TwoVehicles, the_turret_is_the_laser) {
   EXPECT_EQ(part->name, "laser");
 }
 
-TEST_F(TwoVehicles, beside_the_enemy_there_is_no_part) {
+TEST_F(TwoVehicles, there_is_no_part_next_to_the_enemy) {
   EXPECT_FALSE(aim_at({0, 40, 0}));
   EXPECT_FALSE(aim_at({0, -20, 0}));  // the ground before it
 }
 
-TEST_F(TwoVehicles, nothing_is_in_sight_beyond_the_range_of_the_laser) {
+TEST_F(TwoVehicles, nothing_is_visible_beyond_the_laser_range) {
   auto rules = std::make_shared<Rules>(match_.rules());
   rules->description.laser.range = 1;
   match_ = Match({rules, 1, Difficulty::kNormal});
   EXPECT_FALSE(aim_at(what().turret.barrel.pivot));
 }
 
-TEST_F(TwoVehicles, an_enemy_in_the_open_is_seen) {
+TEST_F(TwoVehicles, an_enemy_in_the_open_is_visible) {
   const Sight sight(match_.world());
   EXPECT_TRUE(sees_vehicle(match_, sight, {0, 2, 0}, 1));
 }
 
-TEST_F(TwoVehicles, a_beam_ends_at_what_it_meets_or_with_its_range) {
+TEST_F(TwoVehicles, a_beam_ends_at_a_hit_or_at_its_range) {
   const Sight sight(match_.world());
   const Vehicle& own = match_.vehicles()[Match::kPlayer];
   const Vec3 from = in_world(match_.world(), own, own.what().turret.barrel.pivot);
@@ -87,7 +87,7 @@ bool is_walled(const Match& match, const Vec3& from, const Vec3& to) {
   });
 }
 
-TEST(SeesVehicle, where_no_wall_of_the_yard_is_between_as_a_search_of_all_faces_says) {
+TEST(SeesVehicle, matches_a_search_of_all_faces_for_blocking_walls) {
   const auto rules = load_rules(test::checkout() / "assets/games/standard.json");
   ASSERT_TRUE(rules) << rules.error().message;
   const Match match({*rules, 1, Difficulty::kNormal});

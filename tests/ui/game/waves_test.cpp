@@ -27,14 +27,14 @@ double loudness(const Wave& wave) {
   return std::sqrt(sum / static_cast<double>(wave.size()));
 }
 
-TEST(Waves, are_finite_within_bounds_and_can_be_heard) {
+TEST(Waves, are_finite_bounded_and_audible) {
   for (const Sound& s : all_sounds()) {
     for (const float x : s.wave) ASSERT_TRUE(std::isfinite(x) && std::abs(x) <= 1) << s.name;
     EXPECT_GT(loudness(s.wave), 0.02) << s.name;
   }
 }
 
-TEST(Waves, loops_go_on_without_a_click_and_last_a_second) {
+TEST(Waves, loops_are_seamless_and_last_a_second) {
   for (const Sound& s : all_sounds()) {
     if (!s.loop) continue;
     EXPECT_EQ(s.wave.size(), size_t{kSampleRate}) << s.name;
@@ -45,7 +45,7 @@ TEST(Waves, loops_go_on_without_a_click_and_last_a_second) {
   }
 }
 
-TEST(Waves, sounds_that_are_played_once_begin_and_end_in_silence) {
+TEST(Waves, one_shot_sounds_begin_and_end_in_silence) {
   for (const Sound& s : all_sounds()) {
     if (s.loop) continue;
     EXPECT_LT(std::abs(s.wave.front()), 0.01f) << s.name;
@@ -53,9 +53,9 @@ TEST(Waves, sounds_that_are_played_once_begin_and_end_in_silence) {
   }
 }
 
-TEST(Waves, are_the_same_each_time) { EXPECT_EQ(cutting_loop(), cutting_loop()); }
+TEST(Waves, are_deterministic) { EXPECT_EQ(cutting_loop(), cutting_loop()); }
 
-TEST(Waves, sixteen_bits_hold_the_largest_and_the_smallest_sample) {
+TEST(Waves, int16_conversion_covers_the_whole_sample_range) {
   EXPECT_EQ(to_16_bits(Wave{0, 1, -1, 2, -3}), (std::vector<int16_t>{0, 32767, -32767, 32767, -32767}));
 }
 

@@ -16,7 +16,7 @@ Result<FigureList> read(const std::string& text) {
   return read_figures(folder / "figures.json");
 }
 
-TEST(Figure, a_file_says_what_is_drawn_and_what_stands_below) {
+TEST(Figure, a_file_describes_the_content_and_caption_of_each_figure) {
   const auto list = read(R"({"figures": [
     {"number": 3, "caption": "A hole.", "scene": "hole.json", "beam": true, "spread": 0.5,
      "rulers": [{"from": [0, 1, 2], "to": [3, 4, 5], "text": "beam"}]},
@@ -38,7 +38,7 @@ TEST(Figure, a_file_says_what_is_drawn_and_what_stands_below) {
   EXPECT_EQ(figures[2].diagram, "one-to-four");
 }
 
-TEST(Figure, what_is_wrong_is_named) {
+TEST(Figure, errors_name_the_invalid_value) {
   for (const auto& [text, named] :
        {std::pair{R"({"figures": [{"caption": "x", "scene": "a.json"}]})", "number"},
         {R"({"figures": [{"number": 1, "caption": "x"}]})", "/figures/0: must have one of"},

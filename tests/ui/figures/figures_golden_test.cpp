@@ -16,7 +16,7 @@ std::string name_of(const Figure& figure) {
 }
 
 // The pictures of assets/README.md are the goldens. They are made with KERF_MAKE_GOLDEN=1.
-TEST(FiguresGolden, the_figures_of_the_paper_look_as_in_the_readme) {
+TEST(FiguresGolden, the_figures_of_the_paper_match_the_readme) {
   const auto list = read_figures(test::checkout() / "assets/figures.json");
   ASSERT_TRUE(list) << list.error().message;
   const test::TemporaryFolder folder;
@@ -39,7 +39,7 @@ TEST(FiguresGolden, the_figures_of_the_paper_look_as_in_the_readme) {
   }
 }
 
-TEST(FiguresGolden, there_are_all_thirteen_in_their_order) {
+TEST(FiguresGolden, there_are_thirteen_in_order) {
   const auto list = read_figures(test::checkout() / "assets/figures.json");
   ASSERT_TRUE(list) << list.error().message;
   ASSERT_EQ(list->figures.size(), 13u);

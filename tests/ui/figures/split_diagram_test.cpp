@@ -34,7 +34,7 @@ bool disc_meets(const DiagramTriangle& t, const Vec2& beam, double radius) {
   return false;
 }
 
-TEST(SplitDiagram, every_stage_covers_the_triangle_and_marks_what_the_beam_meets) {
+TEST(SplitDiagram, every_stage_covers_the_triangle_and_marks_parts_hit_by_the_beam) {
   const double whole = area({diagram_triangle(), false, false, {}, 0});
   const Vec2 beam(0.52, -0.33);
   const double radius = 0.13;
@@ -54,7 +54,7 @@ TEST(SplitDiagram, every_stage_covers_the_triangle_and_marks_what_the_beam_meets
   for (const DiagramTriangle& t : stages[3]) EXPECT_EQ(t.removed, t.hit);
 }
 
-TEST(SplitDiagram, a_closure_halves_a_triangle_from_a_corner_to_the_middle_of_its_edge) {
+TEST(SplitDiagram, a_closure_bisects_a_triangle_from_a_corner_to_an_edge_midpoint) {
   size_t halved = 0;
   for (const auto& stage : split_stages({0.52, -0.33}, 0.13)) {
     for (const DiagramTriangle& t : stage) {

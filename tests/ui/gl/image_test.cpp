@@ -20,7 +20,7 @@ const uint8_t* pixel(const Pixels& all, int x, int y) {
   return &all.rgb[3 * static_cast<size_t>(y * all.width + x)];
 }
 
-TEST(Png, is_read_as_it_was_written) {
+TEST(Png, round_trips) {
   const TemporaryFolder folder;
   Random random(1);
   for (int i = 0; i < 20; ++i) {
@@ -34,7 +34,7 @@ TEST(Png, is_read_as_it_was_written) {
   }
 }
 
-TEST(Png, that_is_damaged_or_missing_is_none) {
+TEST(Png, fails_to_read_if_damaged_or_missing) {
   const TemporaryFolder folder;
   EXPECT_FALSE(read_png(folder / "none.png"));
   Random random(2);
@@ -46,7 +46,7 @@ TEST(Png, that_is_damaged_or_missing_is_none) {
   EXPECT_FALSE(read_png(folder / "text.png"));
 }
 
-TEST(CutOut, is_the_part_pixel_for_pixel_and_ends_where_the_picture_does) {
+TEST(CutOut, copies_the_region_and_is_clamped_to_the_image) {
   Random random(3);
   const Pixels all = random_pixels(17, 11, random);
   const Pixels part = cut_out(all, 5, 3, 7, 100);
@@ -59,7 +59,7 @@ TEST(CutOut, is_the_part_pixel_for_pixel_and_ends_where_the_picture_does) {
   }
 }
 
-TEST(Shrunk, averages_the_pixels_of_each_and_is_cut_to_the_proportions) {
+TEST(Shrunk, averages_pixels_and_crops_to_the_aspect_ratio) {
   Random random(4);
   const Pixels all = random_pixels(32, 10, random);  // of which the middle 16 x 10 are taken
   const Pixels small = shrunk(all, 8, 5);

@@ -30,7 +30,7 @@ size_t faces_of(const World& world, std::span<const BodyId> bodies) {
 }
 
 // A hundred small rings over a large one of 1.1 million faces.
-TEST(FollowingBodies, that_move_sends_no_face_and_rebuilds_only_their_silhouettes) {
+TEST(BodyUpload, sends_no_face_of_moving_bodies_and_rebuilds_only_silhouettes) {
   constexpr int kPieces = 100, kTicks = 40;
   std::vector<Soup> soups{test::torus(740, 743, 1.5, 0.3)};
   for (int i = 0; i < kPieces; ++i)
@@ -60,7 +60,7 @@ TEST(FollowingBodies, that_move_sends_no_face_and_rebuilds_only_their_silhouette
 }
 
 // Neither faces nor trees are touched: what the ticks changed is bodies and what is known of their contacts.
-TEST(FollowingBodies, that_fall_sends_no_face_and_edits_neither_mesh_nor_tree) {
+TEST(BodyUpload, sends_no_face_of_falling_bodies_and_edits_no_mesh_or_tree) {
   std::vector<Soup> soups{test::torus(300, 301, 1.5, 0.3)};
   for (int i = 0; i < 8; ++i)
     soups.push_back(test::moved(test::torus(6, 8, 0.05, 0.02), {0.3 * i - 1.2, 0.6, 1.5}, 1));
@@ -114,7 +114,7 @@ void expect_seen_as_anew(test::Stage& stage) {
 }
 
 // Whichever side of the sheet it is, the smaller one is sent.
-TEST(FollowingBodies, that_are_detached_put_back_and_deleted_sends_the_smaller_side_alone) {
+TEST(BodyUpload, sends_only_the_smaller_side_on_detach_reattach_and_delete) {
   for (const bool larger : {false, true}) {
     SCOPED_TRACE(larger ? "the larger side" : "the smaller side");
     test::Stage stage = sheet_in_two();

@@ -89,14 +89,14 @@ void expect_golden(const std::string& name, const Pixels& drawn) {
   test::expect_golden(test::checkout() / "tests/golden" / (name + ".png"), drawn);
 }
 
-TEST(Golden, every_overlay_looks_as_it_did) {
+TEST(Golden, every_overlay_matches_its_golden_image) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kGoldenWidth) / kGoldenHeight);
   for (const Golden& golden : goldens(stage))
     expect_golden(golden.name, stage.draw(view, golden.options, kGoldenWidth, kGoldenHeight));
 }
 
-TEST(Golden, a_hot_rim_glows_and_the_scale_of_temperatures_shows_it) {
+TEST(Golden, a_hot_rim_glows_and_the_temperature_scale_shows_it) {
   test::Stage stage = test::ball_and_ring();
   stage.cut({{-0.4, -0.4, 4}, {0, 0, -1}}, {{0.5, -0.1, 4}, {0, 0, -1}}, 0.04, 0.25);
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kGoldenWidth) / kGoldenHeight);
@@ -117,7 +117,7 @@ Pixels draw_stage(test::Stage& stage, StageLog& log, StageRecord::Kind kind) {
                     kGoldenWidth, kGoldenHeight);
 }
 
-TEST(Golden, the_stages_of_a_cut_look_as_they_did) {
+TEST(Golden, the_stages_of_a_cut_match_their_golden_images) {
   test::Stage stage = test::ball_and_ring();
   stage.begin_cut({{-0.3, -0.5, 4}, {0, 0, -1}}, {{0.5, -0.3, 4}, {0, 0, -1}}, 0.12);
   StageLog log;
@@ -130,7 +130,7 @@ TEST(Golden, the_stages_of_a_cut_look_as_they_did) {
   expect_golden("stage-refine", draw_stage(stage, log, Kind::kRefine));
 }
 
-TEST(Golden, the_sets_of_a_separation_look_as_they_did) {
+TEST(Golden, the_sets_of_a_separation_match_their_golden_images) {
   test::Stage stage = test::ball_and_ring();
   stage.begin_cut({{-1.7, 0.1, 4}, {0, 0, -1}}, {{1.7, -0.2, 4}, {0, 0, -1}}, 0.06);
   StageLog log;

@@ -78,14 +78,14 @@ size_t changed_pixels(const Image& a, const Image& b) {
   return changed;
 }
 
-TEST(Picture, shows_the_object_in_the_middle_and_not_at_the_border) {
+TEST(Picture, shows_the_object_in_the_centre_and_not_at_the_border) {
   const Image image = render(scene_of(test::sphere(24, 32, 1)), from_the_front());
   const Pixel sky = image.at_part(0.02, 0.5);
   EXPECT_GT(difference(image.at_part(0.5, 0.5), sky), 40);
   EXPECT_LT(difference(image.at_part(0.98, 0.5), sky), 12);
 }
 
-TEST(Picture, a_hole_lets_the_background_through) {
+TEST(Picture, a_hole_shows_the_background) {
   Scene scene = scene_of(test::sphere(24, 32, 1));
   scene.strokes = {stroke_at_the_middle(0.3)};
   const Image image = render(std::move(scene), from_the_front());
@@ -108,7 +108,7 @@ TEST(Picture, the_rim_of_a_cut_is_brighter_and_warmer_than_paint) {
   EXPECT_GT(warmest(cut), 100);
 }
 
-TEST(Picture, every_overlay_changes_it) {
+TEST(Picture, every_overlay_is_visible) {
   Scene scene =
       scene_of(test::both(test::sphere(24, 32, 1), test::moved(test::sphere(8, 12, 0.3), {0, 1.6, 0}, 1)));
   scene.strokes = {stroke_at_the_middle(0.1)};
@@ -120,7 +120,7 @@ TEST(Picture, every_overlay_changes_it) {
   }
 }
 
-TEST(Picture, is_the_same_twice_and_alike_without_anti_aliasing) {
+TEST(Picture, is_deterministic_and_similar_without_anti_aliasing) {
   const Scene scene = scene_of(test::torus(24, 32, 1, 0.3));
   const Image first = render(scene);
   EXPECT_EQ(first.rgb, render(scene).rgb);
@@ -129,7 +129,7 @@ TEST(Picture, is_the_same_twice_and_alike_without_anti_aliasing) {
   EXPECT_LT(mean_difference(first, render(scene, rough)), 2);
 }
 
-TEST(Picture, does_not_depend_on_the_size_of_the_world) {
+TEST(Picture, does_not_depend_on_the_world_size) {
   const Soup torus = test::torus(24, 32, 1, 0.3);
   const Image one = render(scene_of(torus));
   for (const double size : {1e-6, 1e6}) {
@@ -138,14 +138,14 @@ TEST(Picture, does_not_depend_on_the_size_of_the_world) {
   render(scene_of(test::moved(torus, {0, 0, 0}, 1e39)));
 }
 
-TEST(Picture, far_from_the_origin_it_is_the_same) {
+TEST(Picture, is_the_same_far_from_the_origin) {
   const Soup torus = test::torus(24, 32, 1, 0.3);
   const Image here = render(scene_of(torus));
   const Image far = render(scene_of(test::moved(torus, {1048576, 0, -1048576}, 1)));
   EXPECT_LT(mean_difference(here, far), 2);
 }
 
-TEST(Picture, a_flat_plate_lies_clearly_on_the_ground) {
+TEST(Picture, a_flat_plate_visibly_rests_on_the_ground) {
   const Image image = render(scene_of(test::plate(1)));
   // The plate's colour all over its middle, no speckles of ground.
   const Pixel middle = image.at_part(0.5, 0.5);
@@ -153,7 +153,7 @@ TEST(Picture, a_flat_plate_lies_clearly_on_the_ground) {
     EXPECT_LT(difference(image.at(kPictureWidth / 2 + dx, kPictureHeight / 2), middle), 30);
 }
 
-TEST(Picture, a_size_out_of_range_is_bad_input) {
+TEST(Picture, a_size_out_of_range_is_an_error) {
   PictureOptions options;
   options.width = 0;
   const Status drawn = render_picture({scene_of(test::plate(1)), {}}, options, "/dev/null");

@@ -26,7 +26,7 @@ World torus_world() {
 }
 
 // Two renderers that share a window: each in its rectangle what it draws alone, and between them nothing.
-TEST(Renderer, two_draw_side_by_side_without_touching_each_other) {
+TEST(Renderer, two_renderers_share_a_window_without_interference) {
   test::Stage stage = test::ball_and_ring();
   const World other = torus_world();
   auto second = Renderer::create();
@@ -64,7 +64,7 @@ TEST(Renderer, two_draw_side_by_side_without_touching_each_other) {
 }
 
 // Whichever side is copied to arrays of its own: its faces are shaded as those of the body as loaded.
-TEST(Renderer, a_piece_that_was_detached_looks_as_before) {
+TEST(Renderer, a_detached_piece_looks_unchanged) {
   for (const uint32_t label : {0u, 1u}) {
     World world;
     world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
@@ -84,7 +84,7 @@ TEST(Renderer, a_piece_that_was_detached_looks_as_before) {
   }
 }
 
-TEST(Renderer, a_hidden_piece_and_its_shadow_are_gone_and_come_back) {
+TEST(Renderer, a_hidden_piece_and_its_shadow_disappear_and_return) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
   const Pixels plain = stage.draw(view, {}, kRenderWidth, kRenderHeight);
@@ -96,7 +96,7 @@ TEST(Renderer, a_hidden_piece_and_its_shadow_are_gone_and_come_back) {
   EXPECT_EQ(stage.draw(view, {}, kRenderWidth, kRenderHeight).rgb, plain.rgb);
 }
 
-TEST(Renderer, the_ghost_shows_only_where_something_is_gone) {
+TEST(Renderer, the_ghost_shows_only_removed_parts) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
   ViewOptions options;
@@ -117,7 +117,7 @@ size_t count_greenish(const Pixels& pixels) {
 }
 
 // The last colour of the scale is a pale yellow.
-TEST(Renderer, a_scalar_field_colours_the_faces_and_leaves_nothing_behind) {
+TEST(Renderer, a_scalar_field_colours_faces_and_leaves_no_trace) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
   ViewOptions options;
@@ -146,7 +146,7 @@ TEST(Renderer, a_scalar_field_colours_the_faces_and_leaves_nothing_behind) {
 }
 
 // A ball of so few faces that all its edges are sharp.
-TEST(Renderer, each_shading_is_another_and_by_angle_comes_back) {
+TEST(Renderer, each_shading_mode_differs_and_by_angle_is_restored) {
   World world;
   world.add(make_body("ball", test::build(test::sphere(4, 6, 1))));
   test::Stage stage(std::move(world));

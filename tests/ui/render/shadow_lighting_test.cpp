@@ -58,7 +58,7 @@ class Lit {
 };
 
 // The sky, as it is without any shadow, with every method and look.
-TEST(ShadowLighting, leaves_the_sky_alone) {
+TEST(ShadowLighting, does_not_affect_the_sky) {
   Lit lit;
   lit.options().show.shadows = Shadows::kGround;
   const Pixels plain = lit.draw();
@@ -80,7 +80,7 @@ TEST(ShadowLighting, leaves_the_sky_alone) {
 }
 
 // In shadow all is as without the light; elsewhere it is brighter or the same.
-TEST(ShadowLighting, the_light_is_added_where_the_stencil_is_zero_and_nowhere_else) {
+TEST(ShadowLighting, light_is_added_only_where_the_stencil_is_zero) {
   Lit lit;
   const Pixels with = lit.draw();
   lit.options().lights.clear();
@@ -113,7 +113,7 @@ int darkest_around(const Pixels& picture, size_t at) {
 
 // Each sample of a pixel has a stencil of its own: away from the boundaries of the shadow that one sample
 // sees, no light leaks into it and no dark out of it.
-TEST(ShadowLighting, with_several_samples_no_light_leaks_at_edges) {
+TEST(ShadowLighting, light_does_not_leak_at_edges_with_multisampling) {
   Lit lit;
   const Pixels one_sample = lit.draw();
   lit.options().antialias = true;
@@ -132,7 +132,7 @@ TEST(ShadowLighting, with_several_samples_no_light_leaks_at_edges) {
   EXPECT_EQ(dark, 0u);
 }
 
-TEST(ShadowLighting, four_lights_add_up_and_each_casts_its_shadow) {
+TEST(ShadowLighting, four_lights_add_up_and_cast_a_shadow_each) {
   Lit lit;
   const Pixels one = lit.draw();
   for (const Vec3& from : {Vec3(-0.6, 1, 0.2), Vec3(0.1, 1, -0.8), Vec3(0.8, 0.7, -0.1)}) {
@@ -149,7 +149,7 @@ TEST(ShadowLighting, four_lights_add_up_and_each_casts_its_shadow) {
 }
 
 // Without shadows, with those on the ground and with all, each state darkens what it names and nothing else.
-TEST(ShadowLighting, none_ground_and_all_differ_on_the_surfaces_that_they_name) {
+TEST(ShadowLighting, none_ground_and_all_differ_on_the_surfaces_they_name) {
   test::Stage stage(test::world_of_all({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 2.2, 0}, {1, 1, 1})}));
   const CameraView view =
       look_at({6, 7, -9}, {-1, 1, 0}, static_cast<double>(kLightingWidth) / kLightingHeight);
@@ -179,7 +179,7 @@ TEST(ShadowLighting, none_ground_and_all_differ_on_the_surfaces_that_they_name) 
 }
 
 // A white-hot rim shows as bright under the paper's black as without it.
-TEST(ShadowLighting, what_glows_is_not_darkened) {
+TEST(ShadowLighting, glowing_surfaces_are_not_darkened) {
   test::Stage stage = test::ball_and_ring();
   ViewOptions options;
   options.antialias = false;

@@ -29,7 +29,7 @@ test::Stage torus_over_floor() {
 
 const Light kLamp = test::lamp_at({1, 4, 1.5});
 
-TEST(ShadowsLive, moving_the_camera_computes_nothing) {
+TEST(LiveShadows, moving_the_camera_computes_nothing) {
   test::Stage stage = torus_over_floor();
   stage.draw(view_from({3, 2, 4}), under(kLamp), kLiveWidth, kLiveHeight);
   const ShadowWork before = stage.renderer().shadow_work();
@@ -44,7 +44,7 @@ TEST(ShadowsLive, moving_the_camera_computes_nothing) {
   EXPECT_EQ(after.edges, before.edges);
 }
 
-TEST(ShadowsLive, moving_a_light_computes_the_volumes_of_that_light_alone) {
+TEST(LiveShadows, moving_a_light_computes_only_its_own_volumes) {
   test::Stage stage = torus_over_floor();
   ViewOptions options = under(kLamp);
   options.lights.push_back(test::sun_from({0.3, 1, 0.1}));
@@ -56,7 +56,7 @@ TEST(ShadowsLive, moving_a_light_computes_the_volumes_of_that_light_alone) {
   EXPECT_EQ(stage.renderer().shadow_work().casters, before.casters);
 }
 
-TEST(ShadowsLive, a_bite_costs_what_it_touches_and_the_shadow_stays_right) {
+TEST(LiveShadows, a_small_cut_updates_only_touched_faces_and_keeps_shadows_correct) {
   test::Stage stage = torus_over_floor();
   const CameraView view = view_from({2.4, 2.6, 3.6});
   stage.draw(view, under(kLamp), kLiveWidth, kLiveHeight);
@@ -86,7 +86,7 @@ size_t shadowed_pixels(test::Stage& stage, const CameraView& view, ShadowMethod 
          static_cast<size_t>(std::count(counts.stencil.begin(), counts.stencil.end(), uint8_t{0}));
 }
 
-TEST(ShadowsLive, a_world_without_bodies_has_no_shadow) {
+TEST(LiveShadows, a_world_without_bodies_has_no_shadow) {
   test::Stage stage{World()};
   const CameraView view = view_from({2.4, 2.6, 3.6});
   stage.draw(view, under(kLamp), kLiveWidth, kLiveHeight);
@@ -94,7 +94,7 @@ TEST(ShadowsLive, a_world_without_bodies_has_no_shadow) {
 }
 
 // All that casts is burned away under a light that stays.
-TEST(ShadowsLive, what_is_burned_away_takes_its_shadow_with_it) {
+TEST(LiveShadows, a_removed_part_loses_its_shadow) {
   test::Stage stage(test::world_of_all(
       {test::floor_at(0, 9), test::box({0, 1, 0}, {0.3, 0.3, 0.3}), test::box({1, 1, 0}, {0.3, 0.3, 0.3})}));
   const CameraView view = view_from({2.4, 2.6, 3.6});
@@ -121,7 +121,7 @@ SeenShadow see(Renderer& renderer, const World& world, bool antialias, int width
 }
 
 // Depth, stencil and the light that is added up are of the size of the picture, whatever came before it.
-TEST(ShadowsLive, follow_the_size_of_the_window) {
+TEST(LiveShadows, follow_the_window_size) {
   test::Stage stage = torus_over_floor();
   using Size = std::pair<int, int>;
   for (const bool antialias : {false, true}) {
@@ -140,7 +140,7 @@ TEST(ShadowsLive, follow_the_size_of_the_window) {
 }
 
 // Two hundred pieces drawn apart, some hidden, under a lamp: each shades where it is drawn.
-TEST(ShadowsLive, two_hundred_pieces_cast_shadows_where_they_are_drawn) {
+TEST(LiveShadows, two_hundred_pieces_cast_shadows_where_they_are_drawn) {
   World world;
   Soup plates;
   for (int i = 0; i < 200; ++i) {

@@ -64,7 +64,7 @@ std::vector<Eye> eyes() {
           {"with its near plane through a door", eye_at({1.35, 0.9, 0.5}, {0, 0.55, 0.1}, 0.6)}};
 }
 
-TEST(ShadowOfCar, is_right_however_it_is_cut_and_wherever_eye_and_light_are) {
+TEST(ShadowOfCar, is_correct_for_any_cut_eye_and_light) {
   size_t pixels = 0, shadowed = 0;
   for (const CarCut& cut : car_cuts()) {
     test::Stage stage = cut_car(cut);

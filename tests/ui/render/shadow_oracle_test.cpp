@@ -141,7 +141,7 @@ const std::vector<Case>& right_cases() {
   return cases;
 }
 
-TEST(ShadowOracle, robust_shadows_are_those_that_rays_find) {
+TEST(ShadowOracle, robust_shadows_match_traced_rays) {
   for (const Case& c : right_cases()) {
     test::Stage stage(c.world());
     SCOPED_TRACE(c.name);
@@ -153,7 +153,7 @@ TEST(ShadowOracle, robust_shadows_are_those_that_rays_find) {
 
 // Volumes end under the ground where it hides what lies there, and extend to infinity where the sun is low or
 // the eye under the ground.
-TEST(ShadowOracle, shadows_over_the_ground_are_those_that_rays_find) {
+TEST(ShadowOracle, shadows_on_the_ground_match_traced_rays) {
   const std::pair<const char*, World> worlds[] = {
       {"box", world_of({test::box({0, 1, 0}, {1, 1, 1}), test::box({1.4, 0.2, 0.3}, {0.4, 0.4, 0.4})})},
       {"opened ball", world_of({test::opened_ball({0.3, 0.4, 1}, 0.6)})},
@@ -241,7 +241,7 @@ void expect_failure(const ShadowVerdict& v, size_t least) {
   }
 }
 
-TEST(ShadowOracle, the_papers_methods_fail_where_they_must_and_the_robust_one_does_not) {
+TEST(ShadowOracle, paper_methods_fail_as_expected_and_the_robust_one_does_not) {
   for (const PaperCase& c : paper_cases()) {
     test::Stage stage(c.scene.world());
     test::ShadowTrial trial = trial_of(stage, c.scene.light, c.scene.view);
@@ -255,7 +255,7 @@ TEST(ShadowOracle, the_papers_methods_fail_where_they_must_and_the_robust_one_do
 }
 
 // The faces that are seen and the shadows on them, which the whole world casts, are those that rays find.
-TEST(ShadowOracle, a_section_plane_takes_faces_from_the_picture_and_nothing_from_the_shadows) {
+TEST(ShadowOracle, a_section_plane_hides_faces_but_keeps_their_shadows) {
   const SectionPlane level = SectionPlane::facing({0, 0.9, 0}, {0, 1, 0});
   const SectionPlane front = SectionPlane::facing({0, 0.1, 0.1}, {0.3, 0.2, 1});
   for (const Case& c :
@@ -276,7 +276,7 @@ TEST(ShadowOracle, a_section_plane_takes_faces_from_the_picture_and_nothing_from
 }
 
 // What a slip in the depths of the near caps would cost: nearly everything that is lit.
-TEST(ShadowOracle, near_caps_that_are_off_by_a_hair_are_noticed) {
+TEST(ShadowOracle, slightly_displaced_near_caps_are_detected) {
   test::Stage stage(box_over_floor());
   for (const Light& light : {lamp_at({1.2, 4, 1.5}), sun_from({0.4, 1, 0.5})}) {
     test::ShadowTrial trial = trial_of(stage, light, shadow_view(kEye, kMiddle));
@@ -321,7 +321,7 @@ ShadowVerdict grazed_wall(bool split) {
 // The sides on a long edge and those on the short ones that lie on it cancel in number, and are rasterised
 // apart: now and then a pixel falls between them, the more the flatter the light. Four do here; none does
 // where the long edge is split.
-TEST(ShadowOracle, sixty_hanging_vertices_cost_four_sparkles) {
+TEST(ShadowOracle, sixty_hanging_vertices_cause_four_wrong_pixels) {
   const ShadowVerdict hanging = grazed_wall(false);
   SCOPED_TRACE(hanging.summary());
   expect_seen(hanging, kSolid);

@@ -21,7 +21,7 @@ ViewOptions plainly_under(const Light& light) {
 
 // A piece that a look turns and moves has to be drawn, and to cast its shadow, as it does where it stands
 // there.
-TEST(TurnedPieces, look_as_they_do_once_they_stand_there) {
+TEST(TurnedPieces, look_as_if_placed_at_their_display_transform) {
   Random random(11);
   const CameraView view = test::view_of_ball_and_ring(double{kTurnedWidth} / kTurnedHeight);
   for (const Light& light : {Light{}, test::lamp_at({1, 4, 1.5})}) {

@@ -22,7 +22,7 @@ Particles emitted(double mass, double size = 1) {
   return particles;
 }
 
-TEST(Particles, are_as_many_for_one_large_bite_as_for_many_small_ones) {
+TEST(Particles, are_as_many_for_one_large_removal_as_for_many_small_ones) {
   Particles short_ones;
   for (int i = 0; i < 1000; ++i) short_ones.add({{0, 1, 0}, {0, -1, 0}, 1, 0.001}, kUp);
   const Effects once = effects_of(emitted(1)), often = effects_of(short_ones);
@@ -31,7 +31,7 @@ TEST(Particles, are_as_many_for_one_large_bite_as_for_many_small_ones) {
   EXPECT_GT(once.sparks.size(), once.puffs.size());
 }
 
-TEST(Particles, are_twice_as_many_of_twice_the_mass_and_as_many_of_a_sheet_of_half_the_size) {
+TEST(Particles, are_proportional_to_mass_relative_to_size) {
   const auto sparks = [](double mass, double size) {
     return static_cast<double>(effects_of(emitted(mass, size)).sparks.size());
   };
@@ -40,13 +40,13 @@ TEST(Particles, are_twice_as_many_of_twice_the_mass_and_as_many_of_a_sheet_of_ha
   EXPECT_EQ(sparks(0, 1), 0);
 }
 
-TEST(Particles, are_bounded_in_number_however_much_a_beam_removes) {
+TEST(Particles, are_bounded_in_number) {
   const Effects effects = effects_of(emitted(1000));
   EXPECT_LE(effects.sparks.size(), 1200u);
   EXPECT_LE(effects.puffs.size(), 160u);
 }
 
-TEST(Particles, sparks_stay_above_the_ground_and_cool_while_smoke_thins_out) {
+TEST(Particles, sparks_stay_above_the_ground_and_cool_while_smoke_fades) {
   Particles particles = emitted(1);
   for (int frame = 0; frame < 30; ++frame) {
     particles.advance(1 / 60.0, kUp, 0.5);
@@ -58,14 +58,14 @@ TEST(Particles, sparks_stay_above_the_ground_and_cool_while_smoke_thins_out) {
                           [](const Spark& s) { return s.heat > 0 && s.heat < 0.5; }));
 }
 
-TEST(Particles, are_gone_two_seconds_after_the_last_bite) {
+TEST(Particles, disappear_two_seconds_after_the_last_removal) {
   Particles particles = emitted(1);
   EXPECT_FALSE(particles.empty());
   for (int frame = 0; frame < 120; ++frame) particles.advance(1 / 60.0, kUp, 0);
   EXPECT_TRUE(particles.empty());
 }
 
-TEST(Particles, of_a_small_thing_stay_near_it) {
+TEST(Particles, stay_near_a_small_object) {
   const auto farthest = [](double size) {
     Particles particles = emitted(0.5 * size * size, size);
     for (int frame = 0; frame < 12; ++frame) particles.advance(1 / 60.0, kUp, -10);

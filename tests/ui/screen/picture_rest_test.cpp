@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(PictureRest, comes_a_moment_after_the_last_change) {
+TEST(PictureRest, begins_shortly_after_the_last_change) {
   PictureRest rest;
   rest.follow(PictureChange::kAll, 10);
   EXPECT_FALSE(rest.rests());
@@ -17,7 +17,7 @@ TEST(PictureRest, comes_a_moment_after_the_last_change) {
   EXPECT_TRUE(rest.shapes_rest());
 }
 
-TEST(PictureRest, of_the_shapes_is_not_disturbed_by_what_cools_down) {
+TEST(PictureRest, of_shapes_is_not_interrupted_by_cooling) {
   PictureRest rest;
   rest.follow(PictureChange::kAll, 10);
   for (int frame = 1; frame <= 60; ++frame) {

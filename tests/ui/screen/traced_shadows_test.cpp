@@ -27,7 +27,7 @@ class TracedShadowsTest : public testing::Test {
   ShadowStatistics statistics_;
 };
 
-TEST_F(TracedShadowsTest, come_in_several_frames_and_say_nothing_of_the_result_before_all_are_there) {
+TEST_F(TracedShadowsTest, take_several_frames_and_report_only_complete_results) {
   frame(true, false);
   EXPECT_EQ(statistics_.traced, 0);
   for (double before = 0; statistics_.traced < 1; before = statistics_.traced) {
@@ -41,7 +41,7 @@ TEST_F(TracedShadowsTest, come_in_several_frames_and_say_nothing_of_the_result_b
   EXPECT_FALSE(traced_.busy());
 }
 
-TEST_F(TracedShadowsTest, wait_while_the_picture_is_not_still_and_start_over_for_a_fresh_one) {
+TEST_F(TracedShadowsTest, wait_while_the_viewport_changes_and_restart_for_a_new_frame) {
   frame(true, false);
   frame(false, true);
   const double before = statistics_.traced;

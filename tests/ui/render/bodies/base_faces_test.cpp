@@ -20,7 +20,7 @@ void expect_normal(const glm::vec3& found, const glm::vec3& true_one) {
 
 // Large enough for many ranges. Its faces stand at one angle around each of its positions, so that the mean
 // of their normals is that of the torus up to the length of an edge.
-TEST(BaseFaces, have_the_normals_of_the_smooth_surface_at_their_corners) {
+TEST(BaseFaces, have_the_corner_normals_of_the_smooth_surface) {
   constexpr double kLarge = 1, kSmall = 0.3;
   const BuiltMesh built = build(torus(400, 200, kLarge, kSmall));
   const FloatFrame frame = frame_of(built);
@@ -37,7 +37,7 @@ TEST(BaseFaces, have_the_normals_of_the_smooth_surface_at_their_corners) {
   }
 }
 
-TEST(BaseFaces, have_their_own_normals_where_they_meet_at_sharp_edges) {
+TEST(BaseFaces, have_face_normals_at_sharp_edges) {
   const BuiltMesh built = build(book(5));
   const BaseFaces bases(built.mesh, frame_of(built));
   for (uint32_t f = 0; f < bases.count(); ++f) {
@@ -47,7 +47,7 @@ TEST(BaseFaces, have_their_own_normals_where_they_meet_at_sharp_edges) {
   }
 }
 
-TEST(BaseFaces, are_the_same_with_1_2_and_16_threads) {
+TEST(BaseFaces, are_identical_with_1_2_and_16_threads) {
   Random random(3);
   const BuiltMesh built =
       build(both(torus(300, 200, 1, 0.3), moved(random_soup(2000, random), {3, 0, 0}, 1)));

@@ -25,7 +25,7 @@ Interval columns_that_differ(const Pixels& a, const Pixels& b) {
 }
 
 // A chord across a sheet, from left to right.
-TEST(BodyMarks, are_cut_by_the_section_plane_where_it_cuts_them) {
+TEST(BodyMarks, are_clipped_by_the_section_plane) {
   test::Stage stage(test::world_of_all({test::grid(10, 2)}));
   const CameraView view = look_at({0, 3, 2}, {0, 0, 0}, double{kMarksWidth} / kMarksHeight);
   auto marks = std::make_shared<BodyMarks>();

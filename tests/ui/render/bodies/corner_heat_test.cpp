@@ -22,7 +22,7 @@ void heat_to(Body& body, FaceId f, double temperature) {
   body.heat.record_hottest(body.mesh, f, temperature);
 }
 
-TEST(CornerHeat, of_a_body_that_was_never_hot_is_none) {
+TEST(CornerHeat, is_empty_for_a_body_that_was_never_hot) {
   const Body body = make_body("grid", test::build(test::grid(8, 1)));
   CornerHeat heat;
   std::vector<FaceId> affected;
@@ -51,7 +51,7 @@ double drawn_hottest(const Mesh& mesh, const CornerHeat& heat, FaceId f, const V
   return noted > 0 ? std::max(kAmbient, std::min(sum / noted, straight)) : kAmbient;
 }
 
-TEST(CornerHeat, draws_what_is_linear_over_faces_of_different_sizes_as_it_is) {
+TEST(CornerHeat, reproduces_a_linear_field_on_faces_of_different_sizes) {
   Random random(6);
   Body body = make_body("grid", test::build(test::grid(6, 1)));
   std::vector<Mesh::FaceSplit> splits;
@@ -74,7 +74,7 @@ TEST(CornerHeat, draws_what_is_linear_over_faces_of_different_sizes_as_it_is) {
 
 // Faces keep their highest temperatures from 500 K on; the line at which they end is drawn where the
 // temperature falls to that, and not where the faces begin that kept none.
-TEST(CornerHeat, ends_along_a_straight_line_whatever_the_faces) {
+TEST(CornerHeat, ends_along_a_straight_line_on_any_faces) {
   constexpr int kCells = 12, kSamples = 40;
   constexpr double kCell = 1.0 / kCells, kTintedFrom = 500;
   Random random(8);
@@ -131,7 +131,7 @@ Body hot_strip_beside_long_faces(double width, double reach, int cells) {
   return body;
 }
 
-TEST(CornerHeat, of_a_large_face_that_touches_what_is_hot_ends_where_the_small_ones_say) {
+TEST(CornerHeat, of_a_large_face_at_a_hot_region_ends_like_that_of_small_faces) {
   constexpr double kWidth = 1, kReach = 40;
   const Body body = hot_strip_beside_long_faces(kWidth, kReach, 40);
   CornerHeat heat;
@@ -156,7 +156,7 @@ TEST(CornerHeat, of_a_large_face_that_touches_what_is_hot_ends_where_the_small_o
   }
 }
 
-TEST(CornerHeat, is_the_same_from_both_sides_of_an_edge) {
+TEST(CornerHeat, is_equal_from_both_sides_of_an_edge) {
   Random random(9);
   Body body = make_body("grid", test::build(test::grid(8, 1)));
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) heat_to(body, FaceId(f), random.uniform(293, 1700));
@@ -173,7 +173,7 @@ TEST(CornerHeat, is_the_same_from_both_sides_of_an_edge) {
   }
 }
 
-TEST(CornerHeat, of_faces_that_cooled_down_leaves_the_tint_until_that_is_undone) {
+TEST(CornerHeat, keeps_the_tint_of_cooled_faces_until_undo) {
   Body body = make_body("grid", test::build(test::grid(8, 1)));
   const FaceId hot(40);
   heat_to(body, hot, 1200);
@@ -228,7 +228,7 @@ void change(Body& body, Random& random, std::vector<VertexId>& changed) {
 }
 
 // What follows from change to change must be what a look at the whole body finds.
-TEST(CornerHeat, follows_changes_like_one_that_begins_anew) {
+TEST(CornerHeat, incremental_updates_match_a_rebuild) {
   Random random(11);
   Body body = make_body("grid", test::build(test::grid(12, 1)));
   for (uint32_t f = 0; f < 30; ++f) body.walls.set(body.mesh, FaceId(f), FaceId(40));

@@ -15,7 +15,7 @@ LabelCandidate face(uint32_t number, glm::vec2 at, float size, float depth) {
 }
 const auto kAllSeen = [](const LabelCandidate&) { return true; };
 
-TEST(FaceLabels, the_nearest_of_two_in_one_place_is_numbered) {
+TEST(FaceLabels, the_nearer_of_two_overlapping_faces_is_labelled) {
   const auto labels =
       place_labels({face(1, {50, 50}, 30, 9), face(2, {52, 50}, 30, 3)}, {100, 100}, {}, kAllSeen);
   ASSERT_EQ(labels.size(), 1u);
@@ -27,7 +27,7 @@ TEST(FaceLabels, a_face_too_small_for_its_number_has_none) {
   EXPECT_EQ(place_labels({face(7, {50, 50}, 8, 1)}, {100, 100}, {}, kAllSeen).size(), 1u);
 }
 
-TEST(FaceLabels, what_is_not_seen_takes_no_place) {
+TEST(FaceLabels, hidden_faces_take_no_space) {
   const auto second_only = [](const LabelCandidate& c) { return c.face.index == 2; };
   const auto labels =
       place_labels({face(1, {50, 50}, 30, 1), face(2, {50, 50}, 30, 2)}, {100, 100}, {}, second_only);
@@ -35,7 +35,7 @@ TEST(FaceLabels, what_is_not_seen_takes_no_place) {
   EXPECT_EQ(labels[0].number, 2u);
 }
 
-TEST(FaceLabels, never_lie_on_one_another_and_stay_within_the_picture) {
+TEST(FaceLabels, never_overlap_and_stay_inside_the_viewport) {
   std::vector<LabelCandidate> many;
   for (uint32_t i = 0; i < 2000; ++i) {
     many.push_back(face(i, {static_cast<float>(i * 37 % 211), static_cast<float>(i * 53 % 157)}, 25,

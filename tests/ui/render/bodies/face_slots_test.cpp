@@ -12,7 +12,7 @@ namespace {
 using Ranges = std::vector<SlotRange>;
 constexpr std::array<float, 3> kNoRim{60000, 60000, 60000};
 
-TEST(DirtySlots, are_taken_as_few_ranges_and_are_clean_after) {
+TEST(DirtySlots, are_returned_as_few_ranges_and_cleared) {
   DirtySlots dirty;
   for (const uint32_t slot : {9u, 3u, 4u, 3u, 20u}) dirty.mark(slot);
   EXPECT_EQ(dirty.take(0, 1000), (Ranges{{3, 5}, {9, 10}, {20, 21}}));
@@ -20,7 +20,7 @@ TEST(DirtySlots, are_taken_as_few_ranges_and_are_clean_after) {
   EXPECT_TRUE(dirty.take(0, 1000).empty());
 }
 
-TEST(DirtySlots, small_gaps_are_taken_along) {
+TEST(DirtySlots, small_gaps_are_bridged) {
   DirtySlots dirty;
   for (const uint32_t slot : {3u, 6u, 12u}) dirty.mark(slot);
   EXPECT_EQ(dirty.take(2, 1000), (Ranges{{3, 7}, {12, 13}}));
@@ -33,7 +33,7 @@ TEST(DirtySlots, no_range_crosses_a_chunk) {
   EXPECT_EQ(dirty.take(100, 4), (Ranges{{0, 4}, {4, 8}, {8, 10}, {12, 13}}));
 }
 
-TEST(DirtySlots, all_are_handed_out_a_part_at_a_time_and_each_once) {
+TEST(DirtySlots, all_are_returned_in_parts_and_only_once) {
   DirtySlots dirty;
   dirty.mark_all(10);
   EXPECT_EQ(dirty.take(0, 100, 4), (Ranges{{0, 4}}));
@@ -44,7 +44,7 @@ TEST(DirtySlots, all_are_handed_out_a_part_at_a_time_and_each_once) {
   EXPECT_TRUE(dirty.empty());
 }
 
-TEST(LiveList, the_last_takes_the_place_of_what_goes) {
+TEST(LiveList, the_last_element_replaces_a_removed_one) {
   LiveList live;
   live.make_room(10);
   for (const uint32_t slot : {2u, 5u, 7u}) EXPECT_TRUE(live.set(slot, true));
@@ -55,7 +55,7 @@ TEST(LiveList, the_last_takes_the_place_of_what_goes) {
   EXPECT_EQ(live.take_changes(0), (Ranges{{0, 1}}));
 }
 
-TEST(LiveList, what_comes_and_goes_leaves_nothing_to_send) {
+TEST(LiveList, adding_and_removing_leaves_nothing_to_send) {
   LiveList live;
   live.make_room(10);
   live.set(1, true);
@@ -65,7 +65,7 @@ TEST(LiveList, what_comes_and_goes_leaves_nothing_to_send) {
   EXPECT_TRUE(live.take_changes(0).empty());
 }
 
-TEST(FaceVertices, of_a_dead_face_are_one_point) {
+TEST(FaceVertices, collapse_to_a_point_for_a_dead_face) {
   Mesh mesh = test::build(test::plate(1)).mesh;
   const FloatFrame frame = FloatFrame::around({0, 0, 0}, {1, 0, 1});
   const BaseFaces bases(mesh, frame);
@@ -74,7 +74,7 @@ TEST(FaceVertices, of_a_dead_face_are_one_point) {
   EXPECT_NE(face_vertices(mesh, bases, frame, FaceId(1), kNoRim), FaceVertices{});
 }
 
-TEST(FaceVertices, tell_material_halvings_and_the_distance_of_each_corner_from_a_rim) {
+TEST(FaceVertices, contain_material_halvings_and_rim_distances) {
   Mesh mesh = test::build(test::plate(1)).mesh;
   const FloatFrame frame = FloatFrame::around({0, 0, 0}, {1, 0, 1});
   const BaseFaces bases(mesh, frame);
@@ -90,7 +90,7 @@ TEST(FaceVertices, tell_material_halvings_and_the_distance_of_each_corner_from_a
   EXPECT_EQ(glm::unpackHalf1x16(corners[2].rim), 1.5f);
 }
 
-TEST(PackedPiece, is_zero_for_label_zero_alone) {
+TEST(PackedPiece, is_zero_only_for_label_zero) {
   EXPECT_EQ(packed_piece(0), 0);
   for (const uint32_t label : {1u, 2u, 65535u, 65536u, 131070u, 131071u, 0xffffffffu}) {
     EXPECT_NE(packed_piece(label), 0) << label;
@@ -131,7 +131,7 @@ TEST(BaseFaces, an_edge_sharper_than_the_crease_stays_sharp) {
   }
 }
 
-TEST(FloatFrame, brings_any_size_to_about_one) {
+TEST(FloatFrame, normalises_any_size_to_about_one) {
   for (const double size : {1e-30, 1e-6, 1.0, 1e6, 1e39}) {
     const FloatFrame frame = FloatFrame::around(Vec3(-size), Vec3(3 * size));
     const glm::vec3 corner = frame.to_float(Vec3(3 * size));

@@ -13,7 +13,7 @@ Vec3 random_point(Random& random) {
   return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
 }
 
-TEST(HeatFit, gives_back_what_is_linear_in_space_to_faces_of_any_size) {
+TEST(HeatFit, reproduces_a_linear_field_on_faces_of_any_size) {
   for (uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -34,7 +34,7 @@ TEST(HeatFit, gives_back_what_is_linear_in_space_to_faces_of_any_size) {
   }
 }
 
-TEST(HeatFit, of_faces_in_a_plane_has_no_gradient_across_it) {
+TEST(HeatFit, has_no_normal_gradient_for_coplanar_faces) {
   Random random(3);
   std::vector<FaceSample> samples;
   for (int i = 0; i < 7; ++i) {
@@ -49,7 +49,7 @@ TEST(HeatFit, of_faces_in_a_plane_has_no_gradient_across_it) {
   EXPECT_NEAR(hottest.at, 293, 1e-9);
 }
 
-TEST(HeatFit, of_one_face_is_its_temperature) {
+TEST(HeatFit, is_the_temperature_of_a_single_face) {
   const std::vector<FaceSample> samples{{{1, 2, 3}, 0.5, {1000, 1200}}};
   const auto [now, hottest] = fit_heat({1, 2, 3.2}, samples);
   EXPECT_EQ(now.at, 1000);

@@ -26,7 +26,7 @@ Vec3 middle_of_first(const World& world) {
 
 Pose down_at(const Vec3& p) { return {{p.x, 3, p.z}, {0, -1, 0}}; }
 
-TEST(Pick, meets_the_nearest_face) {
+TEST(Pick, hits_the_nearest_face) {
   const World world = two_plates();
   const auto met = pick(world, {}, down_at(middle_of_first(world)));
   ASSERT_TRUE(met);
@@ -34,7 +34,7 @@ TEST(Pick, meets_the_nearest_face) {
   EXPECT_EQ(world.body(met->body).mesh.data(met->face).piece, 1u);
 }
 
-TEST(Pick, looks_through_what_is_hidden) {
+TEST(Pick, ignores_hidden_pieces) {
   const World world = two_plates();
   ViewOptions options;
   options.pieces[{world.ids().front(), 1}].hidden = true;
@@ -43,7 +43,7 @@ TEST(Pick, looks_through_what_is_hidden) {
   EXPECT_DOUBLE_EQ(met->length, 3);
 }
 
-TEST(Pick, meets_a_moved_piece_where_it_is_drawn) {
+TEST(Pick, hits_a_moved_piece_where_it_is_drawn) {
   const World world = two_plates();
   const Vec3 at = middle_of_first(world);
   ViewOptions options;
@@ -52,7 +52,7 @@ TEST(Pick, meets_a_moved_piece_where_it_is_drawn) {
   EXPECT_DOUBLE_EQ(pick(world, options, down_at(at + Vec3(5, 0, 0))).value().length, 1.5);
 }
 
-TEST(Pick, meets_no_back_where_none_is_drawn) {
+TEST(Pick, ignores_culled_back_faces) {
   const World world = two_plates();
   const Vec3 at = middle_of_first(world);
   ViewOptions options;
@@ -62,7 +62,7 @@ TEST(Pick, meets_no_back_where_none_is_drawn) {
   EXPECT_NE(from_above, from_below);
 }
 
-TEST(Pick, looks_past_what_the_section_plane_takes_away) {
+TEST(Pick, ignores_parts_clipped_by_the_section_plane) {
   const World world = two_plates();
   const Vec3 at = middle_of_first(world);
   ViewOptions options;
@@ -77,7 +77,7 @@ TEST(Pick, looks_past_what_the_section_plane_takes_away) {
   EXPECT_FALSE(pick(world, options, down_at(at)));
 }
 
-TEST(Pick, misses_beside_everything) {
+TEST(Pick, misses_empty_space) {
   EXPECT_FALSE(pick(two_plates(), {}, down_at({50, 0, 0})));
   EXPECT_FALSE(pick(World{}, {}, down_at({0, 0, 0})));
 }

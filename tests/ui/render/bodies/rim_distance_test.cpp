@@ -121,7 +121,7 @@ class CutPlate {
   std::vector<VertexId> changed_;
 };
 
-TEST(RimDistance, the_boundary_of_a_mesh_as_loaded_is_no_rim) {
+TEST(RimDistance, the_boundary_of_a_loaded_mesh_is_no_rim) {
   CutPlate plate(4);
   plate.split(FaceId(0));
   plate.split(FaceId(7));
@@ -131,7 +131,7 @@ TEST(RimDistance, the_boundary_of_a_mesh_as_loaded_is_no_rim) {
 }
 
 // A vertex learns of a rim from its neighbours, so that it may miss the nearest side by a little.
-TEST(RimDistance, is_that_of_a_search_of_all_sides_after_any_splits_and_removals) {
+TEST(RimDistance, matches_brute_force_after_any_splits_and_removals) {
   for (uint64_t seed = 1; seed <= runs(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(static_cast<uint32_t>(seed));

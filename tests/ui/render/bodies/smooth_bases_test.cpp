@@ -13,7 +13,7 @@ BaseFaces bases_of(const BuiltMesh& built) {
 }
 
 // A ball of so few faces that all its edges are sharp.
-TEST(SmoothBases, have_one_normal_at_each_position_also_where_edges_are_sharp) {
+TEST(SmoothBases, have_one_normal_per_position_even_at_sharp_edges) {
   const BuiltMesh built = build(sphere(4, 6, 1));
   const BaseFaces sharp = bases_of(built), smooth = sharp.smoothed();
   ASSERT_EQ(smooth.count(), sharp.count());
@@ -29,7 +29,7 @@ TEST(SmoothBases, have_one_normal_at_each_position_also_where_edges_are_sharp) {
   }
 }
 
-TEST(SmoothBases, are_the_same_where_a_surface_was_smooth) {
+TEST(SmoothBases, are_unchanged_on_smooth_surfaces) {
   const BaseFaces bases = bases_of(build(torus(60, 40, 1, 0.3))), smooth = bases.smoothed();
   for (uint32_t f = 0; f < bases.count(); ++f) {
     const auto corners = *bases.corners(FaceId(f));
@@ -39,12 +39,12 @@ TEST(SmoothBases, are_the_same_where_a_surface_was_smooth) {
   EXPECT_NEAR(smooth.deviation(), bases.deviation(), 0.011f);
 }
 
-TEST(SmoothBases, deviate_more_from_facets_where_edges_were_sharp) {
+TEST(SmoothBases, deviate_more_from_facets_at_sharp_edges) {
   const BaseFaces sharp = bases_of(build(sphere(4, 6, 1)));
   EXPECT_GT(sharp.smoothed().deviation(), sharp.deviation() + 0.2f);
 }
 
-TEST(SmoothBases, know_which_sides_were_open) {
+TEST(SmoothBases, preserve_open_sides) {
   const BuiltMesh built = build(plate(1));
   const BaseFaces bases = bases_of(built), smooth = bases.smoothed();
   const auto corners = *bases.corners(FaceId(0));

@@ -85,7 +85,7 @@ void expect_four_colours(const Pixels& pixels) {
 constexpr const char* kTextured =
     R"({"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}})";
 
-TEST(SurfaceTextures, show_the_image_where_the_uvs_place_it_also_after_a_cut) {
+TEST(SurfaceTextures, map_the_image_by_uvs_even_after_a_cut) {
   const TemporaryFolder folder;
   Stage stage(painted_square(four_colours(folder), kTextured));
   expect_four_colours(stage.draw(from_above(), plain_options(), kSize, kSize));
@@ -94,7 +94,7 @@ TEST(SurfaceTextures, show_the_image_where_the_uvs_place_it_also_after_a_cut) {
   expect_four_colours(stage.draw(from_above(), plain_options(), kSize, kSize));
 }
 
-TEST(SurfaceTextures, are_left_out_where_faces_are_coloured_by_piece) {
+TEST(SurfaceTextures, are_omitted_if_faces_are_coloured_by_piece) {
   const TemporaryFolder folder;
   Stage stage(painted_square(four_colours(folder), kTextured));
   ViewOptions options = plain_options();
@@ -115,7 +115,7 @@ TEST(SurfaceTextures, show_a_checkerboard_for_a_damaged_image) {
   EXPECT_GT(brightest, darkest + 20);
 }
 
-TEST(SurfaceTextures, of_a_mask_leave_transparent_parts_out) {
+TEST(SurfaceTextures, alpha_mask_discards_transparent_parts) {
   const auto drawn = [](const std::string& material) {
     Stage stage(painted_square("", material));
     return pixel(stage.draw(from_above(), plain_options(), kSize, kSize), 0.5, 0.5);
@@ -127,12 +127,12 @@ TEST(SurfaceTextures, of_a_mask_leave_transparent_parts_out) {
   EXPECT_LT(masked[1], 80);
 }
 
-TEST(DecodeTexture, refuses_anything_but_an_image) {
+TEST(DecodeTexture, rejects_anything_but_an_image) {
   for (const std::string bytes : {"", "P6 1 1 255\nabc", "\x89PNG\r\n\x1a\n", "BM"})
     EXPECT_FALSE(decode_texture(bytes).has_value()) << bytes;
 }
 
-TEST(SurfaceLooks, read_both_kinds_of_descriptions) {
+TEST(SurfaceLooks, read_both_kinds_of_material_description) {
   SurfaceLibrary library;
   library.materials.resize(3);
   library.materials[0].mtl = {{"Kd 1 0 0"}, {"d 0.5"}, {"map_Kd ", 0u}};

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(BeamPass, keeps_the_spot_of_a_strike_within_a_fifth_of_the_height_of_every_picture) {
+TEST(BeamPass, limits_the_impact_spot_to_a_fifth_of_the_image_height) {
   for (const int height : {1, 16, 100, 169, 170, 171, 800, 2160}) {
     for (const double radius : {0.0, 0.5, 2.0, 10.0, 1e6}) {
       const double half_width = spot_half_width(radius, height);

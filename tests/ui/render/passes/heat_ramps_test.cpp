@@ -26,7 +26,7 @@ glm::dvec3 oklab(const glm::vec3& screen) {
           0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
-TEST(ShownGlow, begins_at_the_draper_point_and_gets_brighter) {
+TEST(ShownGlow, begins_at_the_draper_point_and_brightens) {
   EXPECT_EQ(shown_glow(kAmbient), glm::vec3(0));
   EXPECT_EQ(shown_glow(kGlowFrom), glm::vec3(0));
   double last = 0;
@@ -37,7 +37,7 @@ TEST(ShownGlow, begins_at_the_draper_point_and_gets_brighter) {
   }
 }
 
-TEST(ShownGlow, goes_from_red_over_orange_to_nearly_white) {
+TEST(ShownGlow, runs_from_red_over_orange_to_nearly_white) {
   const glm::vec3 cherry = shown_glow(1000), orange = shown_glow(1500), molten = shown_glow(1800);
   EXPECT_LT(cherry.g, 0.05 * cherry.r);
   EXPECT_GT(orange.g, 0.15 * orange.r);
@@ -46,7 +46,7 @@ TEST(ShownGlow, goes_from_red_over_orange_to_nearly_white) {
   EXPECT_GT(molten.b, 0.2 * molten.r);
 }
 
-TEST(HeatColour, changes_evenly_and_gets_lighter_all_the_way) {
+TEST(HeatColour, changes_evenly_and_brightens_monotonically) {
   constexpr int kSteps = 32;
   double least = 1, most = 0, lightness = 0;
   for (int i = 0; i < kSteps; ++i) {
@@ -60,7 +60,7 @@ TEST(HeatColour, changes_evenly_and_gets_lighter_all_the_way) {
   EXPECT_LT(most, 1.6 * least);
 }
 
-TEST(Tint, comes_with_heat_and_stays_below_opaque) {
+TEST(Tint, increases_with_heat_and_stays_below_opaque) {
   EXPECT_EQ(tint_of(kAmbient).a, 0);
   EXPECT_GT(tint_of(560).a, 0.3);
   EXPECT_LT(tint_of(1800).a, 0.95);

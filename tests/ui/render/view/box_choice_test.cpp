@@ -19,23 +19,23 @@ std::vector<float> depths(const std::vector<BoxLine>& boxes) {
   return z;
 }
 
-TEST(ChooseBoxes, takes_those_that_are_seen_largest) {
+TEST(ChooseBoxes, selects_the_largest_on_screen) {
   const std::vector boxes{box_at({0, 0, -20}, 1), box_at({0, 0, -5}, 1), box_at({0, 0, -10}, 1)};
   EXPECT_EQ(depths(select_boxes(boxes, kView, 2)), (std::vector<float>{5, 10}));
 }
 
-TEST(ChooseBoxes, leaves_out_what_is_beside_or_behind_the_eye) {
+TEST(ChooseBoxes, excludes_boxes_outside_the_view_and_behind_the_eye) {
   const std::vector boxes{box_at({0, 0, 5}, 1), box_at({30, 0, -5}, 1), box_at({0, -30, -5}, 1),
                           box_at({0, 0, -5}, 1)};
   EXPECT_EQ(depths(select_boxes(boxes, kView, 9)), (std::vector<float>{5}));
 }
 
-TEST(ChooseBoxes, keeps_the_one_that_the_eye_is_in) {
+TEST(ChooseBoxes, includes_the_box_that_contains_the_eye) {
   const std::vector boxes{box_at({0, 0, 0}, 50)};
   EXPECT_EQ(select_boxes(boxes, kView, 9).size(), 1u);
 }
 
-TEST(ChooseBoxes, prefers_where_the_beam_was) {
+TEST(ChooseBoxes, prefers_boxes_hit_by_the_beam) {
   const std::vector boxes{box_at({0, 0, -5}, 1), box_at({0, 0, -10}, 1, true)};
   EXPECT_EQ(depths(select_boxes(boxes, kView, 1)), (std::vector<float>{10}));
 }

@@ -47,7 +47,7 @@ double cie76(const BoxColours& c, const glm::dmat3& sight) {
   return glm::length(lab(sight * linear(c.hit)) - lab(sight * linear(c.untouched)));
 }
 
-TEST(BoxPalette, orange_and_blue_stay_apart_for_every_kind_of_sight) {
+TEST(BoxPalette, orange_and_blue_are_distinct_for_every_colour_vision) {
   const BoxColours colours = colours_of(BoxPalette::kOrangeAndBlue);
   for (const auto& [name, sight] : {std::pair("normal", kNormal), std::pair("protan", kProtan),
                                     std::pair("deutan", kDeutan), std::pair("tritan", kTritan)}) {
@@ -57,7 +57,7 @@ TEST(BoxPalette, orange_and_blue_stay_apart_for_every_kind_of_sight) {
   }
 }
 
-TEST(BoxPalette, red_and_green_are_for_those_who_see_all_colours) {
+TEST(BoxPalette, red_and_green_are_distinct_for_full_colour_vision) {
   const BoxColours colours = colours_of(BoxPalette::kRedAndGreen);
   EXPECT_GE(cie76(colours, kNormal), 40);
   EXPECT_GE(cie76(colours, kTritan), 40);

@@ -15,7 +15,7 @@ Camera framed() {
   return camera;
 }
 
-TEST(Camera, ray_through_a_pixel_meets_what_is_projected_there) {
+TEST(Camera, ray_through_a_pixel_hits_the_point_projected_there) {
   const CameraView view = framed().view(kWide);
   const Vec3 p(0.3, 0.8, 1.1);
   const Vec3 seen = view.project(p);
@@ -24,7 +24,7 @@ TEST(Camera, ray_through_a_pixel_meets_what_is_projected_there) {
   EXPECT_LT(glm::length(again - p), 1e-12);
 }
 
-TEST(Camera, first_view_is_from_the_front_and_above_and_fills_about_half_of_the_height) {
+TEST(Camera, first_view_is_from_the_front_and_above_at_half_the_height) {
   const CameraView view = framed().view(kWide);
   EXPECT_GT(view.eye.z, 2.1);
   EXPECT_GT(view.eye.y, 0.5);
@@ -48,7 +48,7 @@ TEST(Camera, orbit_stops_at_the_poles) {
   EXPECT_GT(view.up.y, 0);
 }
 
-TEST(Camera, pan_moves_what_lies_at_the_pivot_with_the_pointer) {
+TEST(Camera, pan_moves_points_at_the_pivot_depth_with_the_pointer) {
   Camera camera = framed();
   const Vec3 pivot = camera.pivot();
   camera.pan(0.25, -0.5, kWide);
@@ -58,7 +58,7 @@ TEST(Camera, pan_moves_what_lies_at_the_pivot_with_the_pointer) {
   EXPECT_NEAR(seen.y, -0.5, 1e-12);
 }
 
-TEST(Camera, zoom_keeps_what_is_under_the_pointer) {
+TEST(Camera, zoom_keeps_the_point_under_the_pointer) {
   Camera camera = framed();
   const CameraView before = camera.view(kWide);
   const Pose ray = before.ray(0.4, 0.3);
@@ -71,7 +71,7 @@ TEST(Camera, zoom_keeps_what_is_under_the_pointer) {
   EXPECT_NEAR(after.project(under).y, 0.3, 1e-12);
 }
 
-TEST(Camera, eases_and_arrives) {
+TEST(Camera, eases_to_its_target) {
   Camera camera = framed();
   const double start = camera.view(kWide).focus;
   camera.zoom(0.5, 0, 0, kWide);
@@ -92,7 +92,7 @@ TEST(Camera, frames_worlds_of_any_size) {
   }
 }
 
-TEST(Camera, an_orthographic_view_shows_lengths_alike_at_all_distances) {
+TEST(Camera, an_orthographic_view_shows_equal_lengths_at_all_distances) {
   Camera camera = framed();
   const CameraView before = camera.view(kWide);
   camera.set_parallel(true);
@@ -129,7 +129,7 @@ TEST(Camera, eases_from_perspective_to_orthographic_without_a_jump) {
   EXPECT_TRUE(camera.view(kWide).parallel);
 }
 
-TEST(Camera, keeps_another_axis_upright) {
+TEST(Camera, keeps_another_up_axis) {
   const World::Bounds lying{{-0.9, -2.1, 0}, {0.9, 2.1, 1.45}};  // the car with +Z upwards, its front at -Y
   Camera camera;
   camera.set_up_axis(UpAxis::kZ);
@@ -143,7 +143,7 @@ TEST(Camera, keeps_another_axis_upright) {
   EXPECT_LT(glm::length(camera.view(kWide).eye - view.eye), 1e-9);
 }
 
-TEST(Camera, turns_on_the_shorter_way) {
+TEST(Camera, turns_the_shorter_way) {
   Camera camera = framed();
   camera.orbit(3.1, 0);
   camera.finish();
@@ -159,14 +159,14 @@ TEST(Camera, turns_on_the_shorter_way) {
   EXPECT_LT(glm::length(top.right - Vec3(1, 0, 0)), 1e-12);
 }
 
-TEST(Camera, look_at_a_target_straight_below_is_still_a_view) {
+TEST(Camera, look_at_a_target_straight_below_is_valid) {
   const CameraView view = look_at({0, 5, 0}, {0, 0, 0}, kWide);
   EXPECT_NEAR(glm::length(view.right), 1, 1e-12);
   EXPECT_NEAR(glm::length(view.up), 1, 1e-12);
   EXPECT_NEAR(glm::dot(view.right, view.up), 0, 1e-12);
 }
 
-TEST(Camera, a_narrow_picture_shows_as_much_sideways_as_a_wider_one) {
+TEST(Camera, a_narrow_viewport_shows_as_much_horizontally_as_a_wider_one) {
   const Camera camera = framed();
   const auto sideways = [&](double aspect) {
     const CameraView view = camera.view(aspect);

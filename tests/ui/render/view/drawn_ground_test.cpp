@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kEarth = 9.81;
 
-TEST(DrawnGround, bodies_fall_in_the_unit_of_the_file_and_against_its_upward_axis) {
+TEST(DrawnGround, bodies_fall_in_file_units_against_the_up_axis) {
   World world = test::world_of_all({test::sphere(6, 8, 50)});
   FileFrame frame;
   frame.unit = FileUnit::kMillimetre;
@@ -24,7 +24,7 @@ TEST(DrawnGround, bodies_fall_in_the_unit_of_the_file_and_against_its_upward_axi
   EXPECT_EQ(fitting_environment(world, frame), first);
 }
 
-TEST(DrawnGround, gravity_that_was_set_keeps_its_value_in_metres_when_the_unit_is_another_one) {
+TEST(DrawnGround, custom_gravity_keeps_its_value_in_metres_when_the_unit_changes) {
   World world = test::world_of_all({test::sphere(6, 8, 50)});
   FileFrame frame;
   world.set_environment({.gravity = {0, -1.62, 0}, .ground = -60});

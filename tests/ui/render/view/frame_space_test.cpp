@@ -10,7 +10,7 @@ namespace {
 const World::Bounds kBox{{-1, 0, -1}, {1, 1, 1}};
 constexpr double kNoGround = -1e9;
 
-TEST(NearPlane, lies_before_everything_that_is_seen_but_no_nearer_than_it_must) {
+TEST(NearPlane, lies_just_in_front_of_all_visible_geometry) {
   const CameraView view = look_at({3, 2, 6}, {0, 0.5, 0}, 1.5);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i) {
@@ -23,7 +23,7 @@ TEST(NearPlane, lies_before_everything_that_is_seen_but_no_nearer_than_it_must) 
 }
 
 // The ground at the lower border of the picture is nearer than the box.
-TEST(NearPlane, lies_before_the_ground_in_the_picture) {
+TEST(NearPlane, lies_in_front_of_the_visible_ground) {
   for (const Vec3& eye : {Vec3(3, 2, 6), Vec3(0, 0.4, 5), Vec3(0, 5, 0.5)}) {
     const CameraView view = look_at(eye, {0, 0.5, 0}, 1.5);
     const double near = near_plane(view, kBox, -0.1);
@@ -36,13 +36,13 @@ TEST(NearPlane, lies_before_the_ground_in_the_picture) {
   }
 }
 
-TEST(NearPlane, is_a_share_of_the_focus_inside_the_box) {
+TEST(NearPlane, is_a_fraction_of_the_focus_distance_inside_the_box) {
   const CameraView view = look_at({0, 0.5, 0.2}, {0, 0.5, -1.8}, 1.5);
   EXPECT_DOUBLE_EQ(near_plane(view, kBox, kNoGround), 0.008);
 }
 
 // Of every kind of view, also on the way from one kind to the other.
-TEST(FrameSpace, the_matrix_projects_as_the_view_does_and_depths_are_those_of_the_buffer) {
+TEST(FrameSpace, the_matrix_projects_like_the_view_with_buffer_depths) {
   const CameraView close = look_at({3, 2, 6}, {0, 0.5, 0}, 1.5);
   for (const double pull : {1.0, 4.0, 200.0, CameraView::kFarAway}) {
     CameraView view = close.pulled(pull);

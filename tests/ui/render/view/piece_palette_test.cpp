@@ -11,7 +11,7 @@ double apart(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::distance(oklab_from_linear(a), oklab_from_linear(b));
 }
 
-TEST(PiecePalette, the_first_colours_keep_apart_from_the_paints_and_from_each_other) {
+TEST(PiecePalette, the_first_colours_differ_from_paints_and_each_other) {
   const std::vector<glm::dvec3> paints{{0.03, 0.10, 0.35}, {0.02, 0.02, 0.02}, {0.10, 0.35, 0.30}};
   const std::vector<glm::dvec3> colours = piece_palette(paints, 6);
   ASSERT_EQ(colours.size(), 6u);
@@ -21,7 +21,7 @@ TEST(PiecePalette, the_first_colours_keep_apart_from_the_paints_and_from_each_ot
   }
 }
 
-TEST(PiecePalette, the_first_colour_of_a_blue_body_is_not_blue_and_that_of_a_green_one_is) {
+TEST(PiecePalette, the_first_colour_contrasts_with_the_body) {
   const auto hue = [](const glm::dvec3& paint) {
     const glm::dvec3 lab = oklab_from_linear(piece_palette(std::span(&paint, 1), 1).front());
     return lab.z;  // blue is negative
@@ -30,7 +30,7 @@ TEST(PiecePalette, the_first_colour_of_a_blue_body_is_not_blue_and_that_of_a_gre
   EXPECT_LT(hue({0.03, 0.35, 0.05}), 0);
 }
 
-TEST(PiecePalette, more_colours_begin_with_the_same_ones) {
+TEST(PiecePalette, longer_palettes_begin_with_the_same_colours) {
   const glm::dvec3 paint(0.2);
   const auto few = piece_palette(std::span(&paint, 1), 3), many = piece_palette(std::span(&paint, 1), 32);
   EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));

@@ -13,7 +13,7 @@ glm::dvec3 lab_at(int step) {
   return oklab_from_linear(linear_scalar_colour(static_cast<double>(step) / kSteps));
 }
 
-TEST(ScalarColour, gets_lighter_in_steps_that_look_equally_large) {
+TEST(ScalarColour, lightens_in_perceptually_equal_steps) {
   const double whole = glm::distance(lab_at(0), lab_at(1));
   for (int i = 1; i <= kSteps; ++i) {
     EXPECT_GT(lab_at(i).x, lab_at(i - 1).x) << i;
@@ -21,7 +21,7 @@ TEST(ScalarColour, gets_lighter_in_steps_that_look_equally_large) {
   }
 }
 
-TEST(ScalarColour, stays_within_what_a_screen_has) {
+TEST(ScalarColour, stays_within_the_screen_gamut) {
   for (int i = 0; i <= kSteps; ++i) {
     const glm::vec3 c = scalar_colour(static_cast<double>(i) / kSteps);
     for (int k = 0; k < 3; ++k) {

@@ -31,8 +31,7 @@ double distance_to_line(const Vec2& p, const ScreenSegment& s) {
   return length > 1e-9 ? std::abs(cross2(way, p - s.from)) / length : glm::length(p - s.from);
 }
 
-TEST(ScreenSegment,
-     holds_every_point_of_a_segment_that_is_in_the_picture_and_reaches_no_farther_than_the_margin) {
+TEST(ScreenSegment, contains_all_visible_points_and_ends_within_the_margin) {
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -63,7 +62,7 @@ TEST(ScreenSegment,
   }
 }
 
-TEST(BeamPicture, ends_on_the_ground_where_it_meets_it_and_not_elsewhere) {
+TEST(BeamPicture, ends_on_the_ground_only_where_it_hits) {
   const BeamPicture down{{0, 2, 0}, {4, -2, 0}, std::nullopt, 0.01};
   const BeamPicture landed = ended_on_ground(down, 0);
   EXPECT_TRUE(landed.on_ground);

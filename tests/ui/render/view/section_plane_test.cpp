@@ -20,7 +20,7 @@ class Some {
   std::mt19937 random_;
 };
 
-TEST(SectionPlane, a_ray_is_kept_where_its_points_lie_under_the_plane) {
+TEST(SectionPlane, a_ray_is_kept_below_the_plane) {
   Some some(1);
   size_t kept = 0, gone = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -39,14 +39,14 @@ TEST(SectionPlane, a_ray_is_kept_where_its_points_lie_under_the_plane) {
   EXPECT_GT(gone, 2000u);
 }
 
-TEST(SectionPlane, a_ray_along_the_plane_is_kept_as_a_whole_or_not_at_all) {
+TEST(SectionPlane, a_ray_along_the_plane_is_kept_whole_or_not_at_all) {
   const SectionPlane plane{{0, 1, 0}, {0, 1, 0}};
   EXPECT_GT(plane.kept_along({{0, 0.5, 0}, {1, 0, 0}}).high, 1e300);
   const Interval gone = plane.kept_along({{0, 1.5, 0}, {1, 0, 0}});
   EXPECT_LT(gone.high, gone.low);
 }
 
-TEST(SectionPlane, is_read_back_from_its_text_as_it_was) {
+TEST(SectionPlane, text_round_trips) {
   Some some(2);
   for (int i = 0; i < 500; ++i) {
     const SectionPlane plane = some.plane();
@@ -56,7 +56,7 @@ TEST(SectionPlane, is_read_back_from_its_text_as_it_was) {
   }
 }
 
-TEST(SectionPlane, is_read_as_people_write_it) {
+TEST(SectionPlane, is_parsed_from_common_notations) {
   const SectionPlane expected{{1, -2.5, 0}, {0, 1, 0}};
   for (const char* text : {"1,-2.5,0 0,1,0", "  1, -2.5, 0   0, 20, 0\n", "\"1,-2.5,0 0,1,0\"",
                            "--section \"1,-2.5,0 0,1e-200,0\"", "--section='1,-2.5,0\t0,1e200,0'"}) {
@@ -66,7 +66,7 @@ TEST(SectionPlane, is_read_as_people_write_it) {
   }
 }
 
-TEST(SectionPlane, other_texts_are_refused_with_a_sentence) {
+TEST(SectionPlane, other_texts_are_rejected_with_a_message) {
   for (const char* text :
        {"", "--section", "1,2,3", "1,2,3 0,1", "1,2,3 0,1,0 5", "1,2,3,0,1,0", "1 2 3 0 1 0", "a,b,c 0,1,0",
         "1,2,nan 0,1,0", "1,2,3 0,inf,0", "{\"eye\":[1,2,3]}"}) {
@@ -77,14 +77,14 @@ TEST(SectionPlane, other_texts_are_refused_with_a_sentence) {
   EXPECT_NE(parse_section("1,2,3 0,0,0").error().message.find("must not be 0,0,0"), std::string::npos);
 }
 
-TEST(SectionPlane, the_first_one_goes_through_the_middle_and_opens_towards_the_eye) {
+TEST(SectionPlane, the_initial_plane_passes_through_the_centre_facing_the_eye) {
   const World::Bounds bounds{{0, 2, 4}, {2, 4, 10}};
   EXPECT_EQ(section_through(bounds, {0.3, 0.5, 0.8}), (SectionPlane{{1, 3, 7}, {0, 0, 1}}));
   EXPECT_EQ(section_through(bounds, {-0.8, 0.5, 0.3}), (SectionPlane{{1, 3, 7}, {-1, 0, 0}}));
   EXPECT_EQ(section_through(bounds, {0.3, -0.9, 0.2}), (SectionPlane{{1, 3, 7}, {0, -1, 0}}));
 }
 
-TEST(SectionPlane, cuts_only_where_it_is_shown) {
+TEST(SectionPlane, clips_only_while_shown) {
   ViewOptions options;
   EXPECT_EQ(shown_section(options), nullptr);
   options.show.section = true;

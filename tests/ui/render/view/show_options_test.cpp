@@ -5,21 +5,21 @@
 namespace kerf {
 namespace {
 
-TEST(ShowList, takes_names_in_any_order_with_blanks) {
+TEST(ShowList, accepts_names_in_any_order_with_spaces) {
   const auto show = parse_show_list("wire, aabb-hit,,pieces");
   ASSERT_TRUE(show.ok());
   EXPECT_TRUE(show->wire && show->aabb_hit && show->pieces);
   EXPECT_FALSE(show->aabb || show->normals);
 }
 
-TEST(ShowList, shadows_are_those_on_all_surfaces_and_without_the_name_those_on_the_ground) {
+TEST(ShowList, shadows_cover_all_surfaces_if_named_and_only_the_ground_otherwise) {
   EXPECT_EQ(parse_show_list("shadows")->shadows, Shadows::kAll);
   EXPECT_EQ(parse_show_list("wire")->shadows, Shadows::kGround);
 }
 
 TEST(ShowList, may_be_empty) { EXPECT_EQ(*parse_show_list(""), ShowOptions{}); }
 
-TEST(ShowList, an_unknown_name_is_named_and_what_there_is_is_listed) {
+TEST(ShowList, an_unknown_name_is_reported_with_the_valid_ones) {
   const auto show = parse_show_list("wire,wires");
   ASSERT_FALSE(show.ok());
   EXPECT_EQ(show.error().code, ErrorCode::kBadInput);

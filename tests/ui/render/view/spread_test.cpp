@@ -92,7 +92,7 @@ Drawn draw_bodies(const Halves& halves) {
   return draw(stage, look, spread_under_lamp());
 }
 
-TEST(Spread, loose_parts_are_drawn_and_shaded_like_bodies_that_moved_with_the_nearer_half) {
+TEST(Spread, loose_parts_are_drawn_and_shaded_with_the_nearer_half) {
   Halves halves;
   const Drawn loose = draw_loose(halves), bodies = draw_bodies(halves);
   EXPECT_LT(test::difference(loose.apart, bodies.apart).changed, 0.002);
@@ -104,7 +104,7 @@ TEST(Spread, loose_parts_are_drawn_and_shaded_like_bodies_that_moved_with_the_ne
   EXPECT_LT(other, loose.shadow.stencil.size() / 500);
 }
 
-TEST(Spread, shadows_of_loose_parts_are_those_that_rays_find) {
+TEST(Spread, shadows_of_loose_parts_match_traced_rays) {
   test::Stage stage(test::world_of_all({test::both(test::both(kSheet, kLeft), kRight)}));
   cut_in_two(stage);
   ViewOptions options = spread_under_lamp();

@@ -8,11 +8,11 @@
 namespace kerf {
 namespace {
 
-TEST(ViewSwitches, stand_in_the_order_of_their_ids) {
+TEST(ViewSwitches, are_in_the_order_of_their_ids) {
   for (const ViewSwitch& s : view_switches()) EXPECT_EQ(&view_switch(s.id), &s) << s.report;
 }
 
-TEST(ViewSwitches, each_flips_one_flag_of_its_own_and_comes_back_after_all_its_states) {
+TEST(ViewSwitches, each_toggles_one_flag_and_cycles_through_its_states) {
   for (const ViewSwitch& flipped : view_switches()) {
     ViewOptions look;
     const size_t before = flipped.get(look);
@@ -26,7 +26,7 @@ TEST(ViewSwitches, each_flips_one_flag_of_its_own_and_comes_back_after_all_its_s
   }
 }
 
-TEST(ViewSwitches, names_and_keys_are_given_once) {
+TEST(ViewSwitches, names_and_keys_are_unique) {
   std::set<std::string> shows, reports, labels;
   std::set<char> keys;
   for (const ViewSwitch& s : view_switches()) {
@@ -37,7 +37,7 @@ TEST(ViewSwitches, names_and_keys_are_given_once) {
   }
 }
 
-TEST(ViewSwitches, what_people_can_flip_has_a_label_and_says_what_it_does) {
+TEST(ViewSwitches, user_facing_switches_have_a_label_and_a_tooltip) {
   for (const ViewSwitch& s : view_switches()) {
     const bool offered = s.in_view_panel || s.key != 0;
     EXPECT_EQ(offered, s.label[0] != '\0') << s.report;

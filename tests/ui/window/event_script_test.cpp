@@ -30,7 +30,7 @@ int frames_of(const std::string& steps) {
   return frames_of(events, [](int) { return true; });
 }
 
-TEST(EventScript, draws_a_frame_after_each_event_and_none_after_what_only_sets_something) {
+TEST(EventScript, draws_a_frame_after_each_event_but_not_after_settings) {
   EXPECT_EQ(frames_of(""), 0);
   EXPECT_EQ(frames_of("\n  \n\r\n"), 0);
   EXPECT_EQ(frames_of(R"({"move": [1, 2]}
@@ -42,7 +42,7 @@ TEST(EventScript, draws_a_frame_after_each_event_and_none_after_what_only_sets_s
   EXPECT_EQ(frames_of(R"({"together": [{"move": [1, 2]}, {"press": "left"}, {"release": "left"}]})"), 1);
 }
 
-TEST(EventScript, counts_time_by_frames_and_waits_by_that_time) {
+TEST(EventScript, measures_time_in_frames) {
   EventScript events = script(R"({"frame": 0.25}
                                 {"wait": 2}
                                 {"move": [3, 4]})");
@@ -51,7 +51,7 @@ TEST(EventScript, counts_time_by_frames_and_waits_by_that_time) {
   EXPECT_EQ(events.frame_seconds(), 0.25);
 }
 
-TEST(EventScript, settles_a_few_frames_after_nothing_moves_and_no_later_than_it_was_told) {
+TEST(EventScript, settles_a_few_frames_after_motion_ends_or_at_its_timeout) {
   const std::string steps = R"({"frame": 0.25}
                               {"settle": 10})";
   EventScript still = script(steps), moves = script(steps), stops = script(steps);
@@ -62,7 +62,7 @@ TEST(EventScript, settles_a_few_frames_after_nothing_moves_and_no_later_than_it_
   EXPECT_EQ(frames_of(stops, [](int frame) { return frame < 20; }), 21);
 }
 
-TEST(EventScript, takes_the_steps_of_one_frame_in_their_order) {
+TEST(EventScript, executes_the_steps_of_one_frame_in_order) {
   EventScript steps = script(R"({"together": [{"move": [10, 20]}, {"press": "left"}, {"move": [30, 40]}]})");
   ASSERT_TRUE(*steps.begin_frame(false, no_answer));
   const auto& events = steps.input().input_state().events;
@@ -73,7 +73,7 @@ TEST(EventScript, takes_the_steps_of_one_frame_in_their_order) {
   EXPECT_EQ(events[2].at, Vec2(30, 40));
 }
 
-TEST(EventScript, prints_the_answer_of_the_screen_and_the_title) {
+TEST(EventScript, prints_the_screen_response_and_the_title) {
   EventScript events = script(R"({"answer": "report"}
                                 {"answer": "title"}
                                 {"move": [0, 0]})");
@@ -90,7 +90,7 @@ TEST(EventScript, prints_the_answer_of_the_screen_and_the_title) {
   EXPECT_EQ(asked, (std::vector<std::string>{"report", "title"}));
 }
 
-TEST(EventScript, fails_at_a_line_that_is_wrong_and_names_it) {
+TEST(EventScript, fails_at_an_invalid_line_and_names_it) {
   for (const char* wrong : {"move",
                             "[1]",
                             "{}",
@@ -126,7 +126,7 @@ TEST(EventScript, fails_at_a_line_that_is_wrong_and_names_it) {
   }
 }
 
-TEST(EventScript, cannot_be_opened_where_there_is_no_file) {
+TEST(EventScript, fails_to_open_a_missing_file) {
   const auto none = EventScript::open("/no/such/file", {100, 100});
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().message.find("/no/such/file"), std::string::npos);

@@ -14,7 +14,7 @@ float characters(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
 }
 
-TEST(FittedText, ends_in_an_ellipsis_where_it_does_not_fit) {
+TEST(FittedText, ends_in_an_ellipsis_if_it_does_not_fit) {
   EXPECT_EQ(fitted_text("wheel_front", 11, characters), "wheel_front");
   EXPECT_EQ(fitted_text("wheel_front", 10, characters), "wheel_f...");
   EXPECT_EQ(fitted_text("two words", 7, characters), "two...");
@@ -22,7 +22,7 @@ TEST(FittedText, ends_in_an_ellipsis_where_it_does_not_fit) {
   EXPECT_EQ(fitted_text("wheel", 2, characters), "");
 }
 
-TEST(FittedText, is_cut_at_a_whole_character_and_is_as_long_as_fits) {
+TEST(FittedText, is_truncated_at_a_whole_character_and_as_long_as_fits) {
   Random random(5);
   const std::string_view pieces[] = {"a", "\xc2\xb0", "\xe2\x82\xac", "\xf0\x9f\x98\x80"};
   for (uint64_t i = 0; i < runs(2'000); ++i) {
@@ -43,7 +43,7 @@ TEST(FittedText, is_cut_at_a_whole_character_and_is_as_long_as_fits) {
   }
 }
 
-TEST(FittedNumber, loses_digits_and_then_its_unit_and_is_never_cut) {
+TEST(FittedNumber, drops_digits_then_its_unit_and_is_never_truncated) {
   const auto fitted = [](double value, const RealFormat& format, float width) {
     return fitted_number(value, format, "mm", 0, width, characters);
   };
@@ -56,7 +56,7 @@ TEST(FittedNumber, loses_digits_and_then_its_unit_and_is_never_cut) {
   EXPECT_EQ(fitted(-123456, "%.0f ", 2), "...");
 }
 
-TEST(FittedNumber, of_noise_is_zero) {
+TEST(FittedNumber, is_zero_for_noise) {
   EXPECT_EQ(fitted_number(5.551e-17, "%.4g", "", 1, 9, characters), "0");
   EXPECT_EQ(fitted_number(-0.0, "%.4g", "", 1, 9, characters), "0");
 }

@@ -112,7 +112,7 @@ std::vector<InputEvent> joined(const std::vector<std::vector<InputEvent>>& parts
   return all;
 }
 
-TEST(GuiInput, a_key_that_is_pressed_and_released_within_one_frame_acts_in_a_text_field) {
+TEST(GuiInput, a_key_pressed_and_released_in_one_frame_reaches_a_text_field) {
   FieldBench bench;
   bench.open_field();
   bench.handle(typed("12"));
@@ -123,7 +123,7 @@ TEST(GuiInput, a_key_that_is_pressed_and_released_within_one_frame_acts_in_a_tex
   EXPECT_FALSE(is_text_field_active());
 }
 
-TEST(GuiInput, a_number_that_is_replaced_within_one_frame_is_the_number_that_was_typed) {
+TEST(GuiInput, a_number_replaced_in_one_frame_is_read_completely) {
   FieldBench bench;
   std::ranges::copy(std::string("40 000"), bench.first.begin());
   bench.open_field();
@@ -132,7 +132,7 @@ TEST(GuiInput, a_number_that_is_replaced_within_one_frame_is_the_number_that_was
   EXPECT_EQ(bench.entered, 1);
 }
 
-TEST(GuiInput, keys_and_characters_act_in_the_order_in_which_they_came) {
+TEST(GuiInput, keys_and_characters_act_in_order_of_arrival) {
   FieldBench bench;
   bench.open_field();
   bench.handle(joined({typed("ab"), pressed(GLFW_KEY_LEFT), typed("c"), pressed(GLFW_KEY_BACKSPACE),
@@ -140,14 +140,14 @@ TEST(GuiInput, keys_and_characters_act_in_the_order_in_which_they_came) {
   EXPECT_STREQ(bench.first.data(), "eadb");
 }
 
-TEST(GuiInput, typing_takes_one_frame_however_many_characters_came) {
+TEST(GuiInput, typing_takes_one_frame_for_any_number_of_characters) {
   FieldBench bench;
   bench.open_field();
   EXPECT_EQ(bench.handle(typed("a path with many letters, AND CAPITALS")), 1);
   EXPECT_STREQ(bench.first.data(), "a path with many letters, AND CAPITALS");
 }
 
-TEST(GuiInput, the_same_key_twice_is_two_presses) {
+TEST(GuiInput, the_same_key_twice_counts_as_two_presses) {
   FieldBench bench;
   bench.open_field();
   bench.handle(typed("abcd"));
@@ -155,7 +155,7 @@ TEST(GuiInput, the_same_key_twice_is_two_presses) {
   EXPECT_STREQ(bench.first.data(), "ab");
 }
 
-TEST(GuiInput, a_key_that_is_held_acts_once_in_slow_frames_and_again_where_the_keyboard_repeats_it) {
+TEST(GuiInput, a_held_key_acts_once_in_slow_frames_and_again_on_key_repeat) {
   FieldBench bench;
   bench.open_field();
   bench.handle(typed("abcd"));
@@ -169,7 +169,7 @@ TEST(GuiInput, a_key_that_is_held_acts_once_in_slow_frames_and_again_where_the_k
   EXPECT_STREQ(bench.first.data(), "ab");
 }
 
-TEST(GuiInput, a_shortcut_ends_its_frame_and_its_own_character_goes_with_it) {
+TEST(GuiInput, a_shortcut_ends_its_frame_and_consumes_its_character) {
   FieldBench bench;
   bench.frame();
   bench.input_.add(typed("gx"));
@@ -184,7 +184,7 @@ TEST(GuiInput, a_shortcut_ends_its_frame_and_its_own_character_goes_with_it) {
   EXPECT_EQ(bench.shortcuts, std::vector<int>{GLFW_KEY_G});
 }
 
-TEST(GuiInput, what_is_typed_waits_for_the_focus_but_not_for_ever) {
+TEST(GuiInput, typed_text_waits_for_the_focus_only_for_a_limited_time) {
   FieldBench bench;
   bench.frame();
   const int frames = bench.handle(typed("w"), KeyboardHold::kForFocus);
@@ -193,7 +193,7 @@ TEST(GuiInput, what_is_typed_waits_for_the_focus_but_not_for_ever) {
   EXPECT_EQ(bench.shortcuts, std::vector<int>{GLFW_KEY_W});
 }
 
-TEST(GuiInput, esc_and_the_mouse_reach_work_that_other_keys_wait_for) {
+TEST(GuiInput, esc_and_the_mouse_reach_a_task_that_other_keys_wait_for) {
   GuiInput input;
   input.add(joined({pressed(GLFW_KEY_W), pressed(GLFW_KEY_ESCAPE), {left(true), left(false)}}));
   std::vector<InputEvent> events;
@@ -206,7 +206,7 @@ TEST(GuiInput, esc_and_the_mouse_reach_work_that_other_keys_wait_for) {
   EXPECT_EQ(input.take_frame(false, KeyboardHold::kNone).front().button, GLFW_KEY_W);
 }
 
-TEST(GuiInput, each_of_several_quick_clicks_is_a_click) {
+TEST(GuiInput, each_of_several_quick_clicks_counts) {
   FieldBench bench;
   bench.frame();
   bench.pointer = {bench.button_at.x + 3, bench.button_at.y + 3};

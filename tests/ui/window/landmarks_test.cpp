@@ -19,7 +19,7 @@ class LandmarksFile : public testing::Test {
   nlohmann::json read() const { return nlohmann::json::parse(std::ifstream(file_)); }
 };
 
-TEST_F(LandmarksFile, holds_the_rectangles_of_the_last_frame_alone) {
+TEST_F(LandmarksFile, contains_only_the_rectangles_of_the_last_frame) {
   Landmarks landmarks(file_);
   landmarks.mark("gone in the next frame", {{1, 2}, {3, 4}});
   ASSERT_TRUE(landmarks.finish(false, Vec2(0)));
@@ -32,7 +32,7 @@ TEST_F(LandmarksFile, holds_the_rectangles_of_the_last_frame_alone) {
   EXPECT_FALSE(read().at("parts").contains("gone in the next frame"));
 }
 
-TEST_F(LandmarksFile, is_not_written_while_nothing_moves) {
+TEST_F(LandmarksFile, is_not_written_while_nothing_changes) {
   Landmarks landmarks(file_);
   landmarks.mark("a", {{1, 2}, {3, 4}});
   ASSERT_TRUE(landmarks.finish(false, Vec2(0)));
@@ -43,7 +43,7 @@ TEST_F(LandmarksFile, is_not_written_while_nothing_moves) {
   EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
-TEST_F(LandmarksFile, says_where_the_pointer_was_seen_and_whether_there_is_more_to_draw) {
+TEST_F(LandmarksFile, reports_the_pointer_position_and_pending_frames) {
   Landmarks landmarks(file_);
   for (const bool busy : {true, false}) {
     ASSERT_TRUE(landmarks.finish(busy, {3, 4}));
@@ -52,7 +52,7 @@ TEST_F(LandmarksFile, says_where_the_pointer_was_seen_and_whether_there_is_more_
   }
 }
 
-TEST_F(LandmarksFile, holds_widgets_where_they_are_drawn) {
+TEST_F(LandmarksFile, contains_widgets_at_their_drawn_position) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -75,7 +75,7 @@ TEST_F(LandmarksFile, holds_widgets_where_they_are_drawn) {
   EXPECT_EQ(read().at("parts"), nlohmann::json({{"button 7", {120.0, 70.0, 30.0, 20.0}}}));
 }
 
-TEST(Landmarks, say_why_they_cannot_be_written) {
+TEST(Landmarks, report_why_they_cannot_be_written) {
   Landmarks landmarks("/no such folder/landmarks.json");
   landmarks.mark("a", {});
   const Status written = landmarks.finish(false, Vec2(0));

@@ -14,11 +14,9 @@ TEST(Layout, areas_tile_the_window) {
   }
 }
 
-TEST(Layout, a_narrow_window_gives_up_its_panels) {
-  EXPECT_EQ(lay_out({500, 400}, 16, 26, 26).side.size.x, 0);
-}
+TEST(Layout, a_narrow_window_hides_its_panels) { EXPECT_EQ(lay_out({500, 400}, 16, 26, 26).side.size.x, 0); }
 
-TEST(Layout, all_areas_of_panels_leave_the_picture_what_it_needs) {
+TEST(Layout, panels_leave_the_viewport_its_minimum_size) {
   for (const Vec2 window : {Vec2(640, 400), Vec2(1280, 720), Vec2(1920, 1080)}) {
     const Layout l = lay_out(window, 16, 26, 26, {.side = 21, .second_side = 21, .strip = 19});
     EXPECT_EQ(l.second_side.size.x + l.viewport.size.x + l.side.size.x, window.x);
@@ -31,7 +29,7 @@ TEST(Layout, all_areas_of_panels_leave_the_picture_what_it_needs) {
   }
 }
 
-TEST(Layout, halves_tile_the_picture_and_stay_wide_enough_to_be_looked_at) {
+TEST(Layout, split_views_tile_the_viewport_and_stay_wide_enough) {
   const Layout whole = lay_out({1280, 800}, 16, 26, 26);
   EXPECT_FALSE(whole.split());
   EXPECT_EQ(whole.first.size, whole.viewport.size);

@@ -29,7 +29,7 @@ std::string reason(const std::string& text, const NumberUnit& unit = {}) {
   return value ? "" : value.error().message;
 }
 
-TEST(NumberExpression, a_unit_at_the_end_holds_for_the_whole_expression) {
+TEST(NumberExpression, a_trailing_unit_applies_to_the_whole_expression) {
   EXPECT_DOUBLE_EQ(value_of("1/4 in", kMillimetres), 6.35);
   EXPECT_DOUBLE_EQ(value_of("1 + 2 cm", kMillimetres), 30);
   EXPECT_DOUBLE_EQ(value_of("2ft", kMillimetres), 609.6);
@@ -47,7 +47,7 @@ TEST(NumberExpression, a_unit_at_the_end_holds_for_the_whole_expression) {
   EXPECT_DOUBLE_EQ(value_of("293 K", kKelvin), 293);
 }
 
-TEST(NumberExpression, digits_may_stand_in_groups_of_three) {
+TEST(NumberExpression, digits_may_be_grouped_by_three) {
   EXPECT_EQ(value_of("4 000"), 4000);
   EXPECT_EQ(value_of("12 345 678.5"), 12'345'678.5);
   EXPECT_EQ(value_of("1 000*2 + 1 000"), 3000);
@@ -56,7 +56,7 @@ TEST(NumberExpression, digits_may_stand_in_groups_of_three) {
     EXPECT_NE(reason(wrong).find("is not one number"), std::string::npos) << wrong << ": " << reason(wrong);
 }
 
-TEST(NumberExpression, everything_else_is_refused_with_its_reason) {
+TEST(NumberExpression, everything_else_is_rejected_with_a_reason) {
   EXPECT_EQ(reason(""), "the field is empty");
   EXPECT_EQ(reason("   "), "the field is empty");
   EXPECT_EQ(reason("abc-5"), "\"abc\" is not a number");
@@ -83,7 +83,7 @@ TEST(NumberExpression, everything_else_is_refused_with_its_reason) {
         << reason(comma, kMillimetres);
 }
 
-TEST(NumberExpression, brackets_nest_as_deep_as_stated) {
+TEST(NumberExpression, brackets_nest_to_the_documented_depth) {
   const auto nested = [](size_t depth) { return std::string(depth, '(') + "1" + std::string(depth, ')'); };
   EXPECT_EQ(value_of(nested(kMaxBrackets)), 1);
   EXPECT_EQ(reason(nested(kMaxBrackets + 1)), "too many nested brackets");
@@ -155,7 +155,7 @@ class RandomExpression {
   Random random_;
 };
 
-TEST(NumberExpression, random_expressions_have_the_value_that_they_were_made_with) {
+TEST(NumberExpression, random_expressions_evaluate_to_the_expected_value) {
   RandomExpression random(71);
   size_t finite = 0;
   for (uint64_t i = 0; i < runs(20'000); ++i) {
@@ -174,7 +174,7 @@ TEST(NumberExpression, random_expressions_have_the_value_that_they_were_made_wit
   EXPECT_GT(finite, runs(20'000) / 2);
 }
 
-TEST(NumberExpression, random_texts_give_a_finite_number_or_a_reason) {
+TEST(NumberExpression, random_texts_yield_a_finite_number_or_a_reason) {
   constexpr std::string_view kPieces[] = {"0", "1",   "9",        " ",    "000", ".", ",",   "e",  "E",
                                           "+", "-",   "*",        "/",    "(",   ")", "mm",  "in", "m",
                                           "W", "rad", "\xc2\xb0", "\xff", "%",   "x", "e999"};
@@ -197,7 +197,7 @@ TEST(NumberExpression, random_texts_give_a_finite_number_or_a_reason) {
 }
 
 // What fields show is read as the same value, within the digits that are shown.
-TEST(NumberExpression, reads_what_fields_show) {
+TEST(NumberExpression, reads_the_text_shown_in_fields) {
   Random random(73);
   for (uint64_t i = 0; i < runs(20'000); ++i) {
     const double value = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-12, 12));

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(NumberFormat, knows_the_unit_behind_its_number) {
+TEST(NumberFormat, extracts_the_unit_after_the_number) {
   EXPECT_EQ(RealFormat("%.1f MB").unit(), "MB");
   EXPECT_EQ(RealFormat("%.4g J/(kg K)").unit(), "J/(kg K)");
   EXPECT_EQ(RealFormat("%.0f %%").unit(), "%");
@@ -13,7 +13,7 @@ TEST(NumberFormat, knows_the_unit_behind_its_number) {
   EXPECT_EQ(RealFormat("%g").unit(), "");
 }
 
-TEST(TextOf, takes_several_values) {
+TEST(TextOf, formats_several_values) {
   EXPECT_EQ(text_of("%.0f %% of %zu %s", 12.4, size_t{40}, "faces"), "12 % of 40 faces");
   EXPECT_EQ(text_of("%s", std::string(300, 'x').c_str()), std::string(255, 'x'));
 }

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(NumberText, groups_digits_and_chooses_the_unit_of_area) {
+TEST(NumberText, groups_digits_and_selects_the_area_unit) {
   EXPECT_EQ(grouped(12345678), "12 345 678");
   EXPECT_EQ(grouped(999), "999");
   EXPECT_EQ(area_text(0), "none");
@@ -13,7 +13,7 @@ TEST(NumberText, groups_digits_and_chooses_the_unit_of_area) {
   EXPECT_EQ(area_text(0.00041), "4.1 cm\xc2\xb2");
 }
 
-TEST(NumberText, shows_noise_as_0_and_no_sign_at_0) {
+TEST(NumberText, shows_noise_as_0_without_a_sign) {
   EXPECT_EQ(number_text(-0.0, "%.4g"), "0");
   EXPECT_EQ(number_text(-0.3, "%.0f"), "0");
   EXPECT_EQ(number_text(-0.004, "%.2f m"), "0.00 m");

@@ -8,14 +8,14 @@
 namespace kerf {
 namespace {
 
-TEST(Slider, text_stands_in_the_middle_unless_the_grab_is_there) {
+TEST(Slider, text_is_centred_unless_the_grab_is_there) {
   EXPECT_EQ(room_beside_grab(0, 100, 0, 10, 20).at, 40);
   EXPECT_EQ(room_beside_grab(0, 100, 90, 100, 20).at, 40);
   EXPECT_EQ(room_beside_grab(0, 100, 45, 55, 20).at, 55);
   EXPECT_EQ(room_beside_grab(0, 100, 50, 60, 20).at, 30);
 }
 
-TEST(Slider, text_never_lies_under_the_grab) {
+TEST(Slider, text_never_overlaps_the_grab) {
   Random random(3);
   for (uint64_t i = 0; i < runs(4'000); ++i) {
     const auto grab = static_cast<float>(random.uniform(0, 90));

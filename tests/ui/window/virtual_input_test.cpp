@@ -12,7 +12,7 @@ Status apply_step(VirtualInput& input, const std::string& text) {
   return input.apply(step.begin().key(), JsonValue(step, "step")[step.begin().key()]);
 }
 
-TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
+TEST(VirtualInput, keeps_modifiers_for_later_events) {
   VirtualInput input({640, 480});
   for (const char* step : {R"({"key_down": "Ctrl"})", R"({"key_down": "Shift"})", R"({"move": [5, 6]})",
                            R"({"press": "right"})", R"({"key_down": "Z"})"})
@@ -37,7 +37,7 @@ TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
   EXPECT_EQ(events[events.size() - 2].button, GLFW_KEY_LEFT_CONTROL);
 }
 
-TEST(VirtualInput, reports_each_change_of_a_button_or_a_key_once) {
+TEST(VirtualInput, reports_each_change_of_a_button_or_key_once) {
   VirtualInput input({640, 480});
   ASSERT_TRUE(apply_step(input, R"({"press": "left"})"));
   ASSERT_TRUE(apply_step(input, R"({"press": "left"})"));  // is down already
@@ -48,7 +48,7 @@ TEST(VirtualInput, reports_each_change_of_a_button_or_a_key_once) {
   EXPECT_TRUE(input.buttons().empty());
 }
 
-TEST(VirtualInput, names_keys_as_menus_write_them) {
+TEST(VirtualInput, names_keys_as_menus_do) {
   const std::pair<const char*, int> names[] = {{"Z", GLFW_KEY_Z},          {"Space", GLFW_KEY_SPACE},
                                                {"F8", GLFW_KEY_F8},        {"Esc", GLFW_KEY_ESCAPE},
                                                {"Alt", GLFW_KEY_LEFT_ALT}, {"Num 7", GLFW_KEY_KP_7},
@@ -60,7 +60,7 @@ TEST(VirtualInput, names_keys_as_menus_write_them) {
   }
 }
 
-TEST(VirtualInput, reports_the_wheel_and_the_characters_of_a_text_in_their_order) {
+TEST(VirtualInput, reports_wheel_and_text_characters_in_order) {
   VirtualInput input({640, 480});
   for (const char* step : {R"({"wheel": 2})", R"({"wheel": -0.5})", R"({"type": "a\u00e9"})",
                            R"({"type": "c"})", R"({"drop": ["one.obj", "two.stl"]})", R"({"close": true})"})
@@ -75,7 +75,7 @@ TEST(VirtualInput, reports_the_wheel_and_the_characters_of_a_text_in_their_order
   EXPECT_TRUE(input.input_state().close);
 }
 
-TEST(VirtualInput, changes_nothing_where_a_value_is_wrong) {
+TEST(VirtualInput, ignores_invalid_values) {
   VirtualInput input({640, 480});
   for (const char* step : {R"({"move": [1]})", R"({"press": "thumb"})", R"({"key_down": "Ctrl+S"})",
                            R"({"size": [0, 5]})", R"({"drop": ["a", 1]})", R"({"focus": "no"})"}) {

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(InputEvents, that_came_in_one_frame_have_times_spread_over_it_in_their_order) {
+TEST(InputEvents, of_one_frame_have_increasing_times_within_it) {
   std::vector<InputEvent> events(4);
   spread_times(events, 2, 3);
   EXPECT_EQ(events[0].seconds, 2.25);
@@ -14,7 +14,7 @@ TEST(InputEvents, that_came_in_one_frame_have_times_spread_over_it_in_their_orde
   EXPECT_EQ(events[3].seconds, 3);
 }
 
-TEST(InputEvents, none_have_no_times) { spread_times({}, 2, 3); }
+TEST(InputEvents, are_empty_without_input) { spread_times({}, 2, 3); }
 
 }  // namespace
 }  // namespace kerf

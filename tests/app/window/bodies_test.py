@@ -26,7 +26,7 @@ class Bodies(WindowTest):
         editor.press("space")
         editor.settle()
 
-    def test_the_ground_that_the_first_play_sets_has_no_row_of_its_own_in_the_history(self):
+    def test_the_ground_set_by_the_first_play_has_no_history_row(self):
         self.open(SPHERE).quit()
         self.only_panel("history")
         editor = self.open_again(SPHERE)
@@ -41,7 +41,7 @@ class Bodies(WindowTest):
         self.assertIsNone(report["time"]["ground"])
 
     @real_input
-    def test_pieces_fall_while_time_plays_and_stand_still_when_it_pauses(self):
+    def test_pieces_fall_during_play_and_stop_when_paused(self):
         editor = self.cut_sphere()
         self.play(editor)
         editor.pause(2)
@@ -54,7 +54,7 @@ class Bodies(WindowTest):
         self.assertGreater(report["bodies"], 1)
         self.assertLess(min(body["position"][1] for body in report["placements"]), 0)
 
-    def test_one_undo_takes_the_first_play_back_with_the_ground_that_it_gave_the_world(self):
+    def test_one_undo_reverts_the_first_play_and_its_ground(self):
         editor = self.cut_sphere()
         self.play(editor)
         editor.pause(1)
@@ -64,7 +64,7 @@ class Bodies(WindowTest):
         self.assertEqual(report["undo_depth"], 1)
         self.assertIsNone(report["time"]["ground"])
 
-    def test_each_single_tick_is_undone_alone_and_undo_pauses(self):
+    def test_each_tick_is_undone_individually_and_undo_pauses(self):
         editor = self.cut_sphere()
         for _ in range(3):
             editor.do("period")
@@ -88,7 +88,7 @@ class Bodies(WindowTest):
         self.assertEqual([body["position"] for body in placements if body["pinned"]], [[0, 0, 0]])
         self.assertTrue(any(body["position"] != [0, 0, 0] for body in placements))
 
-    def test_the_panel_switches_gravity_and_takes_its_value_and_the_height_of_the_ground(self):
+    def test_the_panel_sets_gravity_and_the_ground_height(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
@@ -106,7 +106,7 @@ class Bodies(WindowTest):
         self.assertAlmostEqual(report["time"]["ground"], -0.02)
         self.assertEqual(report["undo_depth"], 4)
 
-    def test_a_drag_pulls_a_body_up_by_a_spring_while_time_plays(self):
+    def test_a_drag_pulls_a_body_up_by_a_spring_during_play(self):
         editor = self.open(SPHERE)
         editor.press("k")
         editor.point_at(0.5, 0.5)
@@ -123,7 +123,7 @@ class Bodies(WindowTest):
         self.assertGreater(report["placements"][0]["position"][1], 0.04)
         self.assertEqual(report["pieces_chosen"], 0)
 
-    def test_a_crash_while_time_plays_leaves_all_but_the_last_second(self):
+    def test_a_crash_during_play_loses_at_most_the_last_second(self):
         editor = self.cut_sphere()
         self.play(editor)
 
@@ -145,7 +145,7 @@ class Bodies(WindowTest):
         self.assertGreater(report["time"]["ticks"], 0)
         self.assertEqual(report["state_hash"], replay.stdout.split()[-1])
 
-    def test_when_time_stops_the_journal_says_where_the_bodies_are(self):
+    def test_the_journal_stores_body_poses_when_play_stops(self):
         editor = self.cut_sphere()
         self.play(editor)
         editor.pause(1)
@@ -159,7 +159,7 @@ class Bodies(WindowTest):
         self.assertGreater(marks()[-1]["clock"], 0)
         self.assertEqual(marks()[-1]["hash"], editor.quit()["state_hash"])
 
-    def test_half_a_minute_of_a_journal_is_not_played_again_and_leads_to_the_same(self):
+    def test_half_a_minute_of_a_journal_is_skipped_with_the_same_result(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         path, journal = (os.path.join(folder.name, name) for name in ("path.json", "fall.kerf"))

@@ -17,14 +17,14 @@ def png_size_and_bytes(file):
 
 
 class Files(WindowTest):
-    def test_a_broken_file_leaves_the_default_scene_and_the_editor_running(self):
+    def test_a_broken_file_leaves_the_default_scene_and_a_running_editor(self):
         with tempfile.NamedTemporaryFile("w", suffix=".obj") as file:
             file.write("f one two three\n")
             file.flush()
             report = self.open(file.name).quit()
         self.assertGreater(report["faces"], 3000)
 
-    def test_a_mesh_file_is_shown_as_guessed_and_the_question_about_it_holds_nothing_up(self):
+    def test_a_mesh_file_opens_as_guessed_and_its_question_does_not_block(self):
         cut = [KERF, "cut", os.path.join(ASSETS, "meshes", "plate.obj"), "--format", "stl", "--out"]
         pieces = tempfile.TemporaryDirectory()
         self.addCleanup(pieces.cleanup)
@@ -42,7 +42,7 @@ class Files(WindowTest):
         frame = editor.quit()["view"]["frame"]
         self.assertEqual(self.settings()["frames"], {"stl": frame})
 
-    def test_a_good_file_opens_and_a_broken_one_changes_nothing(self):
+    def test_a_valid_file_opens_and_a_broken_one_changes_nothing(self):
         editor = self.open()
         self.open_by_browser(editor, SPHERE)
         broken = os.path.join(self.folder, "broken.obj")
@@ -54,7 +54,7 @@ class Files(WindowTest):
         self.assertIn("broken.obj", report["message"])
         self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
 
-    def test_a_name_that_is_offered_once_more_is_replaced_by_typing(self):
+    def test_a_suggested_name_is_replaced_by_typing_every_time(self):
         editor = self.open(SPHERE)
         editor.press("ctrl", "shift", "s")
         editor.part("browser")
@@ -65,7 +65,7 @@ class Files(WindowTest):
         editor.wait_for_title("kept.kerf - Kerf")
         editor.quit()
 
-    def test_recent_files_have_pictures_until_they_are_forgotten(self):
+    def test_recent_files_have_thumbnails_until_cleared(self):
         editor = self.open(SPHERE)
         pictures = os.path.join(self.folder, "kerf", "thumbnails")
         editor.pixels()  # frames are drawn
@@ -88,7 +88,7 @@ class Files(WindowTest):
         self.assertEqual(os.listdir(pictures), [])
 
     @real_input
-    def test_dropped_files_open_together_and_a_broken_one_neither_changes_anything_nor_keeps_others_out(self):
+    def test_dropped_files_open_together_despite_a_broken_one(self):
         editor = self.open()
         bracket, plate = (os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj"))
         broken = os.path.join(self.folder, "not a mesh.stl")
@@ -123,7 +123,7 @@ class Files(WindowTest):
         self.assertTrue(os.path.exists(os.path.join(folder.name, "kerf", "settings.json.bad")))
         self.assertIn("set aside", report["message"])
 
-    def test_what_was_cut_is_saved_and_opens_again_as_it_was(self):
+    def test_a_saved_cut_reopens_unchanged(self):
         editor = self.open(SPHERE)
         editor.wait_for_title("sphere.json - Kerf")
         editor.drag(ACROSS)
@@ -149,7 +149,7 @@ class Files(WindowTest):
             self.assertEqual(report[key], saved[key], key)
         self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))
 
-    def test_strokes_are_taken_back_and_brought_again(self):
+    def test_strokes_are_undone_and_redone(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.drag(ACROSS_ABOVE)
@@ -159,10 +159,10 @@ class Files(WindowTest):
         self.assertEqual((back["undo_depth"], back["strokes"]), (1, 1))
         self.assertGreater(back["faces_removed"], 0)
 
-    def test_a_click_on_the_first_row_of_the_history_goes_back_to_what_was_opened(self):
+    def test_clicking_the_first_row_of_the_history_returns_to_the_opened_state(self):
         self.assert_history_is_travelled()
 
-    def test_the_history_is_travelled_where_no_font_is_installed(self):
+    def test_the_history_works_without_an_installed_font(self):
         self.assert_history_is_travelled("--own-font")
 
     def assert_history_is_travelled(self, *options):
@@ -177,7 +177,7 @@ class Files(WindowTest):
         self.assertEqual((there["undo_depth"], there["strokes"], there["faces_removed"]), (0, 0, 0))
         self.assertEqual(there["pieces"], 1)
 
-    def test_unsaved_work_does_not_go_without_a_question(self):
+    def test_unsaved_changes_are_confirmed_before_closing(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         for leave in (("ctrl", "q"), ("ctrl", "n")):
@@ -202,7 +202,7 @@ class Files(WindowTest):
         self.assertTrue(os.path.exists(os.path.join(self.folder, "car.kerf")))
         self.assertEqual(self.unsaved(), [])
 
-    def test_a_killed_editor_loses_nothing_and_the_next_one_goes_on(self):
+    def test_a_killed_editor_loses_nothing_and_the_next_one_resumes(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.draw_without_end()
@@ -236,7 +236,7 @@ class Files(WindowTest):
         replayed = subprocess.run([KERF, "replay", os.path.join(self.folder, "saved.kerf")], stdout=subprocess.DEVNULL)
         self.assertEqual(replayed.returncode, 0)
 
-    def test_two_editors_at_once_keep_their_work_apart(self):
+    def test_two_concurrent_editors_keep_their_work_separate(self):
         one = self.open(SPHERE)
         one.drag(ACROSS)
         two = self.open_again(SPHERE)
@@ -248,7 +248,7 @@ class Files(WindowTest):
         self.assertEqual(len(self.unsaved()), 1)
 
     @real_input
-    def test_sigterm_leaves_unsaved_work_for_the_next_start(self):
+    def test_sigterm_leaves_unsaved_work_for_the_next_launch(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.kerf.send_signal(signal.SIGTERM)
@@ -256,7 +256,7 @@ class Files(WindowTest):
         self.assertEqual(len(self.unsaved()), 1)
 
     @real_input
-    def test_sigterm_ends_it_with_its_report(self):
+    def test_sigterm_exits_with_a_report(self):
         editor = self.open()
         editor.kerf.send_signal(signal.SIGTERM)
         self.assertEqual(editor.report(143)["strokes"], 0)

@@ -44,7 +44,7 @@ class Game(WindowTest):
                         "the game never began")
 
     @real_input
-    def test_keys_and_mouse_drive_and_cut_and_the_match_can_be_replayed(self):
+    def test_keys_and_mouse_drive_and_cut_and_the_match_replays(self):
         rules = self.write_rules()
         record = os.path.join(os.path.dirname(rules), "match.kerf")
         game = self.open("play", rules, "--difficulty", "easy", "--record", record)
@@ -74,7 +74,7 @@ class Game(WindowTest):
         with open(os.path.join(self.folder, "kerf", name)) as file:
             return json.load(file)
 
-    def test_what_the_command_line_chose_is_not_kept_as_a_setting(self):
+    def test_command_line_choices_are_not_stored_as_settings(self):
         game = self.open("play", self.write_rules(), "--difficulty", "hard")
         game.wait_for(lambda: self.playing(game), "the match never began")
         self.open_menu(game)
@@ -90,7 +90,7 @@ class Game(WindowTest):
         self.open_again(SPHERE).quit()
         self.assertEqual([self.settings()[key] for key in ("width", "height")], [900, 700])
 
-    def test_the_lesson_comes_once_and_can_be_skipped(self):
+    def test_the_lesson_appears_once_and_can_be_skipped(self):
         game = self.open("play")
         game.wait_for(lambda: "start" in game.landmarks()["parts"], "the menu before the match never came")
         game.press("Enter")
@@ -105,7 +105,7 @@ class Game(WindowTest):
         self.assertTrue(self.kept("game.json")["taught"])
         self.assertEqual(self.kept("game.json")["vehicle"], "hatchback")
 
-    def test_a_match_that_is_over_is_kept_and_one_that_is_killed_leaves_settings_and_scores_whole(self):
+    def test_a_finished_match_is_stored_and_a_kill_keeps_settings_and_scores_intact(self):
         game = self.open("play", self.write_rules(times={"match": 2}), "--difficulty", "hard")
         game.wait_for(lambda: "replay" in game.landmarks()["parts"], "the match was never over")
         game.pause(1.5)
@@ -122,7 +122,7 @@ class Game(WindowTest):
         game.die()
         self.assertEqual({name: self.kept(name) for name in kept}, kept)
 
-    def test_the_editor_is_as_it_was_after_the_game_and_opens_its_world(self):
+    def test_the_editor_is_unchanged_after_the_game_and_opens_its_world(self):
         editor = self.open(SPHERE)
         self.begin_from_editor(editor)
         self.open_menu(editor)

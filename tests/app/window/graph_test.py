@@ -15,7 +15,7 @@ class Graph(WindowTest):
         editor.resize(900, 720)  # the panel is high
         return editor
 
-    def test_the_slider_plays_the_traversal_of_a_cut_that_separated_something(self):
+    def test_the_slider_plays_the_traversal_of_a_separating_cut(self):
         editor = self.open_graph()
         editor.drag([(0.2, 0.5), (0.8, 0.5)])
         editor.click("graph slider", 0.5, 0.5)
@@ -25,7 +25,7 @@ class Graph(WindowTest):
         self.assertAlmostEqual(graph["marked"] / graph["reached"], 0.5, delta=0.1)
         self.assertLessEqual(graph["nodes"], 2000)
 
-    def test_the_face_under_the_pointer_is_lit_and_a_click_divides_a_cluster(self):
+    def test_the_face_under_the_pointer_is_highlighted_and_a_click_expands_a_cluster(self):
         editor = self.open_graph()
         editor.click("graph start", 0.5, 0.5)
         editor.point_at(0.5, 0.4)
@@ -38,7 +38,7 @@ class Graph(WindowTest):
         x, y, width, height = editor.part(part)
         return x + 0.5 * width, y + 0.5 * height
 
-    def test_the_wheel_zooms_to_the_pointer_and_a_drag_moves_the_graph(self):
+    def test_the_wheel_zooms_to_the_pointer_and_a_drag_pans_the_graph(self):
         editor = self.open_graph()
         editor.point_at("graph canvas", 0.5, 0.5)
         pointer, before = editor.pointer, self.middle_of(editor, "graph start")
@@ -54,7 +54,7 @@ class Graph(WindowTest):
         self.assertAlmostEqual(moved[1] - zoomed[1], -30, delta=9)
         self.assertFalse(editor.quit()["graph"]["any_open"])
 
-    def test_the_second_view_lists_the_pieces_and_the_graph_of_a_chosen_one_is_drawn(self):
+    def test_the_second_view_lists_pieces_and_draws_the_graph_of_the_selected_one(self):
         editor = self.open_graph()
         editor.drag([(0.2, 0.5), (0.8, 0.5)])
         editor.click("graph removals", 0.02, 0.3)

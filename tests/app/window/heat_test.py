@@ -25,14 +25,14 @@ class Heat(WindowTest):
         editor.click("laser model", 0.5, 0.5)
         editor.click("laser model 1", 0.5, 0.5)
 
-    def test_a_rim_cools_down_in_the_step_of_its_stroke(self):
+    def test_a_rim_cools_within_the_undo_entry_of_its_stroke(self):
         report = self.cut(seconds=3).quit()
         self.assertGreater(report["time"]["ticks"], 30)
         self.assertLess(report["heat"]["hottest"], 1700)
         self.assertGreater(report["heat"]["emitted"], 0)
         self.assertEqual((report["undo_depth"], report["time"]["playing"]), (1, False))
 
-    def test_one_undo_takes_the_stroke_and_the_time_in_which_it_cooled_down(self):
+    def test_one_undo_reverts_a_stroke_and_its_cooling_time(self):
         editor = self.cut()
         editor.press("ctrl", "z")
         editor.pause(1)
@@ -40,7 +40,7 @@ class Heat(WindowTest):
         self.assertEqual((report["undo_depth"], report["time"]["ticks"], report["faces_removed"]), (0, 0, 0))
         self.assertLess(report["heat"]["hottest"], 294)
 
-    def test_one_undo_takes_a_command_and_the_time_in_which_it_cooled_down(self):
+    def test_one_undo_reverts_a_command_and_its_cooling_time(self):
         editor = self.cut()
         editor.press("ctrl", "a")
         editor.press("shift", "p")
@@ -51,7 +51,7 @@ class Heat(WindowTest):
         self.assertEqual(report["undo_depth"], 1)
         self.assertTrue(report["messages"][-1].startswith("Undo: Pin"), report["messages"])
 
-    def test_escape_ends_a_slow_stroke_where_the_beam_is_and_undo_takes_it_back(self):
+    def test_escape_ends_a_slow_stroke_at_the_beam_and_undo_reverts_it(self):
         """A stroke of 20 s in one frame, of which some milliseconds are cut before Esc and the keys after it come."""
         self.heat_held = True
         editor = self.open(SPHERE)
@@ -73,14 +73,14 @@ class Heat(WindowTest):
         power = 2000  # W, of the laser
         self.assertLess(report["heat"]["emitted"], 0.5 * 20 * power)
 
-    def test_held_heat_stays(self):
+    def test_frozen_temperature_does_not_change(self):
         self.heat_held = True
         editor = self.cut()
         report = editor.quit()
         self.assertGreater(report["heat"]["hottest"], 1000)
         self.assertEqual(report["time"]["ticks"], 0)
 
-    def test_a_beam_of_the_thermal_model_that_is_held_still_goes_on_heating(self):
+    def test_a_stationary_thermal_beam_keeps_heating(self):
         editor = self.open(SPHERE)
         self.choose_thermal_model(editor)
         editor.move_to(*editor.place((0.5, 0.5)))

@@ -17,7 +17,7 @@ class PaletteTest(WindowTest):
     def wait_until_closed(self, editor):
         editor.wait_for(lambda: "palette" not in editor.landmarks()["parts"], "the palette stays open")
 
-    def test_it_runs_what_was_typed_and_closes(self):
+    def test_runs_the_typed_action_and_closes(self):
         editor = self.open(SPHERE)
         editor.point_at(0.5, 0.5)
         self.find(editor, "wire")
@@ -33,7 +33,7 @@ class PaletteTest(WindowTest):
         self.assertEqual((view["wire"], view["normals"]), (True, False))
         self.assertTrue(self.settings()["panels"]["tree"])
 
-    def test_what_cannot_be_done_stays_undone_and_the_arrows_choose_something_else(self):
+    def test_a_disabled_action_does_not_run_and_arrows_select_another(self):
         editor = self.open(SPHERE)
         editor.point_at(0.5, 0.5)
         self.find(editor, "undo")
@@ -50,7 +50,7 @@ class PaletteTest(WindowTest):
         self.wait_until_closed(editor)
         self.assertTrue(editor.quit()["view"]["boxes"])
 
-    def test_a_click_runs_a_row_and_a_click_beside_it_cuts_nothing(self):
+    def test_a_click_runs_a_row_and_a_click_outside_cuts_nothing(self):
         editor = self.open(SPHERE)
         self.find(editor, "wire")
         editor.click("palette row 0", 0.3, 0.5)
@@ -66,7 +66,7 @@ class PaletteTest(WindowTest):
 class QuickKeysTest(WindowTest):
     """Keys that are pressed and released within one frame, and text that comes with the key that opens a field."""
 
-    def test_a_path_that_is_typed_with_the_key_that_opens_the_browser_opens_its_file_and_runs_no_shortcut(self):
+    def test_a_path_typed_right_after_the_browser_key_opens_its_file(self):
         editor = self.open(SPHERE)
         editor.point_at(0.5, 0.5)
         copy = os.path.join(self.folder, "wire-bridge.json")
@@ -79,7 +79,7 @@ class QuickKeysTest(WindowTest):
         report = editor.quit()
         self.assertEqual((report["view"]["wire"], report["view"]["boxes"], report["undo_depth"]), (False, False, 0))
 
-    def test_enter_on_an_empty_name_opens_nothing_and_an_arrow_chooses(self):
+    def test_enter_on_an_empty_name_opens_nothing_and_arrows_select(self):
         self.open(SPHERE).quit()
         self.set(folder=self.folder)
         with open(os.path.join(self.folder, "a.json"), "w") as file:
@@ -103,7 +103,7 @@ class QuickKeysTest(WindowTest):
         self.assertTrue(report["view"]["wire"])
         self.assertTrue(any("a.json" in message for message in report["messages"]), report["messages"])
 
-    def test_the_question_about_unsaved_work_takes_the_letter_that_came_with_the_key(self):
+    def test_the_unsaved_changes_dialog_accepts_a_letter_typed_with_its_key(self):
         editor = self.open(SPHERE)
         editor.drag([(0.32, 0.5), (0.68, 0.5)])
         editor.press_at_once(("ctrl", "q"), ("d",))
@@ -113,7 +113,7 @@ class QuickKeysTest(WindowTest):
 
 class SettingsTest(WindowTest):
     @real_input
-    def test_a_key_is_rebound_after_its_clash_was_named_and_stays_so(self):
+    def test_a_key_is_rebound_after_its_conflict_is_named_and_persists(self):
         editor = self.open(SPHERE)
         editor.point_at(0.05, 0.95)
         editor.do("ctrl", "comma")
@@ -133,7 +133,7 @@ class SettingsTest(WindowTest):
         editor.do("q")
         self.assertTrue(editor.quit()["view"]["wire"])
 
-    def test_a_preset_gives_other_keys(self):
+    def test_a_preset_changes_keys(self):
         editor = self.open(SPHERE)
         editor.point_at(0.05, 0.95)
         editor.do("ctrl", "comma")

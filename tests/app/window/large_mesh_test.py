@@ -14,7 +14,7 @@ class LargeMesh(WindowTest):
             self.skipTest("KERF_TEST_MESHES names no folder with the large mesh")
         return mesh
 
-    def test_a_million_faces_open_beside_the_frames(self):
+    def test_a_million_faces_open_without_blocking_frames(self):
         editor = self.open(self.large_mesh())
         editor.wait_for_title("big_bunny_x16.ply - Kerf")
         report = editor.quit()
@@ -50,7 +50,7 @@ class LargeMesh(WindowTest):
         return journal
 
     @unittest.skipUnless("KERF_LONG" in os.environ, "one of the tests of ./tests/run --long")
-    def test_a_large_piece_is_copied_out_and_a_stroke_taken_back_by_replay_beside_the_frames(self):
+    def test_a_large_detach_and_an_undo_by_replay_do_not_block_frames(self):
         mesh = self.large_mesh()
         self.open(SPHERE).quit()
         with open(self.settings_file(), "w") as file:
@@ -70,7 +70,7 @@ class LargeMesh(WindowTest):
         print(f"1.1 M faces: the longest frame took {report['between_pictures_ms']['max']:.0f} ms beside drawing")
 
     @real_input
-    def test_opening_is_cancelled_and_changes_nothing(self):
+    def test_cancelling_an_open_changes_nothing(self):
         editor = self.open()
         before = editor.quit()["faces"]
         editor = self.open()

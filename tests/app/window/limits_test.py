@@ -7,7 +7,7 @@ from editor_window import ACROSS, SPHERE, WindowTest, real_input
 
 class Limits(WindowTest):
     @real_input
-    def test_work_is_kept_when_the_display_is_lost(self):
+    def test_unsaved_work_survives_the_loss_of_the_display(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.settle()
@@ -20,7 +20,7 @@ class Limits(WindowTest):
         again.wait_for_title("sphere.json* - Kerf")
         self.assertEqual(again.quit()["strokes"], 1)
 
-    def test_without_a_folder_for_unsaved_work_it_says_so_and_cuts_all_the_same(self):
+    def test_cuts_without_an_autosave_folder_and_reports_it(self):
         editor = self.open(SPHERE)
         # A file in the place of the folder, which stops root as well.
         folder = os.path.join(self.folder, "kerf")

@@ -137,7 +137,7 @@ class Monkey(WindowTest):
                 share *= 2
         return actions
 
-    def test_nothing_breaks_and_what_is_kept_is_what_is_shown(self):
+    def test_random_input_breaks_nothing_and_saved_state_matches_the_view(self):
         for seed in range(FIRST, LAST + 1):
             chance = random.Random(seed)
             mesh = chance.choice(MESHES)

@@ -12,7 +12,7 @@ class Moving(WindowTest):
         editor.click(0.5, 0.53)
         return editor
 
-    def test_a_piece_is_moved_and_turned_by_numbers_and_a_copy_is_made(self):
+    def test_a_piece_is_moved_rotated_and_duplicated_by_numbers(self):
         editor = self.pick_the_sphere()
         editor.do("g")
         for key in ("y", "0", "period", "5"):
@@ -37,7 +37,7 @@ class Moving(WindowTest):
         self.assertEqual(copy["orientation"], sphere["orientation"])
         self.assertFalse(report["view"]["ghost"])
 
-    def test_what_is_cancelled_leaves_no_trace_and_the_keys_have_their_usual_meaning_elsewhere(self):
+    def test_a_cancelled_move_leaves_no_trace_and_keys_keep_their_usual_meaning(self):
         editor = self.pick_the_sphere()
         editor.do("g")
         editor.move_to(*editor.place((0.6, 0.4)))
@@ -55,7 +55,7 @@ class Moving(WindowTest):
         self.assertEqual(report["placements"][0]["orientation"], [1, 0, 0, 0])
         self.assertTrue(report["view"]["ghost"])
 
-    def test_an_arrow_is_dragged_and_the_pointer_of_a_move_is_followed_until_a_click(self):
+    def test_an_arrow_is_dragged_and_a_move_follows_the_pointer_until_a_click(self):
         editor = self.pick_the_sphere()
         x, y = editor.place(("move Y", 0.5, 0.5))
         editor.drag_pixels([(x, y), (x, y - 60)])
@@ -82,7 +82,7 @@ class Moving(WindowTest):
         self.assertGreater(centimetres, 1)
         self.assertAlmostEqual(centimetres, round(centimetres), places=6)
 
-    def test_half_a_sphere_that_was_cut_off_is_moved_and_undone(self):
+    def test_half_a_cut_off_sphere_is_moved_and_undone(self):
         editor = self.open(SPHERE)
         editor.drag([(0.2, 0.5), (0.8, 0.5)])
         editor.press("k")
@@ -100,7 +100,7 @@ class Moving(WindowTest):
 
 
 class Inspecting(WindowTest):
-    def test_a_face_is_told_of_and_two_clicks_measure(self):
+    def test_a_face_is_described_and_two_clicks_measure(self):
         editor = self.open(SPHERE)
         editor.press("m")
         editor.point_at(0.5, 0.5)
@@ -111,7 +111,7 @@ class Inspecting(WindowTest):
         self.assertEqual((report["strokes"], report["pieces_chosen"]), (0, 0))
         self.assertTrue(report["message"].startswith("Distance "), report["message"])
 
-    def test_a_number_that_is_typed_in_the_panel_moves_the_chosen_piece(self):
+    def test_a_number_typed_in_the_panel_moves_the_selected_piece(self):
         self.open(SPHERE).quit()
         self.only_panel("pieces")
         editor = self.open_again(SPHERE)

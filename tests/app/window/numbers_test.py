@@ -20,7 +20,7 @@ class Numbers(WindowTest):
         editor.do("Return")
         return editor.ask("report")
 
-    def test_a_slider_takes_units_refuses_the_rest_and_says_where_it_limits(self):
+    def test_a_slider_accepts_units_rejects_other_text_and_reports_clamping(self):
         editor = self.open_panel("laser")
         before = editor.ask("report")["laser"]["radius"]
         report = self.type_into_slider(editor, "radius", "1/4 in")
@@ -39,7 +39,7 @@ class Numbers(WindowTest):
         self.assertAlmostEqual(report["laser"]["radius"], 0.004, delta=1e-9)
         editor.quit()
 
-    def test_a_slider_that_is_left_by_esc_stays_as_it_was(self):
+    def test_a_slider_cancelled_by_esc_is_unchanged(self):
         editor = self.open_panel("laser")
         before = editor.ask("report")
         editor.key_down("ctrl")
@@ -53,7 +53,7 @@ class Numbers(WindowTest):
         self.assertEqual(report["messages"], before["messages"])
         editor.quit()
 
-    def test_a_field_reads_what_it_shows(self):
+    def test_a_field_reads_the_text_it_shows(self):
         editor = self.open_panel("prepare")
         faces = editor.ask("report")["faces"]
         editor.click("Faces", 0.5, 0.5)

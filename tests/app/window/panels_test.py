@@ -8,7 +8,7 @@ class Panels(WindowTest):
     def parts(self, editor):
         return editor.landmarks()["parts"]
 
-    def test_a_tab_is_brought_to_the_front_by_its_key_and_by_a_click_and_kept(self):
+    def test_a_tab_is_selected_by_key_or_click_and_remembered(self):
         editor = self.open(SPHERE)
         self.assertIn("panel laser", self.parts(editor))
         editor.do("alt", "2")
@@ -22,7 +22,7 @@ class Panels(WindowTest):
         self.assertNotIn("panel laser", self.parts(editor))
         editor.quit()
 
-    def test_a_panel_goes_to_each_place_and_back_to_its_tab(self):
+    def test_a_panel_moves_to_each_dock_and_back_to_its_tab(self):
         editor = self.open(SPHERE)
         whole = editor.part("viewport")
         for place, area in (("Below the Viewport", "strip"), ("In a Second Column", "second_side")):
@@ -38,7 +38,7 @@ class Panels(WindowTest):
         editor.quit()
         self.assertEqual(self.settings()["docks"]["laser"], "column")
 
-    def test_the_tour_goes_on_when_a_step_is_done_and_ends_by_esc(self):
+    def test_the_tour_advances_when_a_step_is_done_and_ends_with_esc(self):
         editor = self.open(SPHERE)
         editor.press("ctrl", "p")
         editor.type("guided tour")
@@ -52,7 +52,7 @@ class Panels(WindowTest):
         editor.do("Escape")
         self.assertIsNone(editor.quit()["tour"])
 
-    def test_the_welcome_opens_a_scene_and_goes_with_any_key(self):
+    def test_the_welcome_screen_opens_a_scene_and_closes_on_any_key(self):
         editor = self.open(SPHERE)
         editor.press("ctrl", "p")
         editor.type("welcome")

@@ -48,7 +48,7 @@ class Path(WindowTest):
         subprocess.run([KERF, "replay", journal, "--expect", state], check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)
 
-    def test_clicked_points_are_moved_removed_and_brought_back(self):
+    def test_clicked_points_are_moved_deleted_and_restored(self):
         editor = self.open_path(SPHERE)
         editor.press("o")
         editor.click(0.44, 0.5)
@@ -74,7 +74,7 @@ class Path(WindowTest):
         self.assertEqual((report["path"]["strokes"], len(report["path"]["targets"])), (2, 3))
         self.assertEqual((report["undo_depth"], report["strokes"]), (0, 0))
 
-    def test_a_saved_path_runs_as_kerf_cut_runs_its_file(self):
+    def test_a_saved_path_runs_like_kerf_cut(self):
         editor = self.open_path(SPHERE)
         editor.press("o")
         for at in ((0.4, 0.45), (0.5, 0.55), (0.6, 0.45)):
@@ -91,7 +91,7 @@ class Path(WindowTest):
         self.assertGreater(report["faces_removed"], 0)
         self.expect_same_cut(path, journal, mesh("sphere.obj"))
 
-    def test_a_dropped_path_runs_as_kerf_cut_runs_it_and_its_speed_can_be_typed(self):
+    def test_a_dropped_path_runs_like_kerf_cut_and_its_speed_can_be_typed(self):
         editor = self.open_path(SPHERE)
         path = self.write_path([0.05, -0.05], 0.006)
         editor.drop(path)
@@ -109,7 +109,7 @@ class Path(WindowTest):
         self.expect_same_cut(path, os.path.join(self.folder, "run.kerf"), mesh("sphere.obj"))
 
     @real_input
-    def test_a_run_that_is_stopped_leaves_no_trace(self):
+    def test_a_cancelled_run_leaves_no_trace(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
@@ -140,7 +140,7 @@ class Path(WindowTest):
         self.assertEqual((report["path"]["strokes"], report["strokes"]), (12, 12))
         self.assertEqual(report["pieces"], 1 + 2 * 12)  # of each hole a disc of the front and one of the back
 
-    def test_a_path_is_recovered_with_its_document_after_a_crash_and_shows_in_no_other(self):
+    def test_a_path_is_recovered_with_its_own_document_after_a_crash(self):
         editor = self.open_path(SPHERE)
         editor.press("o")
         editor.click(0.45, 0.5)
@@ -157,7 +157,7 @@ class Path(WindowTest):
         parts = editor.landmarks()["parts"]
         self.assertEqual([parts[f"path point {i}"] for i in range(2)], targets)
 
-    def test_path_and_emitter_are_saved_with_their_document_and_gone_from_a_new_one(self):
+    def test_path_and_emitter_are_saved_with_their_document_and_absent_from_a_new_one(self):
         editor = self.open_path(SPHERE)
         editor.press("o")
         editor.click(0.45, 0.5)
@@ -175,7 +175,7 @@ class Path(WindowTest):
         report = editor.quit()
         self.assertEqual((len(report["path"]["targets"]), report["emitter"]["placed"]), (1, True))
 
-    def test_the_emitter_cuts_while_it_is_moved_and_one_undo_takes_the_stroke_back(self):
+    def test_the_emitter_cuts_while_moved_and_one_undo_reverts_the_stroke(self):
         editor = self.open(SPHERE)
         editor.point_at(0.1, 0.1)
         editor.do("shift", "u")
@@ -196,7 +196,7 @@ class Path(WindowTest):
         self.assertEqual((report["strokes"], report["undo_depth"], report["emitter"]["firing"]), (0, 0, False))
 
     @real_input
-    def test_the_emitter_fires_shots_at_the_pace_that_is_typed(self):
+    def test_the_emitter_fires_at_the_typed_rate(self):
         self.open(SPHERE).quit()
         self.only_panel("laser")
         editor = self.open_again(SPHERE)

@@ -8,7 +8,7 @@ from editor_window import ACROSS, ASSETS, KERF, SPHERE, WindowTest, real_input
 
 
 class Pieces(WindowTest):
-    def test_overlays_and_the_theme_are_switched_by_keys_and_the_theme_is_remembered(self):
+    def test_keys_toggle_overlays_and_the_theme_which_is_remembered(self):
         editor = self.open()
         for key in ("b", "w", "g"):
             editor.press(key)
@@ -18,7 +18,7 @@ class Pieces(WindowTest):
         self.assertEqual([view[name] for name in ("boxes", "wire", "ghost", "normals")], [True, True, True, False])
         self.assertEqual(self.settings()["theme"], "light")
 
-    def test_shadow_views_are_switched_by_keys_and_a_light_is_dragged(self):
+    def test_keys_toggle_shadow_views_and_a_light_can_be_dragged(self):
         editor = self.open(SPHERE)
         for key in ("d", "e", "v", "c", "t", "x"):
             editor.press(key)
@@ -51,7 +51,7 @@ class Pieces(WindowTest):
         report = editor.quit()
         self.assertEqual((report["pieces_hidden"], report["pieces_chosen"], report["strokes"]), (1, 0, 0))
 
-    def test_pieces_are_chosen_by_a_box_and_isolated(self):
+    def test_pieces_are_selected_by_a_box_and_isolated(self):
         editor = self.open(SPHERE)
         editor.drag([(0.2, 0.5), (0.8, 0.5)])
         editor.key_down("ctrl")
@@ -63,7 +63,7 @@ class Pieces(WindowTest):
         self.assertEqual((report["pieces"], report["pieces_chosen"], report["pieces_hidden"]), (2, 1, 0))
         self.assertEqual(report["undo_depth"], 3)  # the stroke, one half hidden, and shown again
 
-    def test_one_undo_takes_an_isolation_of_many_pieces_back(self):
+    def test_one_undo_reverts_isolating_many_pieces(self):
         editor = self.open(SPHERE)
         for down in (0.35, 0.5, 0.65):
             editor.drag([(0.2, down), (0.8, down)])
@@ -95,7 +95,7 @@ class Pieces(WindowTest):
         """The share of the points whose colour is another."""
         return sum(max(abs(a - b) for a, b in zip(p, q)) > 24 for p, q in zip(before, after)) / len(before)
 
-    def test_a_piece_looks_as_before_when_it_was_hidden_and_shown_again(self):
+    def test_a_piece_looks_unchanged_after_it_is_hidden_and_shown(self):
         self.open(SPHERE).quit()
         self.set(antialias=False)  # how edges are smoothed depends on how long pictures take
         editor = self.open_again()
@@ -138,7 +138,7 @@ class Pieces(WindowTest):
                         "--depth", "0", "--journal", journal], check=True, capture_output=True)
         return journal
 
-    def test_a_click_on_the_pin_or_the_eye_of_a_row_pins_or_hides_the_piece(self):
+    def test_clicking_the_pin_or_eye_of_a_row_pins_or_hides_the_piece(self):
         self.open(SPHERE).quit()
         self.only_panel("pieces")
         editor = self.open_again(SPHERE)
@@ -149,7 +149,7 @@ class Pieces(WindowTest):
         self.assertTrue(report["placements"][0]["pinned"])
         self.assertEqual(report["pieces_chosen"], 0)
 
-    def test_the_box_solid_makes_a_closed_piece_solid_and_back_and_one_undo_takes_each_back(self):
+    def test_the_solid_checkbox_toggles_a_closed_piece_and_each_change_is_undoable(self):
         self.open(SPHERE).quit()
         self.only_panel("material")
         editor = self.open_again(SPHERE)
@@ -164,7 +164,7 @@ class Pieces(WindowTest):
         self.assertEqual((report["undo_depth"], report["placements"][0]["solid"]), (1, True))
         self.assertEqual(report["messages"][-1], "Undo: Make sphere a sheet")
 
-    def test_a_stroke_through_a_solid_with_a_hole_says_why_it_stays_a_sheet(self):
+    def test_a_stroke_through_an_open_solid_reports_why_it_stays_a_sheet(self):
         with open(os.path.join(ASSETS, "meshes", "sphere.obj")) as file:
             lines = file.readlines()
         lines.remove(next(line for line in lines if line.startswith("f ")))
@@ -184,7 +184,7 @@ class Pieces(WindowTest):
         self.assertGreater(report["faces_removed"], 0)
         self.assertTrue(report["message"].startswith("eggshell: "), report["message"])
 
-    def test_specks_are_counted_apart_and_share_a_row_that_a_click_unfolds(self):
+    def test_specks_are_counted_separately_in_a_row_that_a_click_unfolds(self):
         self.open(SPHERE).quit()
         self.only_panel("pieces")
         editor = self.open_again(self.comb_without_teeth())
@@ -206,7 +206,7 @@ class Pieces(WindowTest):
                 return
         editor.part(part)
 
-    def test_a_double_click_renames_a_piece_and_undo_takes_the_name_back(self):
+    def test_a_double_click_renames_a_piece_and_undo_restores_the_name(self):
         self.open(SPHERE).quit()
         self.only_panel("pieces")
         editor = self.open_again(SPHERE)
@@ -226,7 +226,7 @@ class Pieces(WindowTest):
         with open(os.path.join(self.folder, "named.kerf")) as file:
             self.assertIn('"half of a ball"', file.read())
 
-    def test_f2_renames_the_chosen_piece_and_asks_for_one_where_none_is_chosen(self):
+    def test_f2_renames_the_selected_piece_and_requires_a_selection(self):
         self.open(SPHERE).quit()
         self.only_panel("light")
         editor = self.open_again(SPHERE)
@@ -260,19 +260,19 @@ class Pieces(WindowTest):
         self.assertEqual((report["undo_depth"], report["strokes"], report["time"]["playing"]), (1, 0, False))
         self.assertFalse(report["view"]["shadow_counts"])
 
-    def test_f2_brings_the_list_into_view_from_another_tab(self):
+    def test_f2_reveals_the_list_from_another_tab(self):
         self.rename_by_f2(lambda editor: editor.do("alt", "2"))
 
-    def test_f2_brings_the_list_into_view_where_the_column_is_hidden(self):
+    def test_f2_reveals_the_list_in_a_hidden_sidebar(self):
         self.rename_by_f2(lambda editor: editor.do("F4"))
 
-    def test_f2_brings_the_list_into_view_where_its_panel_is_folded(self):
+    def test_f2_reveals_the_list_in_a_folded_panel(self):
         self.rename_by_f2(lambda editor: editor.click("panel pieces", 0.5, 0.5))
 
-    def test_f2_brings_the_list_into_view_where_it_is_scrolled_away(self):
+    def test_f2_reveals_the_list_after_scrolling_away(self):
         self.rename_by_f2(lambda editor: None)  # the panels above it fill the column
 
-    def test_a_name_whose_list_is_hidden_meanwhile_is_taken_and_no_field_opens_later(self):
+    def test_hiding_the_list_accepts_the_typed_name_and_reopens_no_field(self):
         self.open(SPHERE).quit()
         self.only_panel("pieces")
         editor = self.open_again(SPHERE)
@@ -284,7 +284,7 @@ class Pieces(WindowTest):
         self.assertNotIn("new name", editor.landmarks()["parts"])
         self.assertEqual(editor.quit()["undo_depth"], 1)
 
-    def test_a_smaller_window_keeps_panels_and_picture_apart(self):
+    def test_a_smaller_window_keeps_panels_and_viewport_apart(self):
         editor = self.open()
         editor.resize(800, 600)
         layout = editor.quit()["layout"]

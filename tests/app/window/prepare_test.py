@@ -24,13 +24,13 @@ class Prepare(WindowTest):
         editor.pause(0.5)
         editor.do("Return")
 
-    def test_simplifying_leaves_the_number_of_faces_that_was_typed_and_is_undone(self):
+    def test_simplify_reaches_the_typed_face_count_and_is_undone(self):
         editor, faces = self.open_panel()
         self.type_number(editor, "Faces", str(faces // 4))
         editor.click("prepare", 0.5, 0.5)
         self.assertIn(editor.quit()["faces"], range(faces // 4 - 2, faces // 4 + 1))
 
-    def test_subdividing_makes_four_faces_of_each_and_one_undo_takes_both_times_back(self):
+    def test_subdivide_quadruples_faces_and_one_undo_reverts_both_passes(self):
         editor, faces = self.open_panel()
         self.choose(editor, "preparation", 2)
         self.type_number(editor, "Iterations", "2")
@@ -40,7 +40,7 @@ class Prepare(WindowTest):
         report = editor.quit()
         self.assertEqual((report["faces"], report["undo_depth"]), (faces, 0))
 
-    def test_the_preview_tells_what_the_button_then_makes_and_changes_nothing(self):
+    def test_the_preview_matches_the_result_and_changes_nothing(self):
         editor, faces = self.open_panel()
         self.type_number(editor, "Faces", str(faces // 4))
         report = editor.quit()
@@ -50,7 +50,7 @@ class Prepare(WindowTest):
         self.assertEqual(preview["edges"], preview["faces"] * 3 // 2)
         self.assertGreater(preview["distance"], 0)
 
-    def test_the_preview_is_drawn_over_the_surface_until_it_is_switched_off(self):
+    def test_the_preview_is_drawn_over_the_surface_until_disabled(self):
         editor, _ = self.open_panel()
         editor.point_at(0.9, 0.9)
         places = [(x, y) for x in range(200, 400, 2) for y in range(200, 360, 2)]
@@ -66,13 +66,13 @@ class Prepare(WindowTest):
         pixel = editor.pixels()
         return [pixel(x, y) for x, y in places]
 
-    def test_the_preview_follows_the_piece_that_is_chosen(self):
+    def test_the_preview_follows_the_selected_piece(self):
         editor, faces = self.open_panel()
         self.choose(editor, "preparation", 2)
         editor.press("ctrl", "a")
         self.assertEqual(editor.quit()["preview"]["faces"], 4 * faces)
 
-    def test_down_and_enter_choose_in_a_list(self):
+    def test_down_and_enter_select_in_a_list(self):
         editor, faces = self.open_panel()
         editor.click("preparation", 0.5, 0.5)
         for key in ("Down", "Down", "Return"):
@@ -80,7 +80,7 @@ class Prepare(WindowTest):
         editor.click("prepare", 0.5, 0.5)
         self.assertEqual(editor.quit()["faces"], 4 * faces)
 
-    def test_smoothing_leaves_the_number_of_faces(self):
+    def test_smoothing_keeps_the_face_count(self):
         editor, faces = self.open_panel()
         self.choose(editor, "preparation", 3)
         editor.click("prepare", 0.5, 0.5)

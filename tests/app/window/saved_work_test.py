@@ -79,7 +79,7 @@ class SavedWork(WindowTest):
             report = again.quit()
             self.assertEqual(report["state_hash"], state, report["message"])
 
-    def test_replays_and_opens_as_it_was(self):
+    def test_a_saved_session_replays_and_reopens_unchanged(self):
         for seed in range(FIRST, LAST + 1):
             self.expect_saved_state(seed)
 

@@ -24,7 +24,7 @@ class ScalarMap(WindowTest):
     def map_of(self, editor):
         return editor.ask("report")["scalar_map"]
 
-    def test_a_quantity_colours_the_faces_and_paint_takes_the_colours_back(self):
+    def test_a_quantity_colours_the_faces_and_paint_restores_them(self):
         editor = self.open_map("Min. Angle")
         place = editor.place((0.5, 0.5))
         mapped = editor.pixels()(*place)
@@ -34,7 +34,7 @@ class ScalarMap(WindowTest):
         self.assertGreater(sum(abs(a - b) for a, b in zip(mapped, painted)), 40)
         self.assertIsNone(editor.quit()["scalar_map"]["quantity"])
 
-    def test_a_handle_that_is_dragged_sets_an_end_until_the_range_fits_again(self):
+    def test_dragging_a_handle_sets_an_end_until_the_range_is_fitted(self):
         editor = self.open_map("longest edge")
         before = self.map_of(editor)
         self.assertTrue(before["fits"])
@@ -49,7 +49,7 @@ class ScalarMap(WindowTest):
         self.assertEqual(self.map_of(editor), before)
         editor.quit()
 
-    def test_it_follows_a_cut_and_its_undo(self):
+    def test_follows_a_cut_and_its_undo(self):
         editor = self.open_map("level")
         before = self.map_of(editor)
         self.assertEqual(before["low"], 0)
@@ -60,7 +60,7 @@ class ScalarMap(WindowTest):
         self.assertEqual(self.map_of(editor), before)
         editor.quit()
 
-    def test_another_way_to_colour_faces_ends_it(self):
+    def test_another_face_colouring_ends_it(self):
         editor = self.open_map("level")
         editor.point_at(0.5, 0.5)
         editor.do("p")

@@ -25,7 +25,7 @@ class Section(WindowTest):
         editor.type(text)
         editor.do("Return")
 
-    def test_the_handles_move_and_turn_it_and_nothing_is_cut(self):
+    def test_handles_move_and_rotate_the_plane_without_cutting(self):
         editor = self.open(SPHERE)
         editor.point_at(0.1, 0.9)
         editor.do("z")
@@ -41,7 +41,7 @@ class Section(WindowTest):
         self.assertEqual(normal[0], 0)
 
     @real_input
-    def test_numbers_are_typed_copied_and_pasted_and_render_takes_the_text(self):
+    def test_numbers_are_typed_copied_and_pasted_and_render_accepts_the_text(self):
         editor = self.open_with_panel()
         editor.point_at(0.1, 0.9)
         editor.do("z")
@@ -62,7 +62,7 @@ class Section(WindowTest):
                         report["view"]["section_plane"]], check=True)
         self.assertTrue(os.path.exists(picture))
 
-    def test_the_pointer_picks_what_it_sees_and_the_beam_cuts_what_is_not_drawn(self):
+    def test_the_pointer_picks_visible_faces_and_the_beam_cuts_clipped_ones(self):
         editor = self.open_with_panel()
         editor.point_at(0.1, 0.9)
         editor.do("z")

@@ -21,7 +21,7 @@ class SingleStep(WindowTest):
         self.assertEqual(replay.returncode, 0, replay.stderr)
         return replay.stdout.split()[-1]
 
-    def test_a_stroke_that_is_stepped_through_forth_and_back_ends_as_it_was_drawn(self):
+    def test_stepping_a_stroke_back_and_forth_gives_the_drawn_result(self):
         editor = self.open_panel("single_step")
         editor.drag(ACROSS)
         self.save_as(editor, "drawn.kerf")
@@ -61,7 +61,7 @@ class SingleStep(WindowTest):
         self.assertEqual(stages["stages"]["done"], len(stages["stages"]["told"]))
         self.assertFalse(stages["stages"]["playing"])
 
-    def test_another_stroke_finishes_the_one_before_and_waits_itself(self):
+    def test_another_stroke_finishes_the_previous_one_and_waits(self):
         editor = self.open_panel("single_step")
         editor.press("F8")
         editor.drag(ACROSS)
@@ -73,7 +73,7 @@ class SingleStep(WindowTest):
         self.assertGreater(report["waiting"], 0)
         self.assertEqual(report["stages"]["done"], 0)
 
-    def test_a_stage_asked_for_while_an_earlier_stroke_is_cut_follows_it(self):
+    def test_a_stage_requested_during_an_earlier_stroke_follows_it(self):
         editor = self.open_panel("single_step")
         start, end = editor.place((0.3, 0.4)), editor.place((0.7, 0.6))
         across = [editor.place((0.3 + 0.01 * i, 0.4 + 0.02 * (i % 10))) for i in range(40)]
@@ -91,7 +91,7 @@ class SingleStep(WindowTest):
         self.assertEqual(report["stages"]["done"], 1, report["stages"])
         self.assertGreater(report["waiting"], 0)
 
-    def test_a_badge_says_what_single_steps_wait_for(self):
+    def test_a_badge_names_the_next_single_step(self):
         editor = self.open_panel("single_step")
         self.assertFalse(editor.shows("single step badge"))
         editor.press("F8")
@@ -108,7 +108,7 @@ class SingleStep(WindowTest):
         editor.settle()
         self.assertFalse(editor.shows("single step badge"))
 
-    def test_the_slider_of_the_tree_panel_walks_through_the_query_box_by_box(self):
+    def test_the_tree_panel_slider_steps_through_the_query_box_by_box(self):
         editor = self.open_panel("tree")
         editor.drag(ACROSS)
         editor.do("shift", "F8")

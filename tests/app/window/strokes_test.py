@@ -16,7 +16,7 @@ class Strokes(WindowTest):
         self.assertGreater(report["frames"], 5)
         self.assertEqual(sorted(report["frame_ms"]), ["max", "p50", "p99"])
 
-    def test_turning_the_view_and_stray_keys_cut_nothing(self):
+    def test_orbiting_the_view_and_stray_keys_cut_nothing(self):
         editor = self.open()
         editor.drag([(0.53, 0.5), (0.66, 0.43)], button=2)
         editor.drag([(0.53, 0.5), (0.6, 0.57)], button=3)
@@ -27,7 +27,7 @@ class Strokes(WindowTest):
         report = editor.quit()
         self.assertEqual((report["strokes"], report["faces_removed"], report["pieces"]), (0, 0, 1))
 
-    def test_a_stroke_that_meets_nothing_is_said_to_miss_and_is_no_step(self):
+    def test_a_stroke_that_misses_is_reported_and_adds_no_undo_entry(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.do("ctrl", "z")
@@ -39,10 +39,10 @@ class Strokes(WindowTest):
         self.assertEqual(editor.quit()["undo_depth"], 1)
 
     @real_input
-    def test_a_slit_follows_the_pointer_also_where_it_moves_within_a_slow_frame(self):
+    def test_a_slit_follows_the_pointer_within_a_slow_frame(self):
         self.assert_slit_follows_pointer(self.open())
 
-    def test_a_press_is_heard_where_it_was_though_the_pointer_went_on_within_the_frame(self):
+    def test_a_press_applies_at_its_position_despite_later_motion_in_the_frame(self):
         editor = self.open()
         on_car, over_panel = editor.place((0.3, 0.51)), editor.place(("side", 0.5, 0.7))
         editor.draw_at_once([on_car, editor.place((0.5, 0.5)), over_panel])
@@ -51,7 +51,7 @@ class Strokes(WindowTest):
         editor.settle()
         self.assertEqual(editor.quit()["strokes"], 1)
 
-    def test_standard_views_come_by_keys_and_by_the_axes_and_a_slit_follows_the_pointer_in_an_orthographic_view(self):
+    def test_standard_views_work_by_key_and_axis_and_a_slit_follows_the_pointer(self):
         editor = self.open()
         editor.point_at(0.05, 0.05)
         editor.do("ctrl", "3")
@@ -87,14 +87,14 @@ class Strokes(WindowTest):
         report = editor.quit()
         self.assertEqual(report["faces_removed"], 0)
 
-    def test_a_click_on_nothing_leaves_no_step(self):
+    def test_a_click_on_empty_space_adds_no_undo_entry(self):
         editor = self.open(SPHERE)
         editor.click(0.06, 0.1)
         editor.wait_for_title("sphere.json - Kerf")
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["strokes"]), (0, 0))
 
-    def test_the_last_stroke_is_cut_again(self):
+    def test_the_last_stroke_is_recut(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.do("r")
@@ -102,7 +102,7 @@ class Strokes(WindowTest):
         self.assertEqual((report["recuts"], report["strokes"]), (1, 1))
         self.assertGreater(report["faces_removed"], 100)
 
-    def test_a_stroke_among_many_faces_is_cut_again_and_again_and_all_pieces_are_shown(self):
+    def test_a_stroke_in_a_dense_mesh_is_recut_repeatedly_and_all_pieces_are_shown(self):
         editor = self.open()
         editor.drag([(0.53, 0.14), (0.53, 0.93)])
         for keys in (("r",), ("r",), ("ctrl", "a"), ("h",), ("shift", "h")):
@@ -112,7 +112,7 @@ class Strokes(WindowTest):
         self.assertEqual((report["recuts"], report["strokes"], report["pieces_hidden"]), (2, 1, 0))
         self.assertEqual(report["undo_depth"], 2 + 2 * report["pieces"])
 
-    def test_the_last_stroke_follows_the_slider_of_the_radius_and_its_figures_follow_undo(self):
+    def test_the_last_stroke_follows_the_radius_slider_and_totals_follow_undo(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.drag([("radius", 0.5, 0.5), ("radius", 0.7, 0.5)])
@@ -130,7 +130,7 @@ class Strokes(WindowTest):
         self.assertEqual(report["last_stroke"]["faces_removed"], report["faces_removed"])
         self.assertGreater(report["last_stroke"]["faces_made"], 100)
 
-    def test_a_slider_is_held_while_the_stroke_among_many_faces_is_cut_again_in_the_background(self):
+    def test_a_slider_stays_active_during_a_background_recut(self):
         editor = self.open()
         editor.drag([(0.27, 0.36), (0.8, 0.42)])
         x, y = editor.place(("radius", 0.5, 0.5))
@@ -150,7 +150,7 @@ class Strokes(WindowTest):
     def test_a_split_view_cuts_the_stroke_at_two_resolutions(self):
         self.assert_split_view_works()
 
-    def test_a_split_view_works_where_no_font_is_installed(self):
+    def test_a_split_view_works_without_an_installed_font(self):
         self.assert_split_view_works("--own-font")
 
     def assert_split_view_works(self, *options):
@@ -168,7 +168,7 @@ class Strokes(WindowTest):
         self.assertAlmostEqual(first[2], 0.32 * report["layout"]["viewport"][2], delta=8)
         self.assertEqual(first[2] + second[2], report["layout"]["viewport"][2])
 
-    def test_escape_and_a_stroke_close_what_is_open_over_the_picture(self):
+    def test_escape_and_a_stroke_close_overlays(self):
         editor = self.open(SPHERE)
         for opener, button in ((("radius",), 3), (("pattern",), 1)):
             editor.click(*opener, 0.3, 0.5, button=button)
